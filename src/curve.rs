@@ -1,0 +1,87 @@
+//! The centroid of a beam: a space curve x(xi; q) over xi in [-1, 1], with its degrees of freedom as an argument.
+//!
+//! Every curve shows two faces. [`Curve::position`] is all that automatic differentiation sees; [`Curve::jet`] is all
+//! that the closed form sees. Both are written by hand and independently, so each checks the other.
+
+mod shapes;
+
+pub use shapes::Shapes;
+
+use crate::number::Real;
+use nalgebra::{SMatrix, SVector, Vector3};
+
+/// A curve family with `N` degrees of freedom.
+///
+/// # A curve of one's own
+/// Curves that are linear in their dofs take [`Shapes`] as [`Curve::Dofs`]; all it needs are the shape functions and
+/// their first three derivatives. Curves that are not implement [`DofDerivatives`] for a type of their own.
+pub trait Curve<const N: usize> {
+    /// The derivatives with respect to the dofs at one point of the curve.
+    type Dofs<T: Real>: DofDerivatives<T, N>;
+
+    /// The point x(xi), in the user's unit of length.
+    fn position<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Vector3<T>;
+
+    /// The point with its derivatives in xi (up to the third) and in the dofs.
+    fn jet<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Jet<T, Self::Dofs<T>>;
+
+    /// An upper bound of ‖x,xixixi‖ over [-1, 1]: what the search for closest points needs so as not to miss one.
+    ///
+    /// It need not be sharp. A bound that is too small voids the guarantee; one that is too large costs time.
+    fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64;
+}
+
+/// The point of a curve and its derivatives with respect to xi.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "Eq. (6)")]
+#[doc(alias = "Eq. (10)")]
+pub struct Geometry<T> {
+    /// x, the point.
+    pub x: Vector3<T>,
+    /// t = x,xi, the tangent (parametric, not of unit length).
+    pub t: Vector3<T>,
+    /// t,xi = x,xixi.
+    pub t_xi: Vector3<T>,
+    /// t,xixi = x,xixixi.
+    pub t_xixi: Vector3<T>,
+}
+
+/// All that the closed form sees of a curve at one parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct Jet<T, U> {
+    /// The point and its xi-derivatives.
+    pub geometry: Geometry<T>,
+    /// The derivatives with respect to the dofs.
+    pub dofs: U,
+}
+
+/// Derivatives of a curve with respect to its dofs, at a frozen parameter.
+///
+/// The order `k` counts derivatives with respect to xi: 0 is x, 1 is x,xi, 2 is x,xixi.
+pub trait DofDerivatives<T: Real, const N: usize> {
+    /// Whether x is linear in q, so that every second derivative vanishes.
+    const LINEAR: bool;
+
+    /// delta_u u, delta_u u,xi or delta_u u,xixi (`k` = 0, 1, 2) in the direction `dq`.
+    fn variation(&self, k: usize, dq: &SVector<T, N>) -> Vector3<T>;
+
+    /// Delta_u delta_u u or Delta_u delta_u u,xi (`k` = 0, 1) in two directions.
+    fn second_variation(&self, k: usize, dq: &SVector<T, N>, linear_dq: &SVector<T, N>) -> Vector3<T>;
+
+    /// A_k^T w: the gradient of w . x,xi..xi (`k` times) for a fixed vector w.
+    fn gradient(&self, k: usize, w: &Vector3<T>) -> SVector<T, N> {
+        SVector::from_fn(|i, _| w.dot(&self.variation(k, &unit(i))))
+    }
+
+    /// The matrix of second derivatives of w . x,xi..xi (`k` = 0, 1) for a fixed vector w.
+    fn hessian(&self, k: usize, w: &Vector3<T>) -> SMatrix<T, N, N> {
+        SMatrix::from_fn(|i, j| w.dot(&self.second_variation(k, &unit(i), &unit(j))))
+    }
+}
+
+/// The `i`-th unit vector.
+fn unit<T: Real, const N: usize>(i: usize) -> SVector<T, N> {
+    let mut e = SVector::zeros();
+    e[i] = T::one();
+    e
+}

@@ -1,0 +1,4 @@
+//! Consistent linearization of beam-to-beam contact geometry, twice, and the gate that compares the two.
+
+pub mod curve;
+pub mod number;

@@ -1,0 +1,111 @@
+//! The scalars: one trait, [`Real`], over which every curve and every formula is written.
+//!
+//! `Real` is a field with a square root and with sine and cosine, and it has *no order*. Without an order the
+//! geometry cannot branch, so every scalar runs the very operations that `f64` runs, and whatever holds for one
+//! holds for all of them. Everything that iterates, branches or fails stays in `f64`, in
+//! [`closest_point`](crate::closest_point).
+
+mod bounded;
+mod double_double;
+mod dual;
+mod hyper_dual;
+mod magnitude;
+
+pub use bounded::Bounded;
+pub use double_double::DoubleDouble;
+pub use dual::{Differentiable, Dual};
+pub use hyper_dual::HyperDual;
+pub use magnitude::Magnitude;
+
+use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
+use num_dual::DualNum;
+use num_traits::{One, Zero};
+use std::ops::Neg;
+
+/// A number that the geometry of contact can be computed with: a field with `sqrt` and `sin_cos`, and no order.
+///
+/// It is implemented for `f64` and every (nested) dual number of [`num_dual`], by one blanket implementation, and for
+/// the scalars of this module. A scalar of one's own implements the operators, [`Zero`], [`One`], `From<f64>` and the
+/// two functions below, nothing else.
+///
+/// `==` on dual numbers compares the real part only; compare the parts instead.
+pub trait Real:
+    Scalar
+    + Copy
+    + Zero
+    + One
+    + Neg<Output = Self>
+    + ClosedAddAssign
+    + ClosedSubAssign
+    + ClosedMulAssign
+    + ClosedDivAssign
+    + From<f64>
+{
+    /// The square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Sine and cosine at once.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+}
+
+impl<T: DualNum<Primitive = f64> + Copy> Real for T {
+    #[inline]
+    fn sqrt(self) -> Self {
+        DualNum::sqrt(&self)
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        DualNum::sin_cos(&self)
+    }
+}
+
+/// Derives the assigning operators, `Zero`, `One` and `From<f64>` of a scalar from its `+ - * /`, its
+/// `constant(f64)` and its `is_nought`; the generics stand first, in brackets.
+macro_rules! field_from_operators {
+    ([$($generics:tt)*] $type:ty) => {
+        impl<$($generics)*> std::ops::AddAssign for $type {
+            #[inline]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl<$($generics)*> std::ops::SubAssign for $type {
+            #[inline]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+        impl<$($generics)*> std::ops::MulAssign for $type {
+            #[inline]
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+        impl<$($generics)*> std::ops::DivAssign for $type {
+            #[inline]
+            fn div_assign(&mut self, other: Self) {
+                *self = *self / other;
+            }
+        }
+        impl<$($generics)*> num_traits::Zero for $type {
+            #[inline]
+            fn zero() -> Self {
+                Self::from(0.0)
+            }
+            #[inline]
+            fn is_zero(&self) -> bool {
+                *self == Self::from(0.0)
+            }
+        }
+        impl<$($generics)*> num_traits::One for $type {
+            #[inline]
+            fn one() -> Self {
+                Self::from(1.0)
+            }
+        }
+    };
+}
+use field_from_operators;

@@ -1,0 +1,72 @@
+//! The size of a formula's terms: the scale against which a difference is small or not.
+//!
+//! A result that came about by cancellation is small though its terms are large; judged by its own size, a correct
+//! code would be accused, and judged by a fixed number, a wrong code would pass. `Magnitude` carries next to the
+//! value the sum of the absolute values of the terms: |a| + |b| for a sum, the product of both for a product.
+
+use super::{Real, field_from_operators};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A value and the sum of the absolute values of the terms it is the sum of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Magnitude {
+    /// The value.
+    pub value: f64,
+    /// The sum of the absolute values of its terms; never below |value|.
+    pub scale: f64,
+}
+
+impl From<f64> for Magnitude {
+    fn from(value: f64) -> Self {
+        Self { value, scale: value.abs() }
+    }
+}
+
+impl Add for Magnitude {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { value: self.value + other.value, scale: self.scale + other.scale }
+    }
+}
+
+impl Sub for Magnitude {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self { value: self.value - other.value, scale: self.scale + other.scale }
+    }
+}
+
+impl Mul for Magnitude {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self { value: self.value * other.value, scale: self.scale * other.scale }
+    }
+}
+
+impl Div for Magnitude {
+    type Output = Self;
+    /// The denominator counts by its value: what its own cancellation does is conditioning, not a term.
+    fn div(self, other: Self) -> Self {
+        Self { value: self.value / other.value, scale: self.scale / other.value.abs() }
+    }
+}
+
+impl Neg for Magnitude {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { value: -self.value, scale: self.scale }
+    }
+}
+
+field_from_operators!([] Magnitude);
+
+impl Real for Magnitude {
+    fn sqrt(self) -> Self {
+        Self::from(self.value.sqrt())
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.value.sin_cos();
+        (Self::from(sin), Self::from(cos))
+    }
+}
