@@ -1,4 +1,5 @@
 //! Consistent linearization of beam-to-beam contact geometry, twice, and the gate that compares the two.
 
+pub mod closest_point;
 pub mod curve;
 pub mod number;

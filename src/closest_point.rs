@@ -1,0 +1,211 @@
+//! Closest points of two centroids: the minima of the distance over the square of both parameters.
+//!
+//! The square [-1, 1]² is closed, so a minimum may lie inside it, on an edge (one parameter held at an end of its
+//! beam) or in a corner. [`closest_points`] finds all of them, [`refine`] follows one. Here, and only here, does the
+//! geometry iterate, branch and fail; all of it in `f64`, and with tests that do not depend on the unit of length.
+
+mod bounds;
+mod ends;
+mod error;
+mod newton;
+mod point;
+mod projection;
+mod search;
+mod tree;
+mod unresolved;
+
+pub use error::ProjectionError;
+pub use newton::refine;
+pub use point::{Active, ClosestPoint, Degeneracy, End, Kind, Side};
+pub use projection::Projection;
+
+use crate::curve::{Curve, Geometry};
+use ends::Rim;
+use nalgebra::SVector;
+use search::{Inside, Pair};
+use tree::{ROOT, Tree};
+
+/// A curve whose degrees of freedom are settled: all that the search sees.
+pub trait Centroid {
+    /// The point and its derivatives at `xi`, which lies in [-1, 1].
+    fn geometry(&self, xi: f64) -> Geometry<f64>;
+
+    /// An upper bound of ‖x,xixixi‖ over [-1, 1].
+    fn third_derivative_bound(&self) -> f64;
+}
+
+/// A [`Curve`] with its degrees of freedom.
+#[derive(Clone, Copy, Debug)]
+pub struct Beam<'a, C, const N: usize> {
+    /// The family of the curve.
+    pub curve: &'a C,
+    /// The degrees of freedom.
+    pub q: &'a SVector<f64, N>,
+}
+
+impl<C: Curve<N>, const N: usize> Centroid for Beam<'_, C, N> {
+    fn geometry(&self, xi: f64) -> Geometry<f64> {
+        self.curve.jet(self.q, xi).geometry
+    }
+
+    fn third_derivative_bound(&self) -> f64 {
+        self.curve.third_derivative_bound(self.q)
+    }
+}
+
+/// How far the search goes before it leaves a question open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Search {
+    /// The most boxes it looks at.
+    pub boxes: usize,
+    /// The half-width, in the parameters, below which a box is not divided any more.
+    pub resolution: f64,
+}
+
+impl Default for Search {
+    fn default() -> Self {
+        Self { boxes: 1 << 14, resolution: 1.0 / f64::from(1 << 20) }
+    }
+}
+
+/// All that is stationary in the distance of two centroids.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ClosestPoints {
+    /// The local minima, inside and at ends, the nearest first.
+    pub minima: Vec<ClosestPoint>,
+    /// The saddles and maxima inside the square, the nearest first.
+    pub stationary: Vec<ClosestPoint>,
+    /// Regions in which the search could not tell how many points are stationary.
+    pub unresolved: Vec<Unresolved>,
+    /// What the search cost.
+    pub statistics: Statistics,
+}
+
+/// A region in which more points may be stationary than are reported; infinitely many, if the centroids are parallel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Unresolved {
+    /// The smallest and the largest xi.
+    pub xi: [f64; 2],
+    /// The smallest and the largest xi_bar.
+    pub xi_bar: [f64; 2],
+    /// The number of boxes that the region was covered with.
+    pub boxes: usize,
+    /// A point near the smallest distance in it.
+    pub point: ClosestPoint,
+}
+
+/// The cost of a search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub struct Statistics {
+    /// Boxes looked at inside the square.
+    pub boxes: usize,
+    /// Intervals looked at on its edges.
+    pub intervals: usize,
+    /// Evaluations of a curve.
+    pub evaluations: usize,
+}
+
+/// Finds all minima of the distance between two curves over the square [-1, 1]², and what else is stationary inside.
+///
+/// # Errors
+/// [`ProjectionError::NonFinite`], or [`ProjectionError::ZeroTangent`] if a curve is a single point. That centroids are
+/// parallel, that they cross or that no minimum is interior is no error of the search but a property of what it finds:
+/// see [`ClosestPoint::degeneracy`], [`ClosestPoints::unresolved`] and [`ClosestPoints::interior`].
+pub fn closest_points(
+    beam: &dyn Centroid,
+    bar: &dyn Centroid,
+    options: &Search,
+) -> Result<ClosestPoints, ProjectionError> {
+    let mut pair = Pair { curves: [beam, bar], trees: [Tree::new(beam)?, Tree::new(bar)?] };
+    for (tree, bar) in pair.trees.iter().zip([false, true]) {
+        let root = tree.node(ROOT);
+        if root.speed == 0.0 && root.turn == 0.0 {
+            return Err(ProjectionError::ZeroTangent { bar });
+        }
+    }
+    let inside = search::inside(&mut pair, options)?;
+    let rim = ends::rim(&mut pair, options)?;
+    let statistics = Statistics {
+        boxes: inside.boxes,
+        intervals: rim.intervals,
+        evaluations: pair.trees.iter().map(Tree::evaluations).sum(),
+    };
+    assemble(&pair, inside, rim, statistics)
+}
+
+/// Sorts what was found, each point once.
+fn assemble(
+    pair: &Pair,
+    inside: Inside,
+    rim: Rim,
+    statistics: Statistics,
+) -> Result<ClosestPoints, ProjectionError> {
+    let mut unresolved = Vec::new();
+    let mut points: Vec<ClosestPoint> = Vec::new();
+    for zero in inside.zeros {
+        add(&mut points, ends::at_end(pair, &zero).unwrap_or(zero));
+    }
+    for region in &inside.open {
+        let point = region.point(pair)?;
+        if point.degeneracy().is_none() {
+            add(&mut points, ends::at_end(pair, &point).unwrap_or(point));
+        }
+        unresolved.push(region.unresolved(point));
+    }
+    for region in &rim.open {
+        // What is open inside and reaches an edge is open on the edge as well.
+        if !inside.open.iter().any(|known| known.touches(region)) {
+            unresolved.push(region.unresolved(region.point(pair)?));
+        }
+    }
+    for point in rim.minima {
+        // Where a continuum meets an edge, the edge has a weak minimum that is no point of its own.
+        let part = inside.open.iter().any(|region| region.contains(point.xi, point.xi_bar));
+        let strict = [point.end, point.end_bar].into_iter().flatten().all(|end| end.strict);
+        if strict || !part {
+            add(&mut points, point);
+        }
+    }
+    points.sort_by(|p, q| p.distance.total_cmp(&q.distance));
+    let (minima, stationary) = points.into_iter().partition(|point| point.kind == Kind::Minimum);
+    Ok(ClosestPoints { minima, stationary, unresolved, statistics })
+}
+
+/// Adds a point unless it is known, be it from both sides of an end.
+fn add(points: &mut Vec<ClosestPoint>, point: ClosestPoint) {
+    let same = |known: &ClosestPoint| {
+        known.active() == point.active()
+            && (known.xi - point.xi).abs().max((known.xi_bar - point.xi_bar).abs()) < 1e-9
+    };
+    if !points.iter().any(same) {
+        points.push(point);
+    }
+}
+
+impl ClosestPoints {
+    /// The nearest minimum with both parameters inside their beams.
+    ///
+    /// # Errors
+    /// [`ProjectionError::Singular`] if a continuum of points is at least as near,
+    /// [`ProjectionError::NoInteriorMinimum`] if every minimum is at an end.
+    pub fn interior(&self) -> Result<&ClosestPoint, ProjectionError> {
+        let nearest = self.minima.iter().find(|point| point.is_interior());
+        let limit = nearest.map_or(f64::INFINITY, |point| point.distance);
+        for region in &self.unresolved {
+            if let (Some(Degeneracy::Singular { conditioning }), true) =
+                (region.point.degeneracy(), region.point.is_interior() && region.point.distance <= limit)
+            {
+                return Err(ProjectionError::Singular { conditioning });
+            }
+        }
+        nearest.ok_or(ProjectionError::NoInteriorMinimum)
+    }
+
+    /// Whether no region was left open, so that all minima, saddles and maxima are listed.
+    pub fn is_complete(&self) -> bool {
+        self.unresolved.is_empty()
+    }
+}

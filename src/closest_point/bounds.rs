@@ -1,0 +1,125 @@
+//! What the gradient of the squared distance can do over a box of parameters, from Taylor's theorem at its centre.
+
+use super::Projection;
+use super::point::SINGULAR;
+use super::tree::Node;
+
+/// Room for rounding, relative to the half-widths of a box.
+const SLACK: f64 = 1.0 + 1.0 / 64.0;
+/// The inflation of a box in which a zero is unique, over which the bounds grow by its cube at most.
+pub(super) const INFLATION: f64 = 1.25;
+const INFLATED: f64 = INFLATION * INFLATION * INFLATION;
+
+/// A box of parameters.
+///
+/// # Derivation
+/// Write u, v for the distances from the centre, |u| <= h, |v| <= k. With t(u) = t + u t,xi + ρ₁, ‖ρ₁‖ <= h²M/2, and
+/// alike for d and t,xi, where M bounds ‖x,xixixi‖, the Hessian differs from that at the centre by at most
+///
+/// ```math
+/// |Δa| ≤ 3h|t·t,ξ| + k|t̄·t,ξ| + ‖Δt‖² + 2‖ρ₁‖‖t‖ + ‖ρ₀‖‖t,ξ‖ + ‖d‖ hM
+/// |Δb| ≤ h|t̄·t,ξ| + k|t·t̄,ξ| + ‖ρ₁‖‖t̄‖ + ‖ρ̄₁‖‖t‖ + ‖Δt‖‖Δt̄‖
+/// ```
+///
+/// where ρ₀ is the remainder of d, and Δā like Δa with the beams swapped. All terms vanish at the centre and grow at
+/// least linearly along rays, so that the mean of ΔH over a ray is at most half of the bound at its end, and the
+/// gradient differs from its linear part by at most (Δa h + Δb k)/2 and (Δb h + Δā k)/2.
+pub(super) struct Bounds {
+    pub(super) projection: Projection,
+    half: [f64; 2],
+    /// Bounds of |Δa|, |Δb|, |Δā|.
+    change: [f64; 3],
+    /// Bounds of the non-linear part of the gradient.
+    remainder: [f64; 2],
+    /// H⁻¹ in the order of H; not finite if H is singular.
+    inverse: [f64; 3],
+}
+
+impl Bounds {
+    #[inline]
+    pub(super) fn new(x: &Node, y: &Node) -> Self {
+        let projection = Projection::new(&x.geometry, &y.geometry);
+        let (h, k) = (x.half, y.half);
+        let (g, g_bar) = (&x.geometry, &y.geometry);
+        let sag = x.sag + y.sag;
+        let reach = projection.distance + h * x.speed + k * y.speed + sag;
+        let (cross, cross_bar) = (g_bar.t.dot(&g.t_xi).abs(), g.t.dot(&g_bar.t_xi).abs());
+        let own = |node: &Node, h: f64, k: f64, cross: f64| {
+            3.0 * h * node.geometry.t.dot(&node.geometry.t_xi).abs()
+                + k * cross
+                + node.turn * node.turn
+                + 2.0 * node.twist * node.speed
+                + sag * node.bend
+                + reach * node.jerk
+        };
+        let da = own(x, h, k, cross);
+        let da_bar = own(y, k, h, cross_bar);
+        let db = h * cross + k * cross_bar + x.twist * y.speed + y.twist * x.speed + x.turn * y.turn;
+        let Projection { a, b, a_bar, det, .. } = projection;
+        Self {
+            half: [h, k],
+            change: [da, db, da_bar],
+            remainder: [0.5 * (da * h + db * k), 0.5 * (db * h + da_bar * k)],
+            inverse: [-a_bar / det, b / det, a / det],
+            projection,
+        }
+    }
+
+    /// Whether component `i` of the gradient keeps the sign it has at the centre.
+    pub(super) fn keeps_sign(&self, i: usize) -> bool {
+        let Projection { a, b, a_bar, gradient, .. } = self.projection;
+        let own = if i == 0 { a } else { a_bar };
+        let linear = own.abs() * self.half[i] + b.abs() * self.half[1 - i];
+        gradient[i].abs() > SLACK * (linear + self.remainder[i])
+    }
+
+    /// Whether the gradient vanishes nowhere in the box, by its components or by those of H⁻¹ times it.
+    pub(super) fn excludes_zero(&self) -> bool {
+        if self.keeps_sign(0) || self.keeps_sign(1) {
+            return true;
+        }
+        let ([g, g_bar], [r, r_bar], [p, q, s]) = (self.projection.gradient, self.remainder, self.inverse);
+        let [h, k] = self.half;
+        (p * g + q * g_bar).abs() > SLACK * (h + p.abs() * r + q.abs() * r_bar)
+            || (q * g + s * g_bar).abs() > SLACK * (k + q.abs() * r + s.abs() * r_bar)
+    }
+
+    /// The Lipschitz constant of y - H⁻¹ grad F(y) over the inflated box, in the maximum norm of the half-widths.
+    pub(super) fn contraction(&self) -> f64 {
+        let ([da, db, da_bar], [p, q, s], [h, k]) = (self.change, self.inverse.map(f64::abs), self.half);
+        let first = (p * da + q * db) * h + (p * db + q * da_bar) * k;
+        let second = (q * da + s * db) * h + (q * db + s * da_bar) * k;
+        INFLATED * (first / h).max(second / k)
+    }
+
+    /// Whether the Hessian is singular to rounding all over the box, so that halving it is of no use.
+    pub(super) fn is_flat(&self) -> bool {
+        let [t2, t_bar2] = self.projection.squares;
+        let [da, db, da_bar] = self.change;
+        da <= SINGULAR * t2
+            && da_bar <= SINGULAR * t_bar2
+            && db * db <= SINGULAR * SINGULAR * t2 * t_bar2
+            && self.projection.smallest_magnitude(super::Active::default()) <= SINGULAR
+    }
+
+    /// The Lipschitz constant for component `i` as a function of its own parameter; the other one has no width.
+    pub(super) fn contraction_along(&self, i: usize) -> f64 {
+        INFLATED * self.change[2 * i] / self.curvature(i).abs()
+    }
+
+    /// Whether the curvature in parameter `i` is zero to rounding all over the interval.
+    pub(super) fn is_flat_along(&self, i: usize) -> bool {
+        let scale = SINGULAR * self.projection.squares[i];
+        self.change[2 * i] <= scale && self.curvature(i).abs() <= scale
+    }
+
+    /// Whether F is concave in parameter `i` all over the box, so that there is no minimum along it.
+    pub(super) fn is_concave_along(&self, i: usize) -> bool {
+        self.curvature(i) < -self.change[2 * i]
+    }
+
+    /// The second derivative of F in parameter `i`: a or -a_bar.
+    fn curvature(&self, i: usize) -> f64 {
+        if i == 0 { self.projection.a } else { -self.projection.a_bar }
+    }
+}

@@ -1,0 +1,121 @@
+//! Minima with one or both parameters held at an end of a beam: the edges and the corners of the square.
+
+use super::bounds::{Bounds, INFLATION};
+use super::search::Pair;
+use super::tree::{ENDS, ROOT};
+use super::unresolved::{Region, gather};
+use super::{Active, ClosestPoint, Kind, ProjectionError, Search};
+
+/// What the edges and corners hold.
+#[derive(Default)]
+pub(super) struct Rim {
+    pub(super) minima: Vec<ClosestPoint>,
+    pub(super) open: Vec<Region>,
+    pub(super) intervals: usize,
+}
+
+/// Finds the minima on the edges and in the corners of the square.
+pub(super) fn rim(pair: &mut Pair, search: &Search) -> Result<Rim, ProjectionError> {
+    let mut rim = Rim::default();
+    for free in [1, 0] {
+        for end in ENDS {
+            edge(pair, search, free, end, &mut rim)?;
+        }
+    }
+    let both = Active { xi: true, xi_bar: true };
+    for end in ENDS {
+        for end_bar in ENDS {
+            let [x, y] = pair.nodes([end, end_bar]);
+            let at = (x.centre, y.centre);
+            let point = ClosestPoint::new(at, (&x.geometry, &y.geometry), both);
+            rim.accept(point);
+        }
+    }
+    rim.open = gather(std::mem::take(&mut rim.open));
+    Ok(rim)
+}
+
+/// The same search as over the square, along parameter `free` with the other one held at `end`.
+fn edge(
+    pair: &mut Pair,
+    search: &Search,
+    free: usize,
+    end: u32,
+    rim: &mut Rim,
+) -> Result<(), ProjectionError> {
+    let active = Active { xi: free == 1, xi_bar: free == 0 };
+    let mut zeros: Vec<f64> = Vec::new();
+    let mut queue = vec![ROOT];
+    let mut next = 0;
+    while next < queue.len() {
+        let index = queue[next];
+        next += 1;
+        let at = if free == 0 { [index, end] } else { [end, index] };
+        let nodes = pair.nodes(at);
+        let interval = nodes[free];
+        let bounds = Bounds::new(nodes[0], nodes[1]);
+        let held = 1 - free;
+        // No minimum: the gradient along the edge keeps its sign, or that across it points inward, or F is concave.
+        if bounds.keeps_sign(free)
+            || (bounds.keeps_sign(held)
+                && bounds.projection.gradient[held] * nodes[held].centre > 0.0
+                && !bounds.projection.is_weak(held))
+            || bounds.is_concave_along(free)
+        {
+            continue;
+        }
+        let contraction = bounds.contraction_along(free);
+        if contraction < 0.75 {
+            let within = |xi: f64, factor: f64| (xi - interval.centre).abs() <= factor * interval.half;
+            if zeros.iter().any(|&zero| within(zero, INFLATION)) {
+                continue;
+            }
+            let parameter = |point: &ClosestPoint| if free == 0 { point.xi } else { point.xi_bar };
+            match pair.refine((nodes[0].centre, nodes[1].centre), active) {
+                Err(ProjectionError::NonFinite) => return Err(ProjectionError::NonFinite),
+                Ok(point) if within(parameter(&point), INFLATION) => {
+                    if !zeros.iter().any(|&zero| within(zero, INFLATION * (1.0 + 1e-6))) {
+                        zeros.push(parameter(&point));
+                        rim.accept(point);
+                    }
+                    continue;
+                }
+                _ if contraction <= 0.25 => continue,
+                _ => {}
+            }
+        }
+        let hopeless = bounds.is_flat_along(free) || interval.half <= search.resolution;
+        if hopeless || next > search.boxes / 8 {
+            rim.open.push(Region::new(nodes, bounds.projection.distance));
+        } else {
+            queue.extend(pair.trees[free].halves(index)?);
+        }
+    }
+    rim.intervals += next;
+    Ok(())
+}
+
+impl Rim {
+    /// Takes a point that is stationary along its edge if the gradient across points outward.
+    ///
+    /// If it points inward ever so slightly, the zero is inside the square and found there.
+    fn accept(&mut self, point: ClosestPoint) {
+        let outward = [point.end, point.end_bar].into_iter().flatten().all(|end| end.multiplier >= 0.0);
+        if outward && point.kind == Kind::Minimum {
+            self.minima.push(point);
+        }
+    }
+}
+
+/// The point at the ends that a zero of the gradient is so near to that only rounding tells them apart.
+pub(super) fn at_end(pair: &Pair, zero: &ClosestPoint) -> Option<ClosestPoint> {
+    const NEAR: f64 = 1.0 - 1e-7;
+    let near = Active { xi: zero.xi.abs() > NEAR, xi_bar: zero.xi_bar.abs() > NEAR };
+    let candidates = [near, Active { xi_bar: false, ..near }, Active { xi: false, ..near }];
+    candidates.into_iter().filter(|&active| active != Active::default()).find_map(|active| {
+        let point = pair.refine((zero.xi, zero.xi_bar), active).ok()?;
+        let close = (point.xi - zero.xi).abs().max((point.xi_bar - zero.xi_bar).abs()) < 1e-6;
+        let weak = [point.end, point.end_bar].into_iter().flatten().all(|end| !end.strict);
+        (close && weak).then_some(point)
+    })
+}

@@ -1,0 +1,33 @@
+//! The ways in which a projection of one centroid onto the other can fail. None depends on the unit of length.
+
+use thiserror::Error;
+
+/// Why there is no closest point to work with.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ProjectionError {
+    /// A position, a derivative, a bound or a start is infinite or not a number.
+    #[error("a curve, its bound or the start is not finite")]
+    NonFinite,
+    /// All points of one curve coincide, so that it has no tangent.
+    #[error("the {} curve is a single point", if *.bar { "barred" } else { "first" })]
+    ZeroTangent {
+        /// Whether it is the barred curve.
+        bar: bool,
+    },
+    /// The closest point is not isolated, or not to be told from one that is not: parallel or coaxial centroids.
+    #[error("the closest point is not unique: the smallest scaled eigenvalue is {conditioning:e}")]
+    Singular {
+        /// The smallest eigenvalue of the Hessian for unit tangents.
+        conditioning: f64,
+    },
+    /// Every minimum has a parameter at an end of its beam.
+    #[error("no minimum of the distance lies inside both beams")]
+    NoInteriorMinimum,
+    /// Newton's method found no stationary point from the given start.
+    #[error("Newton's method did not converge: the residual is {residual:e}")]
+    NotConverged {
+        /// The largest |cos| of the angles between d and the tangents where it stopped.
+        residual: f64,
+    },
+}

@@ -1,0 +1,85 @@
+//! Newton's method for one stationary point.
+
+use super::tree::evaluate;
+use super::{Active, Centroid, ClosestPoint, Projection, ProjectionError};
+use crate::curve::Geometry;
+
+/// The most steps. A simple zero takes five from nearby, a multiple one gains a bit a step.
+const STEPS: usize = 60;
+/// Steps below this, in the parameters, are the last ones.
+const SMALL: f64 = 1e-7;
+
+/// Follows Newton's method from `start` to the last digit, with the `active` parameters held at their ends.
+///
+/// The parameters that are free stay in [-1, 1]; those that are held are put to the end they are nearest to. Whether
+/// the point is a minimum is for [`ClosestPoint::kind`] to say.
+///
+/// # Errors
+/// [`ProjectionError::NonFinite`] if the start or a curve is not finite, [`ProjectionError::Singular`] if the Hessian is
+/// exactly singular on the way, [`ProjectionError::NotConverged`] if the steps do not become small or end at an end.
+pub fn refine(
+    beam: &dyn Centroid,
+    bar: &dyn Centroid,
+    start: (f64, f64),
+    active: Active,
+) -> Result<ClosestPoint, ProjectionError> {
+    if !(start.0.is_finite() && start.1.is_finite()) {
+        return Err(ProjectionError::NonFinite);
+    }
+    let place = |held: bool, xi: f64| if held { 1.0_f64.copysign(xi) } else { xi.clamp(-1.0, 1.0) };
+    let (mut xi, mut xi_bar) = (place(active.xi, start.0), place(active.xi_bar, start.1));
+    let mut previous = f64::INFINITY;
+    let mut best = Iterate::at(beam, bar, (xi, xi_bar), active)?;
+    let mut current = best;
+    for _ in 0..STEPS {
+        let (step, step_bar) = current.projection.step(active);
+        if current.slope == 0.0 {
+            break;
+        }
+        if !(step.is_finite() && step_bar.is_finite()) {
+            return Err(ProjectionError::Singular { conditioning: current.projection.conditioning(active) });
+        }
+        let next = ((xi + step).clamp(-1.0, 1.0), (xi_bar + step_bar).clamp(-1.0, 1.0));
+        let size = (next.0 - xi).abs().max((next.1 - xi_bar).abs());
+        if size == 0.0 || (size < SMALL && size >= 0.5 * previous) {
+            break;
+        }
+        (xi, xi_bar) = next;
+        current = Iterate::at(beam, bar, next, active)?;
+        // Far away the gradient may grow for a while; at rounding level the least gradient is the best.
+        if size >= SMALL || current.slope < best.slope {
+            best = current;
+        }
+        previous = size;
+    }
+    let p = &best.projection;
+    let point = ClosestPoint::new(best.at, (&best.geometry[0], &best.geometry[1]), active);
+    if (active.xi || p.is_weak(0)) && (active.xi_bar || p.is_weak(1)) {
+        Ok(point)
+    } else {
+        Err(ProjectionError::NotConverged { residual: point.residual })
+    }
+}
+
+/// A pair of parameters with all that is known there.
+#[derive(Clone, Copy)]
+struct Iterate {
+    at: (f64, f64),
+    geometry: [Geometry<f64>; 2],
+    projection: Projection,
+    /// The larger component of the gradient for unit tangents.
+    slope: f64,
+}
+
+impl Iterate {
+    fn at(
+        beam: &dyn Centroid,
+        bar: &dyn Centroid,
+        at: (f64, f64),
+        active: Active,
+    ) -> Result<Self, ProjectionError> {
+        let geometry = [evaluate(beam, at.0)?, evaluate(bar, at.1)?];
+        let projection = Projection::new(&geometry[0], &geometry[1]);
+        Ok(Self { at, geometry, slope: projection.slope(active), projection })
+    }
+}

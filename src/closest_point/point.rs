@@ -1,0 +1,196 @@
+//! One closest (or otherwise stationary) point: where it is, what it is and how well it is determined.
+
+use super::Projection;
+use crate::curve::Geometry;
+
+/// Scaled eigenvalues below this are rounding: the point is singular.
+pub(super) const SINGULAR: f64 = 1.4e-14;
+/// Tangents shorter than this, relative to the change of the tangent along the beam, have no length.
+const STANDSTILL: f64 = 9e-13;
+/// Scaled multipliers below this are zero: the end is weakly active.
+pub(super) const WEAK: f64 = 9e-13;
+
+/// A stationary point of the distance over the square of the two parameters, or over one of its edges or corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ClosestPoint {
+    /// xi, the parameter on the first curve.
+    pub xi: f64,
+    /// xi_bar, the parameter on the barred curve.
+    pub xi_bar: f64,
+    /// The end of the first beam that holds xi, if one does.
+    pub end: Option<End>,
+    /// The end of the barred beam that holds xi_bar, if one does.
+    pub end_bar: Option<End>,
+    /// What kind of stationary point it is within the square.
+    pub kind: Kind,
+    /// d = ‖x - x_bar‖, in the user's unit of length.
+    pub distance: f64,
+    /// The largest |cos| of the angle between d and the tangent over the free parameters; 0 if the centroids cross.
+    pub residual: f64,
+    /// The smallest eigenvalue of the Hessian of d²/2 for unit tangents, over the free parameters.
+    ///
+    /// It is 1 - |cos θ| for straight beams at the angle θ, and infinite if no parameter is free.
+    pub conditioning: f64,
+    degeneracy: Option<Degeneracy>,
+}
+
+/// What a stationary point of the distance is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A local minimum.
+    Minimum,
+    /// Neither a minimum nor a maximum.
+    Saddle,
+    /// A local maximum.
+    Maximum,
+}
+
+/// The end of a beam that holds a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// Which end.
+    pub side: Side,
+    /// Whether the multiplier is clearly not zero. If it is not, derivatives exist to one side only.
+    pub strict: bool,
+    /// The cosine of the angle between d and the tangent, positive where leaving the end would increase the distance.
+    pub multiplier: f64,
+}
+
+/// The two ends of a beam.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// xi = -1.
+    Lower,
+    /// xi = 1.
+    Upper,
+}
+
+/// Which parameters are held at an end, and hence do not vary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Active {
+    /// xi is held.
+    pub xi: bool,
+    /// xi_bar is held.
+    pub xi_bar: bool,
+}
+
+/// What keeps a point from having derivatives that can be trusted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Degeneracy {
+    /// A tangent has no length: its norm, and slips, have no derivative.
+    ZeroTangent {
+        /// Whether it is the tangent of the barred curve.
+        bar: bool,
+    },
+    /// D = 0 to rounding: the parameters have no derivative.
+    Singular {
+        /// The scaled eigenvalue of the Hessian that is smallest in size.
+        conditioning: f64,
+    },
+    /// A parameter is just about to leave its end: derivatives exist to one side only.
+    WeakEnd {
+        /// The scaled multiplier.
+        multiplier: f64,
+    },
+    /// The centroids cross, d = 0: the parameters have derivatives, the distance has none.
+    Crossing,
+}
+
+impl ClosestPoint {
+    /// Describes the point at the parameters (`xi`, `xi_bar`), of which `active` ones are held.
+    pub(super) fn new(
+        (xi, xi_bar): (f64, f64),
+        (x, x_bar): (&Geometry<f64>, &Geometry<f64>),
+        active: Active,
+    ) -> Self {
+        let p = Projection::new(x, x_bar);
+        let [end, end_bar] = [(active.xi, 0, xi), (active.xi_bar, 1, xi_bar)]
+            .map(|(held, i, at)| held.then(|| End::new(&p, i, at)));
+        let conditioning = p.conditioning(active);
+        let degeneracy = if stands_still(x) || stands_still(x_bar) {
+            Some(Degeneracy::ZeroTangent { bar: !stands_still(x) })
+        } else if p.smallest_magnitude(active) <= SINGULAR {
+            Some(Degeneracy::Singular { conditioning: p.smallest_magnitude(active) })
+        } else if let Some(end) = [end, end_bar].into_iter().flatten().find(|end| !end.strict) {
+            Some(Degeneracy::WeakEnd { multiplier: end.multiplier })
+        } else {
+            p.is_crossing().then_some(Degeneracy::Crossing)
+        };
+        Self {
+            xi,
+            xi_bar,
+            end,
+            end_bar,
+            kind: Kind::new(&p, end, end_bar),
+            distance: p.distance,
+            residual: p.residual(active),
+            conditioning,
+            degeneracy,
+        }
+    }
+
+    /// Which parameters are held at an end.
+    pub fn active(&self) -> Active {
+        Active { xi: self.end.is_some(), xi_bar: self.end_bar.is_some() }
+    }
+
+    /// Whether both parameters lie inside their beams.
+    pub fn is_interior(&self) -> bool {
+        self.active() == Active::default()
+    }
+
+    /// The gravest reason not to trust derivatives at this point, if there is one.
+    pub fn degeneracy(&self) -> Option<Degeneracy> {
+        self.degeneracy
+    }
+}
+
+impl End {
+    fn new(p: &Projection, i: usize, at: f64) -> Self {
+        let (side, sign) = if at < 0.0 { (Side::Lower, -1.0) } else { (Side::Upper, 1.0) };
+        Self { side, strict: !p.is_weak(i), multiplier: 0.0 - sign * p.cosine(i) }
+    }
+}
+
+/// Whether the tangent has no length, next to its change along the beam.
+fn stands_still(x: &Geometry<f64>) -> bool {
+    x.t.norm() <= STANDSTILL * (x.t_xi.norm() + x.t_xixi.norm())
+}
+
+impl Side {
+    /// The parameter of this end.
+    pub fn parameter(self) -> f64 {
+        match self {
+            Self::Lower => -1.0,
+            Self::Upper => 1.0,
+        }
+    }
+}
+
+impl Kind {
+    /// The kind of a stationary point: the sign of the Hessian over the parameters that no end holds strictly.
+    fn new(p: &Projection, end: Option<End>, end_bar: Option<End>) -> Self {
+        let strict = |end: Option<End>| end.is_some_and(|end| end.strict);
+        let inward = |end: Option<End>| end.is_some_and(|end| end.strict && end.multiplier < 0.0);
+        if inward(end) || inward(end_bar) {
+            return Self::Saddle;
+        }
+        let held = Active { xi: strict(end), xi_bar: strict(end_bar) };
+        if let (Some(end), Some(end_bar), false, false) = (end, end_bar, held.xi, held.xi_bar) {
+            // In a corner both parameters go one way only: the Hessian need but be copositive.
+            let b = if end.side == end_bar.side { -p.b } else { p.b };
+            if p.a > 0.0 && p.a_bar < 0.0 && b >= 0.0 {
+                return Self::Minimum;
+            }
+        }
+        if p.is_convex(held) {
+            Self::Minimum
+        } else if held == Active::default() && p.a < 0.0 && p.det > 0.0 {
+            Self::Maximum
+        } else {
+            Self::Saddle
+        }
+    }
+}

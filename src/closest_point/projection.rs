@@ -1,0 +1,179 @@
+//! The gradient and the Hessian of half the squared distance at a pair of points, and their scale-free measures.
+
+use super::Active;
+use crate::curve::Geometry;
+use nalgebra::{Matrix2, Vector2, Vector3};
+
+/// Lengths below this, relative to the positions and tangents, are rounding.
+const ROUNDING: f64 = 9e-16;
+
+/// F = |d|²/2 with its derivatives in (xi, xi_bar) at a pair of points.
+///
+/// The Hessian is H = [[a, -b], [-b, -a_bar]], and the determinant of the linearized orthogonality conditions is
+/// D = a a_bar + b² = -det H.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// d = x - x_bar.
+    pub d: Vector3<f64>,
+    /// ‖d‖.
+    pub distance: f64,
+    /// The gradient (d·t, -d·t_bar).
+    pub gradient: [f64; 2],
+    /// a = t·t + d·t,xi.
+    pub a: f64,
+    /// b = t·t_bar.
+    pub b: f64,
+    /// a_bar = -t_bar·t_bar + d·t_bar,xi_bar.
+    pub a_bar: f64,
+    /// det H = -D, without the cancellation of t²t_bar² - b² between nearly parallel tangents.
+    pub det: f64,
+    /// t·t and t_bar·t_bar.
+    pub(super) squares: [f64; 2],
+    /// The sum of the squares of the positions and the tangents.
+    size2: f64,
+}
+
+impl Projection {
+    /// The derivatives of half the squared distance between two points.
+    #[inline]
+    pub fn new(x: &Geometry<f64>, x_bar: &Geometry<f64>) -> Self {
+        let d = x.x - x_bar.x;
+        let squares = [x.t.norm_squared(), x_bar.t.norm_squared()];
+        let (p, q) = (d.dot(&x.t_xi), d.dot(&x_bar.t_xi));
+        Self {
+            d,
+            distance: d.norm(),
+            gradient: [d.dot(&x.t), -d.dot(&x_bar.t)],
+            a: squares[0] + p,
+            b: x.t.dot(&x_bar.t),
+            a_bar: q - squares[1],
+            // det H = |t × t_bar|² + p t_bar² - q t² - p q with p = d·t,xi and q = d·t_bar,xi_bar.
+            det: x.t.cross(&x_bar.t).norm_squared() + p * squares[1] - q * squares[0] - p * q,
+            squares,
+            size2: x.x.norm_squared() + x_bar.x.norm_squared() + squares[0] + squares[1],
+        }
+    }
+
+    /// D = a a_bar + b².
+    #[doc(alias = "Eq. (52)")]
+    pub fn d_determinant(&self) -> f64 {
+        -self.det
+    }
+
+    /// The smallest eigenvalue of the Hessian for unit tangents, over the parameters that are not held.
+    ///
+    /// It is infinite if both are held and not a number if a tangent has no length.
+    pub fn conditioning(&self, active: Active) -> f64 {
+        self.eigenvalues(active)[0]
+    }
+
+    /// The size of the eigenvalue of smallest size.
+    pub(super) fn smallest_magnitude(&self, active: Active) -> f64 {
+        let [low, high] = self.eigenvalues(active);
+        low.abs().min(high.abs())
+    }
+
+    /// The eigenvalues for unit tangents in ascending order, each to its own last digits; one free parameter has two
+    /// equal ones.
+    fn eigenvalues(&self, active: Active) -> [f64; 2] {
+        let [t2, t_bar2] = self.squares;
+        let (first, second) = (self.a / t2, -self.a_bar / t_bar2);
+        match (active.xi, active.xi_bar) {
+            (true, true) => [f64::INFINITY; 2],
+            (true, false) => [second; 2],
+            (false, true) => [first; 2],
+            (false, false) => {
+                let root = ((first - second).powi(2) + 4.0 * (self.b / t2) * (self.b / t_bar2)).sqrt();
+                let (trace, det) = (first + second, self.det / t2 / t_bar2);
+                let large = 0.5 * (trace + root.copysign(trace));
+                let small = if large == 0.0 { 0.0 } else { det / large };
+                if trace < 0.0 { [large, small] } else { [small, large] }
+            }
+        }
+    }
+
+    /// The cosine of the angle between d and the gradient's tangent `i`, 0 if the centroids cross.
+    pub(super) fn cosine(&self, i: usize) -> f64 {
+        let scale = self.distance * self.squares[i].sqrt();
+        if self.is_crossing() || scale == 0.0 { 0.0 } else { self.gradient[i] / scale }
+    }
+
+    /// The largest |cos| over the parameters that are not held.
+    pub fn residual(&self, active: Active) -> f64 {
+        let of = |held: bool, i| if held { 0.0 } else { self.cosine(i).abs() };
+        of(active.xi, 0).max(of(active.xi_bar, 1))
+    }
+
+    /// The largest component of the gradient for unit tangents over the parameters that are not held.
+    pub(super) fn slope(&self, active: Active) -> f64 {
+        let of = |held: bool, i: usize| {
+            if held || self.gradient[i] == 0.0 {
+                0.0
+            } else {
+                self.gradient[i].abs() / self.squares[i].sqrt()
+            }
+        };
+        of(active.xi, 0).max(of(active.xi_bar, 1))
+    }
+
+    /// Whether d is zero to rounding.
+    pub fn is_crossing(&self) -> bool {
+        self.distance <= self.rounding()
+    }
+
+    /// Whether the gradient in parameter `i` is zero to the tolerance of a multiplier.
+    pub(super) fn is_weak(&self, i: usize) -> bool {
+        let t = self.squares[i].sqrt();
+        self.gradient[i].abs() <= t * (super::point::WEAK * (self.distance + t) + self.rounding())
+    }
+
+    /// Whether the Hessian over the parameters that are not held is positive definite.
+    pub(super) fn is_convex(&self, active: Active) -> bool {
+        (active.xi || self.a > 0.0)
+            && (active.xi_bar || self.a_bar < 0.0)
+            && (active.xi || active.xi_bar || self.det > 0.0)
+    }
+
+    /// The length that the positions are exact to.
+    fn rounding(&self) -> f64 {
+        ROUNDING * self.size2.sqrt()
+    }
+
+    /// The Newton step in the parameters that are not held; not finite if the Hessian is singular.
+    pub(super) fn step(&self, active: Active) -> (f64, f64) {
+        let [g, g_bar] = self.gradient;
+        match (active.xi, active.xi_bar) {
+            (true, true) => (0.0, 0.0),
+            (true, false) => (0.0, g_bar / self.a_bar),
+            (false, true) => (-g / self.a, 0.0),
+            (false, false) => {
+                // H⁻¹ = [[-a_bar, b], [b, a]] / det H
+                ((self.a_bar * g - self.b * g_bar) / self.det, -(self.b * g + self.a * g_bar) / self.det)
+            }
+        }
+    }
+
+    /// A Newton step only in the directions in which the Hessian, for unit tangents, is clearly not singular.
+    ///
+    /// It leads to a continuum of stationary points along the shortest way, where [`Self::step`] would have no meaning.
+    pub(super) fn valley_step(&self, active: Active) -> (f64, f64) {
+        const CLEAR: f64 = 1e-9;
+        let lengths = self.squares.map(f64::sqrt);
+        if active != Active::default() || lengths.contains(&0.0) {
+            let step = self.step(active);
+            return if self.smallest_magnitude(active) > CLEAR { step } else { (0.0, 0.0) };
+        }
+        let scaled = Vector2::new(self.gradient[0] / lengths[0], self.gradient[1] / lengths[1]);
+        let off = -self.b / lengths[0] / lengths[1];
+        let hessian = Matrix2::new(self.a / self.squares[0], off, off, -self.a_bar / self.squares[1]);
+        let eigen = hessian.symmetric_eigen();
+        let clear = CLEAR * eigen.eigenvalues.amax();
+        let mut step = Vector2::zeros();
+        for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+            if value.abs() > clear {
+                step -= vector * (vector.dot(&scaled) / value);
+            }
+        }
+        (step[0] / lengths[0], step[1] / lengths[1])
+    }
+}

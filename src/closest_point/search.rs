@@ -1,0 +1,101 @@
+//! The search over the inside of the square: boxes are discarded, solved or halved, the widest first.
+
+use super::bounds::{Bounds, INFLATION};
+use super::tree::{Node, ROOT, Tree};
+use super::unresolved::{Region, gather};
+use super::{Active, Centroid, ClosestPoint, ProjectionError, Search, refine};
+
+/// Below this Lipschitz constant Newton's method finds the zero of a box if there is one; below 1 there is one at most.
+const CERTAIN: f64 = 0.25;
+/// Below 1 with room for the rounding of the Hessian's inverse.
+const UNIQUE: f64 = 0.75;
+
+/// What the boxes of the square hold.
+pub(super) struct Inside {
+    pub(super) zeros: Vec<ClosestPoint>,
+    pub(super) open: Vec<Region>,
+    pub(super) boxes: usize,
+}
+
+/// The two curves, as the search sees them.
+pub(super) struct Pair<'a> {
+    pub(super) curves: [&'a dyn Centroid; 2],
+    pub(super) trees: [Tree<'a>; 2],
+}
+
+impl Pair<'_> {
+    pub(super) fn nodes(&self, at: [u32; 2]) -> [&Node; 2] {
+        [self.trees[0].node(at[0]), self.trees[1].node(at[1])]
+    }
+
+    pub(super) fn refine(&self, start: (f64, f64), active: Active) -> Result<ClosestPoint, ProjectionError> {
+        refine(self.curves[0], self.curves[1], start, active)
+    }
+}
+
+/// Finds the zeros of the gradient in the square.
+///
+/// A box is discarded if the gradient provably has no zero in it. If it provably has one at most, Newton's method
+/// decides: either it converges to the zero, or the map that it starts with contracts so strongly that it would have
+/// converged, had there been one. All other boxes are halved, up to the limits of `search`.
+pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, ProjectionError> {
+    let mut zeros: Vec<ClosestPoint> = Vec::new();
+    let mut queue = vec![[ROOT, ROOT]];
+    let mut open = Vec::new();
+    let mut next = 0;
+    while next < queue.len() && next < search.boxes {
+        let at = queue[next];
+        next += 1;
+        let [x, y] = pair.nodes(at);
+        let bounds = Bounds::new(x, y);
+        if bounds.excludes_zero() {
+            continue;
+        }
+        if bounds.is_flat() {
+            open.push(Region::new([x, y], bounds.projection.distance));
+            continue;
+        }
+        let contraction = bounds.contraction();
+        if contraction < UNIQUE {
+            let within = |point: &ClosestPoint, factor: f64| {
+                (point.xi - x.centre).abs() <= factor * x.half
+                    && (point.xi_bar - y.centre).abs() <= factor * y.half
+            };
+            if zeros.iter().any(|zero| within(zero, INFLATION)) {
+                continue;
+            }
+            match pair.refine((x.centre, y.centre), Active::default()) {
+                Err(ProjectionError::NonFinite) => return Err(ProjectionError::NonFinite),
+                Ok(zero) if within(&zero, INFLATION) => {
+                    // One that lies on the rim of the inflated box may be known from next door.
+                    if !zeros.iter().any(|known| within(known, INFLATION * (1.0 + 1e-6))) {
+                        zeros.push(zero);
+                    }
+                    continue;
+                }
+                _ if contraction <= CERTAIN => continue,
+                _ => {}
+            }
+        }
+        let side = usize::from(y.half * y.speed + y.sag > x.half * x.speed + x.sag);
+        let halves = [x.half, y.half];
+        match [side, 1 - side].into_iter().find(|&side| halves[side] > search.resolution) {
+            Some(side) => {
+                for half in pair.trees[side].halves(at[side])? {
+                    let mut part = at;
+                    part[side] = half;
+                    queue.push(part);
+                }
+            }
+            None => open.push(Region::new([x, y], bounds.projection.distance)),
+        }
+    }
+    for &at in &queue[next..] {
+        let nodes = pair.nodes(at);
+        let bounds = Bounds::new(nodes[0], nodes[1]);
+        if !bounds.excludes_zero() {
+            open.push(Region::new(nodes, bounds.projection.distance));
+        }
+    }
+    Ok(Inside { zeros, open: gather(open), boxes: next })
+}

@@ -1,0 +1,98 @@
+//! The intervals of one curve, halved on demand, each with the curve at its centre and bounds over its width.
+
+use super::{Centroid, ProjectionError};
+use crate::curve::Geometry;
+
+/// An interval of xi, and how far the curve strays from its Taylor polynomial about the centre.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub(super) centre: f64,
+    pub(super) half: f64,
+    pub(super) geometry: Geometry<f64>,
+    /// ‖t‖ and ‖t,xi‖ at the centre.
+    pub(super) speed: f64,
+    pub(super) bend: f64,
+    /// Bounds of ‖x - x₀ - (xi - xi₀) t₀‖, ‖t - t₀‖, ‖t - t₀ - (xi - xi₀) t₀,xi‖ and ‖t,xi - t₀,xi‖.
+    pub(super) sag: f64,
+    pub(super) turn: f64,
+    pub(super) twist: f64,
+    pub(super) jerk: f64,
+    /// The first of the two halves, 0 while there are none.
+    children: u32,
+}
+
+/// The intervals of a curve; the first is [-1, 1], the next two are its ends, of no width.
+pub(super) struct Tree<'a> {
+    curve: &'a dyn Centroid,
+    bound: f64,
+    nodes: Vec<Node>,
+}
+
+/// The whole of [-1, 1].
+pub(super) const ROOT: u32 = 0;
+/// The ends xi = -1 and xi = 1.
+pub(super) const ENDS: [u32; 2] = [1, 2];
+
+impl<'a> Tree<'a> {
+    pub(super) fn new(curve: &'a dyn Centroid) -> Result<Self, ProjectionError> {
+        let bound = curve.third_derivative_bound();
+        if !(bound >= 0.0 && bound.is_finite()) {
+            return Err(ProjectionError::NonFinite);
+        }
+        let mut tree = Self { curve, bound, nodes: Vec::with_capacity(64) };
+        tree.push(0.0, 1.0)?;
+        tree.push(-1.0, 0.0)?;
+        tree.push(1.0, 0.0)?;
+        Ok(tree)
+    }
+
+    pub(super) fn node(&self, index: u32) -> &Node {
+        &self.nodes[index as usize]
+    }
+
+    /// The two halves of an interval.
+    pub(super) fn halves(&mut self, index: u32) -> Result<[u32; 2], ProjectionError> {
+        let Node { centre, half, children, .. } = *self.node(index);
+        if children != 0 {
+            return Ok([children, children + 1]);
+        }
+        let lower = self.push(centre - 0.5 * half, 0.5 * half)?;
+        let upper = self.push(centre + 0.5 * half, 0.5 * half)?;
+        self.nodes[index as usize].children = lower;
+        Ok([lower, upper])
+    }
+
+    /// The number of points at which the curve was evaluated.
+    pub(super) fn evaluations(&self) -> usize {
+        self.nodes.len()
+    }
+
+    fn push(&mut self, centre: f64, half: f64) -> Result<u32, ProjectionError> {
+        let geometry = evaluate(self.curve, centre)?;
+        let (speed, bend) = (geometry.t.norm(), geometry.t_xi.norm());
+        let jerk = half * self.bound;
+        let twist = 0.5 * half * jerk;
+        self.nodes.push(Node {
+            centre,
+            half,
+            geometry,
+            speed,
+            bend,
+            sag: half * (0.5 * half * bend + twist / 3.0),
+            turn: half * bend + twist,
+            twist,
+            jerk,
+            children: 0,
+        });
+        u32::try_from(self.nodes.len() - 1).map_err(|_| ProjectionError::NonFinite)
+    }
+}
+
+/// The curve at `xi`, if it is finite there.
+pub(super) fn evaluate(curve: &dyn Centroid, xi: f64) -> Result<Geometry<f64>, ProjectionError> {
+    let geometry = curve.geometry(xi);
+    let Geometry { x, t, t_xi, t_xixi } = &geometry;
+    let sum = x.sum() + t.sum() + t_xi.sum() + t_xixi.sum();
+    // Finite numbers may sum to an infinite one, but then their squares are infinite too.
+    if sum.is_finite() { Ok(geometry) } else { Err(ProjectionError::NonFinite) }
+}
