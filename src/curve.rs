@@ -73,6 +73,15 @@ pub trait DofDerivatives<T: Real, const N: usize> {
         SVector::from_fn(|i, _| w.dot(&self.variation(k, &unit(i))))
     }
 
+    /// A_k, the Jacobian of x,xi..xi (`k` times).
+    fn jacobian(&self, k: usize) -> SMatrix<T, 3, N> {
+        let mut jacobian = SMatrix::<T, 3, N>::zeros();
+        for i in 0..N {
+            jacobian.set_column(i, &self.variation(k, &unit(i)));
+        }
+        jacobian
+    }
+
     /// The matrix of second derivatives of w . x,xi..xi (`k` = 0, 1) for a fixed vector w.
     fn hessian(&self, k: usize, w: &Vector3<T>) -> SMatrix<T, N, N> {
         SMatrix::from_fn(|i, j| w.dot(&self.second_variation(k, &unit(i), &unit(j))))

@@ -2,4 +2,6 @@
 
 pub mod closest_point;
 pub mod curve;
+pub mod linearization;
 pub mod number;
+pub mod pair;

@@ -8,12 +8,14 @@
 mod bounded;
 mod double_double;
 mod dual;
+mod extension;
 mod hyper_dual;
 mod magnitude;
 
 pub use bounded::Bounded;
 pub use double_double::DoubleDouble;
 pub use dual::{Differentiable, Dual};
+pub use extension::Extends;
 pub use hyper_dual::HyperDual;
 pub use magnitude::Magnitude;
 

@@ -57,6 +57,11 @@ impl<T: Real, const P: usize, const N: usize> DofDerivatives<T, N> for Shapes<T,
     }
 
     #[inline]
+    fn jacobian(&self, k: usize) -> SMatrix<T, 3, N> {
+        SMatrix::from_fn(|c, i| if i % 3 == c { self.derivatives[k][i / 3] } else { T::zero() })
+    }
+
+    #[inline]
     fn hessian(&self, _: usize, _: &Vector3<T>) -> SMatrix<T, N, N> {
         SMatrix::zeros()
     }

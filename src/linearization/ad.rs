@@ -1,0 +1,19 @@
+//! The linearization by automatic differentiation: positions in, all else by the rules of dual numbers.
+//!
+//! The dofs are given perturbations (q + eps1 dq + eps2 Dq for two directions, or one per dof), the parameters of the
+//! closest point are *lifted*: extended to the dual numbers that still satisfy the conditions of the closest point.
+//! Then the definitions (4)-(15) are evaluated, and their dual parts are the variations.
+//!
+//! Three routes lift, and differ in what they share:
+//! - [`Route::Newton`]: orthogonality conditions d.t = d.t_bar = 0, by num-dual's `implicit_derivative_binary`;
+//! - [`Route::Stationary`]: the squared distance made stationary, by num-dual's `implicit_derivative_sp`; shares no
+//!   equation with the first;
+//! - [`Route::Chord`]: orthogonality conditions, by Newton steps whose matrix stays real: each step gains one order.
+
+mod evaluate;
+mod lift;
+mod sweep;
+
+pub use evaluate::{Perturbed, PositionAt, evaluate};
+pub use lift::{Chord, newton, stationary};
+pub use sweep::{HyperBeam, Route, chord, expand_by_sweep, expand_by_vector_dual, hyper_dual, seeded, vary};

@@ -1,0 +1,64 @@
+//! The linearization by hand: the formulas of the paper, corrected where its print is wrong and completed where it
+//! stops.
+//!
+//! G. Zavarise, "A generalized formulation for contact between beams: geometrical preliminaries", 2007. Equation
+//! numbers are the paper's. Two things are added throughout: the terms Delta_u delta_u u, which the paper drops as of
+//! higher order although they are of the same order as those it keeps (they vanish for curves linear in their dofs,
+//! and for no other), and closest points at an end of a beam, where the parameter is held.
+//!
+//! [`variations`] is the framework of sections 2-5 of the paper, in two directions; [`Matrices`] is the step its
+//! section 6 leaves to the reader, gradients and Hessians in all dofs. Contracting the one gives the other.
+
+use crate::closest_point::ClosestPoint;
+use crate::curve::{Curve, Jet};
+use crate::linearization::{Linearization, Quantities, Varied};
+use crate::number::Real;
+use crate::pair::{DofVector, Pair};
+
+mod frozen;
+mod matrices;
+mod projection;
+mod variations;
+
+pub use frozen::Frozen;
+pub use matrices::{Matrices, VectorQuantity};
+pub use projection::Projection;
+pub use variations::variations;
+
+/// All scalar quantities with gradients and Hessians, at a closest point of the pair.
+///
+/// # Example
+/// See the crate's front page.
+pub fn linearize<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+) -> Linearization<f64, N, M> {
+    let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
+    Matrices::new(&jet, &jet_bar, point.active()).all((point.xi, point.xi_bar), &pair.contact)
+}
+
+/// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair.
+pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+    dq: &DofVector<f64, N, M>,
+    linear_dq: &DofVector<f64, N, M>,
+) -> Quantities<Varied<f64>> {
+    let at = (point.xi, point.xi_bar);
+    let (jet, jet_bar) = jets(pair, q, at);
+    let beam = Frozen::new(&jet, &dq.beam, &linear_dq.beam);
+    let bar = Frozen::new(&jet_bar, &dq.bar, &linear_dq.bar);
+    variations(&beam, &bar, at, point.active(), &pair.contact)
+}
+
+/// The jets of both curves.
+#[expect(clippy::type_complexity, reason = "a pair of jets has no shorter name")]
+pub fn jets<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<T, N, M>,
+    (xi, xi_bar): (T, T),
+) -> (Jet<T, A::Dofs<T>>, Jet<T, B::Dofs<T>>) {
+    (pair.curve.jet(&q.beam, xi), pair.curve_bar.jet(&q.bar, xi_bar))
+}

@@ -1,0 +1,47 @@
+//! A curve at a frozen parameter, varied in two directions: all that the variations need to know of one beam.
+
+use crate::curve::{DofDerivatives, Geometry, Jet};
+use crate::number::Real;
+use nalgebra::{SVector, Vector3};
+
+/// Geometry of a curve at its contact point, with the variations that keep the parameter fixed.
+///
+/// Whatever its family and its number of dofs, a beam enters the variations through these fifteen vectors only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "Eq. (24)")]
+pub struct Frozen<T> {
+    /// x, t, t,xi and t,xixi.
+    pub geometry: Geometry<T>,
+    /// delta_u u, delta_u u,xi and delta_u u,xixi.
+    pub delta_u: [Vector3<T>; 3],
+    /// Delta_u u, Delta_u u,xi and Delta_u u,xixi.
+    pub linear_u: [Vector3<T>; 3],
+    /// Delta_u delta_u u and Delta_u delta_u u,xi: zero for curves that are linear in their dofs.
+    pub second_u: [Vector3<T>; 2],
+}
+
+impl<T: Real> Frozen<T> {
+    /// Varies a curve along `dq` (delta) and `linear_dq` (Delta).
+    pub fn new<U: DofDerivatives<T, N>, const N: usize>(
+        jet: &Jet<T, U>,
+        dq: &SVector<T, N>,
+        linear_dq: &SVector<T, N>,
+    ) -> Self {
+        Self {
+            geometry: jet.geometry,
+            delta_u: std::array::from_fn(|k| jet.dofs.variation(k, dq)),
+            linear_u: std::array::from_fn(|k| jet.dofs.variation(k, linear_dq)),
+            second_u: if U::LINEAR {
+                [Vector3::zeros(); 2]
+            } else {
+                std::array::from_fn(|k| jet.dofs.second_variation(k, dq, linear_dq))
+            },
+        }
+    }
+
+    /// The same with delta and Delta exchanged.
+    #[must_use]
+    pub fn exchanged(self) -> Self {
+        Self { delta_u: self.linear_u, linear_u: self.delta_u, ..self }
+    }
+}

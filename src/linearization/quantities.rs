@@ -1,0 +1,186 @@
+//! The quantities that are linearized, by name, over whatever a quantity is measured in: a value, a value with its
+//! variations, a dual number.
+
+use crate::number::{HyperDual, Real};
+use nalgebra::{Scalar, Vector3};
+use num_dual::HyperDual64;
+
+/// The contact geometry of a pair of beams: all of it that is varied.
+///
+/// Lengths are in the user's unit; xi and xi_bar have none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantities<S> {
+    /// x_C, the closest point on the beam.
+    pub x: Vector3<S>,
+    /// x_bar_C, the closest point on the other beam.
+    pub x_bar: Vector3<S>,
+    /// d = x_C - x_bar_C, as a vector.
+    pub d_vector: Vector3<S>,
+    /// t = x_C,xi, as a vector.
+    pub t_vector: Vector3<S>,
+    /// t_bar = x_bar_C,xi_bar, as a vector.
+    pub t_bar_vector: Vector3<S>,
+    /// d, the distance.
+    pub d: S,
+    /// t, the length of the tangent.
+    pub t: S,
+    /// t_bar, the length of the other tangent.
+    pub t_bar: S,
+    /// xi_C, the parameter of the closest point.
+    pub xi: S,
+    /// xi_bar_C, the parameter of the other closest point.
+    pub xi_bar: S,
+    /// g_N, the distance between the surfaces.
+    pub g_n: S,
+    /// g_T, the slip along the beam.
+    pub g_t: S,
+    /// g_T_bar, the slip along the other beam.
+    pub g_t_bar: S,
+}
+
+/// How many scalars the quantities are: five vectors and eight scalars.
+pub const COMPONENTS: usize = 23;
+
+impl<S: Scalar> Quantities<S> {
+    /// The same quantities, each seen through `f`.
+    pub fn map<U: Scalar>(self, mut f: impl FnMut(S) -> U) -> Quantities<U> {
+        Quantities {
+            x: self.x.map(&mut f),
+            x_bar: self.x_bar.map(&mut f),
+            d_vector: self.d_vector.map(&mut f),
+            t_vector: self.t_vector.map(&mut f),
+            t_bar_vector: self.t_bar_vector.map(&mut f),
+            d: f(self.d),
+            t: f(self.t),
+            t_bar: f(self.t_bar),
+            xi: f(self.xi),
+            xi_bar: f(self.xi_bar),
+            g_n: f(self.g_n),
+            g_t: f(self.g_t),
+            g_t_bar: f(self.g_t_bar),
+        }
+    }
+
+    /// All components in one row, the vectors first; [`Quantity::of_component`] names them.
+    pub fn components(self) -> [S; COMPONENTS] {
+        let [[x0, x1, x2]] = self.x.data.0;
+        let [[y0, y1, y2]] = self.x_bar.data.0;
+        let [[d0, d1, d2]] = self.d_vector.data.0;
+        let [[t0, t1, t2]] = self.t_vector.data.0;
+        let [[s0, s1, s2]] = self.t_bar_vector.data.0;
+        let Self { d, t, t_bar, xi, xi_bar, g_n, g_t, g_t_bar, .. } = self;
+        [
+            x0, x1, x2, y0, y1, y2, d0, d1, d2, t0, t1, t2, s0, s1, s2, d, t, t_bar, xi, xi_bar, g_n, g_t,
+            g_t_bar,
+        ]
+    }
+}
+
+/// The name of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Quantity {
+    /// x_C.
+    X,
+    /// x_bar_C.
+    XBar,
+    /// d, the vector.
+    DVector,
+    /// t = x_C,xi, the vector.
+    TVector,
+    /// t_bar = x_bar_C,xi_bar, the vector.
+    TBarVector,
+    /// d.
+    D,
+    /// t.
+    T,
+    /// t_bar.
+    TBar,
+    /// xi_C.
+    Xi,
+    /// xi_bar_C.
+    XiBar,
+    /// g_N.
+    GN,
+    /// g_T.
+    GT,
+    /// g_T_bar.
+    GTBar,
+}
+
+impl Quantity {
+    /// All quantities, in the order of [`Quantities`].
+    pub const ALL: [Self; 13] = [
+        Self::X,
+        Self::XBar,
+        Self::DVector,
+        Self::TVector,
+        Self::TBarVector,
+        Self::D,
+        Self::T,
+        Self::TBar,
+        Self::Xi,
+        Self::XiBar,
+        Self::GN,
+        Self::GT,
+        Self::GTBar,
+    ];
+
+    /// The quantity that a number of [`Quantities::components`] belongs to.
+    ///
+    /// # Panics
+    /// If `component` is not below [`COMPONENTS`].
+    pub fn of_component(component: usize) -> Self {
+        if component < 15 { Self::ALL[component / 3] } else { Self::ALL[component - 10] }
+    }
+
+    /// The name, with `_vector` where a vector and its length share a letter.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::XBar => "x_bar",
+            Self::DVector => "d_vector",
+            Self::TVector => "t_vector",
+            Self::TBarVector => "t_bar_vector",
+            Self::D => "d",
+            Self::T => "t",
+            Self::TBar => "t_bar",
+            Self::Xi => "xi",
+            Self::XiBar => "xi_bar",
+            Self::GN => "g_N",
+            Self::GT => "g_T",
+            Self::GTBar => "g_T_bar",
+        }
+    }
+}
+
+/// A quantity with its variations in two directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Varied<T> {
+    /// The quantity itself.
+    pub value: T,
+    /// delta, the (virtual) variation: the derivative along dq.
+    pub delta: T,
+    /// Delta, the linearization: the derivative along Dq.
+    pub linear: T,
+    /// Delta-delta, the linearization of the variation: the mixed second derivative.
+    pub second: T,
+}
+
+impl<T> Varied<T> {
+    /// The four parts with the words for them.
+    pub fn parts(self) -> [T; 4] {
+        [self.value, self.delta, self.linear, self.second]
+    }
+}
+
+impl From<HyperDual64> for Varied<f64> {
+    fn from(number: HyperDual64) -> Self {
+        Self { value: number.re, delta: number.eps1, linear: number.eps2, second: number.eps1eps2 }
+    }
+}
+
+impl<T: Real> From<HyperDual<T>> for Varied<T> {
+    fn from(number: HyperDual<T>) -> Self {
+        Self { value: number.re, delta: number.eps1, linear: number.eps2, second: number.eps1eps2 }
+    }
+}
