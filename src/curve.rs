@@ -3,8 +3,12 @@
 //! Every curve shows two faces. [`Curve::position`] is all that automatic differentiation sees; [`Curve::jet`] is all
 //! that the closed form sees. Both are written by hand and independently, so each checks the other.
 
+mod hermite;
+mod lagrange;
 mod shapes;
 
+pub use hermite::Hermite;
+pub use lagrange::{Cubic, Lagrange, Quadratic, Segment};
 pub use shapes::Shapes;
 
 use crate::number::Real;
@@ -27,7 +31,7 @@ pub trait Curve<const N: usize> {
 
     /// An upper bound of ‖x,xixixi‖ over [-1, 1]: what the search for closest points needs so as not to miss one.
     ///
-    /// It need not be sharp. A bound that is too small voids the guarantee; one that is too large costs time.
+    /// It need not be sharp, and it is good up to the rounding of its own computation. A bound that is too small voids the guarantee; one that is too large costs time.
     fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64;
 }
 
