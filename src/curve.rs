@@ -3,12 +3,28 @@
 //! Every curve shows two faces. [`Curve::position`] is all that automatic differentiation sees; [`Curve::jet`] is all
 //! that the closed form sees. Both are written by hand and independently, so each checks the other.
 
+mod arc;
+mod bezier;
+mod bspline;
+mod error;
+mod helix;
 mod hermite;
 mod lagrange;
+mod nurbs;
+mod nurbs_weighted;
+mod screw;
 mod shapes;
 
+pub use arc::Arc;
+pub use bezier::Bezier;
+pub use bspline::BSpline;
+pub use error::CurveError;
+pub use helix::Helix;
 pub use hermite::Hermite;
 pub use lagrange::{Cubic, Lagrange, Quadratic, Segment};
+pub use nurbs::Nurbs;
+pub use nurbs_weighted::{NurbsDofs, NurbsWeighted};
+pub use screw::ScrewDofs;
 pub use shapes::Shapes;
 
 use crate::number::Real;
