@@ -3,8 +3,28 @@
 //! Every curve shows two faces. [`Curve::position`] is all that automatic differentiation sees; [`Curve::jet`] is all
 //! that the closed form sees. Both are written by hand and independently, so each checks the other.
 
+mod arc;
+mod bezier;
+mod bspline;
+mod error;
+mod helix;
+mod hermite;
+mod lagrange;
+mod nurbs;
+mod nurbs_weighted;
+mod screw;
 mod shapes;
 
+pub use arc::Arc;
+pub use bezier::Bezier;
+pub use bspline::BSpline;
+pub use error::CurveError;
+pub use helix::Helix;
+pub use hermite::Hermite;
+pub use lagrange::{Cubic, Lagrange, Quadratic, Segment};
+pub use nurbs::Nurbs;
+pub use nurbs_weighted::{NurbsDofs, NurbsWeighted};
+pub use screw::ScrewDofs;
 pub use shapes::Shapes;
 
 use crate::number::Real;
@@ -27,7 +47,7 @@ pub trait Curve<const N: usize> {
 
     /// An upper bound of ‖x,xixixi‖ over [-1, 1]: what the search for closest points needs so as not to miss one.
     ///
-    /// It need not be sharp. A bound that is too small voids the guarantee; one that is too large costs time.
+    /// It need not be sharp, and it is good up to the rounding of its own computation. A bound that is too small voids the guarantee; one that is too large costs time.
     fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64;
 }
 

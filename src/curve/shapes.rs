@@ -38,6 +38,51 @@ pub(super) fn combine<T: Real, const P: usize, const N: usize>(n: &[T; P], q: &S
     sum
 }
 
+/// The control vectors of a curve whose dofs are node-major.
+pub(super) fn control_vectors<T: Real, const P: usize, const N: usize>(q: &SVector<T, N>) -> [Vector3<T>; P] {
+    const { assert!(N == 3 * P, "a curve of P control vectors has 3 P dofs") };
+    std::array::from_fn(|i| q.fixed_rows::<3>(3 * i).into_owned())
+}
+
+/// Repeated linear interpolation, the scheme of Neville, de Casteljau and de Boor: at every level m = 1, 2, .. point i
+/// moves towards its right neighbour by the fraction `fraction(m, i)`, until one point is left.
+pub(super) fn triangle<T: Real, const D: usize, const P: usize>(
+    mut points: [SVector<T, D>; P],
+    fraction: impl Fn(usize, usize) -> T,
+) -> SVector<T, D> {
+    const { assert!(P > 0, "a curve has at least one control vector") };
+    for level in 1..P {
+        for i in 0..P - level {
+            let u = fraction(level, i);
+            points[i] = points[i] * (T::one() - u) + points[i + 1] * u;
+        }
+    }
+    points[0]
+}
+
+/// f times a linear function, both by value and derivatives (f up to its third), by Leibniz' rule.
+#[inline]
+pub(super) fn times_linear<T: Real>(f: &[T; 4], value: T, slope: T) -> [T; 4] {
+    let [f0, f1, f2, f3] = *f;
+    [
+        f0 * value,
+        f1 * value + f0 * slope,
+        f2 * value + (f1 + f1) * slope,
+        f3 * value + T::from(3.0) * f2 * slope,
+    ]
+}
+
+/// From the derivatives of every function to the functions at every order of derivative.
+pub(super) fn by_order<T: Real, const P: usize>(functions: &[[T; 4]; P]) -> [[T; P]; 4] {
+    std::array::from_fn(|k| std::array::from_fn(|i| functions[i][k]))
+}
+
+/// A small count as a number.
+#[expect(clippy::cast_precision_loss, reason = "counts nodes of one element, far below 2^53")]
+pub(super) const fn count(i: usize) -> f64 {
+    i as f64
+}
+
 impl<T: Real, const P: usize, const N: usize> DofDerivatives<T, N> for Shapes<T, P> {
     const LINEAR: bool = true;
 

@@ -1,0 +1,68 @@
+//! The circular helix, anywhere and anyhow in space.
+//!
+//! Half the angle it winds through, alpha (radian), is a fixed parameter. Dofs: centre c (3, the user's unit of
+//! length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not nought), radius r (1, a
+//! length), pitch h (1, the rise in one turn, a length; its sign is the handedness), phase (1, radian); `N = 10`.
+//!
+//! ```math
+//! x(xi) = c + R(p) (r cos phi, r sin phi, h alpha xi / (2 pi)),   phi = phase + alpha xi
+//! ```
+//!
+//! Unlike those of the [`Arc`](super::Arc), only the length of p is without effect.
+
+use super::screw::{Screw, ScrewDofs};
+use super::{Curve, DofDerivatives, Jet};
+use crate::number::Real;
+use nalgebra::{SVector, Vector3};
+
+/// A helix that winds through a fixed angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Helix {
+    half_angle: f64,
+}
+
+impl Helix {
+    /// The helix that winds from -`half_angle` to `half_angle` (radian) about its phase.
+    pub const fn new(half_angle: f64) -> Self {
+        Self { half_angle }
+    }
+}
+
+fn screw<T: Real>(q: &SVector<T, 10>) -> Screw<T> {
+    Screw {
+        centre: q.fixed_rows::<3>(0).into_owned(),
+        quaternion: q.fixed_rows::<4>(3).into_owned(),
+        radius: q[7],
+        pitch: q[8],
+        phase: q[9],
+    }
+}
+
+impl Curve<10> for Helix {
+    type Dofs<T: Real> = ScrewDofs<T>;
+
+    fn position<T: Real>(&self, q: &SVector<T, 10>, xi: T) -> Vector3<T> {
+        screw(q).position(self.half_angle, xi)
+    }
+
+    fn jet<T: Real>(&self, q: &SVector<T, 10>, xi: T) -> Jet<T, ScrewDofs<T>> {
+        screw(q).jet(self.half_angle, xi)
+    }
+
+    /// Exact: ‖x,xixixi‖ = |r alpha^3| everywhere; the rise is linear in xi.
+    fn third_derivative_bound(&self, q: &SVector<f64, 10>) -> f64 {
+        (q[7] * self.half_angle.powi(3)).abs()
+    }
+}
+
+impl<T: Real> DofDerivatives<T, 10> for ScrewDofs<T> {
+    const LINEAR: bool = false;
+
+    fn variation(&self, k: usize, dq: &SVector<T, 10>) -> Vector3<T> {
+        self.vary(k, &screw(dq))
+    }
+
+    fn second_variation(&self, k: usize, dq: &SVector<T, 10>, linear_dq: &SVector<T, 10>) -> Vector3<T> {
+        self.vary_twice(k, &screw(dq), &screw(linear_dq))
+    }
+}

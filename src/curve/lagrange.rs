@@ -1,0 +1,89 @@
+//! Lagrange interpolation: the curve through `P` nodes that stand at equal distances of xi.
+//!
+//! The nodes stand at xi_i = -1 + 2 i / (P - 1), in the order from -1 to 1. Dofs, node-major: the coordinates of node 0,
+//! node 1, .., all in the user's unit of length; `N = 3 P`. In s = (P - 1) (xi + 1) / 2 the nodes are the integers:
+//!
+//! ```math
+//! x(xi) = sum_i N_i x_i,   N_i = product over j != i of (s - j) / (i - j)
+//! ```
+//!
+//! Source: O. Zienkiewicz, R. Taylor, *The Finite Element Method*, one-dimensional Lagrange shape functions; the
+//! position by Neville's scheme (E. Neville, 1934).
+
+use super::shapes::{by_order, control_vectors, count, times_linear, triangle};
+use super::{Curve, Jet, Shapes};
+use crate::number::Real;
+use nalgebra::{SVector, Vector3};
+
+/// The polynomial of degree `P` - 1 through `P` equidistant nodes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Lagrange<const P: usize>;
+
+/// The straight segment between two nodes; N = 6.
+pub type Segment = Lagrange<2>;
+
+/// The parabola through three nodes, the second in the middle; N = 9.
+pub type Quadratic = Lagrange<3>;
+
+/// The cubic through four nodes at xi = -1, -1/3, 1/3, 1; N = 12.
+pub type Cubic = Lagrange<4>;
+
+impl<const P: usize> Lagrange<P> {
+    /// The curve family; it has no parameters.
+    pub const fn new() -> Self {
+        const { assert!(P >= 2, "a curve has at least two nodes") };
+        Self
+    }
+
+    /// s(xi), in which the nodes are 0, 1, .., P - 1, and its slope.
+    fn stretched<T: Real>(xi: T) -> (T, T) {
+        let slope = T::from(0.5 * (count(P) - 1.0));
+        ((xi + T::one()) * slope, slope)
+    }
+}
+
+impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
+    type Dofs<T: Real> = Shapes<T, P>;
+
+    fn position<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Vector3<T> {
+        let (s, _) = Self::stretched(xi);
+        triangle(control_vectors::<T, P, N>(q), |level, i| (s - T::from(count(i))) / T::from(count(level)))
+    }
+
+    fn jet<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Jet<T, Shapes<T, P>> {
+        let (s, slope) = Self::stretched(xi);
+        let functions: [[T; 4]; P] = std::array::from_fn(|i| {
+            // N_i = ∏ (s - j) / ∏ (i - j), j ≠ i; the product of integers is exact.
+            let others = || (0..P).filter(move |&j| j != i).map(count);
+            let denominator: f64 = others().map(|j| count(i) - j).product();
+            let start = [T::one() / T::from(denominator), T::zero(), T::zero(), T::zero()];
+            others().fold(start, |f, j| times_linear(&f, s - T::from(j), slope))
+        });
+        Shapes::jet(by_order(&functions), q)
+    }
+
+    /// The sum of the absolute coefficients of x,xixixi as a polynomial in xi; exact up to the cubic.
+    fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64 {
+        // x = Σ powers[m] ξ^m, gathered from the shape functions written out in powers of ξ.
+        let nodes = control_vectors::<f64, P, N>(q);
+        let mut powers = [Vector3::zeros(); P];
+        for (i, node) in nodes.iter().enumerate() {
+            let mut function = [0.0; P];
+            function[0] = 1.0;
+            for j in (0..P).filter(|&j| j != i) {
+                // Times (s - j) / (i - j) = slope ξ + offset.
+                let (half, distance) = (0.5 * (count(P) - 1.0), count(i) - count(j));
+                let (slope, offset) = (half / distance, (half - count(j)) / distance);
+                for m in (0..P).rev() {
+                    function[m] = function[m] * offset + if m > 0 { function[m - 1] * slope } else { 0.0 };
+                }
+            }
+            for (power, coefficient) in powers.iter_mut().zip(function) {
+                *power += node * coefficient;
+            }
+        }
+        let third =
+            |(m, c): (usize, &Vector3<f64>)| count(m) * (count(m) - 1.0) * (count(m) - 2.0) * c.norm();
+        powers.iter().enumerate().skip(3).map(third).sum()
+    }
+}

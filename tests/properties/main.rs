@@ -1,0 +1,4 @@
+//! Properties of the library, one module an object; inputs come from [`strategies`].
+
+mod jets;
+mod strategies;
