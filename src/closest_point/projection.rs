@@ -56,7 +56,7 @@ impl Projection {
 
     /// D = a a_bar + b².
     #[doc(alias = "Eq. (52)")]
-    pub fn d_determinant(&self) -> f64 {
+    pub fn determinant(&self) -> f64 {
         -self.det
     }
 

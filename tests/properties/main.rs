@@ -1,0 +1,4 @@
+//! Relations that hold for every curve and every pair of curves.
+
+mod centroids;
+mod closest_points;
