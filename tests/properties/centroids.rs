@@ -7,43 +7,38 @@ use std::f64::consts::TAU;
 
 /// x = centre + cos(s) u + sin(s) v + s w for s in [from, to]: lines, circles, ellipses and helices.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Winding {
-    pub centre: Vector3<f64>,
-    pub u: Vector3<f64>,
-    pub v: Vector3<f64>,
-    pub w: Vector3<f64>,
-    pub from: f64,
-    pub to: f64,
+pub(crate) struct Winding {
+    pub(crate) centre: Vector3<f64>,
+    pub(crate) u: Vector3<f64>,
+    pub(crate) v: Vector3<f64>,
+    pub(crate) w: Vector3<f64>,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
 }
 
-pub fn line(start: [f64; 3], direction: [f64; 3], from: f64, to: f64) -> Winding {
+pub(crate) fn line(start: [f64; 3], direction: [f64; 3], from: f64, to: f64) -> Winding {
     Winding { centre: start.into(), w: direction.into(), from, to, ..Winding::default() }
 }
 
-pub fn ellipse(centre: [f64; 3], u: [f64; 3], v: [f64; 3]) -> Winding {
+pub(crate) fn ellipse(centre: [f64; 3], u: [f64; 3], v: [f64; 3]) -> Winding {
     Winding { centre: centre.into(), u: u.into(), v: v.into(), from: 0.0, to: TAU, ..Winding::default() }
 }
 
 impl Winding {
-    pub fn over(self, from: f64, to: f64) -> Self {
+    pub(crate) fn over(self, from: f64, to: f64) -> Self {
         Self { from, to, ..self }
-    }
-
-    pub fn times(self, factor: f64) -> Self {
-        let Self { centre, u, v, w, from, to } = self;
-        Self { centre: centre * factor, u: u * factor, v: v * factor, w: w * factor, from, to }
     }
 
     fn half(&self) -> f64 {
         0.5 * (self.to - self.from)
     }
 
-    pub fn parameter(&self, xi: f64) -> f64 {
+    pub(crate) fn parameter(&self, xi: f64) -> f64 {
         0.5 * (self.from + self.to) + self.half() * xi
     }
 
     /// The equal `count` pieces of the curve.
-    pub fn pieces(&self, count: u32) -> Vec<Self> {
+    pub(crate) fn pieces(&self, count: u32) -> Vec<Self> {
         let step = (self.to - self.from) / f64::from(count);
         let from = |i: u32| self.from + step * f64::from(i);
         (0..count).map(|i| self.over(from(i), from(i + 1))).collect()
@@ -70,10 +65,10 @@ impl Centroid for Winding {
 
 /// x = c₀ + c₁ xi + c₂ xi² + c₃ xi³.
 #[derive(Clone, Copy, Debug)]
-pub struct Cubic(pub [Vector3<f64>; 4]);
+pub(crate) struct Cubic(pub(crate) [Vector3<f64>; 4]);
 
 impl Cubic {
-    pub fn times(&self, factor: f64) -> Self {
+    pub(crate) fn times(&self, factor: f64) -> Self {
         Self(self.0.map(|c| c * factor))
     }
 }
@@ -96,7 +91,7 @@ impl Centroid for Cubic {
 
 /// The points over the union of all pieces at which the distance is stationary: those that no piece holds strictly,
 /// each once, with the parameters of the closed curves in place of xi and `xi_bar`.
-pub fn over_pieces(curve: &Winding, bar: &Winding, counts: [u32; 2]) -> Vec<ClosestPoint> {
+pub(crate) fn over_pieces(curve: &Winding, bar: &Winding, counts: [u32; 2]) -> Vec<ClosestPoint> {
     let mut points: Vec<ClosestPoint> = Vec::new();
     for piece in curve.pieces(counts[0]) {
         for piece_bar in bar.pieces(counts[1]) {
@@ -121,14 +116,14 @@ pub fn over_pieces(curve: &Winding, bar: &Winding, counts: [u32; 2]) -> Vec<Clos
 }
 
 /// The distance of two angles.
-pub fn apart(a: f64, b: f64) -> f64 {
+pub(crate) fn apart(a: f64, b: f64) -> f64 {
     let turn = (a - b).rem_euclid(TAU);
     turn.min(TAU - turn)
 }
 
-/// Whether two numbers agree to `digits` relative to the larger of 1 and themselves.
+/// Asserts that a value is the expected one to a relative tolerance.
 #[track_caller]
-pub fn close(value: f64, expected: f64, tolerance: f64) {
+pub(crate) fn close(value: f64, expected: f64, tolerance: f64) {
     let error = (value - expected).abs() / expected.abs().max(1e-3);
     assert!(error <= tolerance, "{value} is not {expected}: {error:e}");
 }

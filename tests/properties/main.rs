@@ -2,3 +2,5 @@
 
 mod centroids;
 mod closest_points;
+mod degenerate;
+mod every_minimum;
