@@ -149,11 +149,7 @@ fn assemble(
         add(&mut points, ends::at_end(pair, &zero).unwrap_or(zero));
     }
     for region in &inside.open {
-        let point = region.point(pair)?;
-        if point.degeneracy().is_none() {
-            add(&mut points, ends::at_end(pair, &point).unwrap_or(point));
-        }
-        unresolved.push(region.unresolved(point));
+        unresolved.push(region.unresolved(region.point(pair)?));
     }
     for region in &rim.open {
         // What is open inside and reaches an edge is open on the edge as well.
@@ -164,9 +160,8 @@ fn assemble(
     for point in rim.minima {
         // Where a continuum meets an edge, the edge has a weak minimum that is no point of its own.
         let part = inside.open.iter().any(|region| region.contains(point.xi, point.xi_bar));
-        let strict = [point.end, point.end_bar].into_iter().flatten().all(|end| end.strict);
-        if strict || !part {
-            add(&mut points, point);
+        if point.is_strict() || !part {
+            add(&mut points, ends::at_end(pair, &point).unwrap_or(point));
         }
     }
     points.sort_by(|p, q| p.distance.total_cmp(&q.distance));
@@ -176,11 +171,7 @@ fn assemble(
 
 /// Adds a point unless it is known, be it from both sides of an end.
 fn add(points: &mut Vec<ClosestPoint>, point: ClosestPoint) {
-    let same = |known: &ClosestPoint| {
-        known.active() == point.active()
-            && (known.xi - point.xi).abs().max((known.xi_bar - point.xi_bar).abs()) < 1e-9
-    };
-    if !points.iter().any(same) {
+    if !points.iter().any(|known| known.is_same(&point)) {
         points.push(point);
     }
 }

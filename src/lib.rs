@@ -5,3 +5,6 @@ pub mod curve;
 pub mod linearization;
 pub mod number;
 pub mod pair;
+
+#[cfg(feature = "cli")]
+pub mod check;

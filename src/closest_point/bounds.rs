@@ -5,7 +5,7 @@ use super::point::SINGULAR;
 use super::tree::Node;
 
 /// Room for rounding, relative to the half-widths of a box.
-const SLACK: f64 = 1.0 + 1.0 / 64.0;
+const SLACK: f64 = 1.0 + 1.0 / 16.0;
 /// The inflation of a box in which a zero is unique, over which the bounds grow by its cube at most.
 pub(super) const INFLATION: f64 = 1.25;
 const INFLATED: f64 = INFLATION * INFLATION * INFLATION;
@@ -31,7 +31,7 @@ pub(super) struct Bounds {
     change: [f64; 3],
     /// Bounds of the non-linear part of the gradient.
     remainder: [f64; 2],
-    /// H⁻¹ in the order of H; not finite if H is singular.
+    /// H⁻¹ in the order of H; not a number if H is singular to rounding.
     inverse: [f64; 3],
 }
 
@@ -56,11 +56,14 @@ impl Bounds {
         let da_bar = own(y, k, h, cross_bar);
         let db = h * cross + k * cross_bar + x.twist * y.speed + y.twist * x.speed + x.turn * y.turn;
         let Projection { a, b, a_bar, det, .. } = projection;
+        // H⁻¹H is off by the rounding of a a_bar + b² next to det H.
+        let invertible = det.abs() > SINGULAR * ((a * a_bar).abs() + b * b);
+        let scale = if invertible { 1.0 / det } else { f64::NAN };
         Self {
             half: [h, k],
             change: [da, db, da_bar],
             remainder: [0.5 * (da * h + db * k), 0.5 * (db * h + da_bar * k)],
-            inverse: [-a_bar / det, b / det, a / det],
+            inverse: [-a_bar * scale, b * scale, a * scale],
             projection,
         }
     }

@@ -4,7 +4,7 @@ use super::bounds::{Bounds, INFLATION};
 use super::search::Pair;
 use super::tree::{ENDS, ROOT};
 use super::unresolved::{Region, gather};
-use super::{Active, ClosestPoint, Kind, ProjectionError, Search};
+use super::{Active, ClosestPoint, End, Kind, ProjectionError, Search};
 
 /// What the edges and corners hold.
 #[derive(Default)]
@@ -107,15 +107,17 @@ impl Rim {
     }
 }
 
-/// The point at the ends that a zero of the gradient is so near to that only rounding tells them apart.
+/// The point with more ends active that a stationary point is so near to that only rounding tells them apart.
 pub(super) fn at_end(pair: &Pair, zero: &ClosestPoint) -> Option<ClosestPoint> {
     const NEAR: f64 = 1.0 - 1e-7;
+    let held = zero.active();
     let near = Active { xi: zero.xi.abs() > NEAR, xi_bar: zero.xi_bar.abs() > NEAR };
-    let candidates = [near, Active { xi_bar: false, ..near }, Active { xi: false, ..near }];
-    candidates.into_iter().filter(|&active| active != Active::default()).find_map(|active| {
+    let candidates = [near, Active { xi_bar: held.xi_bar, ..near }, Active { xi: held.xi, ..near }];
+    candidates.into_iter().filter(|&active| active != held).find_map(|active| {
         let point = pair.refine((zero.xi, zero.xi_bar), active).ok()?;
         let close = (point.xi - zero.xi).abs().max((point.xi_bar - zero.xi_bar).abs()) < 1e-6;
-        let weak = [point.end, point.end_bar].into_iter().flatten().all(|end| !end.strict);
+        let strict = |end: Option<End>| end.is_some_and(|end| end.strict);
+        let weak = (held.xi || !strict(point.end)) && (held.xi_bar || !strict(point.end_bar));
         (close && weak).then_some(point)
     })
 }

@@ -111,7 +111,9 @@ impl ClosestPoint {
         let conditioning = p.conditioning(active);
         let degeneracy = if stands_still(x) || stands_still(x_bar) {
             Some(Degeneracy::ZeroTangent { bar: !stands_still(x) })
-        } else if p.smallest_magnitude(active) <= SINGULAR {
+        } else if p.smallest_magnitude(active)
+            <= SINGULAR + 16.0 * p.rounding() * (curvature(x) + curvature(x_bar))
+        {
             Some(Degeneracy::Singular { conditioning: p.smallest_magnitude(active) })
         } else if let Some(end) = [end, end_bar].into_iter().flatten().find(|end| !end.strict) {
             Some(Degeneracy::WeakEnd { multiplier: end.multiplier })
@@ -141,6 +143,17 @@ impl ClosestPoint {
         self.active() == Active::default()
     }
 
+    /// Whether two descriptions are of the same point.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        self.active() == other.active()
+            && (self.xi - other.xi).abs().max((self.xi_bar - other.xi_bar).abs()) < 1e-9
+    }
+
+    /// Whether all ends that hold a parameter do so strictly.
+    pub fn is_strict(&self) -> bool {
+        [self.end, self.end_bar].into_iter().flatten().all(|end| end.strict)
+    }
+
     /// The gravest reason not to trust derivatives at this point, if there is one.
     pub fn degeneracy(&self) -> Option<Degeneracy> {
         self.degeneracy
@@ -152,6 +165,11 @@ impl End {
         let (side, sign) = if at < 0.0 { (Side::Lower, -1.0) } else { (Side::Upper, 1.0) };
         Self { side, strict: !p.is_weak(i), multiplier: 0.0 - sign * p.cosine(i) }
     }
+}
+
+/// A bound of the curvature: what a rounded d contributes to the scaled Hessian is its error times this.
+fn curvature(x: &Geometry<f64>) -> f64 {
+    x.t_xi.norm() / x.t.norm_squared()
 }
 
 /// Whether the tangent has no length, next to its change along the beam.

@@ -56,7 +56,7 @@ impl Projection {
 
     /// D = a a_bar + b².
     #[doc(alias = "Eq. (52)")]
-    pub fn d_determinant(&self) -> f64 {
+    pub fn determinant(&self) -> f64 {
         -self.det
     }
 
@@ -86,7 +86,8 @@ impl Projection {
                 let root = ((first - second).powi(2) + 4.0 * (self.b / t2) * (self.b / t_bar2)).sqrt();
                 let (trace, det) = (first + second, self.det / t2 / t_bar2);
                 let large = 0.5 * (trace + root.copysign(trace));
-                let small = if large == 0.0 { 0.0 } else { det / large };
+                // The determinant has no cancellation between parallel tangents, but rounds as if large were 1.
+                let small = if large.abs() > 0.5 { det / large } else { trace - large };
                 if trace < 0.0 { [large, small] } else { [small, large] }
             }
         }
@@ -135,7 +136,7 @@ impl Projection {
     }
 
     /// The length that the positions are exact to.
-    fn rounding(&self) -> f64 {
+    pub(super) fn rounding(&self) -> f64 {
         ROUNDING * self.size2.sqrt()
     }
 

@@ -3,12 +3,15 @@
 use super::bounds::{Bounds, INFLATION};
 use super::tree::{Node, ROOT, Tree};
 use super::unresolved::{Region, gather};
-use super::{Active, Centroid, ClosestPoint, ProjectionError, Search, refine};
+use super::{Active, Centroid, ClosestPoint, Degeneracy, ProjectionError, Search, refine};
 
 /// Below this Lipschitz constant Newton's method finds the zero of a box if there is one; below 1 there is one at most.
 const CERTAIN: f64 = 0.25;
 /// Below 1 with room for the rounding of the Hessian's inverse.
 const UNIQUE: f64 = 0.75;
+
+/// The most boxes left open that Newton's method is tried from.
+const SAMPLES: usize = 64;
 
 /// What the boxes of the square hold.
 pub(super) struct Inside {
@@ -97,5 +100,18 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
             open.push(Region::new(nodes, bounds.projection.distance));
         }
     }
+    sample(pair, &open, &mut zeros);
     Ok(Inside { zeros, open: gather(open), boxes: next })
+}
+
+/// Adds the regular zeros that Newton's method finds from some of the boxes that are left open.
+fn sample(pair: &Pair, open: &[Region], zeros: &mut Vec<ClosestPoint>) {
+    for region in open.iter().step_by(open.len() / SAMPLES + 1) {
+        if let Ok(zero) = pair.refine(region.nearest, Active::default())
+            && zero.degeneracy().is_none_or(|degeneracy| !matches!(degeneracy, Degeneracy::Singular { .. }))
+            && !zeros.iter().any(|known| known.is_same(&zero))
+        {
+            zeros.push(zero);
+        }
+    }
 }

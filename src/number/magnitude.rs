@@ -16,6 +16,13 @@ pub struct Magnitude {
     pub scale: f64,
 }
 
+impl Magnitude {
+    /// A parameter of a curve: its scale is the half-width of its range, [-1, 1].
+    pub fn parameter(value: f64) -> Self {
+        Self { value, scale: 1.0 }
+    }
+}
+
 impl From<f64> for Magnitude {
     fn from(value: f64) -> Self {
         Self { value, scale: value.abs() }
@@ -61,8 +68,9 @@ impl Neg for Magnitude {
 field_from_operators!([] Magnitude);
 
 impl Real for Magnitude {
+    /// The length of a vector is as large as the terms of its components, however short it came out.
     fn sqrt(self) -> Self {
-        Self::from(self.value.sqrt())
+        Self { value: self.value.sqrt(), scale: self.scale.sqrt() }
     }
 
     fn sin_cos(self) -> (Self, Self) {

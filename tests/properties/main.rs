@@ -1,4 +1,6 @@
-//! Properties of the library, one module an object; inputs come from [`strategies`].
+//! The properties that beamgap claims, one module a claim.
 
+mod closest_points;
+mod degenerate;
 mod jets;
 mod strategies;

@@ -1,0 +1,37 @@
+//! The gate: random pairs of beams, in regimes that are known to hide faults, through both linearizations.
+//!
+//! A case is drawn from its number alone, its closest points are searched for, and at each of them the closed form is
+//! compared with automatic differentiation: every quantity's value, first and second variations, the symmetry of the
+//! second, and the matrices contracted with the same directions.
+//!
+//! # The tolerance
+//! Both sides are also run over [`Bounded`](crate::number::Bounded), which yields for every number a bound on its
+//! distance from exact arithmetic: each operation contributes half an ulp of its result, and passes on what its
+//! operands have. The parameters of the closest point enter with the bound that their residual and the conditioning
+//! of the projection give. |closed - AD| must not exceed the sum of the two bounds. So the tolerance is a multiple of
+//! epsilon derived from the number of operations and the conditioning of the case, entry by entry; no entry is
+//! compared with an absolute number.
+//!
+//! What is *shown* is the error relative to its scale, the sum of the absolute values of the closed form's terms
+//! ([`Magnitude`](crate::number::Magnitude)), as that does not flatter ill-conditioned cases.
+//!
+//! # What cannot be compared
+//! A case without a minimum that has derivatives, or whose bounds exceed a thousandth of its scales, is counted under
+//! its reason. It is never passed.
+
+mod beam;
+mod compare;
+mod draw;
+mod family;
+mod padded;
+mod regime;
+mod run;
+mod summary;
+mod witness;
+
+pub use compare::{Comparison, Inconclusive, Order, Verdict, compare};
+pub use draw::{Case, Selection};
+pub use family::Family;
+pub use regime::Regime;
+pub use run::run;
+pub use summary::{Cell, Summary};

@@ -1,0 +1,134 @@
+//! From the number of a case to the case: a counter-based generator, so that shards, threads and reruns agree.
+
+use super::beam::AnyBeam;
+use super::family::{Family, Target};
+use super::regime::Regime;
+use crate::number::Bounded;
+use crate::pair::Contact;
+use nalgebra::{Matrix3, Vector3};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// A pair of beams to be checked.
+pub struct Case {
+    /// Its number; with the seed it decides all the rest.
+    pub number: u64,
+    /// Its regime.
+    pub regime: Regime,
+    /// The families of beam and bar beam.
+    pub families: [Family; 2],
+    /// Radii and reference parameters.
+    pub contact: Contact,
+    pub(super) beams: [Box<dyn AnyBeam>; 2],
+}
+
+impl std::fmt::Debug for Case {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let numbers = self.beams.each_ref().map(|beam| beam.numbers());
+        let mut show = f.debug_struct("Case");
+        show.field("number", &self.number).field("regime", &self.regime).field("families", &self.families);
+        for (name, [q, dq, linear_dq]) in ["beam", "bar"].into_iter().zip(numbers) {
+            show.field(name, &q).field("dq", &dq).field("Dq", &linear_dq);
+        }
+        show.field("contact", &self.contact).finish()
+    }
+}
+
+/// Which cases are wanted: all pairs of families in all regimes take turns, so a selection leaves the others out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Selection {
+    /// The regimes, not empty.
+    pub regimes: Vec<Regime>,
+    /// If given, beam or bar beam is of this family.
+    pub family: Option<Family>,
+    /// How many cases of each regime.
+    pub cases: u64,
+}
+
+const REGIMES: u64 = Regime::ALL.len() as u64;
+const FAMILIES: u64 = Family::ALL.len() as u64;
+
+impl Selection {
+    /// The numbers of the cases, regime by regime.
+    pub fn numbers(&self) -> Vec<u64> {
+        let wanted = |regime: Regime| {
+            let of_regime = (0..).map(move |turn| turn * REGIMES + regime as u64);
+            let family = self.family;
+            let of_family = move |&number: &u64| {
+                family.is_none_or(|family| families(number).contains(&family))
+            };
+            of_regime.filter(of_family).take(usize::try_from(self.cases).unwrap_or(usize::MAX))
+        };
+        self.regimes.iter().flat_map(|&regime| wanted(regime)).collect()
+    }
+}
+
+/// The regime of a case.
+fn regime(number: u64) -> Regime {
+    Regime::ALL[usize::try_from(number % REGIMES).unwrap_or(0)]
+}
+
+/// The families of a case: all pairs in turn.
+fn families(number: u64) -> [Family; 2] {
+    let turn = number / REGIMES;
+    [turn / FAMILIES, turn].map(|i| Family::ALL[usize::try_from(i % FAMILIES).unwrap_or(0)])
+}
+
+impl Case {
+    /// Draws the case with this number.
+    ///
+    /// The two beams cross under the angle, at the gap and at the parameters that the regime draws: d is normal to both
+    /// tangents there, so that the crossing is a stationary point. Whether it is the minimum, the search will tell.
+    pub fn draw(seed: u64, number: u64) -> Self {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        rng.set_stream(number);
+        let (regime, families) = (regime(number), families(number));
+        let draw = regime.draw(&mut rng);
+
+        // The tangents span a plane with d normal to it; beams bend in any direction.
+        let frame = orthonormal(&mut rng);
+        let [normal, t] = [frame.column(0), frame.column(1)].map(Vector3::from);
+        let (sin, cos) = draw.angle.sin_cos();
+        let tangents = [t, t * cos + normal.cross(&t) * sin];
+        let origin = Vector3::from_fn(|_, _| rng.random_range(-2.0..2.0)) * draw.length;
+        let mut beam = |i: usize| {
+            let turn: f64 = rng.random_range(0.0..std::f64::consts::TAU);
+            let across = normal.cross(&tangents[i]);
+            let bending = normal * turn.cos() + across * turn.sin();
+            let target = Target {
+                point: origin,
+                frame: Matrix3::from_columns(&[tangents[i], bending, tangents[i].cross(&bending)]),
+                length: draw.length * rng.random_range(0.8..1.25),
+                bend: draw.bend[i],
+                xi: draw.at[i],
+            };
+            families[i].draw(&target, &mut rng)
+        };
+        let mut beams = [beam(0), beam(1)];
+        // What was drawn passes near its target only: measure, and move the first beam to where it belongs.
+        let [x, x_bar] = [0, 1].map(|i| beams[i].geometry_at(Bounded::from(draw.at[i])));
+        let [x, t, x_bar, t_bar] = [x.x, x.t, x_bar.x, x_bar.t].map(|v| v.map(|c| c.value));
+        let across = t.cross(&t_bar).normalize();
+        beams[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));
+
+        let contact = Contact {
+            radius: 0.05 * draw.length * rng.random_range(0.1..1.0),
+            radius_bar: 0.05 * draw.length * rng.random_range(0.1..1.0),
+            xi_0: rng.random_range(-1.0..1.0),
+            xi_bar_0: rng.random_range(-1.0..1.0),
+        };
+        Self { number, regime, families, contact, beams }
+    }
+}
+
+/// A random orthonormal frame, right-handed.
+fn orthonormal(rng: &mut ChaCha8Rng) -> Matrix3<f64> {
+    let mut random = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
+    let (mut u, mut v): (Vector3<f64>, Vector3<f64>) = (random(), random());
+    while u.norm() < 0.1 || u.cross(&v).norm() < 0.1 {
+        (u, v) = (random(), random());
+    }
+    let u = u.normalize();
+    let w = u.cross(&v).normalize();
+    Matrix3::from_columns(&[u, w.cross(&u), w])
+}

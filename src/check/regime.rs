@@ -1,0 +1,115 @@
+//! The regimes: what kinds of pairs the gate draws.
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+/// A kind of pair, chosen for the faults that hide elsewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Regime {
+    /// Lengths near 1, moderate bending, crossing at a wide angle.
+    Generic,
+    /// A gap of 1e-4 to 1e-2 of the length.
+    Slender,
+    /// Bent by 1e-6 to 1e-3 radians only.
+    NearlyStraight,
+    /// Bent by 2 to 5 radians.
+    StronglyCurved,
+    /// Crossing at an angle of 1e-4 to 1e-1 radians.
+    NearlyParallel,
+    /// A gap of 1e-8 to 1e-3 of the length.
+    NearlyCrossing,
+    /// The crossing within 1e-6 to 1e-1 of an end of one beam or both, or beyond it.
+    NearEnd,
+    /// A fibre measured in metres: lengths near 1e-6.
+    Metres,
+    /// Measured in millimetres: lengths near 1e3.
+    Millimetres,
+}
+
+/// The numbers that a regime draws.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Draw {
+    /// Length of a beam.
+    pub(super) length: f64,
+    /// Gap between the centroids over the length.
+    pub(super) gap: f64,
+    /// Angle between the tangents.
+    pub(super) angle: f64,
+    /// Turning angle of each beam.
+    pub(super) bend: [f64; 2],
+    /// Parameters of the crossing.
+    pub(super) at: [f64; 2],
+}
+
+impl Regime {
+    /// All regimes.
+    pub const ALL: [Self; 9] = [
+        Self::Generic,
+        Self::Slender,
+        Self::NearlyStraight,
+        Self::StronglyCurved,
+        Self::NearlyParallel,
+        Self::NearlyCrossing,
+        Self::NearEnd,
+        Self::Metres,
+        Self::Millimetres,
+    ];
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Generic => "generic",
+            Self::Slender => "slender",
+            Self::NearlyStraight => "nearly-straight",
+            Self::StronglyCurved => "strongly-curved",
+            Self::NearlyParallel => "nearly-parallel",
+            Self::NearlyCrossing => "nearly-crossing",
+            Self::NearEnd => "near-end",
+            Self::Metres => "metres",
+            Self::Millimetres => "millimetres",
+        }
+    }
+
+    /// Whether round-off alone leaves the worst scaled disagreement below 1e-12.
+    pub fn is_well_conditioned(self) -> bool {
+        !matches!(self, Self::NearlyParallel | Self::NearlyCrossing)
+    }
+
+    /// Draws the numbers of a case.
+    pub(super) fn draw(self, rng: &mut ChaCha8Rng) -> Draw {
+        let length = rng.random_range(0.7..1.4);
+        let generic = Draw {
+            length,
+            gap: rng.random_range(0.02..0.3),
+            angle: rng.random_range(0.5..std::f64::consts::FRAC_PI_2),
+            bend: [rng.random_range(0.05..1.0), rng.random_range(0.05..1.0)],
+            at: [rng.random_range(-0.8..0.8), rng.random_range(-0.8..0.8)],
+        };
+        let mut power = |low: f64, high: f64| 10_f64.powf(rng.random_range(low..high));
+        match self {
+            Self::Generic => generic,
+            Self::Slender => Draw { gap: power(-4.0, -2.0), ..generic },
+            Self::NearlyStraight => Draw { bend: [power(-6.0, -3.0), power(-6.0, -3.0)], ..generic },
+            Self::StronglyCurved => Draw { bend: [rng.random_range(2.0..5.0), rng.random_range(2.0..5.0)], ..generic },
+            Self::NearlyParallel => Draw { angle: power(-4.0, -1.0), ..generic },
+            Self::NearlyCrossing => Draw { gap: power(-8.0, -3.0), ..generic },
+            Self::NearEnd => {
+                // Within the beam for a positive distance, beyond its end for a negative one.
+                let mut near = || {
+                    let distance = 10_f64.powf(rng.random_range(-6.0..-1.0));
+                    let inside = if rng.random() { 1.0 - distance } else { 1.0 + distance };
+                    if rng.random() { inside } else { -inside }
+                };
+                let (one, other) = (near(), near());
+                let at = match rng.random_range(0..3) {
+                    0 => [one, generic.at[1]],
+                    1 => [generic.at[0], other],
+                    _ => [one, other],
+                };
+                Draw { at, ..generic }
+            }
+            Self::Metres => Draw { length: 1e-6 * length, ..generic },
+            Self::Millimetres => Draw { length: 1e3 * length, ..generic },
+        }
+    }
+}

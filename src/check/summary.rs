@@ -1,0 +1,148 @@
+//! What a run of the gate found, gathered so that the order of the cases does not matter.
+
+use super::compare::{Comparison, Inconclusive, Order, Verdict};
+use super::draw::Case;
+use super::family::Family;
+use super::regime::Regime;
+use crate::linearization::Quantity;
+use std::collections::BTreeMap;
+
+/// The worst of one order of one quantity.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cell {
+    /// The largest error relative to its scale.
+    pub scaled_error: f64,
+    /// The case that showed it.
+    pub case: u64,
+    /// The largest error relative to its tolerance.
+    pub over_tolerance: f64,
+    /// How many entries were compared.
+    pub entries: u64,
+}
+
+impl Cell {
+    fn merge(&mut self, other: &Self) {
+        // Of equals the smallest case number, so that threads do not matter.
+        if (other.scaled_error, std::cmp::Reverse(other.case)) > (self.scaled_error, std::cmp::Reverse(self.case))
+            || self.entries == 0
+        {
+            (self.scaled_error, self.case) = (other.scaled_error, other.case);
+        }
+        self.over_tolerance = self.over_tolerance.max(other.over_tolerance);
+        self.entries += other.entries;
+    }
+}
+
+/// The counts of one regime.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tally {
+    /// Cases drawn.
+    pub cases: u64,
+    /// Closest points compared, the ones inside both beams.
+    pub interior: u64,
+    /// Closest points compared, the ones with an end active.
+    pub at_end: u64,
+    /// Closest points that did not agree.
+    pub mismatches: u64,
+    /// The worst scaled error of all.
+    pub worst: Cell,
+    /// Points or cases not compared, by reason, each with the first case number.
+    pub inconclusive: BTreeMap<Inconclusive, (u64, u64)>,
+}
+
+impl Tally {
+    fn merge(&mut self, other: &Self) {
+        self.cases += other.cases;
+        self.interior += other.interior;
+        self.at_end += other.at_end;
+        self.mismatches += other.mismatches;
+        self.worst.merge(&other.worst);
+        for (reason, &(count, case)) in &other.inconclusive {
+            let entry = self.inconclusive.entry(*reason).or_insert((0, case));
+            *entry = (entry.0 + count, entry.1.min(case));
+        }
+    }
+}
+
+/// All that is reported of a run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// The worst errors, by quantity and order.
+    pub cells: BTreeMap<(Quantity, Order), Cell>,
+    /// The counts, by regime.
+    pub regimes: BTreeMap<Regime, Tally>,
+    /// How many closest points were compared, by family of either beam.
+    pub families: BTreeMap<Family, u64>,
+    /// How many closest points were compared, by pair of families.
+    pub pairs: BTreeMap<(Family, Family), u64>,
+    /// The cases that did not agree, with the entry that is furthest off.
+    pub mismatches: BTreeMap<u64, Comparison>,
+}
+
+impl Summary {
+    /// The summary of one case.
+    pub fn of(case: &Case, verdicts: &[(Option<crate::closest_point::ClosestPoint>, Verdict)]) -> Self {
+        let mut summary = Self::default();
+        let mut tally = Tally { cases: 1, ..Tally::default() };
+        for (point, verdict) in verdicts {
+            let entries = match verdict {
+                Verdict::Inconclusive(reason) => {
+                    tally.inconclusive.entry(*reason).or_insert((0, case.number)).0 += 1;
+                    continue;
+                }
+                Verdict::Pass(entries) => entries,
+                Verdict::Mismatch(entries) => {
+                    tally.mismatches += 1;
+                    let worst = entries.iter().max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
+                    summary.mismatches.extend(worst.map(|worst| (case.number, *worst)));
+                    entries
+                }
+            };
+            if point.is_some_and(|point| point.is_interior()) {
+                tally.interior += 1;
+            } else {
+                tally.at_end += 1;
+            }
+            *summary.pairs.entry((case.families[0], case.families[1])).or_default() += 1;
+            for family in case.families {
+                *summary.families.entry(family).or_default() += 1;
+            }
+            for entry in entries {
+                let cell = Cell {
+                    scaled_error: entry.scaled_error(),
+                    case: case.number,
+                    over_tolerance: entry.over_tolerance(),
+                    entries: 1,
+                };
+                summary.cells.entry((entry.quantity, entry.order)).or_default().merge(&cell);
+                tally.worst.merge(&cell);
+            }
+        }
+        summary.regimes.insert(case.regime, tally);
+        summary
+    }
+
+    /// The summary of both.
+    #[must_use]
+    pub fn merge(mut self, other: Self) -> Self {
+        for (key, cell) in &other.cells {
+            self.cells.entry(*key).or_default().merge(cell);
+        }
+        for (regime, tally) in &other.regimes {
+            self.regimes.entry(*regime).or_default().merge(tally);
+        }
+        for (family, count) in other.families {
+            *self.families.entry(family).or_default() += count;
+        }
+        for (pair, count) in other.pairs {
+            *self.pairs.entry(pair).or_default() += count;
+        }
+        self.mismatches.extend(other.mismatches);
+        self
+    }
+
+    /// Closest points that were compared.
+    pub fn compared(&self) -> u64 {
+        self.regimes.values().map(|tally| tally.interior + tally.at_end).sum()
+    }
+}
