@@ -6,7 +6,7 @@ use crate::curve::Geometry;
 /// Scaled eigenvalues below this are rounding: the point is singular.
 pub(super) const SINGULAR: f64 = 1.4e-14;
 /// Tangents shorter than this, relative to the change of the tangent along the beam, have no length.
-const STANDSTILL: f64 = 9e-13;
+pub(super) const STANDSTILL: f64 = 9e-13;
 /// Scaled multipliers below this are zero: the end is weakly active.
 pub(super) const WEAK: f64 = 9e-13;
 

@@ -1,6 +1,7 @@
 //! The gradient and the Hessian of half the squared distance at a pair of points, and their scale-free measures.
 
 use super::Active;
+use super::point::{STANDSTILL, WEAK};
 use crate::curve::Geometry;
 use nalgebra::{Matrix2, Vector2, Vector3};
 
@@ -29,6 +30,8 @@ pub struct Projection {
     pub det: f64,
     /// t·t and t_bar·t_bar.
     pub(super) squares: [f64; 2],
+    /// t·t + t,xi·t,xi and its twin: the tangent's size even about a point where it vanishes.
+    sizes2: [f64; 2],
     /// The sum of the squares of the positions and the tangents.
     size2: f64,
 }
@@ -50,6 +53,7 @@ impl Projection {
             // det H = |t × t_bar|² + p t_bar² - q t² - p q with p = d·t,xi and q = d·t_bar,xi_bar.
             det: x.t.cross(&x_bar.t).norm_squared() + p * squares[1] - q * squares[0] - p * q,
             squares,
+            sizes2: [squares[0] + x.t_xi.norm_squared(), squares[1] + x_bar.t_xi.norm_squared()],
             size2: x.x.norm_squared() + x_bar.x.norm_squared() + squares[0] + squares[1],
         }
     }
@@ -93,10 +97,11 @@ impl Projection {
         }
     }
 
-    /// The cosine of the angle between d and the gradient's tangent `i`, 0 if the centroids cross.
+    /// The cosine of the angle between d and the gradient's tangent `i`, 0 if one of the two has no length.
     pub(super) fn cosine(&self, i: usize) -> f64 {
         let scale = self.distance * self.squares[i].sqrt();
-        if self.is_crossing() || scale == 0.0 { 0.0 } else { self.gradient[i] / scale }
+        let still = self.squares[i] <= STANDSTILL * STANDSTILL * self.sizes2[i];
+        if self.is_crossing() || still { 0.0 } else { self.gradient[i] / scale }
     }
 
     /// The largest |cos| over the parameters that are not held.
@@ -105,7 +110,7 @@ impl Projection {
         of(active.xi, 0).max(of(active.xi_bar, 1))
     }
 
-    /// The largest component of the gradient for unit tangents over the parameters that are not held.
+    /// The larger component of the gradient, for tangents of unit size, over the parameters that are not held.
     pub(super) fn slope(&self, active: Active) -> f64 {
         let of = |held: bool, i: usize| {
             if held || self.gradient[i] == 0.0 {
@@ -124,8 +129,8 @@ impl Projection {
 
     /// Whether the gradient in parameter `i` is zero to the tolerance of a multiplier.
     pub(super) fn is_weak(&self, i: usize) -> bool {
-        let t = self.squares[i].sqrt();
-        self.gradient[i].abs() <= t * (super::point::WEAK * (self.distance + t) + self.rounding())
+        let t = self.sizes2[i].sqrt();
+        self.gradient[i].abs() <= t * (WEAK * (self.distance + t) + self.rounding())
     }
 
     /// Whether the Hessian over the parameters that are not held is positive definite.
