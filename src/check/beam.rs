@@ -33,7 +33,7 @@ pub(crate) trait AnyBeam:
     fn frozen_plain(&self, xi: f64) -> Frozen<f64>;
 
     /// The same with the magnitudes of the terms, from the dofs on.
-    fn magnitudes(&self, xi: f64) -> Frozen<Magnitude>;
+    fn magnitudes(&self, xi: Magnitude) -> Frozen<Magnitude>;
 
     /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
     fn padded(&self, xi: Bounded) -> (Jet<Bounded, Padded>, [SVector<Bounded, { Padded::DOFS }>; 2]);
@@ -132,8 +132,8 @@ impl<C: Curve<N> + Send + Sync, const N: usize> AnyBeam for Drawn<C, N> {
         self.frozen_in(xi)
     }
 
-    fn magnitudes(&self, xi: f64) -> Frozen<Magnitude> {
-        self.frozen_in(Magnitude::parameter(xi))
+    fn magnitudes(&self, xi: Magnitude) -> Frozen<Magnitude> {
+        self.frozen_in(xi)
     }
 
     fn padded(&self, xi: Bounded) -> (Jet<Bounded, Padded>, [SVector<Bounded, { Padded::DOFS }>; 2]) {
