@@ -54,7 +54,10 @@ pub fn refine(
     }
     let p = &best.projection;
     let point = ClosestPoint::new(best.at, (&best.geometry[0], &best.geometry[1]), active);
-    if (active.xi || p.is_weak(0)) && (active.xi_bar || p.is_weak(1)) {
+    // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged.
+    let (step, step_bar) = p.step(active);
+    let settled = |held: bool, i: usize, step: f64| held || p.is_weak(i) || step.abs() < SMALL;
+    if settled(active.xi, 0, step) && settled(active.xi_bar, 1, step_bar) {
         Ok(point)
     } else {
         Err(ProjectionError::NotConverged { residual: point.residual })
