@@ -98,10 +98,10 @@ pub(super) fn rational_bound<const P: usize>(
     points: [Vector3<f64>; P],
     weights: [f64; P],
 ) -> f64 {
-    let least = weights.iter().copied().fold(f64::INFINITY, f64::min);
-    if least <= 0.0 {
+    if !weights.iter().all(|&weight| weight > 0.0) {
         return f64::INFINITY;
     }
+    let least = weights.iter().copied().fold(f64::INFINITY, f64::min);
     let mean = points.iter().sum::<Vector3<f64>>() / super::shapes::count(P);
     let points = points.map(|point| point - mean);
     let a = span.bounds(std::array::from_fn(|i| points[i] * weights[i]));

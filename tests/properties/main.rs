@@ -5,4 +5,6 @@ mod closest_points;
 mod degenerate;
 mod every_minimum;
 mod jets;
+mod numbers;
+mod scalars;
 mod strategies;

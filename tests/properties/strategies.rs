@@ -1,5 +1,6 @@
 //! Random inputs. What they promise is tested below.
 
+use beamgap::number::Real;
 use nalgebra::{SVector, Vector4};
 use proptest::prelude::*;
 
@@ -66,6 +67,57 @@ pub(crate) fn helix() -> impl Strategy<Value = SVector<f64, 10>> {
     })
 }
 
+/// A formula in two variables.
+#[derive(Clone, Debug)]
+pub(crate) enum Expression {
+    Variable(usize),
+    Constant(f64),
+    Sum(Box<Self>, Box<Self>),
+    Difference(Box<Self>, Box<Self>),
+    Product(Box<Self>, Box<Self>),
+    Quotient(Box<Self>, Box<Self>),
+    Root(Box<Self>),
+    Sine(Box<Self>),
+    Cosine(Box<Self>),
+}
+
+impl Expression {
+    pub(crate) fn evaluate<T: Real>(&self, x: [T; 2]) -> T {
+        match self {
+            Self::Variable(i) => x[*i],
+            Self::Constant(value) => T::from(*value),
+            Self::Sum(a, b) => a.evaluate(x) + b.evaluate(x),
+            Self::Difference(a, b) => a.evaluate(x) - b.evaluate(x),
+            Self::Product(a, b) => a.evaluate(x) * b.evaluate(x),
+            Self::Quotient(a, b) => a.evaluate(x) / b.evaluate(x),
+            Self::Root(a) => a.evaluate(x).sqrt(),
+            Self::Sine(a) => a.evaluate(x).sin_cos().0,
+            Self::Cosine(a) => a.evaluate(x).sin_cos().1,
+        }
+    }
+}
+
+/// Any formula, ill-conditioned ones and such that divide by nought or take the root of a negative number included.
+pub(crate) fn expression() -> impl Strategy<Value = Expression> {
+    let leaf = prop_oneof![
+        4 => (0..2_usize).prop_map(Expression::Variable),
+        1 => (-3.0..3.0).prop_map(Expression::Constant),
+    ];
+    leaf.prop_recursive(5, 24, 2, |inner| {
+        let one = || inner.clone().prop_map(Box::new);
+        let two = || (one(), one());
+        prop_oneof![
+            two().prop_map(|(a, b)| Expression::Sum(a, b)),
+            two().prop_map(|(a, b)| Expression::Difference(a, b)),
+            two().prop_map(|(a, b)| Expression::Product(a, b)),
+            two().prop_map(|(a, b)| Expression::Quotient(a, b)),
+            one().prop_map(Expression::Root),
+            one().prop_map(Expression::Sine),
+            one().prop_map(Expression::Cosine),
+        ]
+    })
+}
+
 #[test]
 fn parameters_cover_the_ends_and_stay_between_them() {
     let mut ends = 0;
@@ -103,6 +155,12 @@ fn quaternions_are_away_from_nought_and_in_their_places() {
     for q in samples(helix()) {
         assert!(q.fixed_rows::<4>(3).norm() > 0.3 && q[7] > 0.0);
     }
+}
+
+#[test]
+fn most_expressions_have_a_value() {
+    let values: Vec<f64> = samples(expression()).iter().map(|f| f.evaluate([0.7, -1.3])).collect();
+    assert!(values.iter().filter(|value| value.is_finite()).count() > 140);
 }
 
 fn samples<S: Strategy>(strategy: S) -> Vec<S::Value> {
