@@ -1,10 +1,15 @@
 //! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
 
 mod centroids;
+mod closed_form_equals_ad;
 mod closest_points;
 mod degenerate;
 mod every_minimum;
+mod invariances;
 mod jets;
 mod numbers;
+mod pairs;
 mod scalars;
 mod strategies;
+mod symmetry;
+mod values;

@@ -1,0 +1,222 @@
+//! What no choice of coordinates, units or names may change.
+
+use crate::pairs::{Contacting, Movable, contacting, hermite, refined, relative_difference, segment};
+use crate::strategies::vector;
+use beamgap::closest_point::Active;
+use beamgap::curve::{Bezier, Hermite};
+use beamgap::linearization::{Expansion, Linearization, closed_form};
+use beamgap::pair::{Contact, DofVector, Pair};
+use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
+use proptest::prelude::*;
+
+const TOLERANCE: f64 = 1e-8;
+
+type HermitePair = Contacting<Hermite, Hermite, 12, 12>;
+
+fn linearized(case: &HermitePair) -> Linearization<f64, 12, 12> {
+    closed_form::linearize(&case.pair, &case.q, &case.point)
+}
+
+fn expansions<const N: usize, const M: usize>(l: &Linearization<f64, N, M>) -> [&Expansion<f64, N, M>; 7] {
+    [&l.d, &l.t, &l.t_bar, &l.xi, &l.xi_bar, &l.g_t, &l.g_t_bar]
+}
+
+/// Applies a 3 x 3 matrix to every control vector.
+fn apply<const N: usize>(matrix: &Matrix3<f64>, q: &SVector<f64, N>) -> SVector<f64, N> {
+    let mut turned = *q;
+    for i in (0..N).step_by(3) {
+        turned.fixed_rows_mut::<3>(i).copy_from(&(matrix * q.fixed_rows::<3>(i)));
+    }
+    turned
+}
+
+fn apply_both(matrix: &Matrix3<f64>, q: &DofVector<f64, 12, 12>) -> DofVector<f64, 12, 12> {
+    DofVector { beam: apply(matrix, &q.beam), bar: apply(matrix, &q.bar) }
+}
+
+fn moved(case: &HermitePair, q: DofVector<f64, 12, 12>) -> HermitePair {
+    let at = (case.point.xi, case.point.xi_bar);
+    let point = refined(&case.pair, &q, at, case.point.active()).expect("the moved point is stationary too");
+    Contacting { q, point, ..case.clone() }
+}
+
+fn translation(by: &Vector3<f64>) -> DofVector<f64, 12, 12> {
+    DofVector { beam: Hermite::moved(&SVector::zeros(), by), bar: Hermite::moved(&SVector::zeros(), by) }
+}
+
+/// H v.
+fn times(e: &Expansion<f64, 12, 12>, v: &DofVector<f64, 12, 12>) -> Vec<f64> {
+    (0..24).map(|i| e.hessian.along(&DofVector::unit(i), v)).collect()
+}
+
+fn size(row: impl IntoIterator<Item = f64>) -> f64 {
+    row.into_iter().fold(0.0, |size, x| size.max(x.abs()))
+}
+
+fn hessian_size(e: &Expansion<f64, 12, 12>) -> f64 {
+    size((0..24 * 24).map(|k| e.hessian.entry(k / 24, k % 24)))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// d -> x, G -> R G, H -> R H Rᵀ: contracted with turned directions nothing changes.
+    #[test]
+    fn rigid_motion_changes_nothing(case in contacting(hermite(), hermite()), axis in vector::<3>(), by in vector::<3>()) {
+        let rotation = *Rotation3::from_scaled_axis(axis).matrix();
+        let turned = apply_both(&rotation, &case.q).plus(1.0, &translation(&by));
+        let (before, after) = (linearized(&case), linearized(&moved(&case, turned)));
+        let (dq, linear_dq) = (apply_both(&rotation, &case.dq), apply_both(&rotation, &case.linear_dq));
+        for (x, y) in expansions(&before).into_iter().zip(expansions(&after)) {
+            let numbers = |e: &Expansion<f64, 12, 12>, dq, linear_dq| {
+                [e.value, e.gradient.along(dq), e.hessian.along(dq, linear_dq)]
+            };
+            let ours = numbers(x, &case.dq, &case.linear_dq);
+            let theirs = numbers(y, &dq, &linear_dq);
+            let scale = [1.0, 10.0 * size((0..24).map(|i| x.gradient.entry(i))), 100.0 * hessian_size(x)];
+            for k in 0..3 {
+                prop_assert!((ours[k] - theirs[k]).abs() <= TOLERANCE * scale[k].max(1.0), "{ours:?} {theirs:?}");
+            }
+        }
+    }
+
+    /// The names of the beams mean nothing.
+    #[test]
+    fn swapping_the_beams_swaps_the_results(case in contacting(hermite(), segment())) {
+        let Contacting { pair, q, point, .. } = &case;
+        let Contact { radius, radius_bar, xi_0, xi_bar_0 } = pair.contact;
+        let swapped = Pair {
+            curve: pair.curve_bar,
+            curve_bar: pair.curve,
+            contact: Contact { radius: radius_bar, radius_bar: radius, xi_0: xi_bar_0, xi_bar_0: xi_0 },
+        };
+        let q_swapped = DofVector { beam: q.bar, bar: q.beam };
+        let active = Active { xi: point.active().xi_bar, xi_bar: point.active().xi };
+        let other = refined(&swapped, &q_swapped, (point.xi_bar, point.xi), active).unwrap();
+        let one = closed_form::linearize(pair, q, point);
+        let two = closed_form::linearize(&swapped, &q_swapped, &other);
+        let theirs = [&two.d, &two.t_bar, &two.t, &two.xi_bar, &two.xi, &two.g_t_bar, &two.g_t];
+        for (x, y) in expansions(&one).into_iter().zip(theirs) {
+            let index = |i: usize| if i < 12 { i + 6 } else { i - 12 };
+            let largest = size((0..324).map(|k| x.hessian.entry(k / 18, k % 18))).max(1.0);
+            for i in 0..18 {
+                prop_assert!((x.gradient.entry(i) - y.gradient.entry(index(i))).abs() <= TOLERANCE * largest);
+                for j in 0..18 {
+                    let (a, b) = (x.hessian.entry(i, j), y.hessian.entry(index(i), index(j)));
+                    prop_assert!((a - b).abs() <= TOLERANCE * largest, "{a:e} {b:e} of {largest:e}");
+                }
+            }
+        }
+    }
+
+    /// The unit of length means nothing, to the last bit: d -> s d, and xi stays.
+    #[test]
+    fn scaling_by_powers_of_two_scales_exactly(case in contacting(hermite(), hermite()), power in -40_i32..=40) {
+        let s = 2.0_f64.powi(power);
+        // Both are solved for from the same start: a second solution may differ from the first in the last digit.
+        let (case, scaled) = (moved(&case, case.q), moved(&case, case.q.times(s)));
+        prop_assert_eq!((scaled.point.xi, scaled.point.xi_bar), (case.point.xi, case.point.xi_bar));
+        let (before, after) = (linearized(&case), linearized(&scaled));
+        // Value, gradient and Hessian of a length scale by s, 1 and 1/s; of a parameter by 1, 1/s and 1/s².
+        for (i, (x, y)) in expansions(&before).into_iter().zip(expansions(&after)).enumerate() {
+            let unit = if i == 3 || i == 4 { 1.0 } else { s };
+            prop_assert_eq!(x.value * unit, y.value);
+            for i in 0..24 {
+                prop_assert_eq!(x.gradient.entry(i) * (unit / s), y.gradient.entry(i));
+                for j in 0..24 {
+                    prop_assert_eq!(x.hessian.entry(i, j) * (unit / s / s), y.hessian.entry(i, j));
+                }
+            }
+        }
+    }
+
+    /// A rigid translation is no variation: G . c = 0 and H c = 0.
+    #[test]
+    fn rigid_translations_are_annihilated(case in contacting(hermite(), hermite()), by in vector::<3>()) {
+        let c = translation(&by);
+        for e in expansions(&linearized(&case)) {
+            let scale = size((0..24).map(|i| e.gradient.entry(i))).max(1e-3);
+            prop_assert!(e.gradient.along(&c).abs() <= TOLERANCE * scale);
+            prop_assert!(size(times(e, &c)) <= TOLERANCE * hessian_size(e).max(scale));
+        }
+    }
+
+    /// A rigid rotation changes no scalar: G . (w x q) = 0, and H (w x q) = w x G.
+    #[test]
+    fn rigid_rotations_turn_the_gradient(case in contacting(hermite(), hermite()), w in vector::<3>()) {
+        let spin = w.cross_matrix();
+        let turning = apply_both(&spin, &case.q);
+        for e in expansions(&linearized(&case)) {
+            let scale = hessian_size(e).max(size((0..24).map(|i| e.gradient.entry(i)))).max(1e-3);
+            prop_assert!(e.gradient.along(&turning).abs() <= TOLERANCE * scale);
+            let expected = apply_both(&spin, &e.gradient);
+            for (i, entry) in times(e, &turning).into_iter().enumerate() {
+                prop_assert!((entry - expected.entry(i)).abs() <= TOLERANCE * 10.0 * scale);
+            }
+        }
+    }
+
+    /// Euler: lengths are homogeneous of degree 1 in q (G . q = v, H q = 0), parameters of degree 0 (G . q = 0, H q = -G).
+    #[test]
+    fn eulers_theorem_holds(case in contacting(hermite(), hermite())) {
+        for (i, e) in expansions(&linearized(&case)).into_iter().enumerate() {
+            let parameter = i == 3 || i == 4;
+            let scale = hessian_size(e).max(size((0..24).map(|i| e.gradient.entry(i)))).max(1.0);
+            let value = if parameter { 0.0 } else { e.value };
+            prop_assert!((e.gradient.along(&case.q) - value).abs() <= TOLERANCE * 10.0 * scale);
+            for (i, entry) in times(e, &case.q).into_iter().enumerate() {
+                let expected = if parameter { -e.gradient.entry(i) } else { 0.0 };
+                prop_assert!((entry - expected).abs() <= TOLERANCE * 10.0 * scale);
+            }
+        }
+    }
+
+    /// The part of a Bezier curve over [-1, s], as a curve of its own: xi is another, d and its variations are not.
+    #[test]
+    fn an_affine_change_of_parameter_changes_no_distance(
+        case in contacting(bezier(), bezier()).prop_filter("inside both", |case| case.point.active() == Active::default()),
+        cut in 0.3..0.95_f64,
+    ) {
+        let (u, xi) = (cut, case.point.xi);
+        let inside = 2.0 * (xi + 1.0) / 2.0 / u - 1.0;
+        let part = |q: &SVector<f64, 12>| split(q, u);
+        let change = |q: &DofVector<f64, 12, 12>| DofVector { beam: part(&q.beam), bar: q.bar };
+        // Beyond the cut the same polynomial goes on: the formulas do not mind.
+        let q = change(&case.q);
+        let (dq, linear_dq) = (change(&case.dq), change(&case.linear_dq));
+        prop_assume!(inside.abs() < 1.0);
+        let point = refined(&case.pair, &q, (inside, case.point.xi_bar), Active::default()).unwrap();
+        let before = closed_form::vary(&case.pair, &case.q, &case.point, &case.dq, &case.linear_dq);
+        let after = closed_form::vary(&case.pair, &q, &point, &dq, &linear_dq);
+        let size = before.xi.second.abs().max(before.xi_bar.second.abs()).max(1.0) * 10.0;
+        for (x, y) in [(before.d, after.d), (before.xi_bar, after.xi_bar), (before.t_bar, after.t_bar)] {
+            prop_assert!(relative_difference(&x.parts(), &y.parts()) <= TOLERANCE * size, "{x:?} {y:?}");
+        }
+        // ξ is covariant: 1 + ξ = u (1 + ξ'), and t shrinks with it.
+        for (x, y) in before.xi.parts()[1..].iter().zip(&after.xi.parts()[1..]) {
+            prop_assert!((x - u * y).abs() <= TOLERANCE * size * (1.0 + x.abs()), "{x:e} {y:e}");
+        }
+        for (x, y) in before.t.parts().iter().zip(after.t.parts()) {
+            prop_assert!((u * x - y).abs() <= TOLERANCE * size * (1.0 + x.abs()), "{x:e} {y:e}");
+        }
+    }
+}
+
+fn bezier() -> impl Strategy<Value = (Bezier<4>, SVector<f64, 12>)> {
+    vector().prop_map(|q| (Bezier::new(), q))
+}
+
+impl Movable<12> for Bezier<4> {
+    const POINTS: &'static [usize] = &[0, 3, 6, 9];
+}
+
+/// De Casteljau: the control points of the first part, up to the fraction `u`; linear in the points.
+fn split(q: &SVector<f64, 12>, u: f64) -> SVector<f64, 12> {
+    let mut points: Vec<Vector3<f64>> = (0..4).map(|i| q.fixed_rows::<3>(3 * i).into_owned()).collect();
+    let mut part = SVector::<f64, 12>::zeros();
+    for i in 0..4 {
+        part.fixed_rows_mut::<3>(3 * i).copy_from(&points[0]);
+        points = points.windows(2).map(|pair| pair[0] * (1.0 - u) + pair[1] * u).collect();
+    }
+    part
+}
