@@ -1,4 +1,4 @@
-//! Consistent linearization of beam-to-beam contact geometry, twice, and the gate that compares the two.
+#![doc = include_str!("../README.md")]
 
 pub mod closest_point;
 pub mod curve;
@@ -8,3 +8,5 @@ pub mod pair;
 
 #[cfg(feature = "cli")]
 pub mod check;
+
+pub use nalgebra;
