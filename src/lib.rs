@@ -8,5 +8,7 @@ pub mod pair;
 
 #[cfg(feature = "cli")]
 pub mod check;
+#[cfg(feature = "cli")]
+pub mod prove;
 
 pub use nalgebra;

@@ -6,18 +6,22 @@
 //! [`closest_point`](crate::closest_point).
 
 mod bounded;
+mod degree;
 mod double_double;
 mod dual;
 mod extension;
 mod hyper_dual;
 mod magnitude;
+mod prime;
 
 pub use bounded::Bounded;
+pub use degree::Degree;
 pub use double_double::DoubleDouble;
 pub use dual::{Differentiable, Dual};
 pub use extension::Extends;
 pub use hyper_dual::HyperDual;
 pub use magnitude::Magnitude;
+pub use prime::Residue;
 
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_dual::DualNum;

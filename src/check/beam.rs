@@ -5,7 +5,8 @@ use crate::closest_point::Centroid;
 use crate::curve::{Curve, Geometry, Jet};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
-use crate::number::{Bounded, Dual, Extends, HyperDual, Magnitude, Real};
+use crate::number::{Bounded, Degree, Dual, Extends, HyperDual, Magnitude, Real, Residue};
+use crate::prove::{Exact, ExactBeam};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
 
@@ -36,7 +37,16 @@ pub(crate) trait AnyBeam:
     fn magnitudes(&self, xi: Magnitude) -> Frozen<Magnitude>;
 
     /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
-    fn padded(&self, xi: Bounded) -> (Jet<Bounded, Padded>, [SVector<Bounded, { Padded::DOFS }>; 2]);
+    fn padded(
+        &self,
+        xi: Bounded,
+    ) -> (Jet<Bounded, Padded<Bounded>>, [SVector<Bounded, { Padded::<Bounded>::DOFS }>; 2]);
+
+    /// A beam of the same family and parameters, with random dofs and directions over the prime field.
+    fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>>;
+
+    /// The same with every dof and direction a variable whose degree counts.
+    fn degrees(&self) -> Box<dyn ExactBeam<Degree>>;
 
     /// Dofs and directions, to be shown.
     fn numbers(&self) -> [Vec<f64>; 3];
@@ -67,6 +77,15 @@ impl<C: Curve<N>, const N: usize> Drawn<C, N> {
     fn seeded<T: Real>(&self, seed: impl Fn(f64, f64, f64) -> T) -> Perturbed<'_, C, T, N> {
         let q = SVector::from_fn(|i, _| seed(self.q[i], self.dq[i], self.linear_dq[i]));
         Perturbed { curve: &self.curve, q }
+    }
+
+    fn exact<T: Real>(&self, random: &mut dyn FnMut() -> T) -> Exact<C, T, N>
+    where
+        C: Clone,
+    {
+        let mut vector = || SVector::from_fn(|_, _| random());
+        let (q, dq, linear_dq) = (vector(), vector(), vector());
+        Exact { curve: self.curve.clone(), q, dq, linear_dq, points: self.points.clone() }
     }
 
     fn hyper_dual<S: Extends<HyperDual64>>(&self, xi: S) -> Vector3<S> {
@@ -111,7 +130,7 @@ impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<Bounded>>> for Drawn<C, N
     }
 }
 
-impl<C: Curve<N> + Send + Sync, const N: usize> AnyBeam for Drawn<C, N> {
+impl<C: Curve<N> + Clone + Send + Sync + 'static, const N: usize> AnyBeam for Drawn<C, N> {
     fn translate(&mut self, by: &Vector3<f64>) {
         for &start in &self.points {
             for c in 0..3 {
@@ -136,9 +155,20 @@ impl<C: Curve<N> + Send + Sync, const N: usize> AnyBeam for Drawn<C, N> {
         self.frozen_in(xi)
     }
 
-    fn padded(&self, xi: Bounded) -> (Jet<Bounded, Padded>, [SVector<Bounded, { Padded::DOFS }>; 2]) {
+    fn padded(
+        &self,
+        xi: Bounded,
+    ) -> (Jet<Bounded, Padded<Bounded>>, [SVector<Bounded, { Padded::<Bounded>::DOFS }>; 2]) {
         let [q, dq, linear_dq] = self.lift();
         (Padded::fill(&self.curve.jet(&q, xi)), [dq, linear_dq].map(|v| Padded::fill_vector(&v)))
+    }
+
+    fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>> {
+        Box::new(self.exact(random))
+    }
+
+    fn degrees(&self) -> Box<dyn ExactBeam<Degree>> {
+        Box::new(self.exact(&mut || Degree::VARIABLE))
     }
 
     fn numbers(&self) -> [Vec<f64>; 3] {

@@ -100,6 +100,13 @@ impl Family {
         }
     }
 
+    /// A beam of this family with random parameters (knots, weights, opening angle); its dofs are of no importance.
+    pub(crate) fn model(self, rng: &mut ChaCha8Rng) -> Box<dyn AnyBeam> {
+        let target =
+            Target { point: Vector3::zeros(), frame: Matrix3::identity(), length: 1.0, bend: 1.0, xi: 0.0 };
+        self.draw(&target, rng)
+    }
+
     /// Draws a curve that follows the target, and two directions of variation.
     pub(super) fn draw(self, target: &Target, rng: &mut ChaCha8Rng) -> Box<dyn AnyBeam> {
         let length = target.length;
@@ -148,7 +155,7 @@ impl Family {
 }
 
 /// `P` points that follow the target at the given parameters, as node-major dofs.
-fn nodes<C: Curve<N> + Send + Sync + 'static, const P: usize, const N: usize>(
+fn nodes<C: Curve<N> + Clone + Send + Sync + 'static, const P: usize, const N: usize>(
     curve: C,
     at: [f64; P],
     target: &Target,
@@ -227,7 +234,7 @@ fn winding(target: &Target, rise: f64, rng: &mut ChaCha8Rng) -> (f64, [f64; 9]) 
 }
 
 /// Adds directions of variation, each entry in the unit of its dof.
-fn drawn<C: Curve<N> + Send + Sync + 'static, const N: usize>(
+fn drawn<C: Curve<N> + Clone + Send + Sync + 'static, const N: usize>(
     curve: C,
     q: SVector<f64, N>,
     units: &SVector<f64, N>,

@@ -2,38 +2,36 @@
 //! all pairs of families.
 
 use crate::curve::{DofDerivatives, Jet};
-use crate::number::{Bounded, Real};
+use crate::number::Real;
 use nalgebra::{SMatrix, SVector, Vector3};
 
 /// The largest number of dofs that a family of the gate has.
 const DOFS: usize = 18;
 
-type Square = SMatrix<Bounded, DOFS, DOFS>;
+type Square<T> = SMatrix<T, DOFS, DOFS>;
 
 /// Dense dof-derivatives of a curve with at most [`Padded::DOFS`] dofs.
 #[derive(Clone, Debug)]
-pub(crate) struct Padded {
-    jacobians: [SMatrix<Bounded, 3, DOFS>; 3],
+pub(crate) struct Padded<T> {
+    jacobians: [SMatrix<T, 3, DOFS>; 3],
     /// Second derivatives of the three components, for x and x,xi; none for a curve linear in its dofs.
-    second: Option<Box<[[Square; 3]; 2]>>,
+    second: Option<Box<[[Square<T>; 3]; 2]>>,
 }
 
-impl Padded {
+impl<T: Real> Padded<T> {
     pub(crate) const DOFS: usize = DOFS;
 
     /// Fills a jet up.
-    pub(crate) fn fill<U: DofDerivatives<Bounded, N>, const N: usize>(
-        jet: &Jet<Bounded, U>,
-    ) -> Jet<Bounded, Self> {
+    pub(crate) fn fill<U: DofDerivatives<T, N>, const N: usize>(jet: &Jet<T, U>) -> Jet<T, Self> {
         const { assert!(N <= DOFS, "the family has more dofs than the gate provides for") };
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
         let jacobians = std::array::from_fn(|k| {
-            let mut padded = SMatrix::<Bounded, 3, DOFS>::zeros();
+            let mut padded = SMatrix::<T, 3, DOFS>::zeros();
             padded.fixed_columns_mut::<N>(0).copy_from(&jet.dofs.jacobian(k));
             padded
         });
-        let square = |k: usize, axis: &Vector3<Bounded>| {
-            let mut padded = Square::zeros();
+        let square = |k: usize, axis: &Vector3<T>| {
+            let mut padded = Square::<T>::zeros();
             padded.fixed_view_mut::<N, N>(0, 0).copy_from(&jet.dofs.hessian(k, axis));
             padded
         };
@@ -43,41 +41,36 @@ impl Padded {
     }
 
     /// Fills a direction up.
-    pub(crate) fn fill_vector<T: Real, const N: usize>(v: &SVector<T, N>) -> SVector<T, DOFS> {
+    pub(crate) fn fill_vector<const N: usize>(v: &SVector<T, N>) -> SVector<T, DOFS> {
         let mut padded = SVector::<T, DOFS>::zeros();
         padded.fixed_rows_mut::<N>(0).copy_from(v);
         padded
     }
 }
 
-impl DofDerivatives<Bounded, DOFS> for Padded {
+impl<T: Real> DofDerivatives<T, DOFS> for Padded<T> {
     const LINEAR: bool = false;
 
-    fn variation(&self, k: usize, dq: &SVector<Bounded, DOFS>) -> Vector3<Bounded> {
+    fn variation(&self, k: usize, dq: &SVector<T, DOFS>) -> Vector3<T> {
         self.jacobians[k] * dq
     }
 
-    fn second_variation(
-        &self,
-        k: usize,
-        dq: &SVector<Bounded, DOFS>,
-        linear_dq: &SVector<Bounded, DOFS>,
-    ) -> Vector3<Bounded> {
+    fn second_variation(&self, k: usize, dq: &SVector<T, DOFS>, linear_dq: &SVector<T, DOFS>) -> Vector3<T> {
         let Some(second) = &self.second else { return Vector3::zeros() };
         Vector3::from_fn(|c, _| dq.dot(&(second[k][c] * linear_dq)))
     }
 
-    fn gradient(&self, k: usize, w: &Vector3<Bounded>) -> SVector<Bounded, DOFS> {
+    fn gradient(&self, k: usize, w: &Vector3<T>) -> SVector<T, DOFS> {
         self.jacobians[k].tr_mul(w)
     }
 
-    fn jacobian(&self, k: usize) -> SMatrix<Bounded, 3, DOFS> {
+    fn jacobian(&self, k: usize) -> SMatrix<T, 3, DOFS> {
         self.jacobians[k]
     }
 
-    fn hessian(&self, k: usize, w: &Vector3<Bounded>) -> Square {
+    fn hessian(&self, k: usize, w: &Vector3<T>) -> Square<T> {
         match &self.second {
-            None => Square::zeros(),
+            None => Square::<T>::zeros(),
             Some(second) => second[k][0] * w[0] + second[k][1] * w[1] + second[k][2] * w[2],
         }
     }

@@ -9,6 +9,7 @@ mod invariances;
 mod jets;
 mod numbers;
 mod pairs;
+mod proof;
 mod scalars;
 mod strategies;
 mod symmetry;

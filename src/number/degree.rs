@@ -1,0 +1,93 @@
+//! The degree of a formula: what bounds the chance that exact arithmetic at random points overlooks a fault.
+
+use super::{Real, field_from_operators};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Upper bounds on the degrees of numerator and denominator of a rational function, as a formula builds it up.
+///
+/// No cancellation is assumed, so the bounds are far from sharp; they need not be. A square root counts as a variable of
+/// half the degree of its argument. Sine and cosine count as rational functions of degree 2: they are random points of
+/// the circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Degree {
+    /// Of the numerator.
+    pub numerator: f64,
+    /// Of the denominator.
+    pub denominator: f64,
+}
+
+impl Degree {
+    /// A variable.
+    pub const VARIABLE: Self = Self { numerator: 1.0, denominator: 0.0 };
+
+    /// The degree of the difference of two such functions, multiplied out.
+    pub fn of_difference(self, other: Self) -> f64 {
+        let difference = self - other;
+        difference.numerator.max(difference.denominator)
+    }
+}
+
+impl From<f64> for Degree {
+    fn from(_: f64) -> Self {
+        Self { numerator: 0.0, denominator: 0.0 }
+    }
+}
+
+impl Add for Degree {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        // Of two equal denominators one serves for both; which they are, only those without one can tell.
+        Self {
+            numerator: (self.numerator + other.denominator).max(other.numerator + self.denominator),
+            denominator: self.denominator + other.denominator,
+        }
+    }
+}
+
+impl Sub for Degree {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + other
+    }
+}
+
+impl Mul for Degree {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self {
+            numerator: self.numerator + other.numerator,
+            denominator: self.denominator + other.denominator,
+        }
+    }
+}
+
+impl Div for Degree {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Self {
+            numerator: self.numerator + other.denominator,
+            denominator: self.denominator + other.numerator,
+        }
+    }
+}
+
+impl Neg for Degree {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self
+    }
+}
+
+field_from_operators!([] Degree);
+
+impl Real for Degree {
+    fn sqrt(self) -> Self {
+        Self { numerator: 0.5 * self.numerator, denominator: 0.5 * self.denominator }
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let degree = 2.0 * self.numerator.max(self.denominator);
+        let both = Self { numerator: degree, denominator: degree };
+        (both, both)
+    }
+}

@@ -1,0 +1,74 @@
+//! A beam of any family with dofs in an exact scalar: random residues, or degrees.
+
+use crate::check::Padded;
+use crate::curve::{Curve, Geometry, Jet};
+use crate::linearization::ad::{Perturbed, PositionAt};
+use crate::linearization::closed_form::Frozen;
+use crate::number::{Dual, Extends, HyperDual, Real};
+use nalgebra::{SVector, Vector3};
+
+/// What the proof asks of a beam; all that [`super::sides`] sees.
+pub(crate) trait ExactBeam<T: Real>:
+    PositionAt<Dual<HyperDual<T>>> + PositionAt<Dual<Dual<T>>>
+{
+    /// Point and tangents.
+    fn geometry(&self, xi: T) -> Geometry<T>;
+
+    /// Moves the whole beam.
+    fn translate(&mut self, by: &Vector3<T>);
+
+    /// The variations at a frozen parameter.
+    fn frozen(&self, xi: T) -> Frozen<T>;
+
+    /// The jet and the two directions, filled up to a common number of dofs.
+    fn padded(&self, xi: T) -> (Jet<T, Padded<T>>, [SVector<T, { Padded::<f64>::DOFS }>; 2]);
+}
+
+/// A curve with its dofs and the two directions of variation.
+#[derive(Clone, Debug)]
+pub(crate) struct Exact<C, T, const N: usize> {
+    pub(crate) curve: C,
+    pub(crate) q: SVector<T, N>,
+    pub(crate) dq: SVector<T, N>,
+    pub(crate) linear_dq: SVector<T, N>,
+    /// Where in `q` the points start.
+    pub(crate) points: Vec<usize>,
+}
+
+impl<C: Curve<N>, T: Real, const N: usize> PositionAt<Dual<HyperDual<T>>> for Exact<C, T, N> {
+    fn position_at(&self, xi: Dual<HyperDual<T>>) -> Vector3<Dual<HyperDual<T>>> {
+        let seed = |i: usize| HyperDual::new(self.q[i], self.dq[i], self.linear_dq[i], T::zero());
+        let q = SVector::<HyperDual<T>, N>::from_fn(|i, _| seed(i));
+        Perturbed { curve: &self.curve, q }.position_at(xi)
+    }
+}
+
+impl<C: Curve<N>, T: Real, const N: usize> PositionAt<Dual<Dual<T>>> for Exact<C, T, N> {
+    fn position_at(&self, xi: Dual<Dual<T>>) -> Vector3<Dual<Dual<T>>> {
+        let q = self.q.map(|q| <Dual<Dual<T>> as Extends<T>>::constant(q));
+        self.curve.position(&q, xi)
+    }
+}
+
+impl<C: Curve<N>, T: Real, const N: usize> ExactBeam<T> for Exact<C, T, N> {
+    fn geometry(&self, xi: T) -> Geometry<T> {
+        self.curve.jet(&self.q, xi).geometry
+    }
+
+    fn translate(&mut self, by: &Vector3<T>) {
+        for &start in &self.points {
+            for c in 0..3 {
+                self.q[start + c] += by[c];
+            }
+        }
+    }
+
+    fn frozen(&self, xi: T) -> Frozen<T> {
+        Frozen::new(&self.curve.jet(&self.q, xi), &self.dq, &self.linear_dq)
+    }
+
+    fn padded(&self, xi: T) -> (Jet<T, Padded<T>>, [SVector<T, { Padded::<f64>::DOFS }>; 2]) {
+        let directions = [&self.dq, &self.linear_dq].map(Padded::<T>::fill_vector);
+        (Padded::fill(&self.curve.jet(&self.q, xi)), directions)
+    }
+}
