@@ -1,7 +1,7 @@
 //! Minima with one or both parameters held at an end of a beam: the edges and the corners of the square.
 
 use super::bounds::{Bounds, INFLATION};
-use super::search::Pair;
+use super::search::{CERTAIN, Pair, UNIQUE};
 use super::tree::{ENDS, ROOT};
 use super::unresolved::{Region, gather};
 use super::{Active, ClosestPoint, End, Kind, ProjectionError, Search};
@@ -65,7 +65,7 @@ fn edge(
             continue;
         }
         let contraction = bounds.contraction_along(free);
-        if contraction < 0.75 {
+        if contraction < UNIQUE {
             let within = |xi: f64, factor: f64| (xi - interval.centre).abs() <= factor * interval.half;
             if zeros.iter().any(|&zero| within(zero, INFLATION)) {
                 continue;
@@ -80,7 +80,7 @@ fn edge(
                     }
                     continue;
                 }
-                _ if contraction <= 0.25 => continue,
+                _ if contraction <= CERTAIN => continue,
                 _ => {}
             }
         }

@@ -6,9 +6,9 @@ use super::unresolved::{Region, gather};
 use super::{Active, Centroid, ClosestPoint, Degeneracy, ProjectionError, Search, refine};
 
 /// Below this Lipschitz constant Newton's method finds the zero of a box if there is one; below 1 there is one at most.
-const CERTAIN: f64 = 0.25;
+pub(super) const CERTAIN: f64 = 0.25;
 /// Below 1 with room for the rounding of the Hessian's inverse.
-const UNIQUE: f64 = 0.75;
+pub(super) const UNIQUE: f64 = 0.75;
 
 /// The most boxes left open that Newton's method is tried from.
 const SAMPLES: usize = 64;

@@ -124,6 +124,6 @@ pub(crate) fn apart(a: f64, b: f64) -> f64 {
 /// Asserts that a value is the expected one to a relative tolerance.
 #[track_caller]
 pub(crate) fn close(value: f64, expected: f64, tolerance: f64) {
-    let error = (value - expected).abs() / expected.abs().max(1e-3);
+    let error = (value - expected).abs() / expected.abs();
     assert!(error <= tolerance, "{value} is not {expected}: {error:e}");
 }

@@ -1,7 +1,7 @@
 //! The search misses nothing: against brute force on strongly curved pairs, and against itself on transformed ones.
 
 use crate::centroids::Cubic;
-use beamgap::closest_point::{Centroid, ClosestPoint, ClosestPoints, Search, closest_points};
+use beamgap::closest_point::{Centroid, ClosestPoint, ClosestPoints, Projection, Search, closest_points};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -28,7 +28,7 @@ fn squared_distance(x: &Cubic, bar: &Cubic, at: [f64; 2]) -> f64 {
     (x.geometry(at[0]).x - bar.geometry(at[1]).x).norm_squared()
 }
 
-/// The points of a grid whose neighbours are no nearer, each walked downhill by ever smaller steps.
+/// The points of a grid whose neighbours are no nearer, each walked downhill.
 fn brute_force(x: &Cubic, bar: &Cubic, count: usize) -> Vec<[f64; 2]> {
     #[expect(clippy::cast_precision_loss, reason = "a grid has few points")]
     let parameter = |i: usize| -1.0 + 2.0 * (i as f64) / (count as f64);
@@ -41,16 +41,20 @@ fn brute_force(x: &Cubic, bar: &Cubic, count: usize) -> Vec<[f64; 2]> {
         for j in 0..=count {
             let here = value(i, j);
             if around(i).all(|k| around(j).all(|l| value(k, l) >= here)) {
-                minima.push(descend(x, bar, [parameter(i), parameter(j)], 2.0 / 400.0));
+                minima.extend(descend(x, bar, [parameter(i), parameter(j)], 2.0 / 400.0));
             }
         }
     }
     minima
 }
 
-fn descend(x: &Cubic, bar: &Cubic, mut at: [f64; 2], mut step: f64) -> [f64; 2] {
+fn descend(x: &Cubic, bar: &Cubic, mut at: [f64; 2], mut step: f64) -> Option<[f64; 2]> {
     let mut value = squared_distance(x, bar, at);
-    while step > 1e-9 {
+    // In a curved valley with a flat floor the walk would take for ever; nothing is said about those.
+    for _ in 0..5000 {
+        if step < 1e-9 {
+            return Some(at);
+        }
         let mut moved = false;
         for turn in 0..32 {
             let (sin, cos) = (f64::from(turn) * std::f64::consts::PI / 16.0).sin_cos();
@@ -60,11 +64,9 @@ fn descend(x: &Cubic, bar: &Cubic, mut at: [f64; 2], mut step: f64) -> [f64; 2] 
                 (at, value, moved) = (next, there, true);
             }
         }
-        if !moved {
-            step *= 0.5;
-        }
+        step = if moved { (2.0 * step).min(0.005) } else { 0.5 * step };
     }
-    at
+    None
 }
 
 fn is_near(point: &ClosestPoint, at: [f64; 2], tolerance: f64) -> bool {
@@ -90,7 +92,7 @@ proptest! {
         }
         for point in &found.minima {
             let at = descend(&x, &bar, [point.xi, point.xi_bar], 1e-5);
-            prop_assert!(is_near(point, at, 1e-4), "{:?} leads down to {:?}", point, at);
+            prop_assert!(at.is_some_and(|at| is_near(point, at, 1e-4)), "{:?} leads down to {:?}", point, at);
         }
         prop_assert!(found.minima.is_sorted_by(|p, q| p.distance <= q.distance));
     }
@@ -103,7 +105,9 @@ proptest! {
                     [region.xi, region.xi_bar].iter().zip(at).all(|(extent, at)| extent[0] - 1e-3 <= at && at <= extent[1] + 1e-3)
                 });
                 let known = found.minima.iter().any(|point| is_near(point, at, 1e-3));
-                prop_assert!(open || known, "{:?} not in {:?}", at, found);
+                // Where descent is slow the walk may end on a saddle.
+                let saddle = found.stationary.iter().any(|point| point.conditioning < 0.0 && is_near(point, at, 1e-3));
+                prop_assert!(open || known || saddle, "{:?} not in {:?}", at, found);
             }
         }
     }
@@ -134,7 +138,10 @@ proptest! {
     fn residuals_are_rounding(x in cubic(), bar in cubic()) {
         let found = search(&x, &bar);
         for point in found.minima.iter().chain(&found.stationary) {
-            prop_assert!(point.residual * point.distance < 1e-14, "{:?}", point);
+            let p = Projection::new(&x.geometry(point.xi), &bar.geometry(point.xi_bar));
+            let rounding = 1e-15 * (p.a.abs() + p.b.abs() + p.a_bar.abs() + 2.0 * p.distance);
+            let free = [point.end.is_none(), point.end_bar.is_none()];
+            prop_assert!((0..2).all(|i| !free[i] || p.gradient[i].abs() < rounding), "{:?}", point);
         }
     }
 }
