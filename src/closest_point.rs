@@ -14,17 +14,17 @@
 mod bounds;
 mod ends;
 mod error;
+mod half_square;
 mod newton;
 mod point;
-mod projection;
 mod search;
 mod tree;
 mod unresolved;
 
 pub use error::ProjectionError;
+pub use half_square::HalfSquare;
 pub use newton::refine;
 pub use point::{Active, ClosestPoint, Degeneracy, End, Kind, Side};
-pub use projection::Projection;
 
 use crate::curve::{Curve, Geometry};
 use ends::Rim;

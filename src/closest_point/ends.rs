@@ -58,8 +58,8 @@ fn edge(
         // No minimum: the gradient along the edge keeps its sign, or that across it points inward, or F is concave.
         if bounds.keeps_sign(free)
             || (bounds.keeps_sign(held)
-                && bounds.projection.gradient[held] * nodes[held].centre > 0.0
-                && !bounds.projection.is_weak(held))
+                && bounds.half_square.gradient[held] * nodes[held].centre > 0.0
+                && !bounds.half_square.is_weak(held))
             || bounds.is_concave_along(free)
         {
             continue;
@@ -86,7 +86,7 @@ fn edge(
         }
         let hopeless = bounds.is_flat_along(free) || interval.half <= search.resolution;
         if hopeless || next > search.boxes / 8 {
-            rim.open.push(Region::new(nodes, bounds.projection.distance));
+            rim.open.push(Region::new(nodes, bounds.half_square.distance));
         } else {
             queue.extend(pair.trees[free].halves(index)?);
         }

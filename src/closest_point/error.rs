@@ -1,4 +1,4 @@
-//! The ways in which a projection of one centroid onto the other can fail. None depends on the unit of length.
+//! The ways in which a half_square of one centroid onto the other can fail. None depends on the unit of length.
 
 use thiserror::Error;
 

@@ -1,7 +1,7 @@
 //! Newton's method for one stationary point.
 
 use super::tree::evaluate;
-use super::{Active, Centroid, ClosestPoint, Projection, ProjectionError};
+use super::{Active, Centroid, ClosestPoint, HalfSquare, ProjectionError};
 use crate::curve::Geometry;
 
 /// The most steps. A simple zero takes five from nearby, a multiple one gains a bit a step.
@@ -32,12 +32,12 @@ pub fn refine(
     let mut best = Iterate::at(beam, bar, (xi, xi_bar), active)?;
     let mut current = best;
     for _ in 0..STEPS {
-        let (step, step_bar) = current.projection.step(active);
+        let (step, step_bar) = current.half_square.step(active);
         if current.slope == 0.0 {
             break;
         }
         if !(step.is_finite() && step_bar.is_finite()) {
-            return Err(ProjectionError::Singular { conditioning: current.projection.conditioning(active) });
+            return Err(ProjectionError::Singular { conditioning: current.half_square.conditioning(active) });
         }
         let next = ((xi + step).clamp(-1.0, 1.0), (xi_bar + step_bar).clamp(-1.0, 1.0));
         let size = (next.0 - xi).abs().max((next.1 - xi_bar).abs());
@@ -52,12 +52,15 @@ pub fn refine(
         }
         previous = size;
     }
-    let p = &best.projection;
+    let p = &best.half_square;
     let point = ClosestPoint::new(best.at, (&best.geometry[0], &best.geometry[1]), active);
-    // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged.
+    // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged, unless
+    // it leads out of the square.
     let (step, step_bar) = p.step(active);
-    let settled = |held: bool, i: usize, step: f64| held || p.is_weak(i) || step.abs() < SMALL;
-    if settled(active.xi, 0, step) && settled(active.xi_bar, 1, step_bar) {
+    let settled = |held: bool, i: usize, at: f64, step: f64| {
+        held || p.is_weak(i) || (step.abs() < SMALL && (at + step).abs() <= 1.0)
+    };
+    if settled(active.xi, 0, best.at.0, step) && settled(active.xi_bar, 1, best.at.1, step_bar) {
         Ok(point)
     } else {
         Err(ProjectionError::NotConverged { residual: point.residual })
@@ -69,7 +72,7 @@ pub fn refine(
 struct Iterate {
     at: (f64, f64),
     geometry: [Geometry<f64>; 2],
-    projection: Projection,
+    half_square: HalfSquare,
     /// The larger component of the gradient for unit tangents.
     slope: f64,
 }
@@ -82,7 +85,7 @@ impl Iterate {
         active: Active,
     ) -> Result<Self, ProjectionError> {
         let geometry = [evaluate(beam, at.0)?, evaluate(bar, at.1)?];
-        let projection = Projection::new(&geometry[0], &geometry[1]);
-        Ok(Self { at, geometry, slope: projection.slope(active), projection })
+        let half_square = HalfSquare::new(&geometry[0], &geometry[1]);
+        Ok(Self { at, geometry, slope: half_square.slope(active), half_square })
     }
 }

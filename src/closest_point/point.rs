@@ -1,6 +1,6 @@
 //! One closest (or otherwise stationary) point: where it is, what it is and how well it is determined.
 
-use super::Projection;
+use super::HalfSquare;
 use crate::curve::Geometry;
 
 /// Scaled eigenvalues below this are rounding: the point is singular.
@@ -105,7 +105,7 @@ impl ClosestPoint {
         (x, x_bar): (&Geometry<f64>, &Geometry<f64>),
         active: Active,
     ) -> Self {
-        let p = Projection::new(x, x_bar);
+        let p = HalfSquare::new(x, x_bar);
         let [end, end_bar] = [(active.xi, 0, xi), (active.xi_bar, 1, xi_bar)]
             .map(|(held, i, at)| held.then(|| End::new(&p, i, at)));
         let conditioning = p.conditioning(active);
@@ -161,7 +161,7 @@ impl ClosestPoint {
 }
 
 impl End {
-    fn new(p: &Projection, i: usize, at: f64) -> Self {
+    fn new(p: &HalfSquare, i: usize, at: f64) -> Self {
         let (side, sign) = if at < 0.0 { (Side::Lower, -1.0) } else { (Side::Upper, 1.0) };
         Self { side, strict: !p.is_weak(i), multiplier: 0.0 - sign * p.cosine(i) }
     }
@@ -189,7 +189,7 @@ impl Side {
 
 impl Kind {
     /// The kind of a stationary point: the sign of the Hessian over the parameters that no end holds strictly.
-    fn new(p: &Projection, end: Option<End>, end_bar: Option<End>) -> Self {
+    fn new(p: &HalfSquare, end: Option<End>, end_bar: Option<End>) -> Self {
         let strict = |end: Option<End>| end.is_some_and(|end| end.strict);
         let inward = |end: Option<End>| end.is_some_and(|end| end.strict && end.multiplier < 0.0);
         if inward(end) || inward(end_bar) {

@@ -55,7 +55,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
             continue;
         }
         if bounds.is_flat() {
-            open.push(Region::new([x, y], bounds.projection.distance));
+            open.push(Region::new([x, y], bounds.half_square.distance));
             continue;
         }
         let contraction = bounds.contraction();
@@ -90,14 +90,14 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
                     queue.push(part);
                 }
             }
-            None => open.push(Region::new([x, y], bounds.projection.distance)),
+            None => open.push(Region::new([x, y], bounds.half_square.distance)),
         }
     }
     for &at in &queue[next..] {
         let nodes = pair.nodes(at);
         let bounds = Bounds::new(nodes[0], nodes[1]);
         if !bounds.excludes_zero() {
-            open.push(Region::new(nodes, bounds.projection.distance));
+            open.push(Region::new(nodes, bounds.half_square.distance));
         }
     }
     sample(pair, &open, &mut zeros);

@@ -2,7 +2,7 @@
 
 use super::search::Pair;
 use super::tree::{Node, evaluate};
-use super::{Active, ClosestPoint, Projection, ProjectionError, Unresolved};
+use super::{Active, ClosestPoint, HalfSquare, ProjectionError, Unresolved};
 
 /// Steps towards the representative of a region: a continuum is met after a few, quadratically.
 const STEPS: usize = 12;
@@ -45,7 +45,7 @@ impl Region {
         let (mut xi, mut xi_bar) = self.nearest;
         for _ in 0..STEPS {
             let (x, x_bar) = (evaluate(pair.curves[0], xi)?, evaluate(pair.curves[1], xi_bar)?);
-            let (step, step_bar) = Projection::new(&x, &x_bar).valley_step(active);
+            let (step, step_bar) = HalfSquare::new(&x, &x_bar).valley_step(active);
             xi = (xi + step).clamp(self.extent[0][0], self.extent[0][1]);
             xi_bar = (xi_bar + step_bar).clamp(self.extent[1][0], self.extent[1][1]);
         }

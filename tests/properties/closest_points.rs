@@ -1,7 +1,7 @@
 //! Closest points against published values and values computed with fifty digits.
 
 use crate::centroids::{Winding, apart, close, ellipse, line, over_pieces};
-use beamgap::closest_point::{Active, Kind, Projection, Search, closest_points, refine};
+use beamgap::closest_point::{Active, HalfSquare, Kind, Search, closest_points, refine};
 use beamgap::closest_point::{Centroid, ClosestPoint};
 use beamgap::curve::Geometry;
 use nalgebra::{Rotation3, Vector3};
@@ -12,8 +12,8 @@ fn unit_circle() -> Winding {
 }
 
 /// a, b, a_bar and D per unit of the sources' parameters, of which a piece covers `half` to either side.
-fn projection(curve: &Winding, bar: &Winding, point: &ClosestPoint) -> Projection {
-    Projection::new(&curve.geometry(point.xi), &bar.geometry(point.xi_bar))
+fn projection(curve: &Winding, bar: &Winding, point: &ClosestPoint) -> HalfSquare {
+    HalfSquare::new(&curve.geometry(point.xi), &bar.geometry(point.xi_bar))
 }
 
 #[test]
@@ -51,7 +51,7 @@ fn line_against_circle() {
     close(saddle.distance, 2.454_826_435_356_576, 1e-14);
     let [at, at_bar] =
         [(x, minimum.xi), (unit_circle(), minimum.xi_bar)].map(|(curve, s)| unit_speed(&curve, s));
-    close(Projection::new(&at, &at_bar).determinant(), -0.901_801_550_299_113_9, 1e-14);
+    close(HalfSquare::new(&at, &at_bar).determinant(), -0.901_801_550_299_113_9, 1e-14);
 }
 
 /// The geometry with respect to the parameter of the source.

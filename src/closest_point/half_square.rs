@@ -13,7 +13,7 @@ const ROUNDING: f64 = 9e-16;
 /// The Hessian is H = [[a, -b], [-b, -a_bar]], and the determinant of the linearized orthogonality conditions is
 /// D = a a_bar + b² = -det H.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Projection {
+pub struct HalfSquare {
     /// d = x - x_bar.
     pub d: Vector3<f64>,
     /// ‖d‖.
@@ -36,7 +36,7 @@ pub struct Projection {
     size2: f64,
 }
 
-impl Projection {
+impl HalfSquare {
     /// The derivatives of half the squared distance between two points.
     #[inline]
     pub fn new(x: &Geometry<f64>, x_bar: &Geometry<f64>) -> Self {
