@@ -29,9 +29,10 @@ mod run;
 mod summary;
 mod witness;
 
+pub use beam::Shown;
 pub use compare::{Comparison, Inconclusive, Order, Verdict, compare};
 pub use draw::{Case, Selection};
 pub use family::Family;
 pub use regime::Regime;
 pub use run::run;
-pub use summary::{Cell, Summary};
+pub use summary::{Cell, Summary, Tally};

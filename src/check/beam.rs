@@ -8,10 +8,12 @@ use crate::linearization::closed_form::Frozen;
 use crate::number::{Bounded, Dual, Extends, HyperDual, Magnitude, Real};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
+use std::fmt::Debug;
 
 /// What the gate asks of a beam.
 pub(crate) trait AnyBeam:
     Centroid
+    + Debug
     + PositionAt<num_dual::Dual<HyperDual64>>
     + PositionAt<num_dual::Dual<DualSVec<HyperDual64, 2>>>
     + PositionAt<Dual2SVec<HyperDual64, 2>>
@@ -38,8 +40,21 @@ pub(crate) trait AnyBeam:
     /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
     fn padded(&self, xi: Bounded) -> (Jet<Bounded, Padded>, [SVector<Bounded, { Padded::DOFS }>; 2]);
 
-    /// Dofs and directions, to be shown.
-    fn numbers(&self) -> [Vec<f64>; 3];
+    /// All that was drawn, to be shown.
+    fn shown(&self) -> Shown;
+}
+
+/// A drawn beam as numbers, to be shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// What describes the curve besides its dofs: knots, weights, angles.
+    pub curve: String,
+    /// The dofs.
+    pub q: Vec<f64>,
+    /// The variation.
+    pub dq: Vec<f64>,
+    /// The direction of linearization.
+    pub linear_dq: Vec<f64>,
 }
 
 /// A curve with its dofs and the two directions of variation.
@@ -111,7 +126,7 @@ impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<Bounded>>> for Drawn<C, N
     }
 }
 
-impl<C: Curve<N> + Send + Sync, const N: usize> AnyBeam for Drawn<C, N> {
+impl<C: Curve<N> + Debug + Send + Sync, const N: usize> AnyBeam for Drawn<C, N> {
     fn translate(&mut self, by: &Vector3<f64>) {
         for &start in &self.points {
             for c in 0..3 {
@@ -141,7 +156,8 @@ impl<C: Curve<N> + Send + Sync, const N: usize> AnyBeam for Drawn<C, N> {
         (Padded::fill(&self.curve.jet(&q, xi)), [dq, linear_dq].map(|v| Padded::fill_vector(&v)))
     }
 
-    fn numbers(&self) -> [Vec<f64>; 3] {
-        [&self.q, &self.dq, &self.linear_dq].map(|v| v.iter().copied().collect())
+    fn shown(&self) -> Shown {
+        let [q, dq, linear_dq] = [&self.q, &self.dq, &self.linear_dq].map(|v| v.iter().copied().collect());
+        Shown { curve: format!("{:?}", self.curve), q, dq, linear_dq }
     }
 }

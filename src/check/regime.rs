@@ -55,6 +55,11 @@ impl Regime {
         Self::Millimetres,
     ];
 
+    /// The regime of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|regime| regime.name() == name)
+    }
+
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
@@ -90,7 +95,9 @@ impl Regime {
             Self::Generic => generic,
             Self::Slender => Draw { gap: power(-4.0, -2.0), ..generic },
             Self::NearlyStraight => Draw { bend: [power(-6.0, -3.0), power(-6.0, -3.0)], ..generic },
-            Self::StronglyCurved => Draw { bend: [rng.random_range(2.0..5.0), rng.random_range(2.0..5.0)], ..generic },
+            Self::StronglyCurved => {
+                Draw { bend: [rng.random_range(2.0..5.0), rng.random_range(2.0..5.0)], ..generic }
+            }
             Self::NearlyParallel => Draw { angle: power(-4.0, -1.0), ..generic },
             Self::NearlyCrossing => Draw { gap: power(-8.0, -3.0), ..generic },
             Self::NearEnd => {
