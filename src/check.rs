@@ -30,10 +30,11 @@ mod summary;
 mod witness;
 
 pub(crate) use beam::AnyBeam;
+pub use beam::Shown;
 pub use compare::{Comparison, Inconclusive, Order, Verdict, compare};
 pub use draw::{Case, Selection};
 pub use family::Family;
 pub(crate) use padded::Padded;
 pub use regime::Regime;
 pub use run::run;
-pub use summary::{Cell, Summary};
+pub use summary::{Cell, Summary, Tally};

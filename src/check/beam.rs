@@ -9,6 +9,7 @@ use crate::number::{Bounded, Degree, Dual, Extends, HyperDual, Magnitude, Real, 
 use crate::prove::{Exact, ExactBeam};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
+use std::fmt::Debug;
 
 /// What the gate asks of a beam.
 pub(crate) trait AnyBeam:
@@ -18,6 +19,7 @@ pub(crate) trait AnyBeam:
     + PositionAt<Dual2SVec<HyperDual64, 2>>
     + PositionAt<Dual<HyperDual<Bounded>>>
     + PositionAt<Dual<Dual<Bounded>>>
+    + Debug
     + Send
     + Sync
 {
@@ -48,8 +50,21 @@ pub(crate) trait AnyBeam:
     /// The same with every dof and direction a variable whose degree counts.
     fn degrees(&self) -> Box<dyn ExactBeam<Degree>>;
 
-    /// Dofs and directions, to be shown.
-    fn numbers(&self) -> [Vec<f64>; 3];
+    /// All that was drawn, to be shown.
+    fn shown(&self) -> Shown;
+}
+
+/// A drawn beam as numbers, to be shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// What describes the curve besides its dofs: knots, weights, angles.
+    pub curve: String,
+    /// The dofs.
+    pub q: Vec<f64>,
+    /// The variation.
+    pub dq: Vec<f64>,
+    /// The direction of linearization.
+    pub linear_dq: Vec<f64>,
 }
 
 /// A curve with its dofs and the two directions of variation.
@@ -130,7 +145,7 @@ impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<Bounded>>> for Drawn<C, N
     }
 }
 
-impl<C: Curve<N> + Clone + Send + Sync + 'static, const N: usize> AnyBeam for Drawn<C, N> {
+impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBeam for Drawn<C, N> {
     fn translate(&mut self, by: &Vector3<f64>) {
         for &start in &self.points {
             for c in 0..3 {
@@ -171,7 +186,8 @@ impl<C: Curve<N> + Clone + Send + Sync + 'static, const N: usize> AnyBeam for Dr
         Box::new(self.exact(&mut || Degree::VARIABLE))
     }
 
-    fn numbers(&self) -> [Vec<f64>; 3] {
-        [&self.q, &self.dq, &self.linear_dq].map(|v| v.iter().copied().collect())
+    fn shown(&self) -> Shown {
+        let [q, dq, linear_dq] = [&self.q, &self.dq, &self.linear_dq].map(|v| v.iter().copied().collect());
+        Shown { curve: format!("{:?}", self.curve), q, dq, linear_dq }
     }
 }

@@ -47,8 +47,12 @@ impl Order {
 pub struct Comparison {
     /// The quantity.
     pub quantity: Quantity,
+    /// The component, of a vector.
+    pub axis: Option<char>,
     /// Which part of it.
     pub order: Order,
+    /// The same in the words of [`Varied::PARTS`], which tell the two first variations apart.
+    pub part: &'static str,
     /// What it was compared with.
     pub against: &'static str,
     /// The closed form's number.
@@ -62,16 +66,20 @@ pub struct Comparison {
 }
 
 impl Comparison {
+    /// The absolute difference. What is not a number is infinitely far from everything.
+    pub fn difference(&self) -> f64 {
+        let error = (self.closed - self.other).abs();
+        if error.is_nan() { f64::INFINITY } else { error }
+    }
+
     /// The difference relative to the scale.
     pub fn scaled_error(&self) -> f64 {
-        let error = (self.closed - self.other).abs();
-        if error == 0.0 { 0.0 } else { error / self.scale }
+        relative(self.difference(), self.scale)
     }
 
     /// The difference relative to the tolerance; above 1 the two disagree.
     pub fn over_tolerance(&self) -> f64 {
-        let error = (self.closed - self.other).abs();
-        if error == 0.0 { 0.0 } else { error / self.tolerance }
+        relative(self.difference(), self.tolerance)
     }
 
     /// Whether the two agree. What is not a number agrees with nothing.
@@ -81,7 +89,16 @@ impl Comparison {
 
     /// Whether the tolerance is small enough to mean anything: below a thousandth of the scale.
     pub fn is_meaningful(&self) -> bool {
-        self.tolerance <= 1e-3 * self.scale || self.tolerance == 0.0
+        (self.tolerance <= 1e-3 * self.scale && self.tolerance.is_finite()) || self.tolerance == 0.0
+    }
+}
+
+fn relative(error: f64, to: f64) -> f64 {
+    let ratio = error / to;
+    match (error == 0.0, ratio.is_nan()) {
+        (true, _) => 0.0,
+        (false, true) => f64::INFINITY,
+        (false, false) => ratio,
     }
 }
 
@@ -211,7 +228,7 @@ fn entries(
 
     let mut entries = Vec::with_capacity(16 * COMPONENTS);
     for i in 0..COMPONENTS {
-        let quantity = Quantity::of_component(i);
+        let (quantity, axis) = (Quantity::of_component(i), Quantity::axis_of_component(i));
         let closed = closed[i].parts();
         let scale = scales[i].parts().map(|scale| scale.scale);
         let bound = bounds[i].parts().map(|bounded| bounded.bound);
@@ -227,7 +244,9 @@ fn entries(
             {
                 entries.push(Comparison {
                     quantity,
+                    axis,
                     order,
+                    part: Varied::<f64>::PARTS[k],
                     against,
                     closed: closed[k],
                     other: other[k],
@@ -238,7 +257,9 @@ fn entries(
         }
         entries.push(Comparison {
             quantity,
+            axis,
             order: Order::Symmetry,
+            part: Varied::<f64>::PARTS[3],
             against: "itself, directions exchanged",
             closed: closed[3],
             other: exchanged[i].second,
@@ -293,7 +314,9 @@ fn matrices(
         for (k, other) in contracted {
             entries.push(Comparison {
                 quantity,
+                axis: None,
                 order: Order::Matrix,
+                part: Varied::<f64>::PARTS[k],
                 against: "gradient and Hessian, contracted",
                 closed: closed[i].parts()[k],
                 other: other.value,

@@ -1,6 +1,6 @@
 //! From the number of a case to the case: a counter-based generator, so that shards, threads and reruns agree.
 
-use super::beam::AnyBeam;
+use super::beam::{AnyBeam, Shown};
 use super::family::{Family, Target};
 use super::regime::Regime;
 use crate::number::Bounded;
@@ -10,6 +10,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// A pair of beams to be checked.
+#[derive(Debug)]
 pub struct Case {
     /// Its number; with the seed it decides all the rest.
     pub number: u64,
@@ -20,18 +21,6 @@ pub struct Case {
     /// Radii and reference parameters.
     pub contact: Contact,
     pub(super) beams: [Box<dyn AnyBeam>; 2],
-}
-
-impl std::fmt::Debug for Case {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let numbers = self.beams.each_ref().map(|beam| beam.numbers());
-        let mut show = f.debug_struct("Case");
-        show.field("number", &self.number).field("regime", &self.regime).field("families", &self.families);
-        for (name, [q, dq, linear_dq]) in ["beam", "bar"].into_iter().zip(numbers) {
-            show.field(name, &q).field("dq", &dq).field("Dq", &linear_dq);
-        }
-        show.field("contact", &self.contact).finish()
-    }
 }
 
 /// Which cases are wanted: all pairs of families in all regimes take turns, so a selection leaves the others out.
@@ -74,6 +63,11 @@ fn families(number: u64) -> [Family; 2] {
 }
 
 impl Case {
+    /// Beam and bar beam as numbers.
+    pub fn shown(&self) -> [Shown; 2] {
+        self.beams.each_ref().map(|beam| beam.shown())
+    }
+
     /// Draws the case with this number.
     ///
     /// The two beams cross under the angle, at the gap and at the parameters that the regime draws: d is normal to both

@@ -7,6 +7,7 @@ use crate::curve::{
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
+use std::fmt::Debug;
 
 /// A family of curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -100,6 +101,11 @@ impl Family {
         }
     }
 
+    /// The family of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|family| family.name() == name)
+    }
+
     /// A beam of this family with random parameters (knots, weights, opening angle); its dofs are of no importance.
     pub(crate) fn model(self, rng: &mut ChaCha8Rng) -> Box<dyn AnyBeam> {
         let target =
@@ -138,7 +144,7 @@ impl Family {
             }
             Self::Arc => {
                 let (half_angle, placed) = winding(target, 0.0, rng);
-                let q = SVector::from_iterator(placed.into_iter());
+                let q = SVector::from_iterator(placed);
                 let units = SVector::from_fn(|i, _| if i < 4 { length } else { 1.0 });
                 drawn(Arc::new(half_angle), q, &units, vec![0], rng)
             }
@@ -155,7 +161,7 @@ impl Family {
 }
 
 /// `P` points that follow the target at the given parameters, as node-major dofs.
-fn nodes<C: Curve<N> + Clone + Send + Sync + 'static, const P: usize, const N: usize>(
+fn nodes<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const P: usize, const N: usize>(
     curve: C,
     at: [f64; P],
     target: &Target,
@@ -234,7 +240,7 @@ fn winding(target: &Target, rise: f64, rng: &mut ChaCha8Rng) -> (f64, [f64; 9]) 
 }
 
 /// Adds directions of variation, each entry in the unit of its dof.
-fn drawn<C: Curve<N> + Clone + Send + Sync + 'static, const N: usize>(
+fn drawn<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize>(
     curve: C,
     q: SVector<f64, N>,
     units: &SVector<f64, N>,

@@ -55,6 +55,11 @@ impl Regime {
         Self::Millimetres,
     ];
 
+    /// The regime of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|regime| regime.name() == name)
+    }
+
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {

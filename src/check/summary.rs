@@ -22,6 +22,9 @@ pub struct Cell {
 
 impl Cell {
     fn merge(&mut self, other: &Self) {
+        if other.entries == 0 {
+            return;
+        }
         // Of equals the smallest case number, so that threads do not matter.
         if (other.scaled_error, std::cmp::Reverse(other.case))
             > (self.scaled_error, std::cmp::Reverse(self.case))
@@ -94,9 +97,12 @@ impl Summary {
                 Verdict::Pass(entries) => entries,
                 Verdict::Mismatch(entries) => {
                     tally.mismatches += 1;
-                    let worst =
-                        entries.iter().max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
-                    summary.mismatches.extend(worst.map(|worst| (case.number, *worst)));
+                    let earlier = summary.mismatches.remove(&case.number);
+                    let meaningful = entries.iter().filter(|entry| entry.is_meaningful()).copied();
+                    let worst = meaningful
+                        .chain(earlier)
+                        .max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
+                    summary.mismatches.extend(worst.map(|worst| (case.number, worst)));
                     entries
                 }
             };

@@ -133,6 +133,11 @@ impl Quantity {
         if component < 15 { Self::ALL[component / 3] } else { Self::ALL[component - 10] }
     }
 
+    /// The axis that a number of [`Quantities::components`] is along, if it belongs to a vector.
+    pub fn axis_of_component(component: usize) -> Option<char> {
+        (component < 15).then(|| ['x', 'y', 'z'][component % 3])
+    }
+
     /// The name, with `_vector` where a vector and its length share a letter.
     pub fn name(self) -> &'static str {
         match self {
@@ -167,7 +172,10 @@ pub struct Varied<T> {
 }
 
 impl<T> Varied<T> {
-    /// The four parts with the words for them.
+    /// The words for [`Varied::parts`].
+    pub const PARTS: [&str; 4] = ["value", "delta", "Delta", "Delta-delta"];
+
+    /// The four parts.
     pub fn parts(self) -> [T; 4] {
         [self.value, self.delta, self.linear, self.second]
     }

@@ -1,0 +1,74 @@
+//! Arguments in, exit code out; each subcommand is a module.
+
+mod case;
+mod check;
+mod exit;
+mod human;
+mod json;
+mod output;
+mod panics;
+mod table;
+
+use clap::{Parser, Subcommand};
+use exit::Exit;
+use std::process::ExitCode;
+
+/// Linearization of beam-to-beam contact geometry, in closed form and by
+/// automatic differentiation.
+#[derive(Parser)]
+#[command(name = "beamgap", version, max_term_width = 80, arg_required_else_help = false, after_help = Exit::help())]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Compare the closed form with automatic differentiation on random pairs of beams.
+    Check(check::Check),
+}
+
+/// Does what the arguments of the process say.
+///
+/// # Errors
+/// Wrong arguments, files that cannot be written, and panics.
+pub(crate) fn run() -> anyhow::Result<Exit> {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(asked) if !asked.use_stderr() => {
+            // Help or version: a closed pipe is no error.
+            let _ = asked.print();
+            return Ok(Exit::Agree);
+        }
+        Err(wrong) => return Err(wrong.into()),
+    };
+    panics::caught(|| match arguments.command {
+        Command::Check(check) => check.run(),
+    })
+}
+
+/// Says in one line on stderr what went wrong.
+pub(crate) fn report(error: &anyhow::Error) -> Exit {
+    let (line, exit) = if let Some(wrong) = error.downcast_ref::<clap::Error>() {
+        (one_line(&wrong.render().to_string()), Exit::Usage)
+    } else if error.is::<panics::Panic>() {
+        (format!("error: {error}"), Exit::Internal)
+    } else {
+        (format!("error: {error:#}"), Exit::Input)
+    };
+    eprintln!("{line}");
+    exit
+}
+
+/// The message of the argument parser without its usage, on one line.
+fn one_line(message: &str) -> String {
+    let lines = message.lines().map(str::trim).filter(|line| !line.is_empty());
+    let told = lines.take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"));
+    format!("{} (see --help)", told.collect::<Vec<_>>().join(" ").replace(" tip:", ", tip:"))
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(exit as u8)
+    }
+}

@@ -1,0 +1,51 @@
+//! What the exit code tells.
+
+/// The exit codes of all subcommands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(crate) enum Exit {
+    /// All that was compared agrees; what could not be compared was reported.
+    Agree = 0,
+    /// Some closest point does not agree.
+    Disagree = 1,
+    /// The arguments are wrong.
+    Usage = 2,
+    /// An input is bad, or an output cannot be written.
+    Input = 3,
+    /// Nothing could be compared, which is no success.
+    Nothing = 4,
+    /// The check itself cannot be trusted: a planted fault survived, or the references disagree among themselves.
+    Untrusted = 5,
+    /// A fault of the program.
+    Internal = 70,
+}
+
+impl Exit {
+    const ALL: [Self; 7] = [
+        Self::Agree,
+        Self::Disagree,
+        Self::Usage,
+        Self::Input,
+        Self::Nothing,
+        Self::Untrusted,
+        Self::Internal,
+    ];
+
+    fn meaning(self) -> &'static str {
+        match self {
+            Self::Agree => "all that was compared agrees",
+            Self::Disagree => "some of it disagrees",
+            Self::Usage => "wrong arguments",
+            Self::Input => "bad input, or an output that cannot be written",
+            Self::Nothing => "nothing could be compared",
+            Self::Untrusted => "the check itself cannot be trusted",
+            Self::Internal => "a fault of the program",
+        }
+    }
+
+    /// The codes, as the help shows them.
+    pub(crate) fn help() -> String {
+        let rows = Self::ALL.map(|exit| format!("  {:>2}  {}", exit as u8, exit.meaning()));
+        format!("Exit codes:\n{}", rows.join("\n"))
+    }
+}

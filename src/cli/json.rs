@@ -1,0 +1,104 @@
+//! A run as one JSON document, of the schema `beamgap-check/1`.
+//!
+//! Names and meanings stay; entries may be added. Errors have two digits; what is infinite or not a number is null.
+
+use super::check::{Checked, Verdict};
+use super::human::repeat;
+use beamgap::check::{Cell, Comparison, Tally};
+use serde::Serialize;
+use serde_json::{Value, json};
+
+/// All that is to be said about a run.
+pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<String> {
+    let Checked { seed, selection, summary } = checked;
+    let quantities = summary.cells.iter().map(|((quantity, order), cell)| {
+        with(json!({ "quantity": quantity.name(), "order": order.name() }), worst(cell))
+    });
+    let regimes = summary.regimes.iter().map(|(regime, tally)| tallied(regime.name(), tally));
+    let families =
+        summary.families.iter().map(|(family, count)| json!({ "family": family.name(), "compared": count }));
+    let pairs = summary
+        .pairs
+        .iter()
+        .map(|((beam, bar), count)| json!({ "beam": beam.name(), "bar": bar.name(), "compared": count }));
+    let mismatches = summary.mismatches.iter().map(|(&number, entry)| {
+        let case = json!({ "case": number, "repeat": repeat(*seed, number) });
+        with(case, compared(entry))
+    });
+    text(&json!({
+        "schema": "beamgap-check/1",
+        "version": env!("CARGO_PKG_VERSION"),
+        "seed": format!("{seed:#x}"),
+        "selection": {
+            "regimes": selection.regimes.iter().map(|regime| regime.name()).collect::<Vec<_>>(),
+            "family": selection.family.map(beamgap::check::Family::name),
+            "cases": selection.cases,
+        },
+        "verdict": verdict.name,
+        "compared": summary.compared(),
+        "quantities": quantities.collect::<Vec<_>>(),
+        "regimes": regimes.collect::<Vec<_>>(),
+        "families": families.collect::<Vec<_>>(),
+        "pairs": pairs.collect::<Vec<_>>(),
+        "mismatches": mismatches.collect::<Vec<_>>(),
+    }))
+}
+
+fn tallied(regime: &str, tally: &Tally) -> Value {
+    let not_compared = tally.inconclusive.iter().map(
+        |(reason, (count, first))| json!({ "reason": reason.reason(), "count": count, "first_case": first }),
+    );
+    json!({
+        "regime": regime,
+        "cases": tally.cases,
+        "interior": tally.interior,
+        "at_end": tally.at_end,
+        "mismatches": tally.mismatches,
+        "worst": worst(&tally.worst),
+        "not_compared": not_compared.collect::<Vec<_>>(),
+    })
+}
+
+fn worst(cell: &Cell) -> Value {
+    json!({
+        "entries": cell.entries,
+        "scaled_error": rounded(cell.scaled_error),
+        "case": (cell.scaled_error > 0.0).then_some(cell.case),
+        "over_tolerance": rounded(cell.over_tolerance),
+    })
+}
+
+/// One entry, with all digits.
+pub(super) fn compared(entry: &Comparison) -> Value {
+    json!({
+        "quantity": entry.quantity.name(),
+        "component": entry.axis,
+        "order": entry.order.name(),
+        "part": entry.part,
+        "against": entry.against,
+        "closed": entry.closed,
+        "other": entry.other,
+        "difference": entry.difference(),
+        "scale": entry.scale,
+        "tolerance": entry.tolerance,
+        "agrees": entry.agrees(),
+    })
+}
+
+/// The document as text: indented, with a final newline.
+pub(super) fn text(document: &impl Serialize) -> anyhow::Result<String> {
+    Ok(serde_json::to_string_pretty(document)? + "\n")
+}
+
+/// Both objects in one.
+fn with(mut object: Value, more: Value) -> Value {
+    if let (Value::Object(object), Value::Object(more)) = (&mut object, more) {
+        object.extend(more);
+    }
+    object
+}
+
+/// Two digits: the others depend on the machine.
+fn rounded(error: f64) -> Option<f64> {
+    format!("{error:.1e}").parse().ok().filter(|error: &f64| error.is_finite())
+}
