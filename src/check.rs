@@ -19,22 +19,17 @@
 //! A case without a minimum that has derivatives, or whose bounds exceed a thousandth of its scales, is counted under
 //! its reason. It is never passed.
 
-mod beam;
 mod compare;
 mod draw;
-mod family;
-mod padded;
 mod regime;
 mod run;
 mod summary;
 mod witness;
 
-pub(crate) use beam::AnyBeam;
-pub use beam::Shown;
 pub use compare::{Comparison, Inconclusive, Order, Verdict, compare};
 pub use draw::{Case, Selection};
-pub use family::Family;
-pub(crate) use padded::Padded;
 pub use regime::Regime;
 pub use run::run;
 pub use summary::{Cell, Summary, Tally};
+
+pub use crate::specimen::{Family, Shown};

@@ -10,5 +10,7 @@ pub mod pair;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod prove;
+#[cfg(feature = "cli")]
+pub mod specimen;
 
 pub use nalgebra;

@@ -15,10 +15,8 @@
 //! most (Schwartz and Zippel), and one point in eight at least is not drawn again, so one draw overlooks a wrong
 //! formula with probability 64 n / p at most, and independent draws multiply.
 
-mod beam;
 mod run;
 
-pub(crate) use beam::{Exact, ExactBeam};
 pub use run::{Layer, Proof, Refutation, Row, prove};
 
 use crate::closest_point::Active;
@@ -27,6 +25,7 @@ use crate::linearization::closed_form::{Matrices, variations};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Differentiable, Dual, HyperDual};
 use crate::pair::{Contact, DofVector};
+use crate::specimen::ExactBeam;
 
 /// The number of scalar quantities that the matrices are made for.
 const SCALARS: usize = 7;

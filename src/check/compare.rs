@@ -1,6 +1,5 @@
 //! One case through both linearizations, entry by entry.
 
-use super::beam::AnyBeam;
 use super::draw::Case;
 use super::witness;
 use crate::closest_point::{ClosestPoint, Degeneracy, ProjectionError, Search, closest_points};
@@ -9,6 +8,7 @@ use crate::linearization::closed_form::{Frozen, Matrices, variations};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{Bounded, HyperDual, Magnitude};
 use crate::pair::DofVector;
+use crate::specimen::AnyBeam;
 use num_dual::HyperDual64;
 
 /// Which part of a quantity is compared.

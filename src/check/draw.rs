@@ -1,10 +1,10 @@
 //! From the number of a case to the case: a counter-based generator, so that shards, threads and reruns agree.
 
-use super::beam::{AnyBeam, Shown};
-use super::family::{Family, Target};
 use super::regime::Regime;
 use crate::number::Bounded;
 use crate::pair::Contact;
+use crate::specimen::{AnyBeam, Shown};
+use crate::specimen::{Family, Target};
 use nalgebra::{Matrix3, Vector3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

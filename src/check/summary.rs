@@ -2,9 +2,9 @@
 
 use super::compare::{Comparison, Inconclusive, Order, Verdict};
 use super::draw::Case;
-use super::family::Family;
 use super::regime::Regime;
 use crate::linearization::Quantity;
+use crate::specimen::Family;
 use std::collections::BTreeMap;
 
 /// The worst of one order of one quantity.

@@ -1,9 +1,9 @@
 //! The parameters of a closest point as bounded numbers: how far they may be from the exact closest point.
 
-use super::beam::AnyBeam;
 use crate::closest_point::ClosestPoint;
 use crate::linearization::closed_form::Projection;
 use crate::number::{Bounded, Magnitude};
+use crate::specimen::AnyBeam;
 
 /// xi and xi_bar with bounds, from the residual of the orthogonality conditions.
 ///

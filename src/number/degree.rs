@@ -36,7 +36,6 @@ impl From<f64> for Degree {
 impl Add for Degree {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        // Of two equal denominators one serves for both; which they are, only those without one can tell.
         Self {
             numerator: (self.numerator + other.denominator).max(other.numerator + self.denominator),
             denominator: self.denominator + other.denominator,
@@ -46,6 +45,7 @@ impl Add for Degree {
 
 impl Sub for Degree {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a difference has the degree of a sum")]
     fn sub(self, other: Self) -> Self {
         self + other
     }

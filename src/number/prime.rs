@@ -34,9 +34,9 @@ impl Residue {
         let (mut power, mut square) = (Self(1), self);
         while exponent > 0 {
             if exponent % 2 == 1 {
-                power = power * square;
+                power *= square;
             }
-            square = square * square;
+            square *= square;
             exponent /= 2;
         }
         power

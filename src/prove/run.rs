@@ -1,11 +1,11 @@
 //! Draws, comparisons and what they amount to.
 
-use super::{ExactBeam, SCALAR_COMPONENTS, Sides, sides};
-use crate::check::{AnyBeam, Family};
+use super::{SCALAR_COMPONENTS, Sides, sides};
 use crate::closest_point::Active;
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::{Degree, Residue};
 use crate::pair::Contact;
+use crate::specimen::{AnyBeam, ExactBeam, Family};
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use rand::{RngExt, SeedableRng};

@@ -1,5 +1,7 @@
 //! What no choice of coordinates, units or names may change.
 
+#![expect(clippy::float_cmp, reason = "multiplying by a power of two is exact, and claimed to be")]
+
 use crate::pairs::{Contacting, Movable, contacting, hermite, refined, relative_difference, segment};
 use crate::strategies::vector;
 use beamgap::closest_point::Active;

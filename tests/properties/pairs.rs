@@ -19,9 +19,8 @@ pub(crate) struct Contacting<A, B, const N: usize, const M: usize> {
 
 /// A curve whose dofs hold points: how to move it.
 pub(crate) trait Movable<const N: usize>: Curve<N> + Copy + std::fmt::Debug + 'static {
-    /// Where in the dofs the points start, and where vectors that turn but do not move.
+    /// Where in the dofs the points start.
     const POINTS: &'static [usize];
-    const VECTORS: &'static [usize] = &[];
 
     fn moved(q: &SVector<f64, N>, by: &Vector3<f64>) -> SVector<f64, N> {
         let mut q = *q;
@@ -42,7 +41,6 @@ impl Movable<9> for Quadratic {
 }
 impl Movable<12> for Hermite {
     const POINTS: &'static [usize] = &[0, 6];
-    const VECTORS: &'static [usize] = &[3, 9];
 }
 impl Movable<12> for NurbsWeighted<3> {
     const POINTS: &'static [usize] = &[0, 4, 8];

@@ -1,7 +1,7 @@
 //! Over a prime field the closed form and AD are equal, not nearly equal.
 
-use beamgap::check::Family;
 use beamgap::prove::{Layer, prove};
+use beamgap::specimen::Family;
 
 #[test]
 fn all_pairs_of_families_are_proved() {

@@ -31,9 +31,9 @@ fn symmetric<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(case:
         let size = size.max(
             1e-3 * all.iter().flatten().fold(1.0, |size: f64, e| size.max(e[18].abs()).max(e[19].abs())),
         );
-        for i in 0..N + M {
-            for j in 0..N + M {
-                let (one, other) = (all[i][j][c], all[j][i][c]);
+        for (i, row) in all.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                let (one, other) = (entry[c], all[j][i][c]);
                 assert!(
                     (one - other).abs() <= 1e-9 * size,
                     "component {c}, dofs {i}, {j}: {one:e} and {other:e}"

@@ -15,6 +15,7 @@ fn close(ours: f64, theirs: f64) {
 
 /// Computed with 40 digits elsewhere.
 #[test]
+#[expect(clippy::excessive_precision, reason = "the digits of the source")]
 fn two_lines_have_the_known_derivatives() {
     let pair = Pair { curve: Segment::new(), curve_bar: Segment::new(), contact: Contact::default() };
     let q = DofVector {

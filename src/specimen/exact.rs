@@ -1,13 +1,13 @@
 //! A beam of any family with dofs in an exact scalar: random residues, or degrees.
 
-use crate::check::Padded;
+use super::padded::Padded;
 use crate::curve::{Curve, Geometry, Jet};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
 use crate::number::{Dual, Extends, HyperDual, Real};
 use nalgebra::{SVector, Vector3};
 
-/// What the proof asks of a beam; all that [`super::sides`] sees.
+/// What the proof asks of a beam; all that is compared comes from here.
 pub(crate) trait ExactBeam<T: Real>:
     PositionAt<Dual<HyperDual<T>>> + PositionAt<Dual<Dual<T>>>
 {

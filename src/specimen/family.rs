@@ -38,17 +38,17 @@ pub enum Family {
 
 /// The arc that the dofs of a drawn curve follow, roughly; it passes through `point` at `xi` exactly in kind.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
+pub(crate) struct Target {
     /// Where the beam is to pass.
-    pub(super) point: Vector3<f64>,
+    pub(crate) point: Vector3<f64>,
     /// Tangent, normal and binormal there.
-    pub(super) frame: Matrix3<f64>,
+    pub(crate) frame: Matrix3<f64>,
     /// Length of the beam.
-    pub(super) length: f64,
+    pub(crate) length: f64,
     /// The angle by which it turns over its length.
-    pub(super) bend: f64,
+    pub(crate) bend: f64,
     /// The parameter at which it passes `point`.
-    pub(super) xi: f64,
+    pub(crate) xi: f64,
 }
 
 impl Target {
@@ -114,7 +114,7 @@ impl Family {
     }
 
     /// Draws a curve that follows the target, and two directions of variation.
-    pub(super) fn draw(self, target: &Target, rng: &mut ChaCha8Rng) -> Box<dyn AnyBeam> {
+    pub(crate) fn draw(self, target: &Target, rng: &mut ChaCha8Rng) -> Box<dyn AnyBeam> {
         let length = target.length;
         match self {
             Self::Segment => nodes::<_, 2, 6>(Segment::new(), equidistant(), target, rng),

@@ -1,12 +1,12 @@
 //! A drawn beam with its family and size forgotten, so that what follows is compiled once and not per pair of families.
 
+use super::exact::{Exact, ExactBeam};
 use super::padded::Padded;
 use crate::closest_point::Centroid;
 use crate::curve::{Curve, Geometry, Jet};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
 use crate::number::{Bounded, Degree, Dual, Extends, HyperDual, Magnitude, Real, Residue};
-use crate::prove::{Exact, ExactBeam};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
 use std::fmt::Debug;

@@ -1,0 +1,14 @@
+//! Beams to test with: one of every family, drawn at random, with the family and the number of dofs forgotten.
+//!
+//! What comes after, the gate and the proof, is thereby compiled once and not once per pair of families.
+
+mod beam;
+mod exact;
+mod family;
+mod padded;
+
+pub(crate) use beam::AnyBeam;
+pub use beam::Shown;
+pub(crate) use exact::ExactBeam;
+pub use family::Family;
+pub(crate) use family::Target;
