@@ -11,7 +11,7 @@
 //! The difference of the two sides is a function of the drawn numbers, rational but for three square roots. If it is
 //! not identically zero, then, multiplied by its conjugates in the roots and its denominators, it is a polynomial of
 //! degree at most 8 n, where n bounds the degree of numerator and denominator of either side; the bound is computed by
-//! running both sides over [`Degree`]. A polynomial of degree m vanishes at a random point with probability m / p at
+//! running both sides over [`Degree`](crate::number::Degree). A polynomial of degree m vanishes at a random point with probability m / p at
 //! most (Schwartz and Zippel), and one point in eight at least is not drawn again, so one draw overlooks a wrong
 //! formula with probability 64 n / p at most, and independent draws multiply.
 

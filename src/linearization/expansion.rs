@@ -1,7 +1,7 @@
 //! Gradients and Hessians in all dofs of a pair, in the blocks of the two beams.
 
 use crate::number::Real;
-use crate::pair::DofVector;
+use crate::pair::{Contact, DofVector};
 use nalgebra::SMatrix;
 
 /// A symmetric matrix over the dofs of both beams: the two square blocks in full, and the block between them.
@@ -121,4 +121,16 @@ pub struct Linearization<T, const N: usize, const M: usize> {
     pub g_t: Expansion<T, N, M>,
     /// g_T_bar.
     pub g_t_bar: Expansion<T, N, M>,
+}
+
+impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
+    /// g_N: d less the radii, with the gradient and the Hessian of d.
+    #[must_use]
+    #[doc(alias = "gap")]
+    #[doc(alias = "Eq. (19)")]
+    pub fn g_n(&self, contact: &Contact) -> Expansion<T, N, M> {
+        // Eq. (11), (18), (19): g_N = d − (r + r̄)   δg_N = δd   Δδg_N = Δδd
+        let radii = T::from(contact.radius) + T::from(contact.radius_bar);
+        Expansion { value: self.d.value - radii, ..self.d }
+    }
 }
