@@ -3,8 +3,37 @@ use beamgap::check::*;
 fn main() {
     let cases = std::env::args().nth(1).and_then(|s| s.parse().ok()).unwrap_or(500);
     let s = run(1, &Selection { regimes: Regime::ALL.to_vec(), family: None, cases }, || ());
-    for (r, t) in &s.regimes { println!("{:16} {} int {} end {} mism {} worst {:.1e} (case {}) over {:.2} {:?}", r.name(), t.cases, t.interior, t.at_end, t.mismatches, t.worst.scaled_error, t.worst.case, t.worst.over_tolerance, t.inconclusive); }
-    for ((q,o),c) in &s.cells { println!("{:12} {:9} {:.1e} {:.3} {}", q.name(), o.name(), c.scaled_error, c.over_tolerance, c.case); }
-    if let Some(n)=std::env::args().nth(2).and_then(|s| s.parse().ok()) { let c=Case::draw(1,n); println!("{:?} {:?}", c.regime, c.families); for (p,v) in compare(&c) { println!("{p:?} {:?}", match v { Verdict::Inconclusive(r)=>Some(r), _=>None}); } }
-    for (n,m) in s.mismatches.iter().take(10) { println!("{n} {m:?}"); }
+    for (r, t) in &s.regimes {
+        println!(
+            "{:16} {} int {} end {} mism {} worst {:.1e} (case {}) over {:.2} {:?}",
+            r.name(),
+            t.cases,
+            t.interior,
+            t.at_end,
+            t.mismatches,
+            t.worst.scaled_error,
+            t.worst.case,
+            t.worst.over_tolerance,
+            t.inconclusive
+        );
+    }
+    for ((q, o), c) in &s.cells {
+        println!("{:12} {:9} {:.1e} {:.3} {}", q.name(), o.name(), c.scaled_error, c.over_tolerance, c.case);
+    }
+    if let Some(n) = std::env::args().nth(2).and_then(|s| s.parse().ok()) {
+        let c = Case::draw(1, n);
+        println!("{:?} {:?}", c.regime, c.families);
+        for (p, v) in compare(&c) {
+            println!(
+                "{p:?} {:?}",
+                match v {
+                    Verdict::Inconclusive(r) => Some(r),
+                    _ => None,
+                }
+            );
+        }
+    }
+    for (n, m) in s.mismatches.iter().take(10) {
+        println!("{n} {m:?}");
+    }
 }

@@ -199,15 +199,15 @@ fn entries(
     let sizes = witness::magnitudes(beams, point);
     let scales =
         variations(&beam.magnitudes(sizes.0), &bar.magnitudes(sizes.1), sizes, active, contact).components();
-    let bounds = variations(&beam.frozen(xi), &bar.frozen(xi_bar), (xi, xi_bar), active, contact).components();
+    let bounds =
+        variations(&beam.frozen(xi), &bar.frozen(xi_bar), (xi, xi_bar), active, contact).components();
 
     // Automatic differentiation: two routes of num-dual, and our own numbers with bounds.
     let by_newton = hyper_dual(beams, newton(beam, bar, at, active), contact);
     let by_stationarity = hyper_dual(beams, stationary(beam, bar, at, active), contact);
     let chord = Chord::<Bounded>::new(beam, bar, (xi, xi_bar), active);
     let lifted = chord.lift::<HyperDual<Bounded>, _, _>(beam, bar, (xi, xi_bar), 2);
-    let by_chord =
-        evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components();
+    let by_chord = evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components();
 
     let mut entries = Vec::with_capacity(16 * COMPONENTS);
     for i in 0..COMPONENTS {
@@ -222,7 +222,9 @@ fn entries(
             ("own hyper-dual, chord", own.map(|bounded| bounded.value)),
         ];
         for (against, other) in routes {
-            for (k, order) in [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate() {
+            for (k, order) in
+                [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
+            {
                 entries.push(Comparison {
                     quantity,
                     order,

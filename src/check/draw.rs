@@ -54,9 +54,8 @@ impl Selection {
         let wanted = |regime: Regime| {
             let of_regime = (0..).map(move |turn| turn * REGIMES + regime as u64);
             let family = self.family;
-            let of_family = move |&number: &u64| {
-                family.is_none_or(|family| families(number).contains(&family))
-            };
+            let of_family =
+                move |&number: &u64| family.is_none_or(|family| families(number).contains(&family));
             of_regime.filter(of_family).take(usize::try_from(self.cases).unwrap_or(usize::MAX))
         };
         self.regimes.iter().flat_map(|&regime| wanted(regime)).collect()

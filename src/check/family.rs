@@ -174,7 +174,8 @@ fn hermite(curve: Hermite, tangent: f64, target: &Target, rng: &mut ChaCha8Rng) 
         q.fixed_rows_mut::<3>(6 * i).copy_from(&target.near(xi, rng));
         q.fixed_rows_mut::<3>(6 * i + 3).copy_from(&(slope / tangent));
     }
-    let units = SVector::from_fn(|i, _| if i % 6 < 3 { target.length } else { 0.5 * target.length / tangent });
+    let units =
+        SVector::from_fn(|i, _| if i % 6 < 3 { target.length } else { 0.5 * target.length / tangent });
     drawn(curve, q, &units, vec![0, 6], rng)
 }
 
@@ -211,14 +212,16 @@ fn winding(target: &Target, rise: f64, rng: &mut ChaCha8Rng) -> (f64, [f64; 9]) 
     let (sin, cos) = angle.sin_cos();
     let local = Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
     // .. to be turned so that the tangent (0, 1, rise) falls on the target's, and the radial direction on its normal.
-    let (tangent, normal, binormal) = (target.frame.column(0), target.frame.column(1), target.frame.column(2));
+    let (tangent, normal, binormal) =
+        (target.frame.column(0), target.frame.column(1), target.frame.column(2));
     let circumferential = (tangent - binormal * rise) / slant;
     let axial = (tangent * rise + binormal) / slant;
     let global = Matrix3::from_columns(&[-normal, circumferential, axial]);
     let rotation = Rotation3::from_matrix_unchecked(global * local.transpose());
     let axial_offset = rise * radius * half_angle * target.xi;
     let centre = target.point + normal * radius - axial * axial_offset;
-    let quaternion = UnitQuaternion::from_rotation_matrix(&rotation).into_inner() * rng.random_range(0.5..2.0);
+    let quaternion =
+        UnitQuaternion::from_rotation_matrix(&rotation).into_inner() * rng.random_range(0.5..2.0);
     let [x, y, z, w] = [quaternion.i, quaternion.j, quaternion.k, quaternion.w];
     (half_angle, [centre.x, centre.y, centre.z, radius, w, x, y, z, phase])
 }

@@ -22,7 +22,9 @@ impl Padded {
     pub(crate) const DOFS: usize = DOFS;
 
     /// Fills a jet up.
-    pub(crate) fn fill<U: DofDerivatives<Bounded, N>, const N: usize>(jet: &Jet<Bounded, U>) -> Jet<Bounded, Self> {
+    pub(crate) fn fill<U: DofDerivatives<Bounded, N>, const N: usize>(
+        jet: &Jet<Bounded, U>,
+    ) -> Jet<Bounded, Self> {
         const { assert!(N <= DOFS, "the family has more dofs than the gate provides for") };
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
         let jacobians = std::array::from_fn(|k| {

@@ -90,7 +90,9 @@ impl Regime {
             Self::Generic => generic,
             Self::Slender => Draw { gap: power(-4.0, -2.0), ..generic },
             Self::NearlyStraight => Draw { bend: [power(-6.0, -3.0), power(-6.0, -3.0)], ..generic },
-            Self::StronglyCurved => Draw { bend: [rng.random_range(2.0..5.0), rng.random_range(2.0..5.0)], ..generic },
+            Self::StronglyCurved => {
+                Draw { bend: [rng.random_range(2.0..5.0), rng.random_range(2.0..5.0)], ..generic }
+            }
             Self::NearlyParallel => Draw { angle: power(-4.0, -1.0), ..generic },
             Self::NearlyCrossing => Draw { gap: power(-8.0, -3.0), ..generic },
             Self::NearEnd => {

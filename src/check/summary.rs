@@ -23,7 +23,8 @@ pub struct Cell {
 impl Cell {
     fn merge(&mut self, other: &Self) {
         // Of equals the smallest case number, so that threads do not matter.
-        if (other.scaled_error, std::cmp::Reverse(other.case)) > (self.scaled_error, std::cmp::Reverse(self.case))
+        if (other.scaled_error, std::cmp::Reverse(other.case))
+            > (self.scaled_error, std::cmp::Reverse(self.case))
             || self.entries == 0
         {
             (self.scaled_error, self.case) = (other.scaled_error, other.case);
@@ -93,7 +94,8 @@ impl Summary {
                 Verdict::Pass(entries) => entries,
                 Verdict::Mismatch(entries) => {
                     tally.mismatches += 1;
-                    let worst = entries.iter().max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
+                    let worst =
+                        entries.iter().max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
                     summary.mismatches.extend(worst.map(|worst| (case.number, *worst)));
                     entries
                 }
