@@ -4,8 +4,7 @@ use crate::pairs::Problem;
 use beamgap::closest_point::{Beam, refine};
 use beamgap::curve::Curve;
 use beamgap::linearization::ad::{Perturbed, evaluate};
-use beamgap::linearization::{DofMatrix, Expansion, Quantities};
-use beamgap::pair::DofVector;
+use beamgap::linearization::{Expansion, Quantities};
 
 /// The step: the fourth root of epsilon, about the best for second differences of lengths near 1.
 const STEP: f64 = 1.0 / 8192.0;
@@ -29,8 +28,7 @@ pub(crate) fn expand<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, c
         pick(evaluate(&beam, &bar, (found.xi, found.xi_bar), &pair.contact))
     };
     let centre = at(&[]);
-    let mut expansions =
-        centre.map(|value| Expansion { value, gradient: DofVector::zeros(), hessian: DofMatrix::zeros() });
+    let mut expansions = centre.map(|value| Expansion { value, ..Expansion::zero() });
     for j in 0..N + M {
         let (plus, minus) = (at(&[(j, STEP)]), at(&[(j, -STEP)]));
         for (k, expansion) in expansions.iter_mut().enumerate() {
