@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector, Vector3};
 
 /// The values and first two derivatives of `P` shape functions at one parameter.
 ///
-/// The dofs are node-major: control vector i (a point, or a nodal tangent) is q[3i], q[3i+1], q[3i+2].
+/// The dofs are node-major: control vector i (a point, or a nodal tangent) is `q[3i]`, `q[3i+1]`, `q[3i+2]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shapes<T, const P: usize> {
     /// `derivatives[k][i]`: the k-th derivative of shape function i.
