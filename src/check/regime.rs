@@ -75,11 +75,6 @@ impl Regime {
         }
     }
 
-    /// Whether round-off alone leaves the worst scaled disagreement below 1e-12.
-    pub fn is_well_conditioned(self) -> bool {
-        !matches!(self, Self::NearlyParallel | Self::NearlyCrossing)
-    }
-
     /// Draws the numbers of a case.
     pub(super) fn draw(self, rng: &mut ChaCha8Rng) -> Draw {
         let length = rng.random_range(0.7..1.4);

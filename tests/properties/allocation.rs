@@ -1,0 +1,23 @@
+//! No evaluation allocates: not the curves, not the closed form, not AD.
+
+use crate::pairs::{Contacting, contacting, hermite};
+use beamgap::linearization::{Linearization, ad, closed_form};
+use proptest::{strategy::Strategy, strategy::ValueTree, test_runner::TestRunner};
+
+#[test]
+fn nothing_is_allocated_in_an_evaluation() {
+    let mut runner = TestRunner::deterministic();
+    let case = contacting(hermite(), hermite()).new_tree(&mut runner).unwrap().current();
+    let Contacting { pair, q, point, dq, linear_dq } = &case;
+    let at = (point.xi, point.xi_bar);
+    let mut all = Linearization::<f64, 12, 12>::zeros();
+    let counted = allocation_counter::measure(|| {
+        let (jet, jet_bar) = closed_form::jets(pair, q, at);
+        closed_form::Matrices::new(&jet, &jet_bar, point.active()).write_all(at, &pair.contact, &mut all);
+        std::hint::black_box(closed_form::vary(pair, q, point, dq, linear_dq));
+        std::hint::black_box(ad::vary(ad::Route::Newton, pair, q, point, dq, linear_dq));
+    });
+    assert_eq!(counted.count_total, 0);
+    // The counter counts.
+    assert_eq!(allocation_counter::measure(|| drop(std::hint::black_box(vec![0_u8; 8]))).count_total, 1);
+}
