@@ -1,5 +1,6 @@
 //! Arguments in, exit code out; each subcommand is a module.
 
+mod arguments;
 mod case;
 mod check;
 mod exit;
@@ -7,6 +8,7 @@ mod human;
 mod json;
 mod output;
 mod panics;
+mod prove;
 mod table;
 
 use clap::{Parser, Subcommand};
@@ -26,6 +28,8 @@ struct Arguments {
 enum Command {
     /// Compare the closed form with automatic differentiation on random pairs of beams.
     Check(check::Check),
+    /// Compare the two over a prime field, without a tolerance.
+    Prove(prove::Prove),
 }
 
 /// Does what the arguments of the process say.
@@ -44,6 +48,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
     };
     panics::caught(|| match arguments.command {
         Command::Check(check) => check.run(),
+        Command::Prove(prove) => prove.run(),
     })
 }
 

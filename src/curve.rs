@@ -82,6 +82,15 @@ pub trait DofDerivatives<T: Real, const N: usize> {
     /// Whether x is linear in q, so that every second derivative vanishes.
     const LINEAR: bool;
 
+    /// The k-th xi-derivatives of the shape functions, if x is a sum of control vectors times shape functions and the
+    /// dofs are the coordinates of one control vector after the other.
+    ///
+    /// A_k consists of multiples of the unit matrix then, and products of two such matrices take a ninth of the work.
+    #[inline]
+    fn shapes(&self, _k: usize) -> Option<&[T]> {
+        None
+    }
+
     /// delta_u u, delta_u u,xi or delta_u u,xixi (`k` = 0, 1, 2) in the direction `dq`.
     fn variation(&self, k: usize, dq: &SVector<T, N>) -> Vector3<T>;
 

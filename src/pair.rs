@@ -39,6 +39,7 @@ pub struct DofVector<T, const N: usize, const M: usize> {
 
 impl<T: Real, const N: usize, const M: usize> DofVector<T, N, M> {
     /// The zero vector.
+    #[inline]
     pub fn zeros() -> Self {
         Self { beam: SVector::zeros(), bar: SVector::zeros() }
     }

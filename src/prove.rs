@@ -23,7 +23,7 @@ use crate::closest_point::Active;
 use crate::linearization::ad::{Chord, evaluate};
 use crate::linearization::closed_form::{Matrices, variations};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{Differentiable, Dual, HyperDual};
+use crate::number::{Differentiable, Dual, HyperDual, Real};
 use crate::pair::{Contact, DofVector};
 use crate::specimen::ExactBeam;
 
@@ -37,12 +37,18 @@ const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 22];
 struct Sides<T> {
     closed: [Varied<T>; COMPONENTS],
     ad: [Varied<T>; COMPONENTS],
-    /// Gradients (along both directions) and Hessians of the scalars, contracted.
-    matrices: [[T; 3]; SCALARS],
+    /// Gradients (along both directions) and Hessians of the scalars, contracted; on request.
+    matrices: Option<[[T; 3]; SCALARS]>,
 }
 
 /// Runs the closed form and AD at a stationary point.
-fn sides<T>(beams: [&dyn ExactBeam<T>; 2], at: (T, T), active: Active, contact: &Contact) -> Sides<T>
+fn sides<T>(
+    beams: [&dyn ExactBeam<T>; 2],
+    at: (T, T),
+    active: Active,
+    contact: &Contact,
+    with_matrices: bool,
+) -> Sides<T>
 where
     T: Differentiable<Dual = Dual<T>>,
 {
@@ -52,12 +58,21 @@ where
     let lifted = Chord::<T>::new(beam, bar, at, active).lift::<HyperDual<T>, _, _>(beam, bar, at, 2);
     let ad = evaluate::<HyperDual<T>>(beam, bar, lifted, contact).map(Varied::from).components();
 
+    let matrices = with_matrices.then(|| matrices(beams, at, active, contact));
+    Sides { closed, ad, matrices }
+}
+
+fn matrices<T: Real>(
+    [beam, bar]: [&dyn ExactBeam<T>; 2],
+    at: (T, T),
+    active: Active,
+    contact: &Contact,
+) -> [[T; 3]; SCALARS] {
     let (jet, [dq, linear_dq]) = beam.padded(at.0);
     let (jet_bar, [dq_bar, linear_dq_bar]) = bar.padded(at.1);
     let dq = DofVector { beam: dq, bar: dq_bar };
     let linear_dq = DofVector { beam: linear_dq, bar: linear_dq_bar };
     let all = Matrices::new(&jet, &jet_bar, active).all(at, contact);
-    let matrices = [&all.d, &all.t, &all.t_bar, &all.xi, &all.xi_bar, &all.g_t, &all.g_t_bar]
-        .map(|e| [e.gradient.along(&dq), e.gradient.along(&linear_dq), e.hessian.along(&dq, &linear_dq)]);
-    Sides { closed, ad, matrices }
+    [&all.d, &all.t, &all.t_bar, &all.xi, &all.xi_bar, &all.g_t, &all.g_t_bar]
+        .map(|e| [e.gradient.along(&dq), e.gradient.along(&linear_dq), e.hessian.along(&dq, &linear_dq)])
 }

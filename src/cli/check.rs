@@ -1,11 +1,11 @@
 //! `beamgap check`: random pairs of beams through both linearizations.
 
+use super::arguments::{families, regimes, seed};
 use super::exit::Exit;
 use super::output::Output;
 use super::{case, human, json};
 use anyhow::Context;
 use beamgap::check::{Case, Family, Regime, Selection, Summary, compare, run};
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -147,24 +147,4 @@ pub(super) fn verdict(summary: &Summary) -> Verdict {
         format!("\nNot compared, and not counted as agreeing: {left}.")
     };
     Verdict { exit, name, words: words + &rest }
-}
-
-fn seed(text: &str) -> Result<u64, String> {
-    let parsed = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        // from_str_radix would take a sign.
-        Some(digits) if digits.starts_with('+') => None,
-        Some(digits) => u64::from_str_radix(digits, 16).ok(),
-        None => text.parse().ok(),
-    };
-    parsed.ok_or_else(|| "expected a decimal or 0x-hexadecimal number below 2^64".into())
-}
-
-fn families() -> impl TypedValueParser<Value = Family> {
-    PossibleValuesParser::new(Family::ALL.map(Family::name))
-        .try_map(|name| Family::from_name(&name).ok_or("no such family"))
-}
-
-fn regimes() -> impl TypedValueParser<Value = Regime> {
-    PossibleValuesParser::new(Regime::ALL.map(Regime::name))
-        .try_map(|name| Regime::from_name(&name).ok_or("no such regime"))
 }

@@ -1,16 +1,4 @@
 //! The circular arc, anywhere and anyhow in space.
-//!
-//! Half its opening angle, alpha (radian), is a fixed parameter. Dofs: centre c (3, the user's unit of length), radius r
-//! (1, a length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not nought), phase (1,
-//! radian); `N = 9`.
-//!
-//! ```math
-//! x(xi) = c + R(p) (r cos phi, r sin phi, 0),   phi = phase + alpha xi
-//! ```
-//!
-//! The length of p has no effect, and a rotation about the axis of the circle is a change of phase: as dofs of a finite
-//! element these are redundant, as a test of a linearization they are welcome. The derivation is that of the screw
-//! line without pitch.
 
 use super::screw::{Screw, ScrewDofs};
 use super::{Curve, DofDerivatives, Jet};
@@ -18,6 +6,18 @@ use crate::number::Real;
 use nalgebra::{SVector, Vector3};
 
 /// A circular arc of fixed opening angle.
+///
+/// Half its opening angle, alpha (radian), is a fixed parameter. Dofs: centre c (3, the user's unit of length), radius r
+/// (1, a length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not nought), phase (1,
+/// radian); `N = 9`.
+///
+/// ```math
+/// x(xi) = c + R(p) (r cos phi, r sin phi, 0),   phi = phase + alpha xi
+/// ```
+///
+/// The length of p has no effect, and a rotation about the axis of the circle is a change of phase: as dofs of a finite
+/// element these are redundant, as a test of a linearization they are welcome. The derivation is that of the screw
+/// line without pitch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
     half_angle: f64,

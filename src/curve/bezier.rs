@@ -1,14 +1,4 @@
 //! The Bezier curve of any degree.
-//!
-//! Its parameter is u = (xi + 1) / 2 in [0, 1]. Dofs, node-major: the coordinates of the control points P_0, P_1, ..,
-//! all in the user's unit of length; `N = 3 P` for `P` control points, that is for the degree p = P - 1.
-//!
-//! ```math
-//! x(xi) = sum_i B_i P_i,   B_i = binomial(p, i) u^i (1 - u)^(p - i)
-//! ```
-//!
-//! Source: G. Farin, *Curves and Surfaces for CAGD*, 5th ed., chapters 4 (de Casteljau, the position) and 5 (Bernstein
-//! polynomials, the jet).
 
 use super::shapes::{by_order, control_vectors, count, times_linear, triangle};
 use super::{Curve, Jet, Shapes};
@@ -16,6 +6,16 @@ use crate::number::Real;
 use nalgebra::{SVector, Vector3};
 
 /// The Bezier curve of degree `P` - 1 with `P` control points.
+///
+/// Its parameter is u = (xi + 1) / 2 in [0, 1]. Dofs, node-major: the coordinates of the control points P_0, P_1, ..,
+/// all in the user's unit of length; `N = 3 P` for `P` control points, that is for the degree p = P - 1.
+///
+/// ```math
+/// x(xi) = sum_i B_i P_i,   B_i = binomial(p, i) u^i (1 - u)^(p - i)
+/// ```
+///
+/// Source: G. Farin, *Curves and Surfaces for CAGD*, 5th ed., chapters 4 (de Casteljau, the position) and 5 (Bernstein
+/// polynomials, the jet).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bezier<const P: usize>;
 

@@ -1,13 +1,4 @@
 //! One span of a B-spline of any degree.
-//!
-//! A span of degree p = P - 1 sees `P` control points and 2 p knots k_0 <= .. <= k_(2p - 1): the span is the one in the
-//! middle, from k_(p - 1) to k_p, to which xi in [-1, 1] is mapped affinely. Of a whole knot vector, whose span number
-//! m is [K_m, K_(m + 1)], the local knots are K_(m - p + 1), .., K_(m + p) and the control points those from m - p to m.
-//! Dofs, node-major: the coordinates of the control points, all in the user's unit of length; `N = 3 P`. Knots of
-//! which p on either side coincide make the curve a [`Bezier`](super::Bezier) curve.
-//!
-//! Source: C. de Boor, *A Practical Guide to Splines*, chapters IX and X; the position by his repeated interpolation,
-//! the jet by the recursion of Cox and de Boor.
 
 use super::shapes::{by_order, control_vectors, count, times_linear, triangle};
 use super::{Curve, CurveError, Jet, Shapes};
@@ -15,6 +6,15 @@ use crate::number::Real;
 use nalgebra::{SVector, Vector3};
 
 /// One span of a B-spline of degree `P` - 1.
+///
+/// A span of degree p = P - 1 sees `P` control points and 2 p knots k_0 <= .. <= k_(2p - 1): the span is the one in the
+/// middle, from k_(p - 1) to k_p, to which xi in [-1, 1] is mapped affinely. Of a whole knot vector, whose span number
+/// m is [K_m, K_(m + 1)], the local knots are K_(m - p + 1), .., K_(m + p) and the control points those from m - p to m.
+/// Dofs, node-major: the coordinates of the control points, all in the user's unit of length; `N = 3 P`. Knots of
+/// which p on either side coincide make the curve a [`Bezier`](super::Bezier) curve.
+///
+/// Source: C. de Boor, *A Practical Guide to Splines*, chapters IX and X; the position by his repeated interpolation,
+/// the jet by the recursion of Cox and de Boor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BSpline<const P: usize> {
     /// The knots from the start of the span leftwards, in the coordinate xi, so `left[0]` = -1; the last is not used.

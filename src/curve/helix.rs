@@ -1,14 +1,4 @@
 //! The circular helix, anywhere and anyhow in space.
-//!
-//! Half the angle it winds through, alpha (radian), is a fixed parameter. Dofs: centre c (3, the user's unit of
-//! length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not nought), radius r (1, a
-//! length), pitch h (1, the rise in one turn, a length; its sign is the handedness), phase (1, radian); `N = 10`.
-//!
-//! ```math
-//! x(xi) = c + R(p) (r cos phi, r sin phi, h alpha xi / (2 pi)),   phi = phase + alpha xi
-//! ```
-//!
-//! Unlike those of the [`Arc`](super::Arc), only the length of p is without effect.
 
 use super::screw::{Screw, ScrewDofs};
 use super::{Curve, DofDerivatives, Jet};
@@ -16,6 +6,16 @@ use crate::number::Real;
 use nalgebra::{SVector, Vector3};
 
 /// A helix that winds through a fixed angle.
+///
+/// Half the angle it winds through, alpha (radian), is a fixed parameter. Dofs: centre c (3, the user's unit of
+/// length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not nought), radius r (1, a
+/// length), pitch h (1, the rise in one turn, a length; its sign is the handedness), phase (1, radian); `N = 10`.
+///
+/// ```math
+/// x(xi) = c + R(p) (r cos phi, r sin phi, h alpha xi / (2 pi)),   phi = phase + alpha xi
+/// ```
+///
+/// Unlike those of the [`Arc`](super::Arc), only the length of p is without effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Helix {
     half_angle: f64,

@@ -1,16 +1,4 @@
 //! The cubic Hermite curve: two end points and the tangents there.
-//!
-//! Dofs, node-major: x_1, t_1, x_2, t_2; `N = 12`. The points are in the user's unit of length; what the tangents are
-//! is said at the two constructors, [`Hermite::new`] and [`Hermite::scaled_by`].
-//!
-//! ```math
-//! x(xi) = H_1 x_1 + H_2 x_2 + c (Ht_1 t_1 + Ht_2 t_2)
-//! H_1  = (2 - 3 xi + xi^3) / 4          H_2  = (2 + 3 xi - xi^3) / 4
-//! Ht_1 = (1 - xi - xi^2 + xi^3) / 4     Ht_2 = (-1 - xi + xi^2 + xi^3) / 4
-//! ```
-//!
-//! Source: C. Meier, A. Popp, W. Wall, "An objective 3D large deformation finite element formulation for
-//! geometrically exact curved Kirchhoff rods", 2014, doi:10.1016/j.cma.2014.05.017.
 
 use super::shapes::control_vectors;
 use super::{Curve, Jet, Shapes};
@@ -18,6 +6,18 @@ use crate::number::Real;
 use nalgebra::{SVector, Vector3};
 
 /// The cubic through two points with given tangents.
+///
+/// Dofs, node-major: x_1, t_1, x_2, t_2; `N = 12`. The points are in the user's unit of length; what the tangents are
+/// is said at the two constructors, [`Hermite::new`] and [`Hermite::scaled_by`].
+///
+/// ```math
+/// x(xi) = H_1 x_1 + H_2 x_2 + c (Ht_1 t_1 + Ht_2 t_2)
+/// H_1  = (2 - 3 xi + xi^3) / 4          H_2  = (2 + 3 xi - xi^3) / 4
+/// Ht_1 = (1 - xi - xi^2 + xi^3) / 4     Ht_2 = (-1 - xi + xi^2 + xi^3) / 4
+/// ```
+///
+/// Source: C. Meier, A. Popp, W. Wall, "An objective 3D large deformation finite element formulation for
+/// geometrically exact curved Kirchhoff rods", 2014, doi:10.1016/j.cma.2014.05.017.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hermite {
     /// dx/dxi = c t_k at the nodes.

@@ -1,14 +1,4 @@
 //! Lagrange interpolation: the curve through `P` nodes that stand at equal distances of xi.
-//!
-//! The nodes stand at xi_i = -1 + 2 i / (P - 1), in the order from -1 to 1. Dofs, node-major: the coordinates of node 0,
-//! node 1, .., all in the user's unit of length; `N = 3 P`. In s = (P - 1) (xi + 1) / 2 the nodes are the integers:
-//!
-//! ```math
-//! x(xi) = sum_i N_i x_i,   N_i = product over j != i of (s - j) / (i - j)
-//! ```
-//!
-//! Source: O. Zienkiewicz, R. Taylor, *The Finite Element Method*, one-dimensional Lagrange shape functions; the
-//! position by Neville's scheme (E. Neville, 1934).
 
 use super::shapes::{by_order, control_vectors, count, times_linear, triangle};
 use super::{Curve, Jet, Shapes};
@@ -16,6 +6,16 @@ use crate::number::Real;
 use nalgebra::{SVector, Vector3};
 
 /// The polynomial of degree `P` - 1 through `P` equidistant nodes.
+///
+/// The nodes stand at xi_i = -1 + 2 i / (P - 1), in the order from -1 to 1. Dofs, node-major: the coordinates of node 0,
+/// node 1, .., all in the user's unit of length; `N = 3 P`. In s = (P - 1) (xi + 1) / 2 the nodes are the integers:
+///
+/// ```math
+/// x(xi) = sum_i N_i x_i,   N_i = product over j != i of (s - j) / (i - j)
+/// ```
+///
+/// Source: O. Zienkiewicz, R. Taylor, *The Finite Element Method*, one-dimensional Lagrange shape functions; the
+/// position by Neville's scheme (E. Neville, 1934).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lagrange<const P: usize>;
 

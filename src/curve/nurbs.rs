@@ -1,15 +1,4 @@
 //! One span of a non-uniform rational B-spline whose weights are fixed parameters.
-//!
-//! Dofs, node-major: the coordinates of the control points P_i, all in the user's unit of length; `N = 3 P`. The span,
-//! its knots and its control points are those of [`BSpline`]. With N_i its basis functions and w_i > 0 the weights,
-//!
-//! ```math
-//! x(xi) = A / W = sum_i R_i P_i,   A = sum_i N_i w_i P_i,   W = sum_i N_i w_i,   R_i = N_i w_i / W
-//! ```
-//!
-//! so the curve is linear in its dofs. Where the weights are dofs too it is [`NurbsWeighted`](super::NurbsWeighted).
-//!
-//! Source: L. Piegl, W. Tiller, *The NURBS Book*, 2nd ed., sections 4.2 and 4.3.
 
 use super::shapes::control_vectors;
 use super::{BSpline, Curve, CurveError, Jet, Shapes};
@@ -17,6 +6,17 @@ use crate::number::Real;
 use nalgebra::{SVector, Vector1, Vector3};
 
 /// One span of a rational B-spline of degree `P` - 1 with given weights.
+///
+/// Dofs, node-major: the coordinates of the control points P_i, all in the user's unit of length; `N = 3 P`. The span,
+/// its knots and its control points are those of [`BSpline`]. With N_i its basis functions and w_i > 0 the weights,
+///
+/// ```math
+/// x(xi) = A / W = sum_i R_i P_i,   A = sum_i N_i w_i P_i,   W = sum_i N_i w_i,   R_i = N_i w_i / W
+/// ```
+///
+/// so the curve is linear in its dofs. Where the weights are dofs too it is [`NurbsWeighted`](super::NurbsWeighted).
+///
+/// Source: L. Piegl, W. Tiller, *The NURBS Book*, 2nd ed., sections 4.2 and 4.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nurbs<const P: usize> {
     span: BSpline<P>,

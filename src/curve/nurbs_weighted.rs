@@ -1,23 +1,4 @@
 //! One span of a non-uniform rational B-spline whose weights are degrees of freedom.
-//!
-//! Dofs, node-major: (x, y, z, w) of every control point, the coordinates in the user's unit of length, the weight
-//! without unit and positive; `N = 4 P`. The span, its knots and its control points are those of [`BSpline`]; the
-//! formula is that of [`Nurbs`](super::Nurbs), x = A / W. It is not linear in the weights.
-//!
-//! # Derivation
-//! All derivatives follow from Leibniz' rule for A = W x, each solved for the highest derivative of x:
-//!
-//! ```math
-//! A^(k)   = sum_j binomial(k, j) W^(j) x^(k-j)
-//! d A^(k) = sum_j binomial(k, j) (dW^(j) x^(k-j) + W^(j) dx^(k-j))
-//! DdA^(k) = sum_j binomial(k, j) (dW^(j) Dx^(k-j) + DW^(j) dx^(k-j) + W^(j) Ddx^(k-j))
-//! ```
-//!
-//! where A is varied as dA = sum N_i (dw_i P_i + w_i dP_i), DdA = sum N_i (dw_i DP_i + Dw_i dP_i), and DdW = 0.
-//! The origin is laid into the point x itself, which loses no digits far from the user's origin: with P_i - x for
-//! P_i, x^(0) is nought in the first two rows.
-//!
-//! Source: L. Piegl, W. Tiller, *The NURBS Book*, 2nd ed., section 4.3, for the first row; the others by variation.
 
 use super::nurbs::{leibniz, rational_bound};
 use super::shapes::by_order;
@@ -26,6 +7,25 @@ use crate::number::Real;
 use nalgebra::{SVector, Vector3, Vector4};
 
 /// One span of a rational B-spline of degree `P` - 1 with its weights among the dofs.
+///
+/// Dofs, node-major: (x, y, z, w) of every control point, the coordinates in the user's unit of length, the weight
+/// without unit and positive; `N = 4 P`. The span, its knots and its control points are those of [`BSpline`]; the
+/// formula is that of [`Nurbs`](super::Nurbs), x = A / W. It is not linear in the weights.
+///
+/// # Derivation
+/// All derivatives follow from Leibniz' rule for A = W x, each solved for the highest derivative of x:
+///
+/// ```math
+/// A^(k)   = sum_j binomial(k, j) W^(j) x^(k-j)
+/// d A^(k) = sum_j binomial(k, j) (dW^(j) x^(k-j) + W^(j) dx^(k-j))
+/// DdA^(k) = sum_j binomial(k, j) (dW^(j) Dx^(k-j) + DW^(j) dx^(k-j) + W^(j) Ddx^(k-j))
+/// ```
+///
+/// where A is varied as dA = sum N_i (dw_i P_i + w_i dP_i), DdA = sum N_i (dw_i DP_i + Dw_i dP_i), and DdW = 0.
+/// The origin is laid into the point x itself, which loses no digits far from the user's origin: with P_i - x for
+/// P_i, x^(0) is nought in the first two rows.
+///
+/// Source: L. Piegl, W. Tiller, *The NURBS Book*, 2nd ed., section 4.3, for the first row; the others by variation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NurbsWeighted<const P: usize> {
     span: BSpline<P>,

@@ -1,29 +1,5 @@
 //! The motion along a screw line, of which the circle is the one without pitch: what [`Arc`](super::Arc) and
 //! [`Helix`](super::Helix) have in common.
-//!
-//! # Derivation
-//! With phi = phase + alpha xi, y = (r cos phi, r sin phi, h alpha xi / (2 pi)) and a rotation R,
-//!
-//! ```math
-//! x = c + R y
-//! ```
-//!
-//! The orientation is an unnormalised quaternion p = (w, u). Every p other than nought is the rotation
-//! R(p) = M(p) / |p|^2, M(p) v = B(p, p) v with
-//!
-//! ```math
-//! B(p, p') v = (w w' - u . u') v + (u . v) u' + (u' . v) u + w u' x v + w' u x v
-//! ```
-//!
-//! symmetric and linear in both, so there is neither a constraint nor a singular chart. Leibniz' rule for
-//! |p|^2 (R v) = M v, solved for the variations of R:
-//!
-//! ```math
-//! |p|^2 dR v  = 2 B(p, dp) v - 2 (p . dp) R v
-//! |p|^2 DdR v = 2 B(Dp, dp) v - 2 (Dp . dp) R v - 2 (p . dp) DR v - 2 (p . Dp) dR v
-//! ```
-//!
-//! Source: K. Shoemake, "Animating rotation with quaternion curves", 1985, doi:10.1145/325165.325242, for R(p).
 
 use super::{Geometry, Jet};
 use crate::number::Real;
@@ -81,6 +57,30 @@ impl<T: Real> Screw<T> {
 }
 
 /// What the variations of an [`Arc`](super::Arc) or a [`Helix`](super::Helix) at one parameter need.
+///
+/// # Derivation
+/// With phi = phase + alpha xi, y = (r cos phi, r sin phi, h alpha xi / (2 pi)) and a rotation R,
+///
+/// ```math
+/// x = c + R y
+/// ```
+///
+/// The orientation is an unnormalised quaternion p = (w, u). Every p other than nought is the rotation
+/// R(p) = M(p) / |p|^2, M(p) v = B(p, p) v with
+///
+/// ```math
+/// B(p, p') v = (w w' - u . u') v + (u . v) u' + (u' . v) u + w u' x v + w' u x v
+/// ```
+///
+/// symmetric and linear in both, so there is neither a constraint nor a singular chart. Leibniz' rule for
+/// |p|^2 (R v) = M v, solved for the variations of R:
+///
+/// ```math
+/// |p|^2 dR v  = 2 B(p, dp) v - 2 (p . dp) R v
+/// |p|^2 DdR v = 2 B(Dp, dp) v - 2 (Dp . dp) R v - 2 (p . dp) DR v - 2 (p . Dp) dR v
+/// ```
+///
+/// Source: K. Shoemake, "Animating rotation with quaternion curves", 1985, doi:10.1145/325165.325242, for R(p).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScrewDofs<T> {
     screw: Screw<T>,

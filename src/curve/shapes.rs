@@ -87,6 +87,11 @@ impl<T: Real, const P: usize, const N: usize> DofDerivatives<T, N> for Shapes<T,
     const LINEAR: bool = true;
 
     #[inline]
+    fn shapes(&self, k: usize) -> Option<&[T]> {
+        Some(&self.derivatives[k])
+    }
+
+    #[inline]
     fn variation(&self, k: usize, dq: &SVector<T, N>) -> Vector3<T> {
         combine(&self.derivatives[k], dq)
     }

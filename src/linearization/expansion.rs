@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
 /// A symmetric matrix over the dofs of both beams: the two square blocks in full, and the block between them.
 ///
@@ -19,42 +19,33 @@ pub struct DofMatrix<T, const N: usize, const M: usize> {
 
 impl<T: Real, const N: usize, const M: usize> DofMatrix<T, N, M> {
     /// The zero matrix.
+    #[inline]
     pub fn zeros() -> Self {
         Self { beam: SMatrix::zeros(), mixed: SMatrix::zeros(), bar: SMatrix::zeros() }
     }
 
-    /// Adds factor * other.
+    /// Becomes the sum of factor * matrix over all `matrices` and of u v^T + v u^T over all `pairs` (u, v), in one pass.
     #[inline]
-    pub fn add(&mut self, factor: T, other: &Self) {
-        self.beam += other.beam * factor;
-        self.mixed += other.mixed * factor;
-        self.bar += other.bar * factor;
-    }
-
-    /// Adds u v^T + v u^T.
-    #[inline]
-    pub fn add_symmetric(&mut self, u: &DofVector<T, N, M>, v: &DofVector<T, N, M>) {
-        for j in 0..N {
-            for i in 0..N {
-                self.beam[(i, j)] += u.beam[i] * v.beam[j] + v.beam[i] * u.beam[j];
-            }
-        }
-        for j in 0..M {
-            for i in 0..N {
-                self.mixed[(i, j)] += u.beam[i] * v.bar[j] + v.beam[i] * u.bar[j];
-            }
-            for i in 0..M {
-                self.bar[(i, j)] += u.bar[i] * v.bar[j] + v.bar[i] * u.bar[j];
-            }
-        }
-    }
-
-    /// Multiplies every entry.
-    #[inline]
-    pub fn scale(&mut self, factor: T) {
-        self.beam *= factor;
-        self.mixed *= factor;
-        self.bar *= factor;
+    pub fn set_sum<const L: usize, const K: usize>(
+        &mut self,
+        matrices: [(T, &Self); L],
+        pairs: [(&DofVector<T, N, M>, &DofVector<T, N, M>); K],
+    ) {
+        set_block(
+            &mut self.beam,
+            matrices.map(|(factor, m)| (factor, &m.beam)),
+            pairs.map(|(u, v)| [(&u.beam, &v.beam), (&v.beam, &u.beam)]),
+        );
+        set_block(
+            &mut self.mixed,
+            matrices.map(|(factor, m)| (factor, &m.mixed)),
+            pairs.map(|(u, v)| [(&u.beam, &v.bar), (&v.beam, &u.bar)]),
+        );
+        set_block(
+            &mut self.bar,
+            matrices.map(|(factor, m)| (factor, &m.bar)),
+            pairs.map(|(u, v)| [(&u.bar, &v.bar), (&v.bar, &u.bar)]),
+        );
     }
 
     /// dq^T self Dq: the second variation in two directions.
@@ -91,6 +82,28 @@ impl<T: Real, const N: usize, const M: usize> DofMatrix<T, N, M> {
     }
 }
 
+/// A block of [`DofMatrix::set_sum`]: factor * matrix over all `matrices` and u v^T over all `products` (u, v).
+#[inline]
+fn set_block<T: Real, const N: usize, const M: usize, const L: usize, const K: usize>(
+    block: &mut SMatrix<T, N, M>,
+    matrices: [(T, &SMatrix<T, N, M>); L],
+    products: [[(&SVector<T, N>, &SVector<T, M>); 2]; K],
+) {
+    // Along the columns, as the entries lie in memory, so that the compiler takes several at once.
+    for (j, column) in block.data.0.iter_mut().enumerate() {
+        for (i, entry) in column.iter_mut().enumerate() {
+            let mut sum = T::zero();
+            for (factor, matrix) in matrices {
+                sum += matrix.data.0[j][i] * factor;
+            }
+            for [(u, v), (y, z)] in products {
+                sum += u[i] * v[j] + y[i] * z[j];
+            }
+            *entry = sum;
+        }
+    }
+}
+
 /// A quantity to second order in the dofs: value, gradient and Hessian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expansion<T, const N: usize, const M: usize> {
@@ -100,6 +113,14 @@ pub struct Expansion<T, const N: usize, const M: usize> {
     pub gradient: DofVector<T, N, M>,
     /// The Hessian.
     pub hessian: DofMatrix<T, N, M>,
+}
+
+impl<T: Real, const N: usize, const M: usize> Expansion<T, N, M> {
+    /// The number zero.
+    #[inline]
+    pub fn zero() -> Self {
+        Self { value: T::zero(), gradient: DofVector::zeros(), hessian: DofMatrix::zeros() }
+    }
 }
 
 /// All scalar quantities to second order in all dofs.
@@ -132,5 +153,12 @@ impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
         // Eq. (11), (18), (19): g_N = d − (r + r̄)   δg_N = δd   Δδg_N = Δδd
         let radii = T::from(contact.radius) + T::from(contact.radius_bar);
         Expansion { value: self.d.value - radii, ..self.d }
+    }
+
+    /// Zeros, to be written over by [`Matrices::write_all`](crate::linearization::closed_form::Matrices::write_all).
+    #[inline]
+    pub fn zeros() -> Self {
+        let zero = Expansion::zero;
+        Self { d: zero(), t: zero(), t_bar: zero(), xi: zero(), xi_bar: zero(), g_t: zero(), g_t_bar: zero() }
     }
 }

@@ -95,9 +95,10 @@ field_from_operators!([] Bounded);
 
 impl Real for Bounded {
     fn sqrt(self) -> Self {
-        // |√v - √e| = |v - e| / (√v + √e), and e may be 0.
+        // |√v - √e| = |v - e| / (√v + √e), and e may be 0; so may v, and the root of -0.0 is -0.0.
         let value = self.value.sqrt();
-        let inherited = if self.bound == 0.0 { 0.0 } else { (self.bound / value).min(self.bound.sqrt()) };
+        let inherited =
+            if self.bound == 0.0 { 0.0 } else { (self.bound / value.abs()).min(self.bound.sqrt()) };
         Self::rounded(value, inherited)
     }
 

@@ -24,19 +24,23 @@ impl<T: Real> Padded<T> {
     /// Fills a jet up.
     pub(crate) fn fill<U: DofDerivatives<T, N>, const N: usize>(jet: &Jet<T, U>) -> Jet<T, Self> {
         const { assert!(N <= DOFS, "the family has more dofs than the gate provides for") };
-        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
         let jacobians = std::array::from_fn(|k| {
             let mut padded = SMatrix::<T, 3, DOFS>::zeros();
             padded.fixed_columns_mut::<N>(0).copy_from(&jet.dofs.jacobian(k));
             padded
         });
-        let square = |k: usize, axis: &Vector3<T>| {
-            let mut padded = Square::<T>::zeros();
-            padded.fixed_view_mut::<N, N>(0, 0).copy_from(&jet.dofs.hessian(k, axis));
+        let unit = |i: usize| SVector::<T, N>::from_fn(|j, _| if i == j { T::one() } else { T::zero() });
+        let squares = |k: usize| {
+            let mut padded = [Square::<T>::zeros(); 3];
+            for (i, j) in (0..N).flat_map(|i| (0..N).map(move |j| (i, j))) {
+                let entry = jet.dofs.second_variation(k, &unit(i), &unit(j));
+                for c in 0..3 {
+                    padded[c][(i, j)] = entry[c];
+                }
+            }
             padded
         };
-        let second =
-            (!U::LINEAR).then(|| Box::new([0, 1].map(|k| axes.each_ref().map(|axis| square(k, axis)))));
+        let second = (!U::LINEAR).then(|| Box::new([squares(0), squares(1)]));
         Jet { geometry: jet.geometry, dofs: Self { jacobians, second } }
     }
 

@@ -77,6 +77,19 @@ proptest! {
     }
 
     #[test]
+    fn bounded_passes_on_the_errors_of_its_operands(
+        f in expression(), x in pair(), bounds in pair(), size in -12..-2_i32,
+    ) {
+        let bounds = bounds.map(|bound| bound * 10_f64.powi(size));
+        let bounded = f.evaluate([0, 1].map(|i| Bounded::new(x[i], bounds[i].abs())));
+        let exact = f.evaluate([0, 1].map(|i| DoubleDouble::from(x[i]) + DoubleDouble::from(bounds[i])));
+        if bounded.value.is_finite() && exact.value().is_finite() {
+            let error = distance(DoubleDouble::from(bounded.value), exact);
+            prop_assert!(error <= bounded.bound, "{bounded:?} is {error:e} off");
+        }
+    }
+
+    #[test]
     fn magnitude_is_not_below_the_value(f in expression(), x in pair()) {
         let size = f.evaluate(x.map(Magnitude::from));
         let value = f.evaluate(x);
@@ -125,6 +138,12 @@ fn double_double_sine_and_cosine_of_one_are_those_of_the_tables() {
     let table = |high: f64, low: f64| DoubleDouble::from(high) + DoubleDouble::from(low);
     assert!(distance(sin, table(0.841_470_984_807_896_5, 1.776_845_092_935_536e-18)) <= DOUBLE_DOUBLE);
     assert!(distance(cos, table(0.540_302_305_868_139_8, -4.760_954_612_604_417e-17)) <= DOUBLE_DOUBLE);
+}
+
+#[test]
+fn root_of_negative_nought_has_a_bound() {
+    let root = Bounded::new(-0.0, 1e-4).sqrt();
+    assert!((root.bound - 1e-2).abs() <= f64::EPSILON);
 }
 
 /// The trap that every comparison of dual numbers has to avoid.

@@ -4,7 +4,7 @@ use super::evaluate::{Perturbed, PositionAt, evaluate};
 use super::lift::{Chord, newton, stationary};
 use crate::closest_point::{Active, ClosestPoint};
 use crate::curve::Curve;
-use crate::linearization::{DofMatrix, Expansion, Quantities, Varied};
+use crate::linearization::{Expansion, Quantities, Varied};
 use crate::pair::{Contact, DofVector, Pair};
 use nalgebra::{Const, SMatrix, SVector, U1};
 use num_dual::{Dual, Dual2SVec, Dual2SVec64, DualSVec, HyperDual64};
@@ -99,8 +99,7 @@ pub fn expand_by_sweep<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDual64>) -> [HyperDual64; K],
 ) -> [Expansion<f64, N, M>; K] {
-    let mut expansions =
-        [Expansion { value: 0.0, gradient: DofVector::zeros(), hessian: DofMatrix::zeros() }; K];
+    let mut expansions = [Expansion::zero(); K];
     let at = (point.xi, point.xi_bar);
     let unit = DofVector::<f64, N, M>::unit;
     for j in 0..N + M {
@@ -142,8 +141,7 @@ pub fn expand_by_vector_dual<
     pick(evaluate(&beam, &bar, lifted, &pair.contact)).map(|number| {
         let gradient: SMatrix<f64, 1, S> = number.v1.unwrap_generic(U1, Const::<S>);
         let hessian: SMatrix<f64, S, S> = number.v2.unwrap_generic(Const::<S>, Const::<S>);
-        let mut expansion =
-            Expansion { value: number.re, gradient: DofVector::zeros(), hessian: DofMatrix::zeros() };
+        let mut expansion = Expansion { value: number.re, ..Expansion::zero() };
         for j in 0..S {
             expansion.gradient.set(j, gradient[j]);
             for i in 0..=j {

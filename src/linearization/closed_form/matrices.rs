@@ -94,34 +94,51 @@ where
     #[doc(alias = "Eq. (57)")]
     #[inline]
     pub fn d(&self) -> Expansion<T, N, M> {
+        let mut d = Expansion::zero();
+        self.write_d(&mut d);
+        d
+    }
+
+    /// [`Matrices::d`], written over `to`.
+    #[inline]
+    pub fn write_d(&self, to: &mut Expansion<T, N, M>) {
         let Projection { a, b, a_bar, .. } = self.projection;
+        let (x, y) = (&self.jet.dofs, &self.jet_bar.dofs);
+        let Expansion { value, gradient, hessian } = to;
         // Eq. (4), (37): ∇d = Gᵀn
-        let value = self.d.dot(&self.d).sqrt();
-        let one = T::one();
-        let n = self.d * (one / value);
-        let gradient =
-            DofVector { beam: self.jet.dofs.gradient(0, &n), bar: -self.jet_bar.dofs.gradient(0, &n) };
+        *value = self.d.dot(&self.d).sqrt();
+        let (inverse, half) = (T::one() / *value, T::from(0.5));
+        let n = self.d * inverse;
+        *gradient = DofVector { beam: x.gradient(0, &n), bar: -y.gradient(0, &n) };
         // Eq. (40): H = [Gᵀ(I − nnᵀ)G − a ggᵀ + b(gḡᵀ + ḡgᵀ) + ā ḡḡᵀ]/d + K_x(n) − K_x̄(n)
-        let (a0, b0) = (self.jet.dofs.jacobian(0), self.jet_bar.dofs.jacobian(0));
-        let mut hessian = DofMatrix { beam: a0.tr_mul(&a0), mixed: -a0.tr_mul(&b0), bar: b0.tr_mul(&b0) };
-        let half = T::from(0.5);
-        hessian.add_symmetric(&gradient, &gradient.times(-half));
-        hessian.add_symmetric(&self.g, &self.g.times(-half * a).plus(b, &self.g_bar));
-        hessian.add_symmetric(&self.g_bar, &self.g_bar.times(half * a_bar));
-        hessian.scale(one / value);
+        let (g, g_bar) = (&self.g, &self.g_bar);
+        let with_n = gradient.times(-half * inverse);
+        let with_g = g.times(-half * a * inverse).plus(b * inverse, g_bar);
+        let with_g_bar = g_bar.times(half * a_bar * inverse);
+        hessian.set_sum([], [(gradient, &with_n), (g, &with_g), (g_bar, &with_g_bar)]);
+        add_product(&mut hessian.beam, inverse, (x, 0), (x, 0));
+        add_product(&mut hessian.mixed, -inverse, (x, 0), (y, 0));
+        add_product(&mut hessian.bar, inverse, (y, 0), (y, 0));
         if !U::LINEAR {
-            hessian.beam += self.jet.dofs.hessian(0, &n);
+            hessian.beam += x.hessian(0, &n);
         }
         if !V::LINEAR {
-            hessian.bar -= self.jet_bar.dofs.hessian(0, &n);
+            hessian.bar -= y.hessian(0, &n);
         }
-        Expansion { value, gradient, hessian }
     }
 
     /// The Hessians of xi and xi_bar.
     #[doc(alias = "Eq. (59)")]
     #[inline]
     pub fn parameters(&self) -> [DofMatrix<T, N, M>; 2] {
+        let mut hessians = [DofMatrix::zeros(); 2];
+        self.write_parameters(hessians.each_mut());
+        hessians
+    }
+
+    /// [`Matrices::parameters`], written over `to`.
+    #[inline]
+    pub fn write_parameters(&self, to: [&mut DofMatrix<T, N, M>; 2]) {
         let (x, y) = (&self.jet.geometry, &self.jet_bar.geometry);
         let (a, b) = (&self.jet.dofs, &self.jet_bar.dofs);
         let (d, g, g_bar) = (&self.d, &self.g, &self.g_bar);
@@ -145,56 +162,49 @@ where
         let beta_bar = DofVector { beam: a.gradient(1, &y.t), bar: b.gradient(1, &x.t) }
             .plus(half * y.t.dot(&x.t_xi), g);
 
-        // C = GᵀA₁ + A₁ᵀG + K_x(t) − K_x̄(t) + K_x,ξ(d)   C̄ = GᵀB₁ + B₁ᵀG + K_x(t̄) − K_x̄(t̄) + K_x̄,ξ̄(d)
-        let [a0, a1] = [a.jacobian(0), a.jacobian(1)];
-        let [b0, b1] = [b.jacobian(0), b.jacobian(1)];
-        let twice = a0.tr_mul(&a1);
-        let twice_bar = b0.tr_mul(&b1);
-        let mut c =
-            DofMatrix { beam: twice + twice.transpose(), mixed: -a1.tr_mul(&b0), bar: SMatrix::zeros() };
-        let mut c_bar = DofMatrix {
-            beam: SMatrix::zeros(),
-            mixed: a0.tr_mul(&b1),
-            bar: -(twice_bar + twice_bar.transpose()),
-        };
-        if !U::LINEAR {
-            c.beam += a.hessian(0, &x.t) + a.hessian(1, d);
-            c_bar.beam += a.hessian(0, &y.t);
-        }
-        if !V::LINEAR {
-            c.bar -= b.hessian(0, &x.t);
-            c_bar.bar += b.hessian(1, d) - b.hessian(0, &y.t);
-        }
-
         // H_ξ = (ā P + b P̄)/D   H_ξ̄ = (−b P + a P̄)/D, each P sorted by g and ḡ
-        self.projection.inverse().map(|[p, q]| {
-            let mut hessian = DofMatrix::zeros();
-            hessian.add(-p, &c);
-            hessian.add(-q, &c_bar);
-            hessian.add_symmetric(g, &alpha.times(-p).plus(-q, &beta_bar));
-            hessian.add_symmetric(g_bar, &alpha_bar.times(-q).plus(-p, &beta));
-            hessian
-        })
+        for (hessian, [p, q]) in to.into_iter().zip(self.projection.inverse()) {
+            let with_g = alpha.times(-p).plus(-q, &beta_bar);
+            let with_g_bar = alpha_bar.times(-q).plus(-p, &beta);
+            hessian.set_sum([], [(g, &with_g), (g_bar, &with_g_bar)]);
+            // C = GᵀA₁ + A₁ᵀG + K_x(t) − K_x̄(t) + K_x,ξ(d)   C̄ = GᵀB₁ + B₁ᵀG + K_x(t̄) − K_x̄(t̄) + K_x̄,ξ̄(d)
+            add_product(&mut hessian.beam, -p, (a, 0), (a, 1));
+            add_product(&mut hessian.beam, -p, (a, 1), (a, 0));
+            add_product(&mut hessian.mixed, p, (a, 1), (b, 0));
+            add_product(&mut hessian.mixed, -q, (a, 0), (b, 1));
+            add_product(&mut hessian.bar, q, (b, 0), (b, 1));
+            add_product(&mut hessian.bar, q, (b, 1), (b, 0));
+            // K is linear in its vector.
+            if !U::LINEAR {
+                hessian.beam -= a.hessian(0, &(x.t * p + y.t * q)) + a.hessian(1, &(d * p));
+            }
+            if !V::LINEAR {
+                hessian.bar += b.hessian(0, &(x.t * p + y.t * q)) - b.hessian(1, &(d * q));
+            }
+        }
     }
 
     /// All scalar quantities; the slips are measured from the reference parameters of `contact`.
     ///
     /// `xi` and `xi_bar` are the parameters of the closest point, at which the jets were taken.
-    pub fn all(&self, (xi, xi_bar): (T, T), contact: &Contact) -> Linearization<T, N, M> {
-        let [h_xi, h_xi_bar] = self.parameters();
-        let xi = Expansion { value: xi, gradient: self.g, hessian: h_xi };
-        let xi_bar = Expansion { value: xi_bar, gradient: self.g_bar, hessian: h_xi_bar };
-        let t = self.norm(VectorQuantity::T, [&xi, &xi_bar]);
-        let t_bar = self.norm(VectorQuantity::TBar, [&xi, &xi_bar]);
-        Linearization {
-            d: self.d(),
-            g_t: slip(&t, &xi, contact.xi_0),
-            g_t_bar: slip(&t_bar, &xi_bar, contact.xi_bar_0),
-            t,
-            t_bar,
-            xi,
-            xi_bar,
-        }
+    pub fn all(&self, at: (T, T), contact: &Contact) -> Linearization<T, N, M> {
+        let mut all = Linearization::zeros();
+        self.write_all(at, contact, &mut all);
+        all
+    }
+
+    /// [`Matrices::all`], written over `to`.
+    #[inline]
+    pub fn write_all(&self, (at, at_bar): (T, T), contact: &Contact, to: &mut Linearization<T, N, M>) {
+        let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar } = to;
+        self.write_d(d);
+        (xi.value, xi.gradient) = (at, self.g);
+        (xi_bar.value, xi_bar.gradient) = (at_bar, self.g_bar);
+        self.write_parameters([&mut xi.hessian, &mut xi_bar.hessian]);
+        self.write_t(xi, t);
+        self.write_t_bar(xi_bar, t_bar);
+        write_slip(t, xi, contact.xi_0, g_t);
+        write_slip(t_bar, xi_bar, contact.xi_bar_0, g_t_bar);
     }
 
     /// w . v for a fixed vector w and a vector quantity v; unit vectors for w give its components.
@@ -223,25 +233,26 @@ where
             0 => (w.dot(&of.t), w.dot(&of.t_xi)),
             _ => (w.dot(&of.t_xi), w.dot(&of.t_xixi)),
         };
-        let mut gradient = DofVector::zeros();
-        let mut hessian = DofMatrix::zeros();
         let half = T::from(0.5);
         // Hess(w·x_C) = (w·t) H_ξ + S_x(w)   Hess(w·x_C,ξ) = (w·t,ξ) H_ξ + S_t(w)
+        let (mut gradient, mut hessian) = (DofVector::zeros(), DofMatrix::zeros());
         if let Some(sign) = beam {
             let (first, second) = slopes(x);
             let own = DofVector::of_beam(self.jet.dofs.gradient(k, w));
             let along = DofVector::of_beam(self.jet.dofs.gradient(k + 1, w));
-            gradient = gradient.plus(sign, &own).plus(sign * first, &xi.gradient);
-            hessian.add(sign * first, &xi.hessian);
-            hessian.add_symmetric(&xi.gradient.times(sign), &along.plus(half * second, &xi.gradient));
+            gradient = own.plus(first, &xi.gradient).times(sign);
+            let with = along.plus(half * second, &xi.gradient).times(sign);
+            hessian.set_sum([(sign * first, &xi.hessian)], [(&xi.gradient, &with)]);
         }
         if let Some(sign) = bar {
             let (first, second) = slopes(y);
             let own = DofVector::of_bar(self.jet_bar.dofs.gradient(k, w));
             let along = DofVector::of_bar(self.jet_bar.dofs.gradient(k + 1, w));
-            gradient = gradient.plus(sign, &own).plus(sign * first, &xi_bar.gradient);
-            hessian.add(sign * first, &xi_bar.hessian);
-            hessian.add_symmetric(&xi_bar.gradient.times(sign), &along.plus(half * second, &xi_bar.gradient));
+            gradient = gradient.plus(sign, &own.plus(first, &xi_bar.gradient));
+            let with = along.plus(half * second, &xi_bar.gradient).times(sign);
+            let beam = hessian;
+            hessian
+                .set_sum([(T::one(), &beam), (sign * first, &xi_bar.hessian)], [(&xi_bar.gradient, &with)]);
         }
         if !U::LINEAR
             && let Some(sign) = beam
@@ -256,44 +267,93 @@ where
         Expansion { value, gradient, hessian }
     }
 
-    /// t or t_bar, from the tangent vector.
-    fn norm(&self, quantity: VectorQuantity, parameters: [&Expansion<T, N, M>; 2]) -> Expansion<T, N, M> {
-        let own_bar = quantity == VectorQuantity::TBar;
-        let geometry = if own_bar { &self.jet_bar.geometry } else { &self.jet.geometry };
-        let value = geometry.t.dot(&geometry.t).sqrt();
-        let (one, half) = (T::one(), T::from(0.5));
-        let w = geometry.t * (one / value);
-        // ∇t = J_tᵀ(t/t)   H_t = Hess(w·t) + (J_tᵀJ_t − ∇t∇tᵀ)/t with w = t/t held fixed
-        let Expansion { gradient, mut hessian, .. } = self.vector(quantity, &w, parameters);
-        let inverse = one / value;
-        // J_tᵀJ_t = A₁ᵀA₁ + sym(g, A₁ᵀt,ξ) + (t,ξ·t,ξ) ggᵀ
-        let (g, turned) = if own_bar {
-            let b1 = self.jet_bar.dofs.jacobian(1);
-            hessian.bar += b1.tr_mul(&b1) * inverse;
-            (&self.g_bar, DofVector::of_bar(self.jet_bar.dofs.gradient(1, &geometry.t_xi)))
-        } else {
-            let a1 = self.jet.dofs.jacobian(1);
-            hessian.beam += a1.tr_mul(&a1) * inverse;
-            (&self.g, DofVector::of_beam(self.jet.dofs.gradient(1, &geometry.t_xi)))
-        };
-        let squared = geometry.t_xi.dot(&geometry.t_xi);
-        hessian.add_symmetric(&g.times(inverse), &turned.plus(half * squared, g));
-        hessian.add_symmetric(&gradient, &gradient.times(-half * inverse));
-        Expansion { value, gradient, hessian }
+    /// t, written over `to`.
+    #[inline]
+    fn write_t(&self, xi: &Expansion<T, N, M>, to: &mut Expansion<T, N, M>) {
+        let of = &self.jet.dofs;
+        let gradient = |k, w: &Vector3<T>| DofVector::of_beam(of.gradient(k, w));
+        let (inverse, w) = write_length(&self.jet.geometry, gradient, xi, to);
+        add_product(&mut to.hessian.beam, inverse, (of, 1), (of, 1));
+        if !U::LINEAR {
+            to.hessian.beam += of.hessian(1, &w);
+        }
+    }
+
+    /// t_bar, written over `to`.
+    #[inline]
+    fn write_t_bar(&self, xi_bar: &Expansion<T, N, M>, to: &mut Expansion<T, N, M>) {
+        let of = &self.jet_bar.dofs;
+        let gradient = |k, w: &Vector3<T>| DofVector::of_bar(of.gradient(k, w));
+        let (inverse, w) = write_length(&self.jet_bar.geometry, gradient, xi_bar, to);
+        add_product(&mut to.hessian.bar, inverse, (of, 1), (of, 1));
+        if !V::LINEAR {
+            to.hessian.bar += of.hessian(1, &w);
+        }
     }
 }
 
-/// g_T = t (xi - xi_0), to second order.
-fn slip<T: Real, const N: usize, const M: usize>(
+/// Adds factor A_kᵀB_l to a block.
+#[inline]
+fn add_product<T: Real, U: DofDerivatives<T, N>, V: DofDerivatives<T, M>, const N: usize, const M: usize>(
+    block: &mut SMatrix<T, N, M>,
+    factor: T,
+    (a, k): (&U, usize),
+    (b, l): (&V, usize),
+) {
+    if let (Some(shapes), Some(shapes_bar)) = (a.shapes(k), b.shapes(l)) {
+        // Coordinates do not mix: A_k = [N₁I, N₂I, ..], so that A_kᵀB_l has a multiple of I for each pair of functions.
+        for (j, &shape_bar) in shapes_bar.iter().enumerate() {
+            for (i, &shape) in shapes.iter().enumerate() {
+                let product = shape * (shape_bar * factor);
+                for c in 0..3 {
+                    block[(3 * i + c, 3 * j + c)] += product;
+                }
+            }
+        }
+    } else {
+        // The column of B_l takes the place of w in the gradient of w·x,ξ..ξ.
+        let columns = b.jacobian(l) * factor;
+        for j in 0..M {
+            let mut column = block.column_mut(j);
+            column += a.gradient(k, &columns.column(j).into_owned());
+        }
+    }
+}
+
+/// The length of a tangent, but for A₁ᵀA₁/t + K_t(w) in its Hessian, written over `to`; returns 1/t and w = t/t.
+#[inline]
+fn write_length<T: Real, const N: usize, const M: usize>(
+    of: &Geometry<T>,
+    a_transposed: impl Fn(usize, &Vector3<T>) -> DofVector<T, N, M>,
+    xi: &Expansion<T, N, M>,
+    to: &mut Expansion<T, N, M>,
+) -> (T, Vector3<T>) {
+    let Expansion { value, gradient, hessian } = to;
+    *value = of.t.dot(&of.t).sqrt();
+    let (inverse, half, g) = (T::one() / *value, T::from(0.5), &xi.gradient);
+    let w = of.t * inverse;
+    // ∇t = J_tᵀw
+    let first = w.dot(&of.t_xi);
+    *gradient = a_transposed(1, &w).plus(first, g);
+    // H_t = (w·t,ξ) H_ξ + S_t(w) + (J_tᵀJ_t − ∇t∇tᵀ)/t with J_tᵀJ_t = A₁ᵀA₁ + sym(g, A₁ᵀt,ξ) + (t,ξ·t,ξ) ggᵀ
+    let squares = half * (w.dot(&of.t_xixi) + of.t_xi.dot(&of.t_xi) * inverse);
+    let with_g = a_transposed(2, &w).plus(inverse, &a_transposed(1, &of.t_xi)).plus(squares, g);
+    let with_gradient = gradient.times(-half * inverse);
+    hessian.set_sum([(first, &xi.hessian)], [(g, &with_g), (gradient, &with_gradient)]);
+    (inverse, w)
+}
+
+/// g_T = t (xi - xi_0), written over `to`.
+#[inline]
+fn write_slip<T: Real, const N: usize, const M: usize>(
     t: &Expansion<T, N, M>,
     xi: &Expansion<T, N, M>,
     xi_0: f64,
-) -> Expansion<T, N, M> {
+    to: &mut Expansion<T, N, M>,
+) {
     let slip = xi.value - T::from(xi_0);
     // Eq. (20): ∇g_T = (ξ − ξ₀)∇t + t g   Eq. (21): H = (ξ − ξ₀)H_t + ∇t gᵀ + g∇tᵀ + t H_ξ
-    let mut hessian = DofMatrix::zeros();
-    hessian.add(slip, &t.hessian);
-    hessian.add(t.value, &xi.hessian);
-    hessian.add_symmetric(&t.gradient, &xi.gradient);
-    Expansion { value: t.value * slip, gradient: t.gradient.times(slip).plus(t.value, &xi.gradient), hessian }
+    to.value = t.value * slip;
+    to.gradient = t.gradient.times(slip).plus(t.value, &xi.gradient);
+    to.hessian.set_sum([(slip, &t.hessian), (t.value, &xi.hessian)], [(&t.gradient, &xi.gradient)]);
 }
