@@ -124,7 +124,7 @@ pub(super) struct Verdict {
     pub(super) words: String,
 }
 
-fn verdict(summary: &Summary) -> Verdict {
+pub(super) fn verdict(summary: &Summary) -> Verdict {
     let compared = summary.compared();
     let apart: u64 = summary.regimes.values().map(|tally| tally.mismatches).sum();
     let left: u64 =
@@ -133,13 +133,11 @@ fn verdict(summary: &Summary) -> Verdict {
     let (exit, name, words) = match (compared, apart) {
         (0, _) => (Exit::Nothing, "nothing-compared", "NOTHING COMPARED: no closest point could be.".into()),
         (_, 0) => {
-            let words =
-                format!("AGREE: at {compared} {points} nothing differs by more than rounding explains.");
+            let words = format!("AGREE: at {compared} {points} nothing differs beyond rounding.");
             (Exit::Agree, "agree", words)
         }
         _ => {
-            let words =
-                format!("DISAGREE: {apart} of {compared} {points} differ by more than rounding explains.");
+            let words = format!("DISAGREE: {apart} of {compared} {points} differ beyond rounding.");
             (Exit::Disagree, "disagree", words)
         }
     };

@@ -168,3 +168,62 @@ pub(super) fn error(error: f64) -> String {
 fn case_of(cell: &Cell) -> Option<String> {
     (cell.scaled_error > 0.0).then(|| cell.case.to_string())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::check::{Checked, verdict};
+    use super::super::exit::Exit;
+    use super::document;
+    use beamgap::check::{Case, Cell, Family, Inconclusive, Order, Regime, Selection, Summary, Tally};
+    use beamgap::check::{Verdict, compare};
+    use beamgap::linearization::Quantity;
+    use std::collections::BTreeMap;
+
+    fn shown(summary: Summary) -> (Exit, String) {
+        let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1_000_000 };
+        let verdict = verdict(&summary);
+        let text = document(&Checked { seed: u64::MAX, selection, summary }, &verdict);
+        assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+        (verdict.exit, text)
+    }
+
+    #[test]
+    fn the_largest_run_fits_a_terminal() {
+        let worst = Cell { scaled_error: 1e-12, case: 51_857_137, over_tolerance: 1e-12, entries: 1 };
+        let count = 1_000_000;
+        let tally = Tally {
+            cases: count,
+            interior: count,
+            at_end: count,
+            mismatches: count,
+            worst,
+            inconclusive: BTreeMap::from([(Inconclusive::Unresolved, (count, worst.case))]),
+        };
+        let cells = Quantity::ALL.iter().flat_map(|&q| Order::ALL.map(|order| ((q, order), worst)));
+        shown(Summary {
+            cells: cells.collect(),
+            regimes: Regime::ALL.map(|regime| (regime, tally.clone())).into(),
+            families: Family::ALL.map(|family| (family, 18 * count)).into(),
+            ..Summary::default()
+        });
+    }
+
+    #[test]
+    fn a_disagreement_is_shown_with_the_command_that_repeats_it() {
+        let case = Case::draw(u64::MAX, 17);
+        let mut points = compare(&case);
+        let Verdict::Pass(mut entries) = points.remove(0).1 else { panic!("case 17 is a plain one") };
+        entries[4].other *= 1.0 + 1e-3;
+        let wrong = (None, Verdict::Mismatch(entries));
+        let (exit, text) = shown(Summary::of(&case, &[wrong]));
+        assert_eq!(exit, Exit::Disagree);
+        let told = "beamgap check --seed 0xffffffffffffffff --case 17\n";
+        assert!(text.contains(told) && text.contains("value of x.x (value), against"), "{text}");
+        assert!(text.contains("DISAGREE: 1 of 1 closest point"), "{text}");
+    }
+
+    #[test]
+    fn nothing_at_all_is_no_agreement() {
+        assert_eq!(shown(Summary::default()).0, Exit::Nothing);
+    }
+}

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// The width of a terminal.
+const COLUMNS: usize = 80;
+
 /// Rows of cells: the first column to the left, the others to the right.
 #[derive(Default)]
 pub(crate) struct Table {
@@ -33,6 +36,8 @@ impl fmt::Display for Table {
         let width =
             |i: usize| self.rows.iter().filter_map(|row| row.get(i)).map(|cell| cell.chars().count()).max();
         let widths: Vec<_> = (0..columns).map(|i| width(i).unwrap_or(0)).collect();
+        // Two blanks apart, or one where the terminal is too narrow for that.
+        let gap = if widths.iter().map(|width| width + 2).sum::<usize>() > COLUMNS { " " } else { "  " };
         for row in &self.rows {
             let mut line = String::new();
             for (i, (cell, width)) in row.iter().zip(&widths).enumerate() {
@@ -41,7 +46,7 @@ impl fmt::Display for Table {
                 } else {
                     format!("{cell:>width$}")
                 };
-                line.push_str("  ");
+                line.push_str(gap);
                 line.push_str(&cell);
             }
             writeln!(f, "{}", line.trim_end())?;

@@ -4,6 +4,7 @@ mod allocation;
 mod centroids;
 mod closed_form_equals_ad;
 mod closest_points;
+mod command_line;
 mod degenerate;
 mod every_minimum;
 mod invariances;

@@ -1,0 +1,281 @@
+//! The command line: what it prints, how it ends, and that it prints the same again.
+//!
+//! The golden files hold real output. The last digits of sine and power depend on the machine, so errors and the cases
+//! that show the worst of them are left out of the comparison; all else must be equal. `BEAMGAP_BLESS=1` writes them.
+
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+const SMALL: [&str; 5] = ["check", "--cases", "11", "--family", "segment"];
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_beamgap"));
+    command.args(arguments).env_remove("RAYON_NUM_THREADS");
+    command
+}
+
+fn run(arguments: &[&str]) -> Output {
+    command(arguments).output().unwrap()
+}
+
+fn small(more: &[&str]) -> Output {
+    run(&[&SMALL, more].concat())
+}
+
+/// Standard output of a run that must succeed in silence.
+fn stdout(output: &Output) -> String {
+    assert!(output.stderr.is_empty() && output.status.success(), "{output:?}");
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// Compares with a golden file, both seen through `blind`; or writes it.
+fn golden(name: &str, output: &str, blind: impl Fn(&str) -> String) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
+    if std::env::var_os("BEAMGAP_BLESS").is_some() {
+        std::fs::write(&path, output).unwrap();
+    }
+    let expected = std::fs::read_to_string(&path).unwrap();
+    assert_eq!(blind(output), blind(&expected), "BEAMGAP_BLESS=1 writes {name} again");
+}
+
+/// Tables without errors and without the cases that showed them.
+fn blind_text(text: &str) -> String {
+    let mut kept = usize::MAX;
+    let mut blind = String::new();
+    for line in text.lines() {
+        if !line.starts_with(' ') {
+            kept = match line.split_whitespace().next() {
+                Some("Worst" | "The") => 1,
+                Some("Regimes:") => 5,
+                _ => usize::MAX,
+            };
+        }
+        let tokens = line.split_whitespace().enumerate().map(|(i, token)| {
+            let number = token == "-" || token.parse::<f64>().is_ok();
+            if i >= kept && number { "#" } else { token }
+        });
+        blind += &(tokens.collect::<Vec<_>>().join(" ") + "\n");
+    }
+    blind
+}
+
+/// The same for the document.
+fn blind_json(text: &str) -> String {
+    fn hide(value: &mut Value) {
+        match value {
+            Value::Array(values) => values.iter_mut().for_each(hide),
+            Value::Object(entries) => {
+                for (key, value) in entries {
+                    match key.as_str() {
+                        "scaled_error" | "over_tolerance" | "case" => *value = Value::Null,
+                        _ => hide(value),
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    let mut document = serde_json::from_str(text).unwrap();
+    hide(&mut document);
+    serde_json::to_string_pretty(&document).unwrap()
+}
+
+/// A file of this test alone.
+fn scratch(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn tables_are_the_golden_ones() {
+    let text = stdout(&small(&[]));
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    golden("check.txt", &text, blind_text);
+}
+
+#[test]
+fn the_document_is_the_golden_one() {
+    golden("check.json", &stdout(&small(&["--format", "json"])), blind_json);
+}
+
+#[test]
+fn one_case_is_the_golden_one() {
+    // Of the text, what does not hang on last digits: the words, the names and the order.
+    let words = |text: &str| {
+        let number = |token: &&str| token.parse::<f64>().is_err();
+        let lines =
+            text.lines().map(|line| line.split_whitespace().filter(number).collect::<Vec<_>>().join(" "));
+        lines.filter(|line| !line.starts_with("Contact {")).collect::<Vec<_>>().join("\n")
+    };
+    golden("case.txt", &stdout(&run(&["check", "--case", "17"])), words);
+}
+
+#[test]
+fn the_help_fits_a_terminal_and_lists_the_exit_codes() {
+    for arguments in [&["--help"][..], &["check", "--help"]] {
+        let help = stdout(&run(arguments));
+        assert!(help.lines().all(|line| line.chars().count() <= 80), "{help}");
+        for code in ["   0  ", "   1  ", "   2  ", "   3  ", "   4  ", "   5  ", "  70  "] {
+            assert!(help.contains(code), "{code:?} is missing in {help}");
+        }
+    }
+}
+
+#[test]
+fn bad_input_is_one_line_and_a_code() {
+    let families = "segment, quadratic, cubic, hermite, hermite-scaled, bezier, bspline, nurbs, nurbs-weighted, \
+                    arc, helix";
+    let family =
+        format!("invalid value 'beam' for '--family <FAMILY>' [possible values: {families}] (see --help)");
+    let seed = "expected a decimal or 0x-hexadecimal number below 2^64 (see --help)";
+    let bad_seed = |seed_given: &str| format!("invalid value '{seed_given}' for '--seed <SEED>': {seed}");
+    let told = [
+        (&["check", "--family", "beam"][..], 2, family.as_str()),
+        (
+            &["check", "--cases", "0"],
+            2,
+            "invalid value '0' for '--cases <N>': 0 is not in 1..=1000000 (see --help)",
+        ),
+        (&["check", "--seed", "soon"], 2, &bad_seed("soon")),
+        (&["check", "--seed", "-1"], 2, &bad_seed("-1")),
+        (&["check", "--seed", "0x10000000000000000"], 2, &bad_seed("0x10000000000000000")),
+        (&["check", "--seed", "0x+1"], 2, &bad_seed("0x+1")),
+        (
+            &["check", "--famly", "arc"],
+            2,
+            "unexpected argument '--famly' found, tip: a similar argument exists: '--family' (see --help)",
+        ),
+        (
+            &["check", "--case", "1", "--cases", "2"],
+            2,
+            "the argument '--case <N>' cannot be used with '--cases <N>' (see --help)",
+        ),
+        (
+            &["check", "--threads", "0"],
+            2,
+            "invalid value '0' for '--threads <N>': 0 is not in 1..=1024 (see --help)",
+        ),
+        (
+            // Were it noticed last, this would take hours.
+            &["check", "--cases", "1000000", "--output", "/nowhere/at/all"],
+            3,
+            "cannot write /nowhere/at/all: No such file or directory (os error 2)",
+        ),
+    ];
+    for (arguments, code, line) in told {
+        let output = run(arguments);
+        assert_eq!(String::from_utf8_lossy(&output.stderr), format!("error: {line}\n"), "{arguments:?}");
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}");
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+    let none = run(&[]);
+    let line = String::from_utf8_lossy(&none.stderr);
+    assert!(
+        line.starts_with("error: 'beamgap' requires a subcommand") && line.lines().count() == 1,
+        "{line}"
+    );
+    assert_eq!(none.status.code(), Some(2));
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    for more in [&[][..], &["--format", "json"]] {
+        let mut child =
+            command(&[&SMALL, more].concat()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+    }
+}
+
+#[test]
+fn threads_do_not_matter() {
+    for format in ["human", "json"] {
+        let with = |threads: &str| {
+            let mut command = command(&["check", "--cases", "121", "--format", format]);
+            stdout(&command.env("RAYON_NUM_THREADS", threads).output().unwrap())
+        };
+        let one = with("1");
+        assert_eq!(one, with("2"));
+        assert_eq!(one, stdout(&run(&["check", "--cases", "121", "--format", format, "--threads", "3"])));
+    }
+}
+
+#[test]
+fn the_file_holds_what_standard_output_would() {
+    let path = scratch("check.txt");
+    // Longer than the document: none of it may be left.
+    std::fs::write(&path, "old\n".repeat(10_000)).unwrap();
+    let verdict = stdout(&small(&["--output", path.to_str().unwrap()]));
+    let document = stdout(&small(&[]));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), document);
+    assert!(verdict.starts_with("AGREE") && document.ends_with(&verdict), "{verdict}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_loses_nothing() {
+    let output = small(&["--output", "/dev/full"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert_eq!(output.stdout, small(&[]).stdout);
+    let line = String::from_utf8_lossy(&output.stderr);
+    assert!(line.starts_with("error: cannot write /dev/full, wrote to standard output instead"), "{line}");
+}
+
+#[test]
+fn seeds_are_decimal_or_hexadecimal() {
+    assert_eq!(small(&["--seed", "24301"]), small(&["--seed", "0x5EED"]));
+    assert_eq!(small(&[]), small(&["--seed", "0x5eed"]));
+    assert_ne!(small(&[]).stdout, small(&["--seed", "1"]).stdout);
+}
+
+#[test]
+fn a_regime_is_counted_once_however_often_it_is_named() {
+    let twice = small(&["--regime", "near-end", "--regime", "near-end", "--format", "json"]);
+    let document = json(&twice);
+    assert_eq!(document["selection"]["regimes"], serde_json::json!(["near-end"]));
+    assert_eq!(document["regimes"][0]["cases"], 11);
+}
+
+#[test]
+fn a_case_that_is_repeated_shows_the_error_of_the_run() {
+    let cells = json(&small(&["--format", "json"]))["quantities"].clone();
+    let cell = cells.as_array().unwrap().iter().find(|cell| cell["case"].is_u64()).unwrap();
+    let case = json(&run(&["check", "--case", &cell["case"].to_string(), "--format", "json"]));
+    let points = case["closest_points"].as_array().unwrap();
+    let errors = points.iter().flat_map(|point| point["entries"].as_array().unwrap()).filter_map(|entry| {
+        let same = entry["quantity"] == cell["quantity"] && entry["order"] == cell["order"];
+        same.then(|| entry["difference"].as_f64().unwrap() / entry["scale"].as_f64().unwrap())
+    });
+    let worst = errors.fold(0.0, f64::max);
+    assert_eq!(format!("{worst:.1e}").parse::<f64>().ok(), cell["scaled_error"].as_f64());
+}
+
+#[test]
+fn nothing_compared_is_no_success() {
+    let document =
+        json(&run(&["check", "--cases", "121", "--regime", "nearly-parallel", "--format", "json"]));
+    let mut nothing = 0;
+    for reason in document["regimes"][0]["not_compared"].as_array().unwrap() {
+        let number = reason["first_case"].to_string();
+        let output = run(&["check", "--case", &number, "--format", "json"]);
+        let case = json(&output);
+        let mut points = case["closest_points"].as_array().unwrap().iter();
+        let none = points.all(|point| point["verdict"] == "not-compared");
+        assert_eq!(output.status.code(), Some(if none { 4 } else { 0 }), "case {number}");
+        assert_eq!(case["verdict"], if none { "nothing-compared" } else { "agree" });
+        nothing += u32::from(none);
+    }
+    assert!(nothing > 0, "no case of these is without a comparison");
+}
+
+#[test]
+fn the_largest_numbers_are_taken() {
+    let largest = u64::MAX.to_string();
+    let output = run(&["check", "--seed", &largest, "--case", &largest]);
+    assert!(matches!(output.status.code(), Some(0 | 4)) && output.stderr.is_empty(), "{output:?}");
+}
