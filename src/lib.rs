@@ -8,3 +8,5 @@ pub mod pair;
 
 #[cfg(feature = "cli")]
 pub mod check;
+#[cfg(feature = "cli")]
+pub mod report;
