@@ -9,6 +9,7 @@ mod json;
 mod output;
 mod panics;
 mod prove;
+mod report;
 mod table;
 
 use clap::{Parser, Subcommand};
@@ -30,6 +31,8 @@ enum Command {
     Check(check::Check),
     /// Compare the two over a prime field, without a tolerance.
     Prove(prove::Prove),
+    /// Write the reports: what the gate finds now, and what `cargo bench` measured last.
+    Report(report::Report),
 }
 
 /// Does what the arguments of the process say.
@@ -49,11 +52,12 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
     panics::caught(|| match arguments.command {
         Command::Check(check) => check.run(),
         Command::Prove(prove) => prove.run(),
+        Command::Report(report) => report.run(),
     })
 }
 
 /// Says in one line on stderr what went wrong.
-pub(crate) fn report(error: &anyhow::Error) -> Exit {
+pub(crate) fn tell(error: &anyhow::Error) -> Exit {
     let (line, exit) = if let Some(wrong) = error.downcast_ref::<clap::Error>() {
         (one_line(&wrong.render().to_string()), Exit::Usage)
     } else if error.is::<panics::Panic>() {

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     match cli::run() {
         Ok(exit) => exit,
-        Err(error) => cli::report(&error),
+        Err(error) => cli::tell(&error),
     }
     .into()
 }

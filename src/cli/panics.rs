@@ -29,7 +29,7 @@ pub(crate) fn caught<T>(work: impl FnOnce() -> anyhow::Result<T>) -> anyhow::Res
 #[cfg(test)]
 mod tests {
     use super::caught;
-    use crate::cli::{exit::Exit, report};
+    use crate::cli::{exit::Exit, tell};
     use rayon::prelude::*;
 
     #[test]
@@ -41,6 +41,6 @@ mod tests {
         let error = caught(work).unwrap_err();
         let line = error.to_string();
         assert!(line.contains("no luck (src/cli/panics.rs:") && !line.contains('\n'), "{line}");
-        assert_eq!(report(&error), Exit::Internal);
+        assert_eq!(tell(&error), Exit::Internal);
     }
 }

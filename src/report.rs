@@ -1,0 +1,74 @@
+//! The reports: what the gate found and what criterion measured, as JSON of a stable form, and pages made of it alone.
+//!
+//! [`Crosscheck`] and [`Benchmark`] are the two records. Each is written as JSON; Markdown and SVG are pure functions of
+//! what is read back from there, so that whoever has the JSON can make the pages again, byte for byte.
+
+mod benchmark;
+mod benchmark_page;
+mod criterion;
+mod crosscheck;
+mod crosscheck_page;
+mod environment;
+mod error;
+mod interval;
+mod number;
+mod plot;
+
+pub use benchmark::{Benchmark, Measured, Ratio};
+pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory};
+pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
+pub use environment::Environment;
+pub use error::ReportError;
+pub use interval::{Spread, median_interval, spread};
+
+use crate::check::{self, Regime, Selection};
+use std::fs;
+use std::path::Path;
+
+/// The seed of a report.
+pub const SEED: u64 = 0x5eed;
+/// The cases of each regime in a report.
+pub const CASES: u64 = 10_000;
+
+/// Runs the gate over `cases` cases of each regime and writes `crosscheck.json` and `crosscheck.md` into the directory
+/// `to`; `done` is called after each case.
+///
+/// # Errors
+/// [`ReportError::Write`] if a file cannot be written.
+pub fn crosscheck(
+    to: &Path,
+    seed: u64,
+    cases: u64,
+    command: &str,
+    done: impl Fn() + Sync,
+) -> Result<Crosscheck, ReportError> {
+    let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
+    let summary = check::run(seed, &selection, done);
+    let json = Crosscheck::new(&summary, seed, cases, Environment::here(command)).to_json()?;
+    let record = Crosscheck::from_json(&json)?;
+    write(to, "crosscheck.json", &json)?;
+    write(to, "crosscheck.md", &record.to_markdown())?;
+    Ok(record)
+}
+
+/// Reads what criterion left in `from` and writes `benchmark.json`, `benchmark.md` and `benchmark.svg` into the
+/// directory `to`.
+///
+/// # Errors
+/// [`ReportError::NoMeasurements`] and its like if a piece is missing: they name it, and the command that makes it;
+/// [`ReportError::Write`] if a file cannot be written.
+pub fn benchmark(to: &Path, from: &Path) -> Result<Benchmark, ReportError> {
+    let json = Benchmark::read(from)?.to_json()?;
+    let record = Benchmark::from_json(&json)?;
+    write(to, "benchmark.json", &json)?;
+    write(to, "benchmark.md", &record.to_markdown())?;
+    write(to, "benchmark.svg", &record.to_svg()?)?;
+    Ok(record)
+}
+
+fn write(to: &Path, name: &str, text: &str) -> Result<(), ReportError> {
+    let path = to.join(name);
+    fs::create_dir_all(to)
+        .and_then(|()| fs::write(&path, text))
+        .map_err(|source| ReportError::Write { path, source })
+}

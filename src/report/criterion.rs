@@ -1,0 +1,108 @@
+//! What `cargo bench` leaves behind: criterion's files, whose form is criterion's own affair, and our verdicts.
+//!
+//! Of criterion's files only what cannot be missed is read: the name of a benchmark, and for each sample the number of
+//! iterations and their time. All else they hold, and whatever else lies in their directory, is passed over.
+
+use super::{Environment, ReportError};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+/// The file, next to criterion's, in which the benches leave their verdicts.
+pub const VERDICTS: &str = "beamgap-verdicts.json";
+
+/// What the benches found before they timed anything.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Verdicts {
+    /// Where they ran.
+    pub environment: Environment,
+    /// The scenarios, in the order in which they are to be shown.
+    pub scenarios: Vec<Verdict>,
+}
+
+/// How far one way's numbers are from another's.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// Task and size, as criterion's group.
+    pub group: String,
+    /// The way, as criterion's function.
+    pub way: String,
+    /// The largest difference, relative to the largest entry of its kind.
+    pub error: f64,
+    /// The most that is accepted.
+    pub tolerance: f64,
+}
+
+/// The samples of one benchmark, in nanoseconds an iteration, and when they were written.
+pub(super) struct Samples {
+    pub(super) times: Vec<f64>,
+    pub(super) written: SystemTime,
+}
+
+/// Where criterion writes, by the rules that it follows itself: `CRITERION_HOME`, or `criterion` in the target directory.
+pub fn criterion_directory() -> PathBuf {
+    let variable = |name| std::env::var_os(name).map(PathBuf::from);
+    variable("CRITERION_HOME")
+        .unwrap_or_else(|| variable("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()).join("criterion"))
+}
+
+impl Verdicts {
+    /// Writes the verdicts into criterion's directory.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`].
+    pub fn write(&self, directory: &Path) -> Result<(), ReportError> {
+        let json = serde_json::to_string_pretty(self)
+            .map_err(|source| ReportError::Format { what: VERDICTS.to_owned(), source })?;
+        super::write(directory, VERDICTS, &json)
+    }
+
+    /// Reads them, with the time at which they were written.
+    pub(super) fn read(directory: &Path) -> Result<(Self, SystemTime), ReportError> {
+        let path = directory.join(VERDICTS);
+        let Some((text, written)) = read(&path) else { return Err(ReportError::NoVerdicts { path }) };
+        let verdicts = serde_json::from_str(&text)
+            .map_err(|source| ReportError::Format { what: path.display().to_string(), source })?;
+        Ok((verdicts, written))
+    }
+}
+
+/// All that criterion measured, by group and function.
+pub(super) fn samples(directory: &Path) -> Result<BTreeMap<(String, String), Samples>, ReportError> {
+    #[derive(Deserialize)]
+    struct Name {
+        group_id: String,
+        function_id: Option<String>,
+    }
+    #[derive(Deserialize)]
+    struct Sample {
+        iters: Vec<f64>,
+        times: Vec<f64>,
+    }
+    let mut found = BTreeMap::new();
+    let mut open = vec![directory.to_owned()];
+    while let Some(directory) = open.pop() {
+        let entries = fs::read_dir(&directory).into_iter().flatten().flatten();
+        open.extend(entries.map(|entry| entry.path()).filter(|path| path.is_dir()));
+        if !directory.ends_with("new") {
+            continue;
+        }
+        let parts = (read(&directory.join("benchmark.json")), read(&directory.join("sample.json")));
+        let (Some((name, _)), Some((sample, written))) = parts else { continue };
+        let parsed = (serde_json::from_str::<Name>(&name), serde_json::from_str::<Sample>(&sample));
+        let (Ok(name), Ok(sample)) = parsed else { continue };
+        let times =
+            sample.times.iter().zip(&sample.iters).map(|(time, iterations)| time / iterations).collect();
+        found.insert((name.group_id, name.function_id.unwrap_or_default()), Samples { times, written });
+    }
+    if found.is_empty() {
+        return Err(ReportError::NoMeasurements { directory: directory.to_owned() });
+    }
+    Ok(found)
+}
+
+fn read(path: &Path) -> Option<(String, SystemTime)> {
+    Some((fs::read_to_string(path).ok()?, fs::metadata(path).ok()?.modified().ok()?))
+}

@@ -1,0 +1,85 @@
+//! Where and with what numbers were made.
+
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::process::Command;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// Where and with what numbers were made; what cannot be found out is `unknown`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Environment {
+    /// The processor.
+    pub cpu: String,
+    /// How many threads it runs at once.
+    pub cores: usize,
+    /// The system and its kernel.
+    pub kernel: String,
+    /// The compiler.
+    pub rustc: String,
+    /// The profile and RUSTFLAGS.
+    pub flags: String,
+    /// The commit, with `-dirty` if there were changes on top of it.
+    pub commit: String,
+    /// The day, in UTC.
+    pub date: String,
+    /// What was run.
+    pub command: String,
+}
+
+impl Environment {
+    /// Asks the system, git and rustc.
+    pub fn here(command: &str) -> Self {
+        let unknown = || "unknown".to_owned();
+        let run = |program: &str, arguments: &[&str]| {
+            let output = Command::new(program).args(arguments).output().ok()?;
+            output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+        };
+        let cpu = || {
+            let info = fs::read_to_string("/proc/cpuinfo").ok()?;
+            let line = info.lines().find(|line| line.starts_with("model name"))?;
+            Some(line.split_once(':')?.1.trim().to_owned())
+        };
+        let flags = std::env::var("RUSTFLAGS").unwrap_or_default();
+        let profile = if cfg!(debug_assertions) { "dev" } else { "release" };
+        Self {
+            cpu: cpu().unwrap_or_else(unknown),
+            cores: std::thread::available_parallelism().map_or(0, usize::from),
+            kernel: run("uname", &["-sr"]).unwrap_or_else(unknown),
+            rustc: run("rustc", &["--version"]).unwrap_or_else(unknown),
+            flags: format!(
+                "{profile} profile, RUSTFLAGS {}",
+                if flags.is_empty() { "empty" } else { &flags }
+            ),
+            commit: run("git", &["describe", "--always", "--dirty", "--exclude", "*"])
+                .unwrap_or_else(unknown),
+            date: today(),
+            command: command.to_owned(),
+        }
+    }
+
+    /// The rows of a table.
+    pub(super) fn rows(&self) -> String {
+        format!(
+            "| | |\n|---|---|\n| CPU | {}, {} cores |\n| kernel | {} |\n| compiler | {} |\n| flags | {} |\n\
+             | commit | {} |\n| date | {} |\n| command | `{}` |\n",
+            self.cpu, self.cores, self.kernel, self.rustc, self.flags, self.commit, self.date, self.command
+        )
+    }
+}
+
+/// The day in UTC, as year-month-day.
+///
+/// Source: H. Hinnant, "chrono-Compatible Low-Level Date Algorithms", 2013, `civil_from_days`.
+fn today() -> String {
+    let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+    // Days since 0000-03-01, in eras of 400 years.
+    let days = seconds / 86_400 + 719_468;
+    let (era, day_of_era) = (days / 146_097, days % 146_097);
+    let year_of_era = (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let shifted = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * shifted + 2) / 5 + 1;
+    let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
+    let year = 400 * era + year_of_era + u64::from(month <= 2);
+    format!("{year:04}-{month:02}-{day:02}")
+}

@@ -1,0 +1,62 @@
+//! Why a report could not be made.
+
+use std::path::PathBuf;
+
+/// Why a report could not be made.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// Criterion has not run, or not here.
+    #[error("no measurements in {}: run `cargo bench` first", .directory.display())]
+    NoMeasurements {
+        /// Where they were looked for.
+        directory: PathBuf,
+    },
+    /// The benches have not left their verdicts.
+    #[error("no verdicts in {}: run `cargo bench` first", .path.display())]
+    NoVerdicts {
+        /// The file that is missing.
+        path: PathBuf,
+    },
+    /// A scenario was verified but not timed since.
+    #[error("{scenario} was not timed after it was verified: run `cargo bench` without a filter")]
+    NotTimed {
+        /// The scenario.
+        scenario: String,
+    },
+    /// A scenario was verified and found wrong.
+    #[error("{scenario} is off by {error:e} of the largest entry, and nothing wrong is timed")]
+    Wrong {
+        /// The scenario.
+        scenario: String,
+        /// The largest error.
+        error: f64,
+    },
+    /// A file is not what it should be.
+    #[error("{what} cannot be read: {source}")]
+    Format {
+        /// The file, or the kind of file.
+        what: String,
+        /// What serde has to say.
+        source: serde_json::Error,
+    },
+    /// A record has another schema.
+    #[error("the schema is {found}, not {expected}")]
+    Schema {
+        /// What the record says.
+        found: String,
+        /// What was expected.
+        expected: &'static str,
+    },
+    /// A file cannot be written.
+    #[error("{} cannot be written: {source}", .path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// The picture cannot be drawn.
+    #[error("the picture cannot be drawn: {0}")]
+    Draw(String),
+}

@@ -1,0 +1,67 @@
+//! Medians with intervals that assume no distribution, and their ratios.
+
+use super::Ratio;
+
+/// Measured times, summed up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// The median.
+    pub median: f64,
+    /// The 95 % interval of the median.
+    pub interval: [f64; 2],
+    /// The 97.5 % interval of the median, for ratios.
+    pub wide: [f64; 2],
+}
+
+/// Sums times up; nothing if there are none.
+pub fn spread(samples: &[f64]) -> Option<Spread> {
+    let mut sorted = samples.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let middle = sorted.len() / 2;
+    let upper = *sorted.get(middle)?;
+    let median = if sorted.len().is_multiple_of(2) { 0.5 * (sorted[middle - 1] + upper) } else { upper };
+    Some(Spread { median, interval: median_interval(&sorted, 0.95), wide: median_interval(&sorted, 0.975) })
+}
+
+/// The interval that holds the median with at least the probability `level`, from two of the `sorted` samples.
+///
+/// How many samples fall below the true median is binomial with p = 1/2, whatever their distribution. With too few samples
+/// for the level the interval is all of them.
+///
+/// # Panics
+/// If there are no samples.
+///
+/// Source: W. Conover, *Practical Nonparametric Statistics*, 1999, section 3.2.
+pub fn median_interval(sorted: &[f64], level: f64) -> [f64; 2] {
+    let n = sorted.len();
+    // P(at most k below) = Σ C(n, j) / 2ⁿ over j ≤ k, which each end may miss by half of 1 − level.
+    let (mut rank, mut term, mut below) = (0, 0.5_f64.powi(i32::try_from(n).unwrap_or(i32::MAX)), 0.0);
+    while rank < n / 2 {
+        below += term;
+        if below > 0.5 * (1.0 - level) {
+            break;
+        }
+        rank += 1;
+        term *= as_number(n - rank + 1) / as_number(rank);
+    }
+    let outer = rank.saturating_sub(1);
+    [sorted[outer], sorted[n - 1 - outer]]
+}
+
+#[expect(clippy::cast_precision_loss, reason = "counts samples")]
+fn as_number(n: usize) -> f64 {
+    n as f64
+}
+
+impl Spread {
+    /// How many times as long as `other` this is.
+    ///
+    /// The interval divides the ends of both 97.5 % intervals crosswise. They are both right with 95 % at least
+    /// (Bonferroni), and then so is the ratio's.
+    pub fn over(&self, other: &Self) -> Ratio {
+        Ratio {
+            value: self.median / other.median,
+            interval: [self.wide[0] / other.wide[1], self.wide[1] / other.wide[0]],
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Numbers as pages show them.
+
+/// x with so many significant digits.
+pub(super) fn rounded(x: f64, digits: usize) -> f64 {
+    format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x)
+}
+
+/// Three significant digits at least, thousands apart: 0.123, 1.23, 12.3, 123, 12,300.
+pub(super) fn plain(x: f64) -> String {
+    let x = rounded(x, 3);
+    let decimals = match x.abs() {
+        size if size < 1.0 => 3,
+        size if size < 10.0 => 2,
+        size if size < 100.0 => 1,
+        _ => 0,
+    };
+    let text = format!("{x:.decimals$}");
+    if decimals > 0 { text } else { thousands(&text) }
+}
+
+/// A count, thousands apart.
+pub(super) fn count(n: u64) -> String {
+    thousands(&n.to_string())
+}
+
+fn thousands(digits: &str) -> String {
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// Nanoseconds in the unit that suits them.
+pub(super) fn time(ns: f64) -> String {
+    match ns {
+        _ if ns < 999.5 => format!("{} ns", plain(ns)),
+        _ if ns < 999.5e3 => format!("{} µs", plain(ns * 1e-3)),
+        _ => format!("{} ms", plain(ns * 1e-6)),
+    }
+}
+
+/// An error, to two digits; what is not a number is said to be none.
+pub(super) fn error(error: Option<f64>) -> String {
+    error.map_or_else(
+        || "not a number".to_owned(),
+        |error| if error == 0.0 { "0".to_owned() } else { format!("{error:.1e}") },
+    )
+}
+
+/// What JSON can hold: it knows no infinity.
+pub(super) fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}
