@@ -13,7 +13,9 @@
 //! compared with an absolute number.
 //!
 //! What is *shown* is the error relative to its scale, the sum of the absolute values of the closed form's terms
-//! ([`Magnitude`](crate::number::Magnitude)), as that does not flatter ill-conditioned cases.
+//! ([`Magnitude`](crate::number::Magnitude)), with the vectors that enter it counted by their length and a parameter by
+//! its range. The scale knows nothing of rounding in the curves themselves: an arc bent by 1e-6 has its centre a
+//! million lengths away, and its points lose six digits, which the tolerance knows.
 //!
 //! # What cannot be compared
 //! A case without a minimum that has derivatives, or whose bounds exceed a thousandth of its scales, is counted under

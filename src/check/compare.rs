@@ -213,9 +213,9 @@ fn entries(
     let closed = variations(&plain[0], &plain[1], at, active, contact).components();
     let exchanged = plain.map(Frozen::exchanged);
     let exchanged = variations(&exchanged[0], &exchanged[1], at, active, contact).components();
-    let sizes = witness::magnitudes(beams, point);
-    let scales =
-        variations(&beam.magnitudes(sizes.0), &bar.magnitudes(sizes.1), sizes, active, contact).components();
+    let sizes = plain.map(|frozen| frozen.map(Magnitude::vector));
+    let parameters = (Magnitude::parameter(at.0), Magnitude::parameter(at.1));
+    let scales = variations(&sizes[0], &sizes[1], parameters, active, contact).components();
     let bounds =
         variations(&beam.frozen(xi), &bar.frozen(xi_bar), (xi, xi_bar), active, contact).components();
 

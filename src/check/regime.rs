@@ -10,7 +10,7 @@ pub enum Regime {
     Generic,
     /// A gap of 1e-4 to 1e-2 of the length.
     Slender,
-    /// Bent by 1e-6 to 1e-3 radians only.
+    /// Bent by 1e-6 to 1e-3 radians only. Arcs and helices are then wound about an axis far away.
     NearlyStraight,
     /// Bent by 2 to 5 radians.
     StronglyCurved,

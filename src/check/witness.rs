@@ -2,7 +2,7 @@
 
 use crate::closest_point::ClosestPoint;
 use crate::linearization::closed_form::Projection;
-use crate::number::{Bounded, Magnitude};
+use crate::number::Bounded;
 use crate::specimen::AnyBeam;
 
 /// xi and xi_bar with bounds, from the residual of the orthogonality conditions.
@@ -26,16 +26,4 @@ pub(super) fn parameters(beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Opti
     let (xi, xi_bar) = (Bounded::new(point.xi, guess), Bounded::new(point.xi_bar, guess_bar));
     let [step, step_bar] = steps(xi, xi_bar);
     (step <= guess && step_bar <= guess_bar).then_some((xi, xi_bar))
-}
-
-/// xi and xi_bar with the sizes of the terms that a solver sums them from: the start and the step from it.
-pub(super) fn magnitudes(beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> (Magnitude, Magnitude) {
-    let [xi, xi_bar] = [point.xi, point.xi_bar].map(Magnitude::parameter);
-    let (x, x_bar) = (beams[0].magnitudes(xi).geometry, beams[1].magnitudes(xi_bar).geometry);
-    let d = x.x - x_bar.x;
-    let residual = [d.dot(&x.t), d.dot(&x_bar.t)].map(|f| f.scale);
-    let inverse = Projection::new(&x, &x_bar, point.active()).inverse();
-    let step = inverse.map(|[p, q]| p.value.abs() * residual[0] + q.value.abs() * residual[1]);
-    let with = |at: Magnitude, step| Magnitude { scale: at.scale + step, ..at };
-    (with(xi, step[0]), with(xi_bar, step[1]))
 }

@@ -5,6 +5,7 @@
 //! value the sum of the absolute values of the terms: |a| + |b| for a sum, the product of both for a product.
 
 use super::{Real, field_from_operators};
+use nalgebra::Vector3;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and the sum of the absolute values of the terms it is the sum of.
@@ -17,6 +18,14 @@ pub struct Magnitude {
 }
 
 impl Magnitude {
+    /// A vector, whose components have the scale of the whole: which of them is small is the choice of the axes.
+    ///
+    /// The scale of each is ‖v‖/√3, so that the scale of v·w is ‖v‖‖w‖; that of a larger component is its size.
+    pub fn vector(v: Vector3<f64>) -> Vector3<Self> {
+        let share = v.norm() / 3.0_f64.sqrt();
+        v.map(|value| Self { value, scale: share.max(value.abs()) })
+    }
+
     /// A parameter of a curve: its scale is the half-width of its range, [-1, 1].
     pub fn parameter(value: f64) -> Self {
         Self { value, scale: 1.0 }

@@ -11,7 +11,8 @@ use beamgap::linearization::{Expansion, Quantities};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
-/// The pairs are conditioned to 1e-2 at worst; second variations go with the third power.
+/// The pairs are conditioned to 0.1 at worst; second variations go with the third power, and with that of the ratio of
+/// the lengths in a pair, which reaches 50. The gate's own tolerance, entry by entry, is tested at the end.
 const TOLERANCE: f64 = 1e-8;
 
 /// Value, both first and the second variation of every component, by all three hyper-dual routes.

@@ -109,7 +109,7 @@ pub(crate) fn contacting<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
             let held = Active { xi: active.0, xi_bar: active.1 };
             let point = refined(&pair, &q, at, held)?;
             let lengths = [t.norm(), t_bar.norm(), point.distance];
-            let regular = point.conditioning.abs() > 1e-2 && lengths.iter().all(|length| *length > 0.05);
+            let regular = point.conditioning.abs() > 0.1 && lengths.iter().all(|length| *length > 0.2);
             let (dq, dq_bar, linear_dq, linear_dq_bar) = directions;
             regular.then_some(Contacting {
                 pair,

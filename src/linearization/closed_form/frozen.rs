@@ -44,4 +44,17 @@ impl<T: Real> Frozen<T> {
     pub fn exchanged(self) -> Self {
         Self { delta_u: self.linear_u, linear_u: self.delta_u, ..self }
     }
+
+    /// The same in another scalar, vector by vector.
+    #[must_use]
+    pub fn map<S: Real>(self, f: impl Fn(Vector3<T>) -> Vector3<S> + Copy) -> Frozen<S> {
+        let Geometry { x, t, t_xi, t_xixi } = self.geometry;
+        let [x, t, t_xi, t_xixi] = [x, t, t_xi, t_xixi].map(f);
+        Frozen {
+            geometry: Geometry { x, t, t_xi, t_xixi },
+            delta_u: self.delta_u.map(f),
+            linear_u: self.linear_u.map(f),
+            second_u: self.second_u.map(f),
+        }
+    }
 }
