@@ -5,4 +5,5 @@ mod closest_points;
 mod degenerate;
 mod every_minimum;
 mod jets;
+mod reports;
 mod strategies;
