@@ -14,7 +14,7 @@ impl Benchmark {
              ![Ratios to the closed form](benchmark.svg)\n",
         );
         for task in self.tasks() {
-            let _ = write!(page, "\n## {}\n\n{}\n\n", capitalized(&task[0].task), question(&task[0].task));
+            let _ = write!(page, "\n## {}\n\n{}\n\n", task[0].task, question(&task[0].task));
             page.push_str(&table(task));
         }
         let samples = self.scenarios.iter().map(|measured| measured.samples.len()).min().unwrap_or(0);
@@ -43,9 +43,9 @@ impl Benchmark {
 const SILENCE: &str = "
 ## What these numbers do not say
 
-- Nothing about other processors, compilers or flags. Ratios carry over better than times, but not by much.
+- Nothing about other processors, compilers or flags.
 - Nothing about other programs: a speed-up over the automatic differentiation *of this crate* is none over another's.
-  There is a factor of 30 and more between honest ways of automatic differentiation in the tables above alone.
+  How far apart honest ways of automatic differentiation are among themselves, the tables above show.
 - The ways are not equally tuned. The sweeps evaluate one pair of dofs at a time, and a Hessian of n dofs takes
   n (n + 1) / 2 of them, each of all quantities; a tape, or a reverse sweep, would share work that these do not.
 - The samples of one scenario follow each other, so whatever else the machine did meanwhile is in some rows and not in
@@ -100,9 +100,4 @@ fn in_words(ratio: &Ratio) -> String {
     } else {
         format!("no difference ({low} to {high})")
     }
-}
-
-fn capitalized(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

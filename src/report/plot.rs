@@ -2,7 +2,7 @@
 
 use super::ReportError;
 use super::benchmark::{Benchmark, DENOMINATOR, Measured};
-use super::number::plain;
+use super::number::{count, plain};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -135,7 +135,7 @@ fn draw_panel(root: &Area, panel: &Panel, top: i32) -> Result<(), Box<dyn std::e
         let at = x(10_f64.powi(power));
         let grey = RGBColor(205, 205, 205);
         root.draw(&PathElement::new([(at, top + TITLE - 6), (at, bottom)], grey))?;
-        text(root, &plain(10_f64.powi(power)), (at, bottom + 11), 12, HPos::Center)?;
+        text(root, &count(10_u64.pow(u32::try_from(power)?)), (at, bottom + 11), 12, HPos::Center)?;
     }
     let mut y = top + TITLE;
     for (way, rows) in &panel.ways {

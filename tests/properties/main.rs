@@ -12,6 +12,7 @@ mod jets;
 mod numbers;
 mod pairs;
 mod proof;
+mod reports;
 mod scalars;
 mod strategies;
 mod symmetry;

@@ -1,0 +1,157 @@
+//! The reports say what was found and measured, and nothing else.
+
+use beamgap::report::{
+    Benchmark, Crosscheck, Environment, Measured, ReportError, VERDICTS, Verdict, Verdicts, median_interval,
+    spread,
+};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn committed(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports").join(name);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+#[test]
+fn committed_pages_are_what_the_committed_records_render_to() {
+    let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
+    assert!(crosscheck.to_markdown() == committed("crosscheck.md"), "crosscheck.md is stale");
+    let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
+    assert!(benchmark.to_markdown() == committed("benchmark.md"), "benchmark.md is stale");
+    assert!(benchmark.to_svg().unwrap() == committed("benchmark.svg"), "benchmark.svg is stale");
+}
+
+#[test]
+fn committed_records_are_written_again_as_they_are() {
+    let json = committed("crosscheck.json");
+    assert!(Crosscheck::from_json(&json).unwrap().to_json().unwrap() == json);
+    let json = committed("benchmark.json");
+    assert!(Benchmark::from_json(&json).unwrap().to_json().unwrap() == json);
+    assert!(json.len() < 300_000, "{} bytes", json.len());
+}
+
+#[test]
+fn committed_medians_and_intervals_follow_from_the_samples() {
+    for measured in Benchmark::from_json(&committed("benchmark.json")).unwrap().scenarios {
+        let of_samples = spread(&measured.samples).unwrap();
+        assert!((of_samples.median - measured.median).abs() <= 1e-4 * measured.median, "{measured:?}");
+        assert_eq!(of_samples.interval.map(f64::to_bits), measured.interval.map(f64::to_bits));
+        assert!(measured.error <= measured.tolerance, "no row without a green verdict");
+    }
+}
+
+#[test]
+fn a_record_of_another_schema_is_refused() {
+    let other = committed("benchmark.json").replace("beamgap-benchmark/1", "beamgap-benchmark/2");
+    assert!(matches!(Benchmark::from_json(&other), Err(ReportError::Schema { .. })));
+}
+
+#[test]
+#[expect(clippy::float_cmp, reason = "the ends of an interval are samples themselves")]
+fn intervals_of_medians_have_the_ranks_of_the_tables() {
+    // n, and the lower rank of the 95 % interval, from W. Conover's table of the binomial distribution.
+    for (n, rank) in [(6, 1), (9, 2), (12, 3), (20, 6), (25, 8), (30, 10)] {
+        let sorted: Vec<f64> = (1..=n).map(f64::from).collect();
+        assert_eq!(median_interval(&sorted, 0.95), [f64::from(rank), f64::from(n + 1 - rank)], "n = {n}");
+    }
+    // Too few for 95 %.
+    assert_eq!(median_interval(&[1.0, 2.0, 3.0], 0.95), [1.0, 3.0]);
+}
+
+#[test]
+fn ratios_divide_crosswise() {
+    let twice: Vec<f64> = (1..=30).rev().map(|i| 2.0 * f64::from(i)).collect();
+    let once: Vec<f64> = (1..=30).map(f64::from).collect();
+    let (twice, once) = (spread(&twice).unwrap(), spread(&once).unwrap());
+    assert_eq!((once.median, once.interval, once.wide), (15.5, [10.0, 21.0], [9.0, 22.0]));
+    let ratio = twice.over(&once);
+    assert_eq!((ratio.value, ratio.interval), (2.0, [18.0 / 22.0, 44.0 / 9.0]));
+    assert!(!ratio.is_different(), "such a wide interval holds 1");
+    assert!(spread(&[]).is_none());
+}
+
+/// A directory as criterion leaves it, removed in the end.
+struct Left(PathBuf);
+
+impl Left {
+    fn new(name: &str) -> Self {
+        let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let _ = fs::remove_dir_all(&directory);
+        fs::create_dir_all(&directory).unwrap();
+        Self(directory)
+    }
+
+    fn verdicts(&self, ways: &[(&str, f64)]) {
+        let verdict = |&(way, error): &(&str, f64)| Verdict {
+            group: "d only/24 dofs".to_owned(),
+            way: way.to_owned(),
+            error,
+            tolerance: 1e-11,
+        };
+        let verdicts = Verdicts {
+            environment: Environment::here("by hand"),
+            scenarios: ways.iter().map(verdict).collect(),
+        };
+        verdicts.write(&self.0).unwrap();
+    }
+
+    /// Ten samples, of one iteration more each, at so many nanoseconds an iteration.
+    fn samples(&self, way: &str, time: f64) {
+        let directory = self.0.join("d only_24 dofs").join(way).join("new");
+        fs::create_dir_all(&directory).unwrap();
+        let name = format!(r#"{{"group_id":"d only/24 dofs","function_id":"{way}","of_the_future":[1,2]}}"#);
+        fs::write(directory.join("benchmark.json"), name).unwrap();
+        let iterations: Vec<f64> = (1..=10).map(f64::from).collect();
+        let times: Vec<f64> = iterations.iter().map(|n| n * time).collect();
+        let sample = format!(r#"{{"sampling_mode":"Flat","iters":{iterations:?},"times":{times:?}}}"#);
+        fs::write(directory.join("sample.json"), sample).unwrap();
+    }
+}
+
+impl Drop for Left {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn what_criterion_left_is_read_and_what_it_should_not_hold_is_passed_over() {
+    let left = Left::new("whole");
+    left.verdicts(&[("closed form", 1e-15), ("hyper-dual", 2e-15)]);
+    left.samples("closed form", 800.0);
+    left.samples("hyper-dual", 160_000.0);
+    left.samples("of an older version", 1.0);
+    let broken = left.0.join("broken/new");
+    fs::create_dir_all(&broken).unwrap();
+    fs::write(broken.join("benchmark.json"), "{").unwrap();
+    fs::write(broken.join("sample.json"), "{}").unwrap();
+
+    let Benchmark { scenarios, .. } = Benchmark::read(&left.0).unwrap();
+    let ways: Vec<&str> = scenarios.iter().map(|measured| measured.way.as_str()).collect();
+    assert_eq!(ways, ["closed form", "hyper-dual"]);
+    let Measured { task, dofs, median, ratio_to_closed_form, .. } = &scenarios[1];
+    assert_eq!((task.as_str(), dofs.as_str(), *median), ("d only", "24 dofs", 160_000.0));
+    let ratio = ratio_to_closed_form.unwrap();
+    assert_eq!((ratio.value, ratio.interval), (200.0, [200.0; 2]));
+}
+
+#[test]
+fn what_is_missing_is_named_with_the_command_that_makes_it() {
+    let left = Left::new("pieces");
+    let error = || Benchmark::read(&left.0).unwrap_err();
+    assert!(matches!(error(), ReportError::NoMeasurements { .. }));
+    assert!(error().to_string().contains("`cargo bench`"));
+
+    left.samples("closed form", 800.0);
+    assert!(matches!(error(), ReportError::NoVerdicts { .. }));
+    assert!(error().to_string().contains("`cargo bench`") && error().to_string().contains(VERDICTS));
+
+    // Timed before it was verified, by a clock that may not tell the two moments apart.
+    std::thread::sleep(std::time::Duration::from_millis(20));
+    left.verdicts(&[("closed form", 1e-15)]);
+    assert!(matches!(error(), ReportError::NotTimed { .. }));
+    assert!(error().to_string().starts_with("d only/24 dofs, closed form"));
+
+    left.verdicts(&[("closed form", 1e-3)]);
+    assert!(matches!(error(), ReportError::Wrong { .. }));
+}
