@@ -42,28 +42,10 @@ impl<T: Real> Projection<T> {
         self.a * self.a_bar + self.b * self.b
     }
 
-    /// The inverse matrix [[p, q], [r, s]], so that (delta xi, delta xi_bar) = (p R + q R_bar, r R + s R_bar).
+    /// (delta xi, delta xi_bar) from the right-hand sides R and R_bar, of first or of second order.
     #[inline]
     #[doc(alias = "Eq. (56)")]
     #[doc(alias = "Eq. (59)")]
-    pub fn inverse(&self) -> [[T; 2]; 2] {
-        let Self { a, b, a_bar, active } = *self;
-        let zero = T::zero();
-        match (active.xi, active.xi_bar) {
-            (false, false) => {
-                // Eq. (52), (59): δξ = (ā R + b R̄)/D   δξ̄ = (−b R + a R̄)/D
-                let det = self.det();
-                [[a_bar / det, b / det], [-b / det, a / det]]
-            }
-            // An end holds one parameter: the other row alone remains, R̄ = ā δξ̄ or R = a δξ.
-            (true, false) => [[zero, zero], [zero, T::one() / a_bar]],
-            (false, true) => [[T::one() / a, zero], [zero, zero]],
-            (true, true) => [[zero; 2]; 2],
-        }
-    }
-
-    /// Solves with one right-hand side.
-    #[inline]
     pub fn solve(&self, r: T, r_bar: T) -> (T, T) {
         let Self { a, b, a_bar, active } = *self;
         let zero = T::zero();
@@ -73,9 +55,18 @@ impl<T: Real> Projection<T> {
                 let det = self.det();
                 ((a_bar * r + b * r_bar) / det, (-b * r + a * r_bar) / det)
             }
+            // An end holds one parameter: the other row alone remains, R̄ = ā δξ̄ or R = a δξ.
             (true, false) => (zero, r_bar / a_bar),
             (false, true) => (r / a, zero),
             (true, true) => (zero, zero),
         }
+    }
+
+    /// The inverse matrix [[p, q], [r, s]], so that (delta xi, delta xi_bar) = (p R + q R_bar, r R + s R_bar).
+    #[inline]
+    pub fn inverse(&self) -> [[T; 2]; 2] {
+        let (zero, one) = (T::zero(), T::one());
+        let ((p, r), (q, s)) = (self.solve(one, zero), self.solve(zero, one));
+        [[p, q], [r, s]]
     }
 }
