@@ -33,7 +33,7 @@ pub enum ReportError {
         error: f64,
     },
     /// A file is not what it should be.
-    #[error("{what} cannot be read: {source}")]
+    #[error("{what} cannot be read")]
     Format {
         /// The file, or the kind of file.
         what: String,
@@ -49,7 +49,7 @@ pub enum ReportError {
         expected: &'static str,
     },
     /// A file cannot be written.
-    #[error("{} cannot be written: {source}", .path.display())]
+    #[error("{} cannot be written", .path.display())]
     Write {
         /// The file.
         path: PathBuf,

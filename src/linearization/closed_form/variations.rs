@@ -15,8 +15,35 @@ use nalgebra::Vector3;
 /// d = 0 its numbers are not finite.
 ///
 /// Source: Zavarise (2007), eqs. (4)-(59), with the corrections named at each.
+#[doc(alias = "Eq. (4)")]
+#[doc(alias = "Eq. (5)")]
+#[doc(alias = "Eq. (11)")]
+#[doc(alias = "Eq. (15)")]
 #[doc(alias = "Eq. (16)")]
+#[doc(alias = "Eq. (18)")]
+#[doc(alias = "Eq. (19)")]
+#[doc(alias = "Eq. (20)")]
+#[doc(alias = "Eq. (21)")]
 #[doc(alias = "Eq. (22)")]
+#[doc(alias = "Eq. (24)")]
+#[doc(alias = "Eq. (27)")]
+#[doc(alias = "Eq. (30)")]
+#[doc(alias = "Eq. (31)")]
+#[doc(alias = "Eq. (32)")]
+#[doc(alias = "Eq. (35)")]
+#[doc(alias = "Eq. (37)")]
+#[doc(alias = "Eq. (40)")]
+#[doc(alias = "Eq. (41)")]
+#[doc(alias = "Eq. (42)")]
+#[doc(alias = "Eq. (44)")]
+#[doc(alias = "Eq. (47)")]
+#[doc(alias = "Eq. (48)")]
+#[doc(alias = "Eq. (49)")]
+#[doc(alias = "Eq. (53)")]
+#[doc(alias = "Eq. (54)")]
+#[doc(alias = "Eq. (57)")]
+#[doc(alias = "Eq. (58)")]
+#[doc(alias = "Eq. (59)")]
 pub fn variations<T: Real>(
     beam: &Frozen<T>,
     bar: &Frozen<T>,
