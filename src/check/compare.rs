@@ -146,8 +146,8 @@ pub enum Verdict {
     Pass(Vec<Comparison>),
     /// Some do not.
     Mismatch(Vec<Comparison>),
-    /// They could not be compared.
-    Inconclusive(Inconclusive),
+    /// They could not be compared, or to no avail: then the entries show where.
+    Inconclusive(Inconclusive, Vec<Comparison>),
 }
 
 /// Compares a case at each of its closest points.
@@ -156,14 +156,14 @@ pub fn compare(case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
     let found = match closest_points(beam, bar, &Search::default()) {
         Ok(found) => found,
         Err(ProjectionError::ZeroTangent { .. }) => {
-            return vec![(None, Verdict::Inconclusive(Inconclusive::ZeroTangent))];
+            return vec![(None, Verdict::Inconclusive(Inconclusive::ZeroTangent, Vec::new()))];
         }
-        Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed))],
+        Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
     let mut verdicts: Vec<_> =
         found.minima.iter().map(|point| (Some(*point), at_point(case, [beam, bar], point))).collect();
     if !found.unresolved.is_empty() || verdicts.is_empty() {
-        verdicts.push((None, Verdict::Inconclusive(Inconclusive::Unresolved)));
+        verdicts.push((None, Verdict::Inconclusive(Inconclusive::Unresolved, Vec::new())));
     }
     verdicts
 }
@@ -171,13 +171,15 @@ pub fn compare(case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
 fn at_point(case: &Case, beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Verdict {
     match point.degeneracy() {
         None => {}
-        Some(Degeneracy::Crossing) => return Verdict::Inconclusive(Inconclusive::Crossing),
-        Some(Degeneracy::WeakEnd { .. }) => return Verdict::Inconclusive(Inconclusive::WeakEnd),
-        Some(Degeneracy::ZeroTangent { .. }) => return Verdict::Inconclusive(Inconclusive::ZeroTangent),
-        Some(_) => return Verdict::Inconclusive(Inconclusive::Singular),
+        Some(Degeneracy::Crossing) => return Verdict::Inconclusive(Inconclusive::Crossing, Vec::new()),
+        Some(Degeneracy::WeakEnd { .. }) => return Verdict::Inconclusive(Inconclusive::WeakEnd, Vec::new()),
+        Some(Degeneracy::ZeroTangent { .. }) => {
+            return Verdict::Inconclusive(Inconclusive::ZeroTangent, Vec::new());
+        }
+        Some(_) => return Verdict::Inconclusive(Inconclusive::Singular, Vec::new()),
     }
     let Some(at) = witness::parameters(beams, point) else {
-        return Verdict::Inconclusive(Inconclusive::IllConditioned);
+        return Verdict::Inconclusive(Inconclusive::IllConditioned, Vec::new());
     };
     let entries = entries(case, beams, point, at);
     if entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees()) {
@@ -186,7 +188,7 @@ fn at_point(case: &Case, beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Verd
     if entries.iter().all(Comparison::is_meaningful) {
         Verdict::Pass(entries)
     } else {
-        Verdict::Inconclusive(Inconclusive::NotMeaningful)
+        Verdict::Inconclusive(Inconclusive::NotMeaningful, entries)
     }
 }
 

@@ -90,7 +90,7 @@ impl Summary {
         let mut tally = Tally { cases: 1, ..Tally::default() };
         for (point, verdict) in verdicts {
             let entries = match verdict {
-                Verdict::Inconclusive(reason) => {
+                Verdict::Inconclusive(reason, _) => {
                     tally.inconclusive.entry(*reason).or_insert((0, case.number)).0 += 1;
                     continue;
                 }

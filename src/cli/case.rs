@@ -36,8 +36,11 @@ pub(super) fn human(seed: u64, case: &Case, points: &Points, verdict: &Verdict) 
             text += &described(point);
         }
         match compared {
-            Compared::Inconclusive(reason) => {
+            Compared::Inconclusive(reason, entries) => {
                 let _ = writeln!(text, "Not compared: {}", reason.reason());
+                if !entries.is_empty() {
+                    text += &table(entries);
+                }
             }
             Compared::Pass(entries) | Compared::Mismatch(entries) => text += &table(entries),
         }
@@ -155,7 +158,9 @@ fn at_point(point: Option<&ClosestPoint>, compared: &Compared) -> Value {
     let (verdict, reason, entries) = match compared {
         Compared::Pass(entries) => ("agree", None, entries.as_slice()),
         Compared::Mismatch(entries) => ("disagree", None, entries.as_slice()),
-        Compared::Inconclusive(reason) => ("not-compared", Some(reason.reason()), [].as_slice()),
+        Compared::Inconclusive(reason, entries) => {
+            ("not-compared", Some(reason.reason()), entries.as_slice())
+        }
     };
     let entries: Vec<_> = entries.iter().map(json::compared).collect();
     json!({ "point": point, "verdict": verdict, "reason": reason, "entries": entries })
