@@ -26,12 +26,14 @@ mod draw;
 mod regime;
 mod run;
 mod summary;
+mod verdict;
 mod witness;
 
-pub use compare::{Comparison, Inconclusive, Order, Verdict, compare};
+pub use compare::compare;
 pub use draw::{Case, Selection};
 pub use regime::Regime;
 pub use run::run;
 pub use summary::{Cell, Summary, Tally};
+pub use verdict::{Comparison, Inconclusive, Order, Verdict};
 
 pub use crate::specimen::{Family, Shown};

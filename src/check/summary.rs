@@ -1,8 +1,8 @@
 //! What a run of the gate found, gathered so that the order of the cases does not matter.
 
-use super::compare::{Comparison, Inconclusive, Order, Verdict};
 use super::draw::Case;
 use super::regime::Regime;
+use super::verdict::{Comparison, Inconclusive, Order, Verdict};
 use crate::linearization::Quantity;
 use crate::specimen::Family;
 use std::collections::BTreeMap;

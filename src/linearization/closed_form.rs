@@ -18,6 +18,7 @@ use crate::pair::{DofVector, Pair};
 mod frozen;
 mod matrices;
 mod projection;
+mod sums;
 mod variations;
 
 pub use frozen::Frozen;

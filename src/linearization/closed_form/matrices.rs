@@ -29,12 +29,13 @@
 //! ```
 
 use super::Projection;
+use super::sums::{add_product, write_length, write_slip};
 use crate::closest_point::Active;
 use crate::curve::{DofDerivatives, Geometry, Jet};
 use crate::linearization::{DofMatrix, Expansion, Linearization};
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::Vector3;
 
 /// The linearization of a pair at its closest point, from which each quantity is taken on demand.
 ///
@@ -290,70 +291,4 @@ where
             to.hessian.bar += of.hessian(1, &w);
         }
     }
-}
-
-/// Adds factor A_kᵀB_l to a block.
-#[inline]
-fn add_product<T: Real, U: DofDerivatives<T, N>, V: DofDerivatives<T, M>, const N: usize, const M: usize>(
-    block: &mut SMatrix<T, N, M>,
-    factor: T,
-    (a, k): (&U, usize),
-    (b, l): (&V, usize),
-) {
-    if let (Some(shapes), Some(shapes_bar)) = (a.shapes(k), b.shapes(l)) {
-        // Coordinates do not mix: A_k = [N₁I, N₂I, ..], so that A_kᵀB_l has a multiple of I for each pair of functions.
-        for (j, &shape_bar) in shapes_bar.iter().enumerate() {
-            for (i, &shape) in shapes.iter().enumerate() {
-                let product = shape * (shape_bar * factor);
-                for c in 0..3 {
-                    block[(3 * i + c, 3 * j + c)] += product;
-                }
-            }
-        }
-    } else {
-        // The column of B_l takes the place of w in the gradient of w·x,ξ..ξ.
-        let columns = b.jacobian(l) * factor;
-        for j in 0..M {
-            let mut column = block.column_mut(j);
-            column += a.gradient(k, &columns.column(j).into_owned());
-        }
-    }
-}
-
-/// The length of a tangent, but for A₁ᵀA₁/t + K_t(w) in its Hessian, written over `to`; returns 1/t and w = t/t.
-#[inline]
-fn write_length<T: Real, const N: usize, const M: usize>(
-    of: &Geometry<T>,
-    a_transposed: impl Fn(usize, &Vector3<T>) -> DofVector<T, N, M>,
-    xi: &Expansion<T, N, M>,
-    to: &mut Expansion<T, N, M>,
-) -> (T, Vector3<T>) {
-    let Expansion { value, gradient, hessian } = to;
-    *value = of.t.dot(&of.t).sqrt();
-    let (inverse, half, g) = (T::one() / *value, T::from(0.5), &xi.gradient);
-    let w = of.t * inverse;
-    // ∇t = J_tᵀw
-    let first = w.dot(&of.t_xi);
-    *gradient = a_transposed(1, &w).plus(first, g);
-    // H_t = (w·t,ξ) H_ξ + S_t(w) + (J_tᵀJ_t − ∇t∇tᵀ)/t with J_tᵀJ_t = A₁ᵀA₁ + sym(g, A₁ᵀt,ξ) + (t,ξ·t,ξ) ggᵀ
-    let squares = half * (w.dot(&of.t_xixi) + of.t_xi.dot(&of.t_xi) * inverse);
-    let with_g = a_transposed(2, &w).plus(inverse, &a_transposed(1, &of.t_xi)).plus(squares, g);
-    let with_gradient = gradient.times(-half * inverse);
-    hessian.set_sum([(first, &xi.hessian)], [(g, &with_g), (gradient, &with_gradient)]);
-    (inverse, w)
-}
-
-/// g_T = t (xi - xi_0), written over `to`.
-#[inline]
-fn write_slip<T: Real, const N: usize, const M: usize>(
-    t: &Expansion<T, N, M>,
-    xi: &Expansion<T, N, M>,
-    xi_0: f64,
-    to: &mut Expansion<T, N, M>,
-) {
-    let slip = xi.value - T::from(xi_0);
-    // Eq. (20): ∇g_T = (ξ − ξ₀)∇t + t g   Eq. (21): H = (ξ − ξ₀)H_t + ∇t gᵀ + g∇tᵀ + t H_ξ
-    to.value = t.value * slip;
-    to.gradient = t.gradient.times(slip).plus(t.value, &xi.gradient);
-    to.hessian.set_sum([(slip, &t.hessian), (t.value, &xi.hessian)], [(&t.gradient, &xi.gradient)]);
 }

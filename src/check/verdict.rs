@@ -1,0 +1,142 @@
+//! What a comparison finds: single entries, and the verdict on a closest point.
+
+use crate::linearization::Quantity;
+
+/// Which part of a quantity is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Order {
+    /// The value.
+    Value,
+    /// The first variations, delta and Delta.
+    First,
+    /// The second variation, Delta-delta.
+    Second,
+    /// Delta-delta against itself with the directions exchanged.
+    Symmetry,
+    /// Gradient and Hessian, contracted with the directions, against the variations.
+    Matrix,
+}
+
+impl Order {
+    /// All orders.
+    pub const ALL: [Self; 5] = [Self::Value, Self::First, Self::Second, Self::Symmetry, Self::Matrix];
+
+    /// The name, as tables have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Value => "value",
+            Self::First => "first",
+            Self::Second => "second",
+            Self::Symmetry => "symmetry",
+            Self::Matrix => "matrix",
+        }
+    }
+}
+
+/// One entry, as the two sides have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The component, of a vector.
+    pub axis: Option<char>,
+    /// Which part of it.
+    pub order: Order,
+    /// The same in the words of [`Varied::PARTS`](crate::linearization::Varied::PARTS), which tell the two first variations apart.
+    pub part: &'static str,
+    /// What it was compared with.
+    pub against: &'static str,
+    /// The closed form's number.
+    pub closed: f64,
+    /// The other number.
+    pub other: f64,
+    /// The sum of the absolute values of the closed form's terms.
+    pub scale: f64,
+    /// The largest difference that rounding explains.
+    pub tolerance: f64,
+}
+
+impl Comparison {
+    /// The absolute difference. What is not a number is infinitely far from everything.
+    pub fn difference(&self) -> f64 {
+        let error = (self.closed - self.other).abs();
+        if error.is_nan() { f64::INFINITY } else { error }
+    }
+
+    /// The difference relative to the scale.
+    pub fn scaled_error(&self) -> f64 {
+        relative(self.difference(), self.scale)
+    }
+
+    /// The difference relative to the tolerance; above 1 the two disagree.
+    pub fn over_tolerance(&self) -> f64 {
+        relative(self.difference(), self.tolerance)
+    }
+
+    /// Whether the two agree. What is not a number agrees with nothing.
+    pub fn agrees(&self) -> bool {
+        self.over_tolerance() <= 1.0
+    }
+
+    /// Whether the tolerance is small enough to mean anything: below a thousandth of the scale.
+    pub fn is_meaningful(&self) -> bool {
+        (self.tolerance <= 1e-3 * self.scale && self.tolerance.is_finite()) || self.tolerance == 0.0
+    }
+}
+
+fn relative(error: f64, to: f64) -> f64 {
+    let ratio = error / to;
+    match (error == 0.0, ratio.is_nan()) {
+        (true, _) => 0.0,
+        (false, true) => f64::INFINITY,
+        (false, false) => ratio,
+    }
+}
+
+/// Why a closest point, or a whole case, was not compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Inconclusive {
+    /// The search ended in an error.
+    SearchFailed,
+    /// The search left regions open: the centroids are too nearly parallel to be resolved.
+    Unresolved,
+    /// D = 0 to rounding.
+    Singular,
+    /// d = 0 to rounding.
+    Crossing,
+    /// A tangent has no length.
+    ZeroTangent,
+    /// A parameter is just about to leave its end: a kink.
+    WeakEnd,
+    /// The projection is regular, but not over the region that the closest point is known to lie in.
+    IllConditioned,
+    /// Rounding explains differences of more than a thousandth of some scale.
+    NotMeaningful,
+}
+
+impl Inconclusive {
+    /// The reason in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::SearchFailed => "the search for closest points failed",
+            Self::Unresolved => "nearly parallel: the search left regions open",
+            Self::Singular => "singular: D = 0 to rounding",
+            Self::Crossing => "crossing centroids: d = 0 to rounding",
+            Self::ZeroTangent => "a tangent has no length",
+            Self::WeakEnd => "kink: a parameter just leaves an end",
+            Self::IllConditioned => "the closest point is not known well enough",
+            Self::NotMeaningful => "the rounding bound exceeds 1e-3 of a scale",
+        }
+    }
+}
+
+/// What became of a closest point.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// All entries agree.
+    Pass(Vec<Comparison>),
+    /// Some do not.
+    Mismatch(Vec<Comparison>),
+    /// They could not be compared, or to no avail: then the entries show where.
+    Inconclusive(Inconclusive, Vec<Comparison>),
+}
