@@ -7,6 +7,7 @@ mod closest_points;
 mod command_line;
 mod degenerate;
 mod every_minimum;
+mod families;
 mod invariances;
 mod jets;
 mod numbers;
