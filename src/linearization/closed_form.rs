@@ -16,15 +16,22 @@ use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 
 mod frozen;
+mod jets;
 mod matrices;
+mod norms;
+mod operands;
 mod projection;
 mod sums;
+mod terms;
 mod variations;
 
 pub use frozen::Frozen;
+pub use jets::{Jets, MatrixTerms};
 pub use matrices::{Matrices, VectorQuantity};
-pub use projection::Projection;
-pub use variations::variations;
+pub use operands::{Between, First, Operands, Second, Side};
+pub use projection::{Points, Projection, System};
+pub use terms::{Label, Sound, Terms};
+pub use variations::{variations, variations_with};
 
 /// All scalar quantities with gradients and Hessians, at a closest point of the pair.
 ///

@@ -1,9 +1,32 @@
 //! The two-by-two system that the variations of xi and xi_bar solve, to first and to second order alike.
 
+use super::terms::{Label, Sound, Terms};
 use crate::closest_point::Active;
 use crate::curve::Geometry;
 use crate::number::Real;
 use nalgebra::Vector3;
+
+/// What the entries of the matrix are made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Points<T> {
+    /// The beam at its contact point.
+    pub beam: Geometry<T>,
+    /// The bar beam at its contact point.
+    pub bar: Geometry<T>,
+    /// d = x_C - x_bar_C.
+    pub d: Vector3<T>,
+}
+
+/// What its solutions are made of.
+#[derive(Clone, Copy, Debug)]
+pub struct System<T> {
+    /// The entries of the matrix: a, b, a_bar.
+    pub matrix: [T; 3],
+    /// The right-hand side of the beam.
+    pub r: T,
+    /// The right-hand side of the bar beam.
+    pub r_bar: T,
+}
 
 /// The matrix of the orthogonality conditions at the closest point, ready to be solved with.
 ///
@@ -26,12 +49,18 @@ impl<T: Real> Projection<T> {
     /// Sets the matrix up from the geometry of both curves at the closest point.
     #[inline]
     pub fn new(beam: &Geometry<T>, bar: &Geometry<T>, active: Active) -> Self {
-        let (t, t_bar) = (&beam.t, &bar.t);
-        let d: Vector3<T> = beam.x - bar.x;
+        Self::with(&Sound, &Points { beam: *beam, bar: *bar, d: beam.x - bar.x }, active)
+    }
+
+    /// The same through [`Terms`].
+    #[inline]
+    pub fn with(terms: &impl Terms<T, Points<T>>, points: &Points<T>, active: Active) -> Self {
+        let term = |name, term: fn(&Points<T>) -> T| terms.term(Label::new(name), points, term);
         // Eq. (50), (51): a = t·t + d·t,ξ   b = t·t̄   ā = −t̄·t̄ + d·t̄,ξ̄
-        let a = t.dot(t) + d.dot(&beam.t_xi);
-        let b = t.dot(t_bar);
-        let a_bar = -t_bar.dot(t_bar) + d.dot(&bar.t_xi);
+        let a = term("a: t.t", |o| o.beam.t.dot(&o.beam.t)) + term("a: d.t,xi", |o| o.d.dot(&o.beam.t_xi));
+        let b = term("b: t.t_bar", |o| o.beam.t.dot(&o.bar.t));
+        let a_bar = -term("a_bar: t_bar.t_bar", |o| o.bar.t.dot(&o.bar.t))
+            + term("a_bar: d.t_bar,xi", |o| o.d.dot(&o.bar.t_xi));
         Self { a, b, a_bar, active }
     }
 
@@ -44,20 +73,34 @@ impl<T: Real> Projection<T> {
 
     /// (delta xi, delta xi_bar) from the right-hand sides R and R_bar, of first or of second order.
     #[inline]
+    pub fn solve(&self, r: T, r_bar: T) -> (T, T) {
+        self.solve_with(&Sound, r, r_bar)
+    }
+
+    /// The same through [`Terms`].
+    #[inline]
     #[doc(alias = "Eq. (56)")]
     #[doc(alias = "Eq. (59)")]
-    pub fn solve(&self, r: T, r_bar: T) -> (T, T) {
+    pub fn solve_with(&self, terms: &impl Terms<T, System<T>>, r: T, r_bar: T) -> (T, T) {
         let Self { a, b, a_bar, active } = *self;
+        let system = System { matrix: [a, b, a_bar], r, r_bar };
+        let term = |name, term: fn(&System<T>) -> T| terms.term(Label::new(name), &system, term);
         let zero = T::zero();
         match (active.xi, active.xi_bar) {
             (false, false) => {
+                // Eq. (52): D = a ā + b²
+                let det = term("D: a a_bar", |o| o.matrix[0] * o.matrix[2])
+                    + term("D: b b", |o| o.matrix[1] * o.matrix[1]);
                 // Eq. (52), (59): δξ = (ā R + b R̄)/D   δξ̄ = (−b R + a R̄)/D
-                let det = self.det();
-                ((a_bar * r + b * r_bar) / det, (-b * r + a * r_bar) / det)
+                let xi = term("xi: a_bar R", |o| o.matrix[2] * o.r)
+                    + term("xi: b R_bar", |o| o.matrix[1] * o.r_bar);
+                let xi_bar = -term("xi_bar: b R", |o| o.matrix[1] * o.r)
+                    + term("xi_bar: a R_bar", |o| o.matrix[0] * o.r_bar);
+                (xi / det, xi_bar / det)
             }
             // An end holds one parameter: the other row alone remains, R̄ = ā δξ̄ or R = a δξ.
-            (true, false) => (zero, r_bar / a_bar),
-            (false, true) => (r / a, zero),
+            (true, false) => (zero, term("xi_bar, xi held: R_bar / a_bar", |o| o.r_bar / o.matrix[2])),
+            (false, true) => (term("xi, xi_bar held: R / a", |o| o.r / o.matrix[0]), zero),
             (true, true) => (zero, zero),
         }
     }
@@ -65,8 +108,14 @@ impl<T: Real> Projection<T> {
     /// The inverse matrix [[p, q], [r, s]], so that (delta xi, delta xi_bar) = (p R + q R_bar, r R + s R_bar).
     #[inline]
     pub fn inverse(&self) -> [[T; 2]; 2] {
+        self.inverse_with(&Sound)
+    }
+
+    /// The same through [`Terms`].
+    #[inline]
+    pub fn inverse_with(&self, terms: &impl Terms<T, System<T>>) -> [[T; 2]; 2] {
         let (zero, one) = (T::zero(), T::one());
-        let ((p, r), (q, s)) = (self.solve(one, zero), self.solve(zero, one));
+        let ((p, r), (q, s)) = (self.solve_with(terms, one, zero), self.solve_with(terms, zero, one));
         [[p, q], [r, s]]
     }
 }

@@ -1,8 +1,11 @@
 //! The variations of every quantity in two directions: sections 2 to 5 of the paper.
 
+use super::norms::{distance, length, slip};
+use super::operands::{Formula, Operands, Side};
+use super::projection::{Points, System};
+use super::terms::{Sound, Terms};
 use super::{Frozen, Projection};
 use crate::closest_point::Active;
-use crate::curve::Geometry;
 use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use crate::pair::Contact;
@@ -47,194 +50,172 @@ use nalgebra::Vector3;
 pub fn variations<T: Real>(
     beam: &Frozen<T>,
     bar: &Frozen<T>,
-    (xi, xi_bar): (T, T),
+    at: (T, T),
     active: Active,
     contact: &Contact,
 ) -> Quantities<Varied<T>> {
-    let projection = Projection::new(&beam.geometry, &bar.geometry, active);
+    variations_with(&Sound, beam, bar, at, active, contact)
+}
 
+/// The same through [`Terms`].
+pub fn variations_with<T: Real, F>(
+    terms: &F,
+    beam: &Frozen<T>,
+    bar: &Frozen<T>,
+    (xi, xi_bar): (T, T),
+    active: Active,
+    contact: &Contact,
+) -> Quantities<Varied<T>>
+where
+    F: Terms<T, Operands<T>> + Terms<T, Points<T>> + Terms<T, System<T>>,
+{
+    let mut o = Operands::new(beam, bar);
     // Eq. (5), (8): d = x_C − x̄_C
-    let d_vector = beam.geometry.x - bar.geometry.x;
-    // Eq. (37): δᵤû = δᵤu_C − δᵤū_C
-    let delta_u_hat = beam.delta_u[0] - bar.delta_u[0];
-    let linear_u_hat = beam.linear_u[0] - bar.linear_u[0];
+    let of = Formula::new(terms, &o);
+    o.d = of.term("d: x", |o| o.beam.geometry.x) - of.term("d: x_bar", |o| o.bar.geometry.x);
+    let points = Points { beam: o.beam.geometry, bar: o.bar.geometry, d: o.d };
+    let projection = Projection::with(terms, &points, active);
 
-    // Eq. (44), (50): first order
-    let first = |u_hat: &Vector3<T>, u_xi: &Vector3<T>, u_bar_xi: &Vector3<T>| {
-        // R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   (49) corrected in its second row
-        let r = -u_hat.dot(&beam.geometry.t) - u_xi.dot(&d_vector);
-        let r_bar = -u_hat.dot(&bar.geometry.t) - u_bar_xi.dot(&d_vector);
-        projection.solve(r, r_bar)
-    };
-    let (delta_xi, delta_xi_bar) = first(&delta_u_hat, &beam.delta_u[1], &bar.delta_u[1]);
-    let (linear_xi, linear_xi_bar) = first(&linear_u_hat, &beam.linear_u[1], &bar.linear_u[1]);
+    // First order, in both directions.
+    let linear = first_order(terms, &projection, o.exchanged());
+    o = first_order(terms, &projection, o);
+    (o.linear, o.beam.linear, o.bar.linear) = (linear.delta, linear.beam.delta, linear.bar.delta);
 
-    let moving = Moving::new(beam, delta_xi, linear_xi);
-    let moving_bar = Moving::new(bar, delta_xi_bar, linear_xi_bar);
-
-    // Eq. (32): δd = δx_C − δx̄_C
-    let delta_d = moving.delta_x - moving_bar.delta_x;
-    let linear_d = moving.linear_x - moving_bar.linear_x;
-
-    // Eq. (53), (54): second order. The part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which
-    // the paper never gives:
-    // R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
-    let rest_d = moving.rest_x - moving_bar.rest_x;
-    let r = -(delta_d.dot(&moving.linear_t) + linear_d.dot(&moving.delta_t))
-        - beam.geometry.t.dot(&rest_d)
-        - d_vector.dot(&moving.rest_t);
-    let r_bar = -(delta_d.dot(&moving_bar.linear_t) + linear_d.dot(&moving_bar.delta_t))
-        - bar.geometry.t.dot(&rest_d)
-        - d_vector.dot(&moving_bar.rest_t);
+    // Second order.
+    for bar in [false, true] {
+        let (x, t) = rest(&Formula::of_side(terms, &o, bar));
+        (o.side_mut(bar).second.rest_x, o.side_mut(bar).second.rest_t) = (x, t);
+    }
+    let (r, r_bar) = right_hand_sides(&Formula::new(terms, &o));
     // Eq. (59); its twin (56) lacks a bar
-    let (second_xi, second_xi_bar) = projection.solve(r, r_bar);
+    (o.beam.second.xi, o.bar.second.xi) = projection.solve_with(terms, r, r_bar);
+    for bar in [false, true] {
+        let (x, t) = second_order(&Formula::of_side(terms, &o, bar));
+        (o.side_mut(bar).second.x, o.side_mut(bar).second.t) = (x, t);
+    }
 
-    let x = moving.position(second_xi);
-    let x_bar = moving_bar.position(second_xi_bar);
-    let t_vector = moving.tangent(second_xi);
-    let t_bar_vector = moving_bar.tangent(second_xi_bar);
-    let d_vector = difference(&x, &x_bar);
-
-    // Eq. (4): d = ‖d‖
-    let d = d_vector.value.dot(&d_vector.value).sqrt();
-    // Eq. (37): δd = d·δᵤû/d
-    let delta_dist = d_vector.value.dot(&delta_u_hat) / d;
-    let linear_dist = d_vector.value.dot(&linear_u_hat) / d;
-    // Eq. (40), (57), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû. As (37) it holds at an active
-    // end too, where δξ = 0 takes the place of d·t = 0.
-    let moved = beam.geometry.t * linear_xi - bar.geometry.t * linear_xi_bar;
-    let turned = beam.delta_u[1] * linear_xi - bar.delta_u[1] * linear_xi_bar;
-    let second_u_hat = beam.second_u[0] - bar.second_u[0];
-    let second_dist = (delta_u_hat.dot(&moved)
-        + d_vector.value.dot(&turned)
-        + delta_u_hat.dot(&linear_u_hat)
-        + d_vector.value.dot(&second_u_hat)
-        - delta_dist * linear_dist)
-        / d;
-    let d = Varied { value: d, delta: delta_dist, linear: linear_dist, second: second_dist };
-
-    // Eq. (41), (42) corrected
-    let t = norm(&t_vector);
-    let t_bar = norm(&t_bar_vector);
-
-    let xi = Varied { value: xi, delta: delta_xi, linear: linear_xi, second: second_xi };
-    let xi_bar = Varied { value: xi_bar, delta: delta_xi_bar, linear: linear_xi_bar, second: second_xi_bar };
-
+    // Norms and slips.
+    let of = Formula::new(terms, &o);
+    let second_d = of.term("Dd d: Dd x", |o| o.beam.second.x) - of.term("Dd d: Dd x_bar", |o| o.bar.second.x);
+    let (d, t, t_bar);
+    (d, o) = distance(terms, o);
+    (t, o) = length(terms, o, false);
+    (t_bar, o) = length(terms, o, true);
+    let of = Formula::new(terms, &o);
     // Eq. (11), (18), (19): g_N = d − (r + r̄)
-    let g_n = Varied { value: d.value - (T::from(contact.radius) + T::from(contact.radius_bar)), ..d };
+    let radii = of.term("g_N: r", |_| T::from(contact.radius))
+        + of.term("g_N: r_bar", |_| T::from(contact.radius_bar));
+    let g_n = Varied { value: d.value - radii, ..d };
+    (o.beam.slip, o.bar.slip) = (xi - T::from(contact.xi_0), xi_bar - T::from(contact.xi_bar_0));
 
+    let Operands { beam, bar, .. } = &o;
+    let parameter = |value, side: &Side<T>| Varied {
+        value,
+        delta: side.delta.xi,
+        linear: side.linear.xi,
+        second: side.second.xi,
+    };
     Quantities {
-        g_t: slip(&t, &xi, contact.xi_0),
-        g_t_bar: slip(&t_bar, &xi_bar, contact.xi_bar_0),
-        x: transposed(x),
-        x_bar: transposed(x_bar),
-        d_vector: transposed(d_vector),
-        t_vector: transposed(t_vector),
-        t_bar_vector: transposed(t_bar_vector),
+        x: transposed(beam.geometry.x, beam.delta.x, beam.linear.x, beam.second.x),
+        x_bar: transposed(bar.geometry.x, bar.delta.x, bar.linear.x, bar.second.x),
+        d_vector: transposed(o.d, o.delta.d, o.linear.d, second_d),
+        t_vector: transposed(beam.geometry.t, beam.delta.t, beam.linear.t, beam.second.t),
+        t_bar_vector: transposed(bar.geometry.t, bar.delta.t, bar.linear.t, bar.second.t),
         d,
         t,
         t_bar,
-        xi,
-        xi_bar,
+        xi: parameter(xi, beam),
+        xi_bar: parameter(xi_bar, bar),
         g_n,
+        g_t: slip(terms, &o, false),
+        g_t_bar: slip(terms, &o, true),
     }
 }
 
-/// One contact point and its tangent, moving with the dofs and along the curve.
-struct Moving<'a, T> {
-    beam: &'a Frozen<T>,
-    delta_x: Vector3<T>,
-    linear_x: Vector3<T>,
-    /// Delta-delta x_C less its term in Delta-delta xi.
-    rest_x: Vector3<T>,
-    delta_t: Vector3<T>,
-    linear_t: Vector3<T>,
-    /// Delta-delta t less its term in Delta-delta xi.
-    rest_t: Vector3<T>,
+/// The first variations of parameters, points and tangents along delta.
+#[inline]
+fn first_order<T: Real, F>(terms: &F, projection: &Projection<T>, mut o: Operands<T>) -> Operands<T>
+where
+    F: Terms<T, Operands<T>> + Terms<T, System<T>>,
+{
+    // Eq. (37): δᵤû = δᵤu_C − δᵤū_C
+    let of = Formula::new(terms, &o);
+    o.delta.u_hat =
+        of.term("u_hat: du", |o| o.beam.delta.u[0]) - of.term("u_hat: du_bar", |o| o.bar.delta.u[0]);
+    // Eq. (44), (50): R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   (49) corrected in its second row
+    let of = Formula::new(terms, &o);
+    let r = -of.term("R: du_hat.t", |o| o.delta.u_hat.dot(&o.beam.geometry.t))
+        - of.term("R: du,xi.d", |o| o.beam.delta.u[1].dot(&o.d));
+    let r_bar = -of.term("R_bar: du_hat.t_bar", |o| o.delta.u_hat.dot(&o.bar.geometry.t))
+        - of.term("R_bar: du_bar,xi.d", |o| o.bar.delta.u[1].dot(&o.d));
+    (o.beam.delta.xi, o.bar.delta.xi) = projection.solve_with(terms, r, r_bar);
+    for bar in [false, true] {
+        let of = Formula::of_side(terms, &o, bar);
+        // Eq. (24), (31): δx_C = t δξ + δᵤu_C
+        let x = of.own("dx: t dxi", |s| s.geometry.t * s.delta.xi) + of.own("dx: du", |s| s.delta.u[0]);
+        // Eq. (28), (31), (32): δt = t,ξ δξ + δᵤu_C,ξ   ((32) prints a stray −δξ̄ in δt̄)
+        let t =
+            of.own("dt: t,xi dxi", |s| s.geometry.t_xi * s.delta.xi) + of.own("dt: du,xi", |s| s.delta.u[1]);
+        (o.side_mut(bar).delta.x, o.side_mut(bar).delta.t) = (x, t);
+    }
+    // Eq. (32): δd = δx_C − δx̄_C
+    let of = Formula::new(terms, &o);
+    o.delta.d = of.term("dd: dx", |o| o.beam.delta.x) - of.term("dd: dx_bar", |o| o.bar.delta.x);
+    o
 }
 
-impl<'a, T: Real> Moving<'a, T> {
-    fn new(beam: &'a Frozen<T>, delta_xi: T, linear_xi: T) -> Self {
-        let Frozen { geometry, delta_u, linear_u, second_u } = beam;
-        Self {
-            beam,
-            // Eq. (24), (31): δx_C = t δξ + δᵤu_C
-            delta_x: geometry.t * delta_xi + delta_u[0],
-            linear_x: geometry.t * linear_xi + linear_u[0],
-            // Eq. (26), (31): Δδx_C = t,ξ δξΔξ + t Δδξ + δξ Δᵤu_C,ξ + δᵤu_C,ξ Δξ + Δᵤδᵤu_C
-            rest_x: geometry.t_xi * (delta_xi * linear_xi)
-                + linear_u[1] * delta_xi
-                + delta_u[1] * linear_xi
-                + second_u[0],
-            // Eq. (28), (31), (32): δt = t,ξ δξ + δᵤu_C,ξ
-            delta_t: geometry.t_xi * delta_xi + delta_u[1],
-            linear_t: geometry.t_xi * linear_xi + linear_u[1],
-            // Eq. (30), (31), (32): Δδt = t,ξξ δξΔξ + t,ξ Δδξ + δξ Δᵤu_C,ξξ + δᵤu_C,ξξ Δξ + Δᵤδᵤu_C,ξ
-            // ((32) prints t̄,ξ̄ for t̄,ξ̄ξ̄ in the barred twin, and a stray −δξ̄ in δt̄)
-            rest_t: geometry.t_xixi * (delta_xi * linear_xi)
-                + linear_u[2] * delta_xi
-                + delta_u[2] * linear_xi
-                + second_u[1],
-        }
-    }
-
-    fn position(&self, second_xi: T) -> Varied<Vector3<T>> {
-        let Geometry { x, t, .. } = self.beam.geometry;
-        Varied { value: x, delta: self.delta_x, linear: self.linear_x, second: t * second_xi + self.rest_x }
-    }
-
-    fn tangent(&self, second_xi: T) -> Varied<Vector3<T>> {
-        let Geometry { t, t_xi, .. } = self.beam.geometry;
-        Varied {
-            value: t,
-            delta: self.delta_t,
-            linear: self.linear_t,
-            second: t_xi * second_xi + self.rest_t,
-        }
-    }
+/// The second variations of a contact point and its tangent, less their terms in Delta-delta xi.
+#[inline]
+fn rest<T: Real, F: Terms<T, Operands<T>>>(of: &Formula<'_, F, T>) -> (Vector3<T>, Vector3<T>) {
+    // Eq. (26), (31): Δδx_C = t,ξ δξΔξ + t Δδξ + δξ Δᵤu_C,ξ + δᵤu_C,ξ Δξ + Δᵤδᵤu_C
+    let x = of.own("Dd x: t,xi dxi Dxi", |s| s.geometry.t_xi * (s.delta.xi * s.linear.xi))
+        + of.own("Dd x: dxi Du,xi", |s| s.linear.u[1] * s.delta.xi)
+        + of.own("Dd x: du,xi Dxi", |s| s.delta.u[1] * s.linear.xi)
+        + of.own("Dd x: Ddu", |s| s.second.u[0]);
+    // Eq. (30), (31), (32): Δδt = t,ξξ δξΔξ + t,ξ Δδξ + δξ Δᵤu_C,ξξ + δᵤu_C,ξξ Δξ + Δᵤδᵤu_C,ξ
+    // ((32) prints t̄,ξ̄ for t̄,ξ̄ξ̄ in the barred twin)
+    let t = of.own("Dd t: t,xixi dxi Dxi", |s| s.geometry.t_xixi * (s.delta.xi * s.linear.xi))
+        + of.own("Dd t: dxi Du,xixi", |s| s.linear.u[2] * s.delta.xi)
+        + of.own("Dd t: du,xixi Dxi", |s| s.delta.u[2] * s.linear.xi)
+        + of.own("Dd t: Ddu,xi", |s| s.second.u[1]);
+    (x, t)
 }
 
-/// The norm of a vector and its variations.
-fn norm<T: Real>(v: &Varied<Vector3<T>>) -> Varied<T> {
-    // Eq. (9): v = ‖v‖
-    let value = v.value.dot(&v.value).sqrt();
-    // Eq. (33): δv = v·δv/v
-    let delta = v.value.dot(&v.delta) / value;
-    let linear = v.value.dot(&v.linear) / value;
-    // Eq. (35): Δδv = (v·Δδv + Δv·δv)/v − (δv·v)(v·Δv)/v³
-    let second = (v.value.dot(&v.second) + v.linear.dot(&v.delta) - delta * linear) / value;
-    Varied { value, delta, linear, second }
+/// R and R_bar of second order.
+#[inline]
+fn right_hand_sides<T: Real, F: Terms<T, Operands<T>>>(of: &Formula<'_, F, T>) -> (T, T) {
+    // Eq. (53), (54): the part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which the paper never
+    // gives: R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
+    let rest_d = of.term("R2: rest of Dd x", |o| o.beam.second.rest_x)
+        - of.term("R2: rest of Dd x_bar", |o| o.bar.second.rest_x);
+    let r = -(of.term("R2: dd.Dt", |o| o.delta.d.dot(&o.beam.linear.t))
+        + of.term("R2: Dd.dt", |o| o.linear.d.dot(&o.beam.delta.t)))
+        - of.term("R2: t.rest", |o| o.beam.geometry.t.dot(&rest_d))
+        - of.term("R2: d.rest", |o| o.d.dot(&o.beam.second.rest_t));
+    let r_bar = -(of.term("R2_bar: dd.Dt_bar", |o| o.delta.d.dot(&o.bar.linear.t))
+        + of.term("R2_bar: Dd.dt_bar", |o| o.linear.d.dot(&o.bar.delta.t)))
+        - of.term("R2_bar: t_bar.rest", |o| o.bar.geometry.t.dot(&rest_d))
+        - of.term("R2_bar: d.rest", |o| o.d.dot(&o.bar.second.rest_t));
+    (r, r_bar)
 }
 
-/// g_T = t (xi_C - xi_C0) and its variations.
-fn slip<T: Real>(t: &Varied<T>, xi: &Varied<T>, xi_0: f64) -> Varied<T> {
-    let slip = xi.value - T::from(xi_0);
-    Varied {
-        // Eq. (14), (15): g_T = t (ξ_C − ξ_C₀)
-        value: t.value * slip,
-        // Eq. (20): δg_T = δt (ξ_C − ξ_C₀) + t δξ_C
-        delta: t.delta * slip + t.value * xi.delta,
-        linear: t.linear * slip + t.value * xi.linear,
-        // Eq. (21): Δδg_T = Δδt (ξ_C − ξ_C₀) + δt Δξ_C + Δt δξ_C + t Δδξ_C
-        second: t.second * slip + t.delta * xi.linear + t.linear * xi.delta + t.value * xi.second,
-    }
+/// The second variations of a contact point and its tangent.
+#[inline]
+fn second_order<T: Real, F: Terms<T, Operands<T>>>(of: &Formula<'_, F, T>) -> (Vector3<T>, Vector3<T>) {
+    let x =
+        of.own("Dd x: t Ddxi", |s| s.geometry.t * s.second.xi) + of.own("Dd x: rest", |s| s.second.rest_x);
+    let t = of.own("Dd t: t,xi Ddxi", |s| s.geometry.t_xi * s.second.xi)
+        + of.own("Dd t: rest", |s| s.second.rest_t);
+    (x, t)
 }
 
-fn difference<T: Real>(x: &Varied<Vector3<T>>, y: &Varied<Vector3<T>>) -> Varied<Vector3<T>> {
-    Varied {
-        value: x.value - y.value,
-        delta: x.delta - y.delta,
-        linear: x.linear - y.linear,
-        second: x.second - y.second,
-    }
-}
-
-/// From the variations of a vector to a vector of variations.
-fn transposed<T: Real>(v: Varied<Vector3<T>>) -> Vector3<Varied<T>> {
-    Vector3::from_fn(|i, _| Varied {
-        value: v.value[i],
-        delta: v.delta[i],
-        linear: v.linear[i],
-        second: v.second[i],
-    })
+/// The variations of a vector, component by component.
+#[inline]
+fn transposed<T: Real>(
+    value: Vector3<T>,
+    delta: Vector3<T>,
+    linear: Vector3<T>,
+    second: Vector3<T>,
+) -> Vector3<Varied<T>> {
+    Vector3::from_fn(|i, _| Varied { value: value[i], delta: delta[i], linear: linear[i], second: second[i] })
 }

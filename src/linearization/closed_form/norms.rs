@@ -1,0 +1,86 @@
+//! The lengths of vectors and the slips: section 4 of the paper, and what its section 2.2 makes of it.
+
+use super::operands::{Formula, Operands};
+use super::terms::Terms;
+use crate::linearization::Varied;
+use crate::number::Real;
+
+/// d = |d| and its variations.
+#[inline]
+pub(super) fn distance<T: Real, F: Terms<T, Operands<T>>>(
+    terms: &F,
+    mut o: Operands<T>,
+) -> (Varied<T>, Operands<T>) {
+    // Eq. (4): d = ‖d‖
+    o.distance = Formula::new(terms, &o).term("|d|: d.d", |o| o.d.dot(&o.d)).sqrt();
+    // Eq. (37): δd = d·δᵤû/d
+    let first = |o: &Operands<T>| {
+        Formula::new(terms, o).term("d|d|: d.du_hat", |o| o.d.dot(&o.delta.u_hat)) / o.distance
+    };
+    (o.delta.distance, o.linear.distance) = (first(&o), first(&o.exchanged()));
+    // Eq. (40), (57), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû. As (37) it holds at an active
+    // end too, where δξ = 0 takes the place of d·t = 0.
+    let of = Formula::new(terms, &o);
+    let moved = of.term("Dd|d|: du_hat.t Dxi", |o| o.beam.geometry.t * o.beam.linear.xi)
+        - of.term("Dd|d|: du_hat.t_bar Dxi_bar", |o| o.bar.geometry.t * o.bar.linear.xi);
+    let turned = of.term("Dd|d|: d.du,xi Dxi", |o| o.beam.delta.u[1] * o.beam.linear.xi)
+        - of.term("Dd|d|: d.du_bar,xi Dxi_bar", |o| o.bar.delta.u[1] * o.bar.linear.xi);
+    let second_u_hat =
+        of.term("Dd|d|: d.Ddu", |o| o.beam.second.u[0]) - of.term("Dd|d|: d.Ddu_bar", |o| o.bar.second.u[0]);
+    let second = (of.term("Dd|d|: du_hat.moved", |o| o.delta.u_hat.dot(&moved))
+        + of.term("Dd|d|: d.turned", |o| o.d.dot(&turned))
+        + of.term("Dd|d|: du_hat.Du_hat", |o| o.delta.u_hat.dot(&o.linear.u_hat))
+        + of.term("Dd|d|: d.Ddu_hat", |o| o.d.dot(&second_u_hat))
+        - of.term("Dd|d|: dd Dd", |o| o.delta.distance * o.linear.distance))
+        / o.distance;
+    (Varied { value: o.distance, delta: o.delta.distance, linear: o.linear.distance, second }, o)
+}
+
+/// The length of a tangent and its variations.
+#[inline]
+pub(super) fn length<T: Real, F: Terms<T, Operands<T>>>(
+    terms: &F,
+    mut o: Operands<T>,
+    bar: bool,
+) -> (Varied<T>, Operands<T>) {
+    // Eq. (9): t = ‖t‖
+    let value = Formula::of_side(terms, &o, bar).own("|t|: t.t", |s| s.geometry.t.dot(&s.geometry.t)).sqrt();
+    o.side_mut(bar).length = value;
+    // Eq. (33), (41): δt = t·δt/t
+    let first = |o: &Operands<T>| {
+        Formula::of_side(terms, o, bar).own("d|t|: t.dt", |s| s.geometry.t.dot(&s.delta.t)) / value
+    };
+    let (delta, linear) = (first(&o), first(&o.exchanged()));
+    (o.side_mut(bar).delta.length, o.side_mut(bar).linear.length) = (delta, linear);
+    // Eq. (35), (42) corrected: Δδt = (t·Δδt + Δt·δt − δt Δt)/t, the last of lengths
+    let of = Formula::of_side(terms, &o, bar);
+    let second = (of.own("Dd|t|: t.Ddt", |s| s.geometry.t.dot(&s.second.t))
+        + of.own("Dd|t|: Dt.dt", |s| s.linear.t.dot(&s.delta.t))
+        - of.own("Dd|t|: dt Dt", |s| s.delta.length * s.linear.length))
+        / value;
+    o.side_mut(bar).second.length = second;
+    (Varied { value, delta, linear, second }, o)
+}
+
+/// g_T = t (xi_C - xi_C0) and its variations.
+#[inline]
+pub(super) fn slip<T: Real, F: Terms<T, Operands<T>>>(terms: &F, o: &Operands<T>, bar: bool) -> Varied<T> {
+    // Eq. (20): δg_T = δt (ξ_C − ξ_C₀) + t δξ_C
+    let first = |o: &Operands<T>| {
+        let of = Formula::of_side(terms, o, bar);
+        of.own("dg_T: dt slip", |s| s.delta.length * s.slip)
+            + of.own("dg_T: t dxi", |s| s.length * s.delta.xi)
+    };
+    let of = Formula::of_side(terms, o, bar);
+    Varied {
+        // Eq. (14), (15): g_T = t (ξ_C − ξ_C₀)
+        value: of.own("g_T: t slip", |s| s.length * s.slip),
+        delta: first(o),
+        linear: first(&o.exchanged()),
+        // Eq. (21): Δδg_T = Δδt (ξ_C − ξ_C₀) + δt Δξ_C + Δt δξ_C + t Δδξ_C
+        second: of.own("Ddg_T: Ddt slip", |s| s.second.length * s.slip)
+            + of.own("Ddg_T: dt Dxi", |s| s.delta.length * s.linear.xi)
+            + of.own("Ddg_T: Dt dxi", |s| s.linear.length * s.delta.xi)
+            + of.own("Ddg_T: t Ddxi", |s| s.length * s.second.xi),
+    }
+}
