@@ -8,6 +8,7 @@ mod human;
 mod json;
 mod output;
 mod panics;
+mod proof;
 mod prove;
 mod report;
 mod table;

@@ -15,9 +15,13 @@
 //! most (Schwartz and Zippel), and one point in eight at least is not drawn again, so one draw overlooks a wrong
 //! formula with probability 64 n / p at most, and independent draws multiply.
 
+mod draw;
+mod entry;
 mod run;
 
-pub use run::{Layer, Proof, Refutation, Row, prove};
+pub use draw::Draw;
+pub use entry::{Entry, Layer};
+pub use run::{Proof, Row, prove};
 
 use crate::closest_point::Active;
 use crate::linearization::ad::{Chord, evaluate};
@@ -32,6 +36,9 @@ const SCALARS: usize = 7;
 
 /// The components (of the variations) that the matrices are made for.
 const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 22];
+
+/// Radii and reference parameters of all draws: none is nought, no two are equal.
+const CONTACT: Contact = Contact { radius: 0.125, radius_bar: 0.25, xi_0: 0.5, xi_bar_0: -0.75 };
 
 /// All results of both sides at a stationary point.
 struct Sides<T> {

@@ -1,7 +1,23 @@
 //! How arguments are read that several subcommands have.
 
+use anyhow::Context;
 use beamgap::check::{Family, Regime};
+use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+/// For whom a result is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    Human,
+    Json,
+}
+
+/// Has so many threads work, or as many as there are cores.
+pub(super) fn work_with(threads: Option<u16>) -> anyhow::Result<()> {
+    let Some(threads) = threads else { return Ok(()) };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+    pool.build_global().context("cannot start the threads")
+}
 
 /// A seed, decimal or hexadecimal.
 pub(super) fn seed(text: &str) -> Result<u64, String> {

@@ -1,12 +1,11 @@
 //! `beamgap check`: random pairs of beams through both linearizations.
 
-use super::arguments::{families, regimes, seed};
+use super::arguments::{Format, families, regimes, seed, work_with};
 use super::exit::Exit;
 use super::output::Output;
 use super::{case, human, json};
-use anyhow::Context;
 use beamgap::check::{Case, Family, Regime, Selection, Summary, compare, run};
-use clap::{Args, ValueEnum, value_parser};
+use clap::{Args, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -45,13 +44,6 @@ pub(crate) struct Check {
     threads: Option<u16>,
 }
 
-/// For whom the result is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Human,
-    Json,
-}
-
 /// What was asked, and what was found.
 pub(super) struct Checked {
     pub(super) seed: u64,
@@ -63,10 +55,7 @@ impl Check {
     /// Does the comparison and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let output = Output::open(self.output.as_deref())?;
-        if let Some(threads) = self.threads {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
-            pool.build_global().context("cannot start the threads")?;
-        }
+        work_with(self.threads)?;
         let (document, verdict) = match self.case {
             Some(number) => self.one(number)?,
             None => self.many()?,

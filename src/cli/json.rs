@@ -99,6 +99,6 @@ fn with(mut object: Value, more: Value) -> Value {
 }
 
 /// Two digits: the others depend on the machine.
-fn rounded(error: f64) -> Option<f64> {
+pub(super) fn rounded(error: f64) -> Option<f64> {
     format!("{error:.1e}").parse().ok().filter(|error: &f64| error.is_finite())
 }

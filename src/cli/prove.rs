@@ -1,15 +1,13 @@
 //! `beamgap prove`: both linearizations over a prime field, compared without a tolerance.
 
-use super::arguments::{families, seed};
+use super::arguments::{Format, families, seed, work_with};
 use super::exit::Exit;
 use super::output::Output;
-use super::table::Table;
-use beamgap::linearization::Quantity;
-use beamgap::prove::{Layer, Proof, Refutation, Row, prove};
+use super::proof;
+use beamgap::prove::{Proof, prove};
 use beamgap::specimen::Family;
 use clap::{Args, value_parser};
-use std::fmt::Write;
-use std::io::IsTerminal;
+use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -27,95 +25,44 @@ pub(crate) struct Prove {
     /// Only this family; may be repeated, and then all pairs of those named
     #[arg(long, value_parser = families())]
     family: Vec<Family>,
+    /// Tables for people, or one document for programs
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
     /// Write the result to this file, and only the verdict to standard output
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
+    /// How many threads work; the result is the same [default: all cores]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(value_parser = value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+/// What was asked, and what was found.
+pub(super) struct Proved {
+    pub(super) seed: u64,
+    pub(super) families: Vec<Family>,
+    pub(super) draws: u64,
+    pub(super) proof: Proof,
 }
 
 impl Prove {
-    /// Does the proof and writes the result.
+    /// Does the proof and writes the result, and to stderr the time it took: that is not the same every time.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let output = Output::open(self.output.as_deref())?;
-        let families: Vec<_> =
-            Family::ALL.into_iter().filter(|f| self.family.is_empty() || self.family.contains(f)).collect();
+        work_with(self.threads)?;
+        let named = |family: &Family| self.family.is_empty() || self.family.contains(family);
+        let families: Vec<_> = Family::ALL.into_iter().filter(named).collect();
         let start = Instant::now();
         let proof = prove(self.seed, &families, self.draws);
-        if std::io::stderr().is_terminal() {
-            eprintln!("{} draws in {:.1} s", proof.pairs as u64 * self.draws, start.elapsed().as_secs_f64());
-        }
-        let verdict = verdict(&proof);
-        let document = format!("{}\n{verdict}\n", document(&self, &proof));
-        output.write(&document, &format!("{verdict}\n"))?;
-        Ok(if proof.holds() { Exit::Agree } else { Exit::Disagree })
+        let draws = proof.pairs as u64 * self.draws;
+        // A closed stderr is no reason to lose the result.
+        let _ = writeln!(std::io::stderr(), "{draws} draws in {:.1} s", start.elapsed().as_secs_f64());
+        let proved = Proved { seed: self.seed, families, draws: self.draws, proof };
+        let document = match self.format {
+            Format::Human => proof::human(&proved),
+            Format::Json => proof::json(&proved)?,
+        };
+        output.write(&document, &format!("{}\n", proof::verdict(&proved.proof)))?;
+        Ok(if proved.proof.holds() { Exit::Agree } else { Exit::Disagree })
     }
-}
-
-fn verdict(proof: &Proof) -> String {
-    if proof.holds() {
-        return "PROVED: closed form and automatic differentiation are equal in every draw.".into();
-    }
-    let pairs = proof.refutations.len();
-    format!("REFUTED: in {pairs} of {} pairs of families they are not equal.", proof.pairs)
-}
-
-fn document(asked: &Prove, proof: &Proof) -> String {
-    let mut text = format!(
-        "Contact geometry of two beams: closed form against automatic differentiation,\n\
-         over the field of 2^61 - 1 elements, compared by ==\n\
-         seed {:#x}, {} ordered pairs of families, {} draws each\n\n\
-         The chance that a wrong formula passes one draw is at most 10^bound, from the\n\
-         degree of the two sides (Schwartz and Zippel); independent draws multiply.\n\n",
-        asked.seed, proof.pairs, asked.draws
-    );
-    let mut table = Table::new(&["quantity", "layer", "equal", "unequal", "degree <", "bound"]).left(&[1]);
-    for row in &proof.rows {
-        let Row { quantity, layer, equal, refuted, degree } = row;
-        table.row(vec![
-            quantity.name().into(),
-            layer.name().into(),
-            equal.to_string(),
-            refuted.to_string(),
-            format!("{degree:.1e}"),
-            format!("{:.1}", row.log_probability()),
-        ]);
-    }
-    let _ = write!(text, "{table}");
-    for refutation in proof.refutations.iter().take(5) {
-        let _ = write!(text, "\n{}", told(asked.seed, refutation));
-    }
-    text
-}
-
-/// One inequality and the command that shows it again.
-fn told(seed: u64, refutation: &Refutation) -> String {
-    let Refutation { families: [one, other], draw, active, quantity: (quantity, component, layer), residues } =
-        refutation;
-    let axis = if *component < 15 { ["[x]", "[y]", "[z]"][component % 3] } else { "" };
-    let order = match layer {
-        Layer::Value => "",
-        Layer::First => "delta ",
-        Layer::Second => "Delta-delta ",
-        Layer::Matrix => "contracted matrix of ",
-    };
-    let name = Quantity::name(*quantity);
-    let ends = match (active.xi, active.xi_bar) {
-        (false, false) => "inside both beams",
-        (true, false) => "at an end of the beam",
-        (false, true) => "at an end of the bar beam",
-        (true, true) => "at ends of both beams",
-    };
-    let repeat = if one == other {
-        format!("--family {}", one.name())
-    } else {
-        format!("--family {} --family {}", one.name(), other.name())
-    };
-    format!(
-        "{} and {}, draw {draw}, {ends}: {order}{name}{axis} is {}, and by AD {}\n  \
-         beamgap prove --seed {seed:#x} --draws {} {repeat}\n",
-        one.name(),
-        other.name(),
-        residues[0],
-        residues[1],
-        draw + 1
-    )
 }

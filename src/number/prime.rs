@@ -42,6 +42,25 @@ impl Residue {
         power
     }
 
+    /// The fraction that this is, as numerator and denominator, both at most `limit`; none if there is no such fraction.
+    ///
+    /// With a limit below 2^30 there is one at most. It is in lowest terms, and the denominator is positive.
+    ///
+    /// Source: P. Wang, "A p-adic algorithm for univariate partial fractions", 1981, doi:10.1145/800206.806398.
+    pub fn fraction(self, limit: u32) -> Option<(i64, u64)> {
+        // Euclid's algorithm on (p, a) keeps r = ±s a, with falling remainders r and rising cofactors s.
+        let (mut remainders, mut cofactors, mut negative) = ([Self::PRIME, self.0], [0, 1], false);
+        while remainders[1] > u64::from(limit) {
+            let quotient = remainders[0] / remainders[1];
+            remainders = [remainders[1], remainders[0] % remainders[1]];
+            cofactors = [cofactors[1], cofactors[0] + quotient * cofactors[1]];
+            negative = !negative;
+        }
+        let numerator = i64::try_from(remainders[1]).ok()?;
+        let fraction = (if negative { -numerator } else { numerator }, cofactors[1]);
+        (cofactors[1] <= u64::from(limit)).then_some(fraction)
+    }
+
     /// Whether a square root exists (Euler's criterion).
     pub fn is_square(self) -> bool {
         self.power((Self::PRIME - 1) / 2).0 <= 1

@@ -1,0 +1,255 @@
+//! A proof as tables for people, and as one document for programs.
+
+use super::json;
+use super::prove::Proved;
+use super::table::Table;
+use beamgap::linearization::Quantity;
+use beamgap::number::Residue;
+use beamgap::prove::{Draw, Entry, Layer, Proof, Row};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Refutations shown; the others are counted.
+const SHOWN: usize = 5;
+
+/// The result in words.
+pub(super) fn verdict(proof: &Proof) -> String {
+    if proof.holds() {
+        return "PROVED: closed form and automatic differentiation are equal in every draw.".into();
+    }
+    let pairs = proof.refutations.len();
+    format!("REFUTED: in {pairs} of {} pairs of families they are not equal.", proof.pairs)
+}
+
+/// The proof for people, 80 columns wide.
+pub(super) fn human(proved: &Proved) -> String {
+    let Proved { seed, draws, proof, .. } = proved;
+    let mut text = format!(
+        "Contact geometry of two beams: closed form against automatic differentiation,\n\
+         over the field of 2^61 - 1 elements, compared by ==\n\
+         seed {seed:#x}, {} ordered pairs of families, {draws} draws each\n\n\
+         The chance that a wrong formula passes one draw is at most 10^bound, from the\n\
+         degree of the two sides (Schwartz and Zippel); independent draws multiply.\n\n",
+        proof.pairs
+    );
+    let mut table = Table::new(&["quantity", "layer", "equal", "unequal", "degree <", "bound"]).left(&[1]);
+    for row in &proof.rows {
+        let Row { quantity, layer, equal, refuted, degree } = row;
+        table.row(vec![
+            quantity.name().into(),
+            layer.name().into(),
+            equal.to_string(),
+            refuted.to_string(),
+            format!("{degree:.1e}"),
+            format!("{:.1}", row.log_probability()),
+        ]);
+    }
+    let _ = write!(text, "{table}");
+    if let Some(first) = proof.refutations.first() {
+        let _ = write!(text, "\n{}", in_full(first));
+    }
+    for draw in proof.refutations.iter().take(SHOWN) {
+        let _ = write!(text, "\n{}", told(*seed, draw));
+    }
+    match proof.refutations.len().saturating_sub(SHOWN) {
+        0 => {}
+        rest => drop(writeln!(text, "\nand {rest} more pairs of families")),
+    }
+    text + "\n" + &verdict(proof) + "\n"
+}
+
+/// All entries of one draw: what is unequal starts where the fault is, and goes on through all that hangs on it.
+fn in_full(draw: &Draw) -> String {
+    let part = |title: &str, wanted: fn(&Entry<Residue>) -> bool| {
+        let mut table = Table::new(&["quantity", "part", "closed form", "AD", "ratio"]).left(&[1]);
+        let mut any = false;
+        for entry in draw.entries.iter().filter(|entry| wanted(entry)) {
+            any = true;
+            table.row(vec![
+                name(entry),
+                entry.part.into(),
+                entry.closed.value().to_string(),
+                entry.ad.value().to_string(),
+                if entry.is_equal() { String::new() } else { ratio(entry).unwrap_or("unequal".into()) },
+            ]);
+        }
+        if any { format!("{title}\n{table}") } else { String::new() }
+    };
+    let [beam, bar] = draw.families.map(beamgap::specimen::Family::name);
+    let variations = part(
+        &format!(
+            "All numbers of draw {} of {beam} and {bar}, with the ratio of those not equal",
+            draw.number
+        ),
+        |entry| entry.layer != Layer::Matrix,
+    );
+    let matrices = part("Gradients and Hessians of this draw, contracted with its directions", |entry| {
+        entry.layer == Layer::Matrix
+    });
+    if matrices.is_empty() { variations } else { format!("{variations}\n{matrices}") }
+}
+
+/// The first inequality of a draw and the command that shows it again.
+fn told(seed: u64, draw: &Draw) -> String {
+    let Draw { families: [one, other], number, active, .. } = draw;
+    let Some(first) = draw.unequal().next() else { return String::new() };
+    let matrix = if first.layer == Layer::Matrix { "contracted matrix, " } else { "" };
+    let ends = match (active.xi, active.xi_bar) {
+        (false, false) => "inside both beams",
+        (true, false) => "at an end of the beam",
+        (false, true) => "at an end of the bar beam",
+        (true, true) => "at ends of both beams",
+    };
+    let times = ratio(first).map(|ratio| format!(", {ratio} times AD")).unwrap_or_default();
+    format!(
+        "{} and {}, draw {number}, {ends}: {} of {} unequal\n  first {matrix}{} of {}{times}\n  {}\n",
+        one.name(),
+        other.name(),
+        draw.unequal().count(),
+        draw.entries.len(),
+        first.part,
+        name(first),
+        repeat(seed, draw)
+    )
+}
+
+/// The command that shows a draw again.
+fn repeat(seed: u64, Draw { families: [one, other], number, .. }: &Draw) -> String {
+    let mut families = format!("--family {}", one.name());
+    if one != other {
+        let _ = write!(families, " --family {}", other.name());
+    }
+    format!("beamgap prove --seed {seed:#x} --draws {} {families}", number + 1)
+}
+
+/// The quantity with its component.
+fn name(entry: &Entry<Residue>) -> String {
+    let quantity = Quantity::name(entry.quantity());
+    entry.axis().map_or_else(|| quantity.into(), |axis| format!("{quantity}.{axis}"))
+}
+
+/// Closed form over AD, if it is a small fraction.
+fn ratio(entry: &Entry<Residue>) -> Option<String> {
+    entry.ratio().map(|(above, below)| match below {
+        1 => above.to_string(),
+        _ => format!("{above}/{below}"),
+    })
+}
+
+/// The proof for programs, of the schema `beamgap-prove/1`; residues are strings, as not all readers hold 61 bits.
+pub(super) fn json(proved: &Proved) -> anyhow::Result<String> {
+    let Proved { seed, families, draws, proof } = proved;
+    let rows = proof.rows.iter().map(|row| {
+        json!({
+            "quantity": row.quantity.name(),
+            "layer": row.layer.name(),
+            "equal": row.equal,
+            "unequal": row.refuted,
+            "degree": json::rounded(row.degree),
+            "log10_probability": json::rounded(row.log_probability()),
+        })
+    });
+    json::text(&json!({
+        "schema": "beamgap-prove/1",
+        "version": env!("CARGO_PKG_VERSION"),
+        "seed": format!("{seed:#x}"),
+        "prime": Residue::PRIME.to_string(),
+        "families": families.iter().map(|family| family.name()).collect::<Vec<_>>(),
+        "draws": draws,
+        "pairs": proof.pairs,
+        "verdict": if proof.holds() { "proved" } else { "refuted" },
+        "rows": rows.collect::<Vec<_>>(),
+        "refutations": proof.refutations.iter().map(|draw| refuted(*seed, draw)).collect::<Vec<_>>(),
+    }))
+}
+
+fn refuted(seed: u64, draw: &Draw) -> Value {
+    let entries = draw.entries.iter().map(|entry| {
+        json!({
+            "quantity": entry.quantity().name(),
+            "component": entry.axis(),
+            "layer": entry.layer.name(),
+            "part": entry.part,
+            "closed": entry.closed.value().to_string(),
+            "ad": entry.ad.value().to_string(),
+            "equal": entry.is_equal(),
+            "ratio": ratio(entry),
+        })
+    });
+    json!({
+        "beam": draw.families[0].name(),
+        "bar": draw.families[1].name(),
+        "draw": draw.number,
+        "held": { "xi": draw.active.xi, "xi_bar": draw.active.xi_bar },
+        "repeat": repeat(seed, draw),
+        "entries": entries.collect::<Vec<_>>(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{human, json};
+    use crate::cli::prove::Proved;
+    use beamgap::linearization::Quantity;
+    use beamgap::number::Residue;
+    use beamgap::prove::{Draw, prove};
+    use beamgap::specimen::Family;
+    use serde_json::Value;
+
+    /// A proof with one refutation: xi has the wrong sign in its second variation, g_T half of it, d is off by one.
+    fn refuted() -> Proved {
+        let families = vec![Family::Segment, Family::Arc];
+        let mut proof = prove(1, &families, 2);
+        let mut draw = Draw::new(1, [Family::Segment, Family::Arc], 1);
+        let half = Residue::new(1) / Residue::new(2);
+        for entry in draw.entries.iter_mut().filter(|entry| entry.part == "Delta-delta") {
+            match entry.quantity() {
+                Quantity::D => entry.closed += Residue::new(1),
+                Quantity::Xi => entry.closed = -entry.closed,
+                Quantity::GT => entry.closed *= half,
+                _ => {}
+            }
+        }
+        proof.refutations.push(draw);
+        Proved { seed: 1, families, draws: 2, proof }
+    }
+
+    #[test]
+    fn a_refutation_shows_what_the_fault_touches() {
+        let text = human(&refuted());
+        assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+        let last = |start: [&str; 2]| {
+            let line = text.lines().find(|line| line.split_whitespace().take(2).eq(start));
+            line.and_then(|line| line.split_whitespace().nth(4)).map(str::to_owned)
+        };
+        assert_eq!(last(["xi", "Delta-delta"]).as_deref(), Some("-1"), "{text}");
+        assert_eq!(last(["g_T", "Delta-delta"]).as_deref(), Some("1/2"));
+        assert_eq!(last(["d", "Delta-delta"]).as_deref(), Some("unequal"));
+        assert_eq!(last(["xi_bar", "Delta-delta"]), None);
+        assert!(
+            text.contains("draw 1, inside both beams: 6 of 113 unequal\n  first Delta-delta of d\n"),
+            "{text}"
+        );
+        assert!(
+            text.contains("beamgap prove --seed 0x1 --draws 2 --family segment --family arc\n"),
+            "{text}"
+        );
+        assert!(text.ends_with("REFUTED: in 1 of 4 pairs of families they are not equal.\n"), "{text}");
+    }
+
+    #[test]
+    fn the_document_has_all_entries_of_a_refutation() {
+        let document: Value = serde_json::from_str(&json(&refuted()).unwrap()).unwrap();
+        assert_eq!(document["verdict"], "refuted");
+        let entries = document["refutations"][0]["entries"].as_array().unwrap();
+        let unequal: Vec<_> = entries.iter().filter(|entry| entry["equal"] == false).collect();
+        let told = |layer: &str| {
+            let of_layer = unequal.iter().filter(|entry| entry["layer"] == layer);
+            of_layer.map(|entry| json!([entry["quantity"], entry["ratio"]])).collect::<Vec<_>>()
+        };
+        let expected = [json!(["d", null]), json!(["xi", "-1"]), json!(["g_T", "1/2"])];
+        assert_eq!(told("second"), expected);
+        assert_eq!(told("matrix"), expected);
+        assert_eq!((entries.len(), unequal.len()), (113, 6));
+    }
+}
