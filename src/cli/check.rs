@@ -47,7 +47,7 @@ pub(crate) struct Check {
 
 /// For whom the result is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Format {
+pub(super) enum Format {
     Human,
     Json,
 }
