@@ -22,17 +22,22 @@
 //! its reason. It is never passed.
 
 mod compare;
+mod distribution;
 mod draw;
 mod regime;
 mod run;
+mod sharpness;
+mod site;
 mod summary;
 mod verdict;
 mod witness;
 
 pub use compare::compare;
+pub use distribution::Distribution;
 pub use draw::{Case, Selection};
 pub use regime::Regime;
 pub use run::run;
+pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
 pub use summary::{Cell, Summary, Tally};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};
 

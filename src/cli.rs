@@ -11,6 +11,7 @@ mod panics;
 mod proof;
 mod prove;
 mod report;
+mod sharpness;
 mod table;
 
 use clap::{Parser, Subcommand};
@@ -32,6 +33,8 @@ enum Command {
     Check(check::Check),
     /// Compare the two over a prime field, without a tolerance.
     Prove(prove::Prove),
+    /// Measure how far the tolerances are above the rounding, by double-double.
+    Sharpness(sharpness::Sharpen),
     /// Write the reports: what the gate finds now, and what `cargo bench` measured last.
     Report(report::Report),
 }
@@ -53,6 +56,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
     panics::caught(|| match arguments.command {
         Command::Check(check) => check.run(),
         Command::Prove(prove) => prove.run(),
+        Command::Sharpness(sharpen) => sharpen.run(),
         Command::Report(report) => report.run(),
     })
 }

@@ -1,6 +1,6 @@
-//! The reports: what the gate found and what criterion measured, as JSON of a stable form, and pages made of it alone.
+//! The reports: what the gate found, how sharp its tolerances are and what criterion measured, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`] and [`Benchmark`] are the two records. Each is written as JSON; Markdown and SVG are pure functions of
+//! [`Crosscheck`], [`Sharpness`] and [`Benchmark`] are the records. Each is written as JSON; Markdown and SVG are pure functions of
 //! what is read back from there, so that whoever has the JSON can make the pages again, byte for byte.
 
 mod benchmark;
@@ -13,6 +13,8 @@ mod error;
 mod interval;
 mod number;
 mod plot;
+mod sharpness;
+mod sharpness_page;
 
 pub use benchmark::{Benchmark, Measured, Ratio};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory};
@@ -20,6 +22,7 @@ pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;
 pub use interval::{Spread, median_interval, spread};
+pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 
 use crate::check::{self, Regime, Selection};
 use std::fs;
@@ -29,6 +32,8 @@ use std::path::Path;
 pub const SEED: u64 = 0x5eed;
 /// The cases of each regime in a report.
 pub const CASES: u64 = 10_000;
+/// The cases of each regime that the bounds on rounding are measured with: 100,008 in all.
+pub const SHARPNESS_CASES: u64 = 11_112;
 
 /// Runs the gate over `cases` cases of each regime and writes `crosscheck.json` and `crosscheck.md` into the directory
 /// `to`; `done` is called after each case.
@@ -48,6 +53,21 @@ pub fn crosscheck(
     let record = Crosscheck::from_json(&json)?;
     write(to, "crosscheck.json", &json)?;
     write(to, "crosscheck.md", &record.to_markdown())?;
+    Ok(record)
+}
+
+/// Measures how sharp the tolerances are over `cases` cases of each regime and writes `sharpness.json` and `sharpness.md`
+/// into the directory `to`.
+///
+/// # Errors
+/// [`ReportError::Write`] if a file cannot be written.
+pub fn sharpness(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Sharpness, ReportError> {
+    let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
+    let found = check::sharpness(seed, &selection);
+    let json = Sharpness::new(&found, seed, cases, Environment::here(command)).to_json()?;
+    let record = Sharpness::from_json(&json)?;
+    write(to, "sharpness.json", &json)?;
+    write(to, "sharpness.md", &record.to_markdown())?;
     Ok(record)
 }
 

@@ -1,20 +1,19 @@
 //! One case through both linearizations, entry by entry.
 
 use super::draw::Case;
+use super::site::Site;
 use super::verdict::{Comparison, Inconclusive, Order, Verdict};
-use super::witness;
-use crate::closest_point::{ClosestPoint, Degeneracy, ProjectionError, Search, closest_points};
-use crate::linearization::ad::{Chord, evaluate, newton, stationary};
+use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
+use crate::linearization::ad::{evaluate, newton, stationary};
 use crate::linearization::closed_form::{Frozen, Matrices, variations};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
-use crate::number::{Bounded, HyperDual, Magnitude};
+use crate::number::{Bounded, Magnitude};
 use crate::pair::DofVector;
-use crate::specimen::AnyBeam;
 use num_dual::HyperDual64;
 
 /// Compares a case at each of its closest points.
 pub fn compare(case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
-    let [beam, bar] = case.beams.each_ref().map(|beam| &**beam);
+    let [beam, bar] = case.beams();
     let found = match closest_points(beam, bar, &Search::default()) {
         Ok(found) => found,
         Err(ProjectionError::ZeroTangent { .. }) => {
@@ -23,27 +22,19 @@ pub fn compare(case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
         Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
     let mut verdicts: Vec<_> =
-        found.minima.iter().map(|point| (Some(*point), at_point(case, [beam, bar], point))).collect();
+        found.minima.iter().map(|point| (Some(*point), at_point(case, point))).collect();
     if !found.unresolved.is_empty() || verdicts.is_empty() {
         verdicts.push((None, Verdict::Inconclusive(Inconclusive::Unresolved, Vec::new())));
     }
     verdicts
 }
 
-fn at_point(case: &Case, beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Verdict {
-    match point.degeneracy() {
-        None => {}
-        Some(Degeneracy::Crossing) => return Verdict::Inconclusive(Inconclusive::Crossing, Vec::new()),
-        Some(Degeneracy::WeakEnd { .. }) => return Verdict::Inconclusive(Inconclusive::WeakEnd, Vec::new()),
-        Some(Degeneracy::ZeroTangent { .. }) => {
-            return Verdict::Inconclusive(Inconclusive::ZeroTangent, Vec::new());
-        }
-        Some(_) => return Verdict::Inconclusive(Inconclusive::Singular, Vec::new()),
-    }
-    let Some(at) = witness::parameters(beams, point) else {
-        return Verdict::Inconclusive(Inconclusive::IllConditioned, Vec::new());
+fn at_point(case: &Case, point: &ClosestPoint) -> Verdict {
+    let site = match Site::new(case, point) {
+        Ok(site) => site,
+        Err(reason) => return Verdict::Inconclusive(reason, Vec::new()),
     };
-    let entries = entries(case, beams, point, at);
+    let entries = entries(&site);
     if entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees()) {
         return Verdict::Mismatch(entries);
     }
@@ -62,33 +53,21 @@ struct Sides {
 }
 
 /// All comparisons at one closest point.
-fn entries(
-    case: &Case,
-    beams: [&dyn AnyBeam; 2],
-    point: &ClosestPoint,
-    (xi, xi_bar): (Bounded, Bounded),
-) -> Vec<Comparison> {
-    let (active, contact) = (point.active(), &case.contact);
-    let at = (point.xi, point.xi_bar);
-    let [beam, bar] = beams;
+fn entries(site: &Site) -> Vec<Comparison> {
+    let Site { beams: [beam, bar], contact, active, at: (xi, xi_bar) } = *site;
+    let at = (xi.value, xi_bar.value);
 
     // The closed form: in plain f64, its terms' magnitudes, and with bounds.
     let plain = [beam.frozen_plain(at.0), bar.frozen_plain(at.1)];
     let closed = variations(&plain[0], &plain[1], at, active, contact).components();
     let exchanged = plain.map(Frozen::exchanged);
     let exchanged = variations(&exchanged[0], &exchanged[1], at, active, contact).components();
-    let sizes = plain.map(|frozen| frozen.map(Magnitude::vector));
-    let parameters = (Magnitude::parameter(at.0), Magnitude::parameter(at.1));
-    let scales = variations(&sizes[0], &sizes[1], parameters, active, contact).components();
-    let bounds =
-        variations(&beam.frozen(xi), &bar.frozen(xi_bar), (xi, xi_bar), active, contact).components();
+    let (scales, bounds) = (site.scales(&plain), site.closed());
 
     // Automatic differentiation: two routes of num-dual, and our own numbers with bounds.
-    let by_newton = hyper_dual(beams, newton(beam, bar, at, active), contact);
-    let by_stationarity = hyper_dual(beams, stationary(beam, bar, at, active), contact);
-    let chord = Chord::<Bounded>::new(beam, bar, (xi, xi_bar), active);
-    let lifted = chord.lift::<HyperDual<Bounded>, _, _>(beam, bar, (xi, xi_bar), 2);
-    let by_chord = evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components();
+    let by_newton = hyper_dual(site, newton(beam, bar, at, active));
+    let by_stationarity = hyper_dual(site, stationary(beam, bar, at, active));
+    let by_chord = site.chord();
 
     let mut entries = Vec::with_capacity(16 * COMPONENTS);
     for i in 0..COMPONENTS {
@@ -131,34 +110,24 @@ fn entries(
             tolerance: 2.0 * bound[3],
         });
     }
-    let at = Sides { closed, scales, bounds };
-    matrices(case, beams, point, (xi, xi_bar), &at, &mut entries);
+    matrices(site, &Sides { closed, scales, bounds }, &mut entries);
     entries
 }
 
-fn hyper_dual(
-    [beam, bar]: [&dyn AnyBeam; 2],
-    lifted: (HyperDual64, HyperDual64),
-    contact: &crate::pair::Contact,
-) -> [Varied<f64>; COMPONENTS] {
-    let quantities: Quantities<HyperDual64> = evaluate(beam, bar, lifted, contact);
+fn hyper_dual(site: &Site, lifted: (HyperDual64, HyperDual64)) -> [Varied<f64>; COMPONENTS] {
+    let [beam, bar] = site.beams;
+    let quantities: Quantities<HyperDual64> = evaluate(beam, bar, lifted, site.contact);
     quantities.map(Varied::from).components()
 }
 
 /// Gradient and Hessian of the scalar quantities, contracted with the directions, against the variations.
-fn matrices(
-    case: &Case,
-    beams: [&dyn AnyBeam; 2],
-    point: &ClosestPoint,
-    (xi, xi_bar): (Bounded, Bounded),
-    Sides { closed, scales, bounds }: &Sides,
-    entries: &mut Vec<Comparison>,
-) {
+fn matrices(site: &Site, Sides { closed, scales, bounds }: &Sides, entries: &mut Vec<Comparison>) {
+    let Site { beams, contact, active, at: (xi, xi_bar) } = *site;
     let (jet, [dq, linear_dq]) = beams[0].padded(xi);
     let (jet_bar, [dq_bar, linear_dq_bar]) = beams[1].padded(xi_bar);
     let dq = DofVector { beam: dq, bar: dq_bar };
     let linear_dq = DofVector { beam: linear_dq, bar: linear_dq_bar };
-    let all = Matrices::new(&jet, &jet_bar, point.active()).all((xi, xi_bar), &case.contact);
+    let all = Matrices::new(&jet, &jet_bar, active).all((xi, xi_bar), contact);
     let scalars = [
         (Quantity::D, &all.d),
         (Quantity::T, &all.t),

@@ -20,7 +20,7 @@ pub struct Case {
     pub families: [Family; 2],
     /// Radii and reference parameters.
     pub contact: Contact,
-    pub(super) beams: [Box<dyn AnyBeam>; 2],
+    beams: [Box<dyn AnyBeam>; 2],
 }
 
 /// Which cases are wanted: all pairs of families in all regimes take turns, so a selection leaves the others out.
@@ -63,6 +63,11 @@ fn families(number: u64) -> [Family; 2] {
 }
 
 impl Case {
+    /// Beam and bar beam.
+    pub(super) fn beams(&self) -> [&dyn AnyBeam; 2] {
+        self.beams.each_ref().map(|beam| &**beam)
+    }
+
     /// Beam and bar beam as numbers.
     pub fn shown(&self) -> [Shown; 2] {
         self.beams.each_ref().map(|beam| beam.shown())

@@ -1,7 +1,7 @@
 //! `beamgap report`: the reports, written anew.
 
 use super::exit::Exit;
-use beamgap::report::{CASES, SEED, benchmark, criterion_directory, crosscheck};
+use beamgap::report::{CASES, SEED, SHARPNESS_CASES, benchmark, criterion_directory, crosscheck, sharpness};
 use clap::{Args, value_parser};
 use std::path::PathBuf;
 
@@ -9,7 +9,8 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = Exit::help())]
 pub(crate) struct Report {
-    /// How many cases of each regime the crosscheck compares
+    /// How many cases of each regime are compared; the bounds on rounding are
+    /// measured with 11112 if this is not given
     #[arg(long, value_name = "N", default_value_t = CASES, allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
     cases: u64,
@@ -19,15 +20,20 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes crosscheck.json and .md, then benchmark.json, .md and .svg.
+    /// Writes crosscheck.json and .md, sharpness.json and .md, then benchmark.json, .md and .svg.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let command = match self.cases {
-            CASES => "cargo run --release -- report".into(),
-            cases => format!("cargo run --release -- report --cases {cases}"),
+        let (command, sharpness_cases) = match self.cases {
+            CASES => ("cargo run --release -- report".into(), SHARPNESS_CASES),
+            cases => (format!("cargo run --release -- report --cases {cases}"), cases),
         };
         let found = crosscheck(&self.to, SEED, self.cases, &command, || ())?;
+        let sharp = sharpness(&self.to, SEED, sharpness_cases, &command)?;
         benchmark(&self.to, &criterion_directory())?;
-        println!("Wrote crosscheck and benchmark to {}.", self.to.display());
-        Ok(if found.mismatches.is_empty() { Exit::Agree } else { Exit::Disagree })
+        println!("Wrote crosscheck, sharpness and benchmark to {}.", self.to.display());
+        Ok(match (sharp.violations.is_empty(), found.mismatches.is_empty()) {
+            (false, _) => Exit::Untrusted,
+            (true, false) => Exit::Disagree,
+            (true, true) => Exit::Agree,
+        })
     }
 }

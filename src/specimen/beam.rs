@@ -6,7 +6,7 @@ use crate::closest_point::Centroid;
 use crate::curve::{Curve, Geometry, Jet};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
-use crate::number::{Bounded, Degree, Dual, Extends, HyperDual, Real, Residue};
+use crate::number::{Bounded, Degree, DoubleDouble, Dual, Extends, HyperDual, Real, Residue};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
 use std::fmt::Debug;
@@ -34,6 +34,9 @@ pub(crate) trait AnyBeam:
 
     /// The same in plain `f64`.
     fn frozen_plain(&self, xi: f64) -> Frozen<f64>;
+
+    /// The same in double-double.
+    fn frozen_precise(&self, xi: DoubleDouble) -> Frozen<DoubleDouble>;
 
     /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
     fn padded(
@@ -160,6 +163,10 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
     }
 
     fn frozen_plain(&self, xi: f64) -> Frozen<f64> {
+        self.frozen_in(xi)
+    }
+
+    fn frozen_precise(&self, xi: DoubleDouble) -> Frozen<DoubleDouble> {
         self.frozen_in(xi)
     }
 

@@ -313,3 +313,15 @@ fn the_largest_numbers_are_taken() {
     let output = run(&["check", "--seed", &largest, "--case", &largest]);
     assert!(matches!(output.status.code(), Some(0 | 4)) && output.stderr.is_empty(), "{output:?}");
 }
+
+#[test]
+fn sharpness_measures_bounds_that_hold() {
+    let arguments = ["sharpness", "--cases", "3", "--family", "arc", "--regime", "near-end"];
+    let text = stdout(&run(&arguments));
+    assert!(text.contains("BOUNDS HOLD") && text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
+    assert_eq!(document["schema"], "beamgap-sharpness/1");
+    assert_eq!(document["violations"], serde_json::json!([]));
+    let command = document["environment"]["command"].as_str().unwrap();
+    assert_eq!(command, "beamgap sharpness --seed 0x5eed --cases 3 --regime near-end --family arc");
+}

@@ -1,6 +1,7 @@
 //! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
 
 mod allocation;
+mod bounds;
 mod centroids;
 mod closed_form_equals_ad;
 mod closest_points;

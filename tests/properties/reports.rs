@@ -1,8 +1,8 @@
 //! The reports say what was found and measured, and nothing else.
 
 use beamgap::report::{
-    Benchmark, Crosscheck, Environment, Measured, ReportError, VERDICTS, Verdict, Verdicts, median_interval,
-    spread,
+    Benchmark, Crosscheck, Environment, Measured, ReportError, Sharpness, VERDICTS, Verdict, Verdicts,
+    median_interval, spread,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,6 +16,8 @@ fn committed(name: &str) -> String {
 fn committed_pages_are_what_the_committed_records_render_to() {
     let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
     assert!(crosscheck.to_markdown() == committed("crosscheck.md"), "crosscheck.md is stale");
+    let sharpness = Sharpness::from_json(&committed("sharpness.json")).unwrap();
+    assert!(sharpness.to_markdown() == committed("sharpness.md"), "sharpness.md is stale");
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
     assert!(benchmark.to_markdown() == committed("benchmark.md"), "benchmark.md is stale");
     assert!(benchmark.to_svg().unwrap() == committed("benchmark.svg"), "benchmark.svg is stale");
@@ -25,6 +27,8 @@ fn committed_pages_are_what_the_committed_records_render_to() {
 fn committed_records_are_written_again_as_they_are() {
     let json = committed("crosscheck.json");
     assert!(Crosscheck::from_json(&json).unwrap().to_json().unwrap() == json);
+    let json = committed("sharpness.json");
+    assert!(Sharpness::from_json(&json).unwrap().to_json().unwrap() == json);
     let json = committed("benchmark.json");
     assert!(Benchmark::from_json(&json).unwrap().to_json().unwrap() == json);
     assert!(json.len() < 300_000, "{} bytes", json.len());

@@ -1,0 +1,82 @@
+//! How positive numbers are spread over many powers of ten, counted so that the order of counting does not matter.
+
+use std::collections::BTreeMap;
+
+/// Bins to a factor of ten: a quantile is good to 1.2 %.
+const BINS: f64 = 100.0;
+
+/// Counts of positive numbers in bins of equal ratio.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Distribution {
+    bins: BTreeMap<i32, u64>,
+    count: u64,
+    max: f64,
+}
+
+impl Distribution {
+    /// Counts a number, which must be positive and finite.
+    pub(super) fn add(&mut self, number: f64) {
+        *self.bins.entry(bin(number)).or_default() += 1;
+        self.count += 1;
+        self.max = self.max.max(number);
+    }
+
+    pub(super) fn merge(&mut self, other: &Self) {
+        for (bin, count) in &other.bins {
+            *self.bins.entry(*bin).or_default() += count;
+        }
+        self.count += other.count;
+        self.max = self.max.max(other.max);
+    }
+
+    /// How many numbers were counted.
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// The largest; nothing if there is none.
+    pub fn max(&self) -> Option<f64> {
+        (self.count > 0).then_some(self.max)
+    }
+
+    /// The number below which the share `p` of all lies, from the middle of its bin; nothing if there is none.
+    pub fn quantile(&self, p: f64) -> Option<f64> {
+        #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
+        let wanted = p * self.count as f64;
+        let mut below = 0;
+        self.bins.iter().find_map(|(&bin, &count)| {
+            below += count;
+            #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
+            let reached = below as f64 >= wanted;
+            reached.then(|| 10_f64.powf((f64::from(bin) + 0.5) / BINS).min(self.max))
+        })
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a hundred times the exponent of an f64")]
+fn bin(number: f64) -> i32 {
+    (BINS * number.log10()).floor() as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Distribution;
+
+    #[test]
+    fn quantiles_of_what_was_counted_in_any_order() {
+        let (mut all, mut part, mut rest) =
+            (Distribution::default(), Distribution::default(), Distribution::default());
+        for i in (1..=1000).rev() {
+            all.add(f64::from(i));
+            if i % 3 == 0 { part.add(f64::from(i)) } else { rest.add(f64::from(i)) }
+        }
+        rest.merge(&part);
+        assert_eq!(all, rest);
+        assert_eq!((all.count(), all.max()), (1000, Some(1000.0)));
+        for (p, expected) in [(0.05, 50.0), (0.5, 500.0), (0.95, 950.0), (1.0, 1000.0)] {
+            let found = all.quantile(p).unwrap();
+            assert!((found / expected - 1.0).abs() <= 0.024, "{p}: {found}, not {expected}");
+        }
+        assert_eq!(Distribution::default().quantile(0.5), None);
+    }
+}

@@ -1,0 +1,89 @@
+//! A closest point at which both linearizations are evaluated, in every scalar that the check asks for.
+
+use super::draw::Case;
+use super::verdict::Inconclusive;
+use super::witness;
+use crate::closest_point::{Active, ClosestPoint, Degeneracy};
+use crate::linearization::ad::{Chord, evaluate};
+use crate::linearization::closed_form::{Frozen, Projection, variations};
+use crate::linearization::{COMPONENTS, Varied};
+use crate::number::{Bounded, DoubleDouble, HyperDual, Magnitude};
+use crate::pair::Contact;
+use crate::specimen::AnyBeam;
+
+/// A closest point that has derivatives, and is known well enough.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Site<'a> {
+    pub(super) beams: [&'a dyn AnyBeam; 2],
+    pub(super) contact: &'a Contact,
+    pub(super) active: Active,
+    /// The parameters, with bounds on how far they are from the exact closest point.
+    pub(super) at: (Bounded, Bounded),
+}
+
+impl<'a> Site<'a> {
+    /// The closest point of a case, or why it has no derivatives that can be compared.
+    pub(super) fn new(case: &'a Case, point: &ClosestPoint) -> Result<Self, Inconclusive> {
+        match point.degeneracy() {
+            None => {}
+            Some(Degeneracy::Crossing) => return Err(Inconclusive::Crossing),
+            Some(Degeneracy::WeakEnd { .. }) => return Err(Inconclusive::WeakEnd),
+            Some(Degeneracy::ZeroTangent { .. }) => return Err(Inconclusive::ZeroTangent),
+            Some(_) => return Err(Inconclusive::Singular),
+        }
+        let beams = case.beams();
+        let at = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
+        Ok(Self { beams, contact: &case.contact, active: point.active(), at })
+    }
+
+    /// The closed form, with a bound on its error.
+    pub(super) fn closed(&self) -> [Varied<Bounded>; COMPONENTS] {
+        let Self { beams: [beam, bar], contact, active, at } = *self;
+        variations(&beam.frozen(at.0), &bar.frozen(at.1), at, active, contact).components()
+    }
+
+    /// The closed form with the size of its terms.
+    pub(super) fn scales(&self, plain: &[Frozen<f64>; 2]) -> [Varied<Magnitude>; COMPONENTS] {
+        let sizes = plain.map(|frozen| frozen.map(Magnitude::vector));
+        let at = (Magnitude::parameter(self.at.0.value), Magnitude::parameter(self.at.1.value));
+        variations(&sizes[0], &sizes[1], at, self.active, self.contact).components()
+    }
+
+    /// Automatic differentiation in our own hyper-dual numbers, with a bound on its error.
+    pub(super) fn chord(&self) -> [Varied<Bounded>; COMPONENTS] {
+        let Self { beams: [beam, bar], contact, active, at } = *self;
+        let chord = Chord::<Bounded>::new(beam, bar, at, active);
+        let lifted = chord.lift::<HyperDual<Bounded>, _, _>(beam, bar, at, 2);
+        evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components()
+    }
+
+    /// The closed form in double-double, at the closest point refined there: what its errors are measured against.
+    ///
+    /// Nothing if Newton's method does not settle within the bounds of the parameters.
+    pub(super) fn precise(&self) -> Option<[Varied<DoubleDouble>; COMPONENTS]> {
+        let Self { beams: [beam, bar], contact, active, at } = *self;
+        let (mut xi, mut xi_bar) = (DoubleDouble::from(at.0.value), DoubleDouble::from(at.1.value));
+        let mut previous = f64::INFINITY;
+        for _ in 0..STEPS {
+            let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
+            let [x, x_bar] = frozen.each_ref().map(|frozen| &frozen.geometry);
+            let d = x.x - x_bar.x;
+            // Eq. (48): d·t = d·t̄ = 0, by the matrix of (50).
+            let (step, step_bar) = Projection::new(x, x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
+            let size = step.value().abs().max(step_bar.value().abs());
+            if size == 0.0 || size >= 0.5 * previous {
+                let settled = step.value().abs() <= SETTLED * at.0.bound
+                    && step_bar.value().abs() <= SETTLED * at.1.bound;
+                let all = || variations(&frozen[0], &frozen[1], (xi, xi_bar), active, contact).components();
+                return settled.then(all);
+            }
+            (xi, xi_bar, previous) = (xi + step, xi_bar + step_bar, size);
+        }
+        None
+    }
+}
+
+/// The most steps of Newton's method, which doubles the digits each time.
+const STEPS: usize = 12;
+/// How little of the parameters' bounds the last step may be.
+const SETTLED: f64 = 1e-9;
