@@ -14,5 +14,7 @@ pub mod prove;
 pub mod report;
 #[cfg(feature = "cli")]
 pub mod specimen;
+#[cfg(feature = "cli")]
+pub mod subject;
 
 pub use nalgebra;

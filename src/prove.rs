@@ -25,17 +25,11 @@ pub use run::{Proof, Row, prove};
 
 use crate::closest_point::Active;
 use crate::linearization::ad::{Chord, evaluate};
-use crate::linearization::closed_form::{Matrices, variations};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{Differentiable, Dual, HyperDual, Real};
-use crate::pair::{Contact, DofVector};
+use crate::number::{Differentiable, Dual, HyperDual};
+use crate::pair::Contact;
 use crate::specimen::ExactBeam;
-
-/// The number of scalar quantities that the matrices are made for.
-const SCALARS: usize = 7;
-
-/// The components (of the variations) that the matrices are made for.
-const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 22];
+use crate::subject::{SCALARS, Subject, before};
 
 /// Radii and reference parameters of all draws: none is nought, no two are equal.
 const CONTACT: Contact = Contact { radius: 0.125, radius_bar: 0.25, xi_0: 0.5, xi_bar_0: -0.75 };
@@ -48,9 +42,10 @@ struct Sides<T> {
     matrices: Option<[[T; 3]; SCALARS]>,
 }
 
-/// Runs the closed form and AD at a stationary point.
+/// Runs the closed form under check and AD at a stationary point.
 fn sides<T>(
-    beams: [&dyn ExactBeam<T>; 2],
+    subject: &Subject,
+    [beam, bar]: [&dyn ExactBeam<T>; 2],
     at: (T, T),
     active: Active,
     contact: &Contact,
@@ -59,27 +54,14 @@ fn sides<T>(
 where
     T: Differentiable<Dual = Dual<T>>,
 {
-    let [beam, bar] = beams;
-    let closed = variations(&beam.frozen(at.0), &bar.frozen(at.1), at, active, contact).components();
+    let frozen = |at: (T, T)| [beam.frozen(at.0), bar.frozen(at.1)];
+    let closed = subject.variations(&frozen(at), || frozen(before(at)), at, active, contact);
 
     let lifted = Chord::<T>::new(beam, bar, at, active).lift::<HyperDual<T>, _, _>(beam, bar, at, 2);
     let ad = evaluate::<HyperDual<T>>(beam, bar, lifted, contact).map(Varied::from).components();
 
-    let matrices = with_matrices.then(|| matrices(beams, at, active, contact));
+    let padded = |at: (T, T)| [beam.padded(at.0), bar.padded(at.1)];
+    let matrices =
+        with_matrices.then(|| subject.matrices(&padded(at), || padded(before(at)), at, active, contact));
     Sides { closed, ad, matrices }
-}
-
-fn matrices<T: Real>(
-    [beam, bar]: [&dyn ExactBeam<T>; 2],
-    at: (T, T),
-    active: Active,
-    contact: &Contact,
-) -> [[T; 3]; SCALARS] {
-    let (jet, [dq, linear_dq]) = beam.padded(at.0);
-    let (jet_bar, [dq_bar, linear_dq_bar]) = bar.padded(at.1);
-    let dq = DofVector { beam: dq, bar: dq_bar };
-    let linear_dq = DofVector { beam: linear_dq, bar: linear_dq_bar };
-    let all = Matrices::new(&jet, &jet_bar, active).all(at, contact);
-    [&all.d, &all.t, &all.t_bar, &all.xi, &all.xi_bar, &all.g_t, &all.g_t_bar]
-        .map(|e| [e.gradient.along(&dq), e.gradient.along(&linear_dq), e.hessian.along(&dq, &linear_dq)])
 }

@@ -6,9 +6,12 @@ mod beam;
 mod exact;
 mod family;
 mod padded;
+mod stationary;
 
 pub(crate) use beam::AnyBeam;
 pub use beam::Shown;
 pub(crate) use exact::ExactBeam;
 pub use family::Family;
 pub(crate) use family::Target;
+pub(crate) use padded::{Padded, PaddedBeam};
+pub(crate) use stationary::stationary;

@@ -5,14 +5,13 @@ use super::site::Site;
 use super::verdict::{Comparison, Inconclusive, Order, Verdict};
 use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
 use crate::linearization::ad::{evaluate, newton, stationary};
-use crate::linearization::closed_form::{Frozen, Matrices, variations};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{Bounded, Magnitude};
-use crate::pair::DofVector;
+use crate::subject::{SCALAR_COMPONENTS, SCALARS, Subject};
 use num_dual::HyperDual64;
 
 /// Compares a case at each of its closest points.
-pub fn compare(case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
+pub fn compare(subject: &Subject, case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
     let [beam, bar] = case.beams();
     let found = match closest_points(beam, bar, &Search::default()) {
         Ok(found) => found,
@@ -21,20 +20,19 @@ pub fn compare(case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
         }
         Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
-    let mut verdicts: Vec<_> =
-        found.minima.iter().map(|point| (Some(*point), at_point(case, point))).collect();
+    let at_point = |point: &ClosestPoint| match Site::new(case, point) {
+        Ok(site) => verdict(Closed::new(subject, &site).compared_with(&References::new(&site))),
+        Err(reason) => Verdict::Inconclusive(reason, Vec::new()),
+    };
+    let mut verdicts: Vec<_> = found.minima.iter().map(|point| (Some(*point), at_point(point))).collect();
     if !found.unresolved.is_empty() || verdicts.is_empty() {
         verdicts.push((None, Verdict::Inconclusive(Inconclusive::Unresolved, Vec::new())));
     }
     verdicts
 }
 
-fn at_point(case: &Case, point: &ClosestPoint) -> Verdict {
-    let site = match Site::new(case, point) {
-        Ok(site) => site,
-        Err(reason) => return Verdict::Inconclusive(reason, Vec::new()),
-    };
-    let entries = entries(&site);
+/// The verdict on all entries of a closest point.
+pub(crate) fn verdict(entries: Vec<Comparison>) -> Verdict {
     if entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees()) {
         return Verdict::Mismatch(entries);
     }
@@ -45,117 +43,121 @@ fn at_point(case: &Case, point: &ClosestPoint) -> Verdict {
     }
 }
 
-/// The closed form's variations: in plain `f64`, the magnitudes of their terms, and with bounds.
-struct Sides {
-    closed: [Varied<f64>; COMPONENTS],
+/// The closed form under check, in all that the comparison asks for.
+pub(crate) struct Closed {
+    plain: [Varied<f64>; COMPONENTS],
+    exchanged: [Varied<f64>; COMPONENTS],
     scales: [Varied<Magnitude>; COMPONENTS],
     bounds: [Varied<Bounded>; COMPONENTS],
+    matrices: [[Bounded; 3]; SCALARS],
 }
 
-/// All comparisons at one closest point.
-fn entries(site: &Site) -> Vec<Comparison> {
-    let Site { beams: [beam, bar], contact, active, at: (xi, xi_bar) } = *site;
-    let at = (xi.value, xi_bar.value);
+/// Automatic differentiation: two routes of num-dual, and our own numbers with bounds.
+pub(crate) struct References {
+    newton: [Varied<f64>; COMPONENTS],
+    stationary: [Varied<f64>; COMPONENTS],
+    chord: [Varied<Bounded>; COMPONENTS],
+}
 
-    // The closed form: in plain f64, its terms' magnitudes, and with bounds.
-    let plain = [beam.frozen_plain(at.0), bar.frozen_plain(at.1)];
-    let closed = variations(&plain[0], &plain[1], at, active, contact).components();
-    let exchanged = plain.map(Frozen::exchanged);
-    let exchanged = variations(&exchanged[0], &exchanged[1], at, active, contact).components();
-    let (scales, bounds) = (site.scales(&plain), site.closed());
-
-    // Automatic differentiation: two routes of num-dual, and our own numbers with bounds.
-    let by_newton = hyper_dual(site, newton(beam, bar, at, active));
-    let by_stationarity = hyper_dual(site, stationary(beam, bar, at, active));
-    let by_chord = site.chord();
-
-    let mut entries = Vec::with_capacity(16 * COMPONENTS);
-    for i in 0..COMPONENTS {
-        let (quantity, axis) = (Quantity::of_component(i), Quantity::axis_of_component(i));
-        let closed = closed[i].parts();
-        let scale = scales[i].parts().map(|scale| scale.scale);
-        let bound = bounds[i].parts().map(|bounded| bounded.bound);
-        let own = by_chord[i].parts();
-        let routes = [
-            ("hyper-dual, Newton", by_newton[i].parts()),
-            ("hyper-dual, stationary", by_stationarity[i].parts()),
-            ("own hyper-dual, chord", own.map(|bounded| bounded.value)),
-        ];
-        for (against, other) in routes {
-            for (k, order) in
-                [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
-            {
-                entries.push(Comparison {
-                    quantity,
-                    axis,
-                    order,
-                    part: Varied::<f64>::PARTS[k],
-                    against,
-                    closed: closed[k],
-                    other: other[k],
-                    scale: scale[k],
-                    tolerance: bound[k] + own[k].bound,
-                });
-            }
+impl References {
+    /// Differentiates at a closest point.
+    pub(crate) fn new(site: &Site) -> Self {
+        let Site { beams: [beam, bar], active, at: (xi, xi_bar), .. } = *site;
+        let at = (xi.value, xi_bar.value);
+        Self {
+            newton: hyper_dual(site, newton(beam, bar, at, active)),
+            stationary: hyper_dual(site, stationary(beam, bar, at, active)),
+            chord: site.chord(),
         }
-        entries.push(Comparison {
-            quantity,
-            axis,
+    }
+}
+
+impl Closed {
+    /// Evaluates the closed form at a closest point.
+    pub(crate) fn new(subject: &Subject, site: &Site) -> Self {
+        Self {
+            plain: site.plain(subject),
+            exchanged: site.exchanged(subject),
+            scales: site.scales(subject),
+            bounds: site.closed(subject),
+            matrices: site.matrices(subject),
+        }
+    }
+
+    /// All comparisons at one closest point.
+    pub(crate) fn compared_with(&self, references: &References) -> Vec<Comparison> {
+        let mut entries = Vec::with_capacity(16 * COMPONENTS);
+        for i in 0..COMPONENTS {
+            let (quantity, axis) = (Quantity::of_component(i), Quantity::axis_of_component(i));
+            let closed = self.plain[i].parts();
+            let scale = self.scales[i].parts().map(|scale| scale.scale);
+            let bound = self.bounds[i].parts().map(|bounded| bounded.bound);
+            let own = references.chord[i].parts();
+            let routes = [
+                ("hyper-dual, Newton", references.newton[i].parts()),
+                ("hyper-dual, stationary", references.stationary[i].parts()),
+                ("own hyper-dual, chord", own.map(|bounded| bounded.value)),
+            ];
+            for (against, other) in routes {
+                for (k, order) in
+                    [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
+                {
+                    entries.push(Comparison {
+                        quantity,
+                        axis,
+                        order,
+                        part: Varied::<f64>::PARTS[k],
+                        against,
+                        closed: closed[k],
+                        other: other[k],
+                        scale: scale[k],
+                        tolerance: bound[k] + own[k].bound,
+                    });
+                }
+            }
+            entries.push(self.symmetry(i));
+        }
+        entries.extend((0..SCALARS).flat_map(|i| self.matrix(i)));
+        entries
+    }
+
+    /// A second variation against itself with the directions exchanged.
+    pub(crate) fn symmetry(&self, i: usize) -> Comparison {
+        Comparison {
+            quantity: Quantity::of_component(i),
+            axis: Quantity::axis_of_component(i),
             order: Order::Symmetry,
             part: Varied::<f64>::PARTS[3],
             against: "itself, directions exchanged",
-            closed: closed[3],
-            other: exchanged[i].second,
-            scale: scale[3],
-            tolerance: 2.0 * bound[3],
-        });
+            closed: self.plain[i].second,
+            other: self.exchanged[i].second,
+            scale: self.scales[i].second.scale,
+            tolerance: 2.0 * self.bounds[i].second.bound,
+        }
     }
-    matrices(site, &Sides { closed, scales, bounds }, &mut entries);
-    entries
+
+    /// Gradient and Hessian of a scalar, contracted with the directions, against the variations.
+    fn matrix(&self, scalar: usize) -> [Comparison; 3] {
+        let i = SCALAR_COMPONENTS[scalar];
+        [1, 2, 3].map(|k| {
+            let other = self.matrices[scalar][k - 1];
+            Comparison {
+                quantity: Quantity::of_component(i),
+                axis: None,
+                order: Order::Matrix,
+                part: Varied::<f64>::PARTS[k],
+                against: "gradient and Hessian, contracted",
+                closed: self.plain[i].parts()[k],
+                other: other.value,
+                scale: self.scales[i].parts()[k].scale,
+                tolerance: self.bounds[i].parts()[k].bound + other.bound,
+            }
+        })
+    }
 }
 
 fn hyper_dual(site: &Site, lifted: (HyperDual64, HyperDual64)) -> [Varied<f64>; COMPONENTS] {
     let [beam, bar] = site.beams;
     let quantities: Quantities<HyperDual64> = evaluate(beam, bar, lifted, site.contact);
     quantities.map(Varied::from).components()
-}
-
-/// Gradient and Hessian of the scalar quantities, contracted with the directions, against the variations.
-fn matrices(site: &Site, Sides { closed, scales, bounds }: &Sides, entries: &mut Vec<Comparison>) {
-    let Site { beams, contact, active, at: (xi, xi_bar) } = *site;
-    let (jet, [dq, linear_dq]) = beams[0].padded(xi);
-    let (jet_bar, [dq_bar, linear_dq_bar]) = beams[1].padded(xi_bar);
-    let dq = DofVector { beam: dq, bar: dq_bar };
-    let linear_dq = DofVector { beam: linear_dq, bar: linear_dq_bar };
-    let all = Matrices::new(&jet, &jet_bar, active).all((xi, xi_bar), contact);
-    let scalars = [
-        (Quantity::D, &all.d),
-        (Quantity::T, &all.t),
-        (Quantity::TBar, &all.t_bar),
-        (Quantity::Xi, &all.xi),
-        (Quantity::XiBar, &all.xi_bar),
-        (Quantity::GT, &all.g_t),
-        (Quantity::GTBar, &all.g_t_bar),
-    ];
-    for (quantity, expansion) in scalars {
-        let i = (0..COMPONENTS).find(|&i| Quantity::of_component(i) == quantity).unwrap_or(0);
-        let contracted = [
-            (1, expansion.gradient.along(&dq)),
-            (2, expansion.gradient.along(&linear_dq)),
-            (3, expansion.hessian.along(&dq, &linear_dq)),
-        ];
-        for (k, other) in contracted {
-            entries.push(Comparison {
-                quantity,
-                axis: None,
-                order: Order::Matrix,
-                part: Varied::<f64>::PARTS[k],
-                against: "gradient and Hessian, contracted",
-                closed: closed[i].parts()[k],
-                other: other.value,
-                scale: scales[i].parts()[k].scale,
-                tolerance: bounds[i].parts()[k].bound + other.bound,
-            });
-        }
-    }
 }

@@ -11,6 +11,7 @@ use super::verdict::Order;
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::{Bounded, DoubleDouble};
+use crate::subject::Subject;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -125,10 +126,8 @@ impl Sharpness {
 
     /// Measures a point, and tells whether some tolerance means nothing there.
     fn add_point(&mut self, case: &Case, site: &Site, precise: &[Varied<DoubleDouble>; COMPONENTS]) -> bool {
-        let [beam, bar] = site.beams;
-        let plain = [beam.frozen_plain(site.at.0.value), bar.frozen_plain(site.at.1.value)];
-        let scales = site.scales(&plain);
-        let sides = [(Side::Closed, site.closed()), (Side::Chord, site.chord())];
+        let scales = site.scales(&Subject::Sound);
+        let sides = [(Side::Closed, site.closed(&Subject::Sound)), (Side::Chord, site.chord())];
         let orders = [Order::Value, Order::First, Order::First, Order::Second];
         let mut not_meaningful = false;
         for i in 0..COMPONENTS {

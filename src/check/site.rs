@@ -7,9 +7,10 @@ use crate::closest_point::{Active, ClosestPoint, Degeneracy};
 use crate::linearization::ad::{Chord, evaluate};
 use crate::linearization::closed_form::{Frozen, Projection, variations};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{Bounded, DoubleDouble, HyperDual, Magnitude};
+use crate::number::{Bounded, DoubleDouble, HyperDual, Magnitude, Real};
 use crate::pair::Contact;
 use crate::specimen::AnyBeam;
+use crate::subject::{SCALARS, Subject, before};
 
 /// A closest point that has derivatives, and is known well enough.
 #[derive(Clone, Copy, Debug)]
@@ -36,17 +37,52 @@ impl<'a> Site<'a> {
         Ok(Self { beams, contact: &case.contact, active: point.active(), at })
     }
 
+    /// Both beams, frozen at these parameters.
+    fn frozen(&self, at: (f64, f64)) -> [Frozen<f64>; 2] {
+        let [beam, bar] = self.beams;
+        [beam.frozen_plain(at.0), bar.frozen_plain(at.1)]
+    }
+
+    /// The closed form.
+    pub(super) fn plain(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
+        self.variations(subject, |at| self.frozen(at), (self.at.0.value, self.at.1.value))
+    }
+
+    /// The closed form with the directions exchanged.
+    pub(super) fn exchanged(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
+        let frozen = |at| self.frozen(at).map(Frozen::exchanged);
+        self.variations(subject, frozen, (self.at.0.value, self.at.1.value))
+    }
+
     /// The closed form, with a bound on its error.
-    pub(super) fn closed(&self) -> [Varied<Bounded>; COMPONENTS] {
-        let Self { beams: [beam, bar], contact, active, at } = *self;
-        variations(&beam.frozen(at.0), &bar.frozen(at.1), at, active, contact).components()
+    pub(super) fn closed(&self, subject: &Subject) -> [Varied<Bounded>; COMPONENTS] {
+        let [beam, bar] = self.beams;
+        self.variations(subject, |(xi, xi_bar)| [beam.frozen(xi), bar.frozen(xi_bar)], self.at)
     }
 
     /// The closed form with the size of its terms.
-    pub(super) fn scales(&self, plain: &[Frozen<f64>; 2]) -> [Varied<Magnitude>; COMPONENTS] {
-        let sizes = plain.map(|frozen| frozen.map(Magnitude::vector));
+    pub(super) fn scales(&self, subject: &Subject) -> [Varied<Magnitude>; COMPONENTS] {
         let at = (Magnitude::parameter(self.at.0.value), Magnitude::parameter(self.at.1.value));
-        variations(&sizes[0], &sizes[1], at, self.active, self.contact).components()
+        let sizes = |(xi, xi_bar): (Magnitude, Magnitude)| {
+            self.frozen((xi.value, xi_bar.value)).map(|frozen| frozen.map(Magnitude::vector))
+        };
+        self.variations(subject, sizes, at)
+    }
+
+    fn variations<T: Real>(
+        &self,
+        subject: &Subject,
+        frozen: impl Fn((T, T)) -> [Frozen<T>; 2],
+        at: (T, T),
+    ) -> [Varied<T>; COMPONENTS] {
+        subject.variations(&frozen(at), || frozen(before(at)), at, self.active, self.contact)
+    }
+
+    /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors.
+    pub(super) fn matrices(&self, subject: &Subject) -> [[Bounded; 3]; SCALARS] {
+        let Self { beams: [beam, bar], contact, active, at } = *self;
+        let padded = |(xi, xi_bar): (Bounded, Bounded)| [beam.padded(xi), bar.padded(xi_bar)];
+        subject.matrices(&padded(at), || padded(before(at)), at, active, contact)
     }
 
     /// Automatic differentiation in our own hyper-dual numbers, with a bound on its error.

@@ -5,6 +5,7 @@ use super::exit::Exit;
 use super::output::Output;
 use super::{case, human, json};
 use beamgap::check::{Case, Family, Regime, Selection, Summary, compare, run};
+use beamgap::subject::{Subject, with_faults};
 use clap::{Args, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -32,6 +33,9 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(conflicts_with_all = ["cases", "family", "regime"])]
     case: Option<u64>,
+    /// Plant a fault of the catalogue, to see the check fail; may be repeated (see `beamgap teeth --list`)
+    #[arg(long, value_name = "FAULT")]
+    plant: Vec<String>,
     /// Tables for people, or one document for programs
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -66,7 +70,7 @@ impl Check {
 
     fn one(&self, number: u64) -> anyhow::Result<(String, Verdict)> {
         let case = Case::draw(self.seed, number);
-        let points = compare(&case);
+        let points = compare(&with_faults(&self.plant)?, &case);
         let verdict = verdict(&Summary::of(&case, &points));
         let document = match self.format {
             Format::Human => case::human(self.seed, &case, &points, &verdict),
@@ -79,7 +83,7 @@ impl Check {
         let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
         let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
         let selection = Selection { regimes, family: self.family, cases: self.cases };
-        let summary = with_progress(self.seed, &selection);
+        let summary = with_progress(&with_faults(&self.plant)?, self.seed, &selection);
         let verdict = verdict(&summary);
         let checked = Checked { seed: self.seed, selection, summary };
         let document = match self.format {
@@ -91,16 +95,16 @@ impl Check {
 }
 
 /// Runs the cases, with a bar on stderr if someone is watching.
-fn with_progress(seed: u64, selection: &Selection) -> Summary {
+fn with_progress(subject: &Subject, seed: u64, selection: &Selection) -> Summary {
     if !std::io::stderr().is_terminal() {
-        return run(seed, selection, || ());
+        return run(subject, seed, selection, || ());
     }
     let start = Instant::now();
     let bar = ProgressBar::new(selection.cases * selection.regimes.len() as u64);
     if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} cases, {eta} left") {
         bar.set_style(style);
     }
-    let summary = run(seed, selection, || bar.inc(1));
+    let summary = run(subject, seed, selection, || bar.inc(1));
     bar.finish_and_clear();
     eprintln!("{} cases in {:.1} s", bar.position(), start.elapsed().as_secs_f64());
     summary

@@ -6,6 +6,7 @@ use super::output::Output;
 use super::proof;
 use beamgap::prove::{Proof, prove};
 use beamgap::specimen::Family;
+use beamgap::subject::with_faults;
 use clap::{Args, value_parser};
 use std::io::Write;
 use std::path::PathBuf;
@@ -25,6 +26,9 @@ pub(crate) struct Prove {
     /// Only this family; may be repeated, and then all pairs of those named
     #[arg(long, value_parser = families())]
     family: Vec<Family>,
+    /// Plant a fault of the catalogue, to see the proof fail; may be repeated (see `beamgap teeth --list`)
+    #[arg(long, value_name = "FAULT")]
+    plant: Vec<String>,
     /// Tables for people, or one document for programs
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -53,7 +57,7 @@ impl Prove {
         let named = |family: &Family| self.family.is_empty() || self.family.contains(family);
         let families: Vec<_> = Family::ALL.into_iter().filter(named).collect();
         let start = Instant::now();
-        let proof = prove(self.seed, &families, self.draws);
+        let proof = prove(&with_faults(&self.plant)?, self.seed, &families, self.draws);
         let draws = proof.pairs as u64 * self.draws;
         // A closed stderr is no reason to lose the result.
         let _ = writeln!(std::io::stderr(), "{draws} draws in {:.1} s", start.elapsed().as_secs_f64());

@@ -1,8 +1,9 @@
 //! What is compared in a draw, entry by entry.
 
-use super::{SCALAR_COMPONENTS, Sides};
+use super::Sides;
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::Residue;
+use crate::subject::SCALAR_COMPONENTS;
 
 /// What is compared of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -6,6 +6,7 @@ use crate::closest_point::Active;
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::Degree;
 use crate::specimen::Family;
+use crate::subject::Subject;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -55,10 +56,10 @@ impl Proof {
 type Counts = [[u64; 4]; COMPONENTS];
 
 /// Proves the closed form for every pair of the families, with so many draws each.
-pub fn prove(seed: u64, families: &[Family], draws: u64) -> Proof {
+pub fn prove(subject: &Subject, seed: u64, families: &[Family], draws: u64) -> Proof {
     let pairs: Vec<[Family; 2]> =
         families.iter().flat_map(|&one| families.iter().map(move |&other| [one, other])).collect();
-    let results: Vec<_> = pairs.par_iter().map(|&pair| prove_pair(seed, pair, draws)).collect();
+    let results: Vec<_> = pairs.par_iter().map(|&pair| prove_pair(subject, seed, pair, draws)).collect();
     let mut proof = Proof { pairs: pairs.len(), ..Proof::default() };
     for quantity in Quantity::ALL {
         for (k, layer) in Layer::ALL.into_iter().enumerate() {
@@ -81,11 +82,11 @@ pub fn prove(seed: u64, families: &[Family], draws: u64) -> Proof {
 
 type PairResult = (Counts, Counts, [[f64; 4]; COMPONENTS], Option<Draw>);
 
-fn prove_pair(seed: u64, families: [Family; 2], draws: u64) -> PairResult {
+fn prove_pair(subject: &Subject, seed: u64, families: [Family; 2], draws: u64) -> PairResult {
     let (mut equal, mut refuted) = ([[0; 4]; COMPONENTS], [[0; 4]; COMPONENTS]);
     let mut first = None;
     for number in 0..draws {
-        let draw = Draw::new(seed, families, number);
+        let draw = Draw::new(subject, seed, families, number);
         for entry in &draw.entries {
             let counts = if entry.is_equal() { &mut equal } else { &mut refuted };
             counts[entry.component][entry.layer as usize] += 1;
@@ -103,7 +104,7 @@ fn degrees(families: [Family; 2]) -> [[f64; 4]; COMPONENTS] {
     let beams = families.map(|family| family.model(&mut rng).degrees());
     let at = (Degree::VARIABLE, Degree::VARIABLE);
     let mut degrees = [[0.0_f64; 4]; COMPONENTS];
-    let results = sides([&*beams[0], &*beams[1]], at, Active::default(), &CONTACT, true);
+    let results = sides(&Subject::Sound, [&*beams[0], &*beams[1]], at, Active::default(), &CONTACT, true);
     for Entry { component, layer, closed, ad, .. } in entries(&results) {
         let degree = &mut degrees[component][layer as usize];
         *degree = degree.max(closed.of_difference(ad));

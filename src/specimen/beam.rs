@@ -1,9 +1,9 @@
 //! A drawn beam with its family and size forgotten, so that what follows is compiled once and not per pair of families.
 
 use super::exact::{Exact, ExactBeam};
-use super::padded::Padded;
+use super::padded::{Padded, PaddedBeam};
 use crate::closest_point::Centroid;
-use crate::curve::{Curve, Geometry, Jet};
+use crate::curve::{Curve, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
 use crate::number::{Bounded, Degree, DoubleDouble, Dual, Extends, HyperDual, Real, Residue};
@@ -39,10 +39,7 @@ pub(crate) trait AnyBeam:
     fn frozen_precise(&self, xi: DoubleDouble) -> Frozen<DoubleDouble>;
 
     /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
-    fn padded(
-        &self,
-        xi: Bounded,
-    ) -> (Jet<Bounded, Padded<Bounded>>, [SVector<Bounded, { Padded::<Bounded>::DOFS }>; 2]);
+    fn padded(&self, xi: Bounded) -> PaddedBeam<Bounded>;
 
     /// A beam of the same family and parameters, with random dofs and directions over the prime field.
     fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>>;
@@ -170,10 +167,7 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
         self.frozen_in(xi)
     }
 
-    fn padded(
-        &self,
-        xi: Bounded,
-    ) -> (Jet<Bounded, Padded<Bounded>>, [SVector<Bounded, { Padded::<Bounded>::DOFS }>; 2]) {
+    fn padded(&self, xi: Bounded) -> PaddedBeam<Bounded> {
         let [q, dq, linear_dq] = self.lift();
         (Padded::fill(&self.curve.jet(&q, xi)), [dq, linear_dq].map(|v| Padded::fill_vector(&v)))
     }

@@ -1,7 +1,7 @@
 //! A beam of any family with dofs in an exact scalar: random residues, or degrees.
 
-use super::padded::Padded;
-use crate::curve::{Curve, Geometry, Jet};
+use super::padded::{Padded, PaddedBeam};
+use crate::curve::{Curve, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
 use crate::number::{Dual, Extends, HyperDual, Real};
@@ -9,7 +9,7 @@ use nalgebra::{SVector, Vector3};
 
 /// What the proof asks of a beam; all that is compared comes from here.
 pub(crate) trait ExactBeam<T: Real>:
-    PositionAt<Dual<HyperDual<T>>> + PositionAt<Dual<Dual<T>>>
+    PositionAt<Dual<HyperDual<T>>> + PositionAt<Dual<Dual<T>>> + Send + Sync
 {
     /// Point and tangents.
     fn geometry(&self, xi: T) -> Geometry<T>;
@@ -21,7 +21,7 @@ pub(crate) trait ExactBeam<T: Real>:
     fn frozen(&self, xi: T) -> Frozen<T>;
 
     /// The jet and the two directions, filled up to a common number of dofs.
-    fn padded(&self, xi: T) -> (Jet<T, Padded<T>>, [SVector<T, { Padded::<f64>::DOFS }>; 2]);
+    fn padded(&self, xi: T) -> PaddedBeam<T>;
 }
 
 /// A curve with its dofs and the two directions of variation.
@@ -50,7 +50,7 @@ impl<C: Curve<N>, T: Real, const N: usize> PositionAt<Dual<Dual<T>>> for Exact<C
     }
 }
 
-impl<C: Curve<N>, T: Real, const N: usize> ExactBeam<T> for Exact<C, T, N> {
+impl<C: Curve<N> + Send + Sync, T: Real + Send + Sync, const N: usize> ExactBeam<T> for Exact<C, T, N> {
     fn geometry(&self, xi: T) -> Geometry<T> {
         self.curve.jet(&self.q, xi).geometry
     }
@@ -67,7 +67,7 @@ impl<C: Curve<N>, T: Real, const N: usize> ExactBeam<T> for Exact<C, T, N> {
         Frozen::new(&self.curve.jet(&self.q, xi), &self.dq, &self.linear_dq)
     }
 
-    fn padded(&self, xi: T) -> (Jet<T, Padded<T>>, [SVector<T, { Padded::<f64>::DOFS }>; 2]) {
+    fn padded(&self, xi: T) -> PaddedBeam<T> {
         let directions = [&self.dq, &self.linear_dq].map(Padded::<T>::fill_vector);
         (Padded::fill(&self.curve.jet(&self.q, xi)), directions)
     }

@@ -8,6 +8,9 @@ use nalgebra::{SMatrix, SVector, Vector3};
 /// The largest number of dofs that a family of the gate has.
 const DOFS: usize = 18;
 
+/// A jet and the two directions, filled up.
+pub(crate) type PaddedBeam<T> = (Jet<T, Padded<T>>, [SVector<T, DOFS>; 2]);
+
 type Square<T> = SMatrix<T, DOFS, DOFS>;
 
 /// Dense dof-derivatives of a curve with at most [`Padded::DOFS`] dofs.
@@ -19,8 +22,6 @@ pub(crate) struct Padded<T> {
 }
 
 impl<T: Real> Padded<T> {
-    pub(crate) const DOFS: usize = DOFS;
-
     /// Fills a jet up.
     pub(crate) fn fill<U: DofDerivatives<T, N>, const N: usize>(jet: &Jet<T, U>) -> Jet<T, Self> {
         const { assert!(N <= DOFS, "the family has more dofs than the gate provides for") };

@@ -8,6 +8,7 @@ use beamgap::check::{Case, Verdict, compare};
 use beamgap::linearization::ad::{self, Route};
 use beamgap::linearization::closed_form::{self, Matrices, VectorQuantity};
 use beamgap::linearization::{Expansion, Quantities};
+use beamgap::subject::Subject;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -172,7 +173,7 @@ proptest! {
     #[test]
     fn every_case_that_the_gate_can_draw(seed: u64, number in 0..100_000_u64) {
         let case = Case::draw(seed, number);
-        for (point, verdict) in compare(&case) {
+        for (point, verdict) in compare(&Subject::Sound, &case) {
             prop_assert!(!matches!(verdict, Verdict::Mismatch(_)), "{case:?} {point:?} {verdict:?}");
         }
     }

@@ -9,6 +9,7 @@ mod command_line;
 mod degenerate;
 mod every_minimum;
 mod families;
+mod faults;
 mod invariances;
 mod jets;
 mod numbers;

@@ -3,11 +3,12 @@
 use beamgap::number::Residue;
 use beamgap::prove::{Layer, Proof, prove};
 use beamgap::specimen::Family;
+use beamgap::subject::Subject;
 use proptest::prelude::*;
 
 #[test]
 fn all_pairs_of_families_are_proved() {
-    let proof = prove(7, &Family::ALL, 8);
+    let proof = prove(&Subject::Sound, 7, &Family::ALL, 8);
     assert_eq!(proof.pairs, 121);
     assert!(proof.holds(), "{:?}", proof.refutations.first());
     // Thirteen quantities in three layers, and seven in matrices.
@@ -22,7 +23,7 @@ fn all_pairs_of_families_are_proved() {
 
 #[test]
 fn nothing_proves_nothing() {
-    assert!(!prove(7, &[], 8).holds() && !Proof::default().holds());
+    assert!(!prove(&Subject::Sound, 7, &[], 8).holds() && !Proof::default().holds());
 }
 
 proptest! {

@@ -7,7 +7,7 @@ use crate::pair::DofVector;
 use nalgebra::Vector3;
 
 /// Both curves at their closest points, with derivatives in their dofs.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Jets<'a, T, U, V, const N: usize, const M: usize> {
     /// Of the beam.
     pub jet: &'a Jet<T, U>,
@@ -22,6 +22,15 @@ pub struct Jets<'a, T, U, V, const N: usize, const M: usize> {
     /// The gradient of xi_bar, g_bar.
     pub g_bar: DofVector<T, N, M>,
 }
+
+impl<T: Copy, U, V, const N: usize, const M: usize> Clone for Jets<'_, T, U, V, N, M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+/// Jets are referred to, so their dof-derivatives need not be copied.
+impl<T: Copy, U, V, const N: usize, const M: usize> Copy for Jets<'_, T, U, V, N, M> {}
 
 /// What evaluates all terms of the matrices.
 pub trait MatrixTerms<'a, T: 'a, U: 'a, V: 'a, const N: usize, const M: usize>:

@@ -36,7 +36,7 @@ pub use vector::VectorQuantity;
 /// The linearization of a pair at its closest point, from which each quantity is taken on demand.
 ///
 /// Whoever needs the gap alone asks for [`Matrices::d`] and pays for no Hessian of a parameter.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Matrices<'a, T, U, V, const N: usize, const M: usize, F = Sound> {
     at: Jets<'a, T, U, V, N, M>,
     projection: Projection<T>,

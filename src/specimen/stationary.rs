@@ -1,0 +1,41 @@
+//! Two beams over the prime field, at a point that is stationary by construction.
+
+use super::{AnyBeam, ExactBeam};
+use crate::closest_point::Active;
+use crate::number::Residue;
+use nalgebra::Vector3;
+use num_traits::{One, Zero};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+/// Two beams and the parameters of their stationary point.
+type Stationary = ([Box<dyn ExactBeam<Residue>>; 2], (Residue, Residue));
+
+/// Draws dofs until d, t and t_bar have square roots, and moves the first beam to where the point is stationary.
+pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], active: Active, rng: &mut ChaCha8Rng) -> Stationary {
+    let random = |rng: &mut ChaCha8Rng| Residue::new(rng.random());
+    loop {
+        let mut beams = models.each_ref().map(|model| model.residues(&mut || random(rng)));
+        let end = |held: bool, rng: &mut ChaCha8Rng| match (held, rng.random()) {
+            (false, _) => random(rng),
+            (true, false) => Residue::one(),
+            (true, true) => -Residue::one(),
+        };
+        let at = (end(active.xi, rng), end(active.xi_bar, rng));
+        let (x, x_bar) = (beams[0].geometry(at.0), beams[1].geometry(at.1));
+        let (t, t_bar): (Vector3<Residue>, Vector3<Residue>) = (x.t, x_bar.t);
+        let w = Vector3::from_fn(|_, _| random(rng));
+        let normal_to = |t: &Vector3<Residue>| w - t * (w.dot(t) / t.dot(t));
+        let d = match (active.xi, active.xi_bar) {
+            (false, false) => t.cross(&t_bar) * w.x,
+            (true, false) => normal_to(&t_bar),
+            (false, true) => normal_to(&t),
+            (true, true) => w,
+        };
+        let squares = [&d, &t, &t_bar].map(|v| v.dot(v));
+        if squares.iter().all(|v| v.is_square() && !v.is_zero()) {
+            beams[0].translate(&(d - (x.x - x_bar.x)));
+            return (beams, at);
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! One term made wrong: the ways in which terms derived by hand go wrong.
+
+use crate::linearization::closed_form::Label;
+use std::fmt;
+use thiserror::Error;
+
+/// What is wrong with a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// It has the wrong sign.
+    Sign,
+    /// It is missing.
+    Dropped,
+    /// It counts twice.
+    Doubled,
+    /// It counts half.
+    Halved,
+    /// Its directions are exchanged: delta for Delta; or, of a product of Jacobians, its orders.
+    Transposed,
+    /// Its beams are exchanged.
+    Swapped,
+    /// It takes the beam where the bar beam belongs.
+    BarForgotten,
+    /// It is evaluated at the parameters of the step before.
+    Stale,
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 8] = [
+        Self::Sign,
+        Self::Dropped,
+        Self::Doubled,
+        Self::Halved,
+        Self::Transposed,
+        Self::Swapped,
+        Self::BarForgotten,
+        Self::Stale,
+    ];
+
+    /// The name, as tables and the command line have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sign => "sign",
+            Self::Dropped => "dropped",
+            Self::Doubled => "doubled",
+            Self::Halved => "halved",
+            Self::Transposed => "transposed",
+            Self::Swapped => "swapped",
+            Self::BarForgotten => "bar-forgotten",
+            Self::Stale => "stale",
+        }
+    }
+
+    /// What the term is multiplied by; nothing if its operands are wrong instead.
+    pub(super) fn factor(self) -> Option<f64> {
+        match self {
+            Self::Sign => Some(-1.0),
+            Self::Dropped => Some(0.0),
+            Self::Doubled => Some(2.0),
+            Self::Halved => Some(0.5),
+            Self::Transposed | Self::Swapped | Self::BarForgotten | Self::Stale => None,
+        }
+    }
+}
+
+/// A term and what is wrong with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Fault {
+    /// The term.
+    pub label: Label,
+    /// What is wrong with it.
+    pub kind: Kind,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}", self.label, self.kind.name())
+    }
+}
+
+/// No fault of the catalogue has this name.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("no fault is called `{0}`; expected a term and a kind, such as `a: d.t,xi = dropped`")]
+pub struct UnknownFault(pub String);

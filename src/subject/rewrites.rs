@@ -1,0 +1,305 @@
+//! The formulas of [`Rewrite`].
+
+use super::Rewrite;
+use crate::closest_point::Active;
+use crate::curve::Geometry;
+use crate::linearization::closed_form::{Frozen, Projection, variations};
+use crate::linearization::{Quantities, Varied};
+use crate::number::Real;
+use crate::pair::Contact;
+use nalgebra::{Matrix3, Vector3};
+
+/// One formula replaced, all others as they are.
+#[expect(clippy::too_many_lines, reason = "a list of formulas, each of a few lines")]
+pub(super) fn by_term<T: Real>(
+    rewrite: Rewrite,
+    [beam, bar]: [&Frozen<T>; 2],
+    active: Active,
+    sound: Quantities<Varied<T>>,
+) -> Quantities<Varied<T>> {
+    let mut all = sound;
+    let (x, y) = (&beam.geometry, &bar.geometry);
+    let [d, dd, linear_d, second_d] = parts(&sound.d_vector);
+    let [t, dt, linear_t, second_t] = parts(&sound.t_vector);
+    let (u_hat, linear_u_hat) = (beam.delta_u[0] - bar.delta_u[0], beam.linear_u[0] - bar.linear_u[0]);
+    let second_u_hat = beam.second_u[0] - bar.second_u[0];
+    let (xi, xi_bar) = (&sound.xi, &sound.xi_bar);
+    let (dist, length) = (sound.d.value, sound.t.value);
+    let one = T::one();
+    // Eq. (40): what moves and what turns
+    let moved = x.t * xi.linear - y.t * xi_bar.linear;
+    let turned =
+        d.dot(&(beam.delta_u[1] * xi.linear - bar.delta_u[1] * xi_bar.linear)) + d.dot(&second_u_hat);
+    match rewrite {
+        // Eq. (36)
+        Rewrite::AllTermsOfD => {
+            all.d.delta = d.dot(&dd) / dist;
+            all.d.linear = d.dot(&linear_d) / dist;
+        }
+        // Eq. (35)
+        Rewrite::SecondDAsNorm => {
+            let cube = dist * dist * dist;
+            all.d.second =
+                (d.dot(&second_d) + linear_d.dot(&dd)) / dist - dd.dot(&d) * d.dot(&linear_d) / cube;
+        }
+        // Eq. (39)
+        Rewrite::SecondDLinearized => {
+            all.d.second = (u_hat.dot(&(moved + linear_u_hat)) + turned) / dist
+                - u_hat.dot(&d) * d.dot(&linear_u_hat) / (dist * dist * dist);
+        }
+        Rewrite::SecondDSymmetric => {
+            let Projection { a, b, a_bar, .. } = Projection::new(x, y, active);
+            let bracket = b * (xi.delta * xi_bar.linear + xi_bar.delta * xi.linear)
+                + a_bar * xi_bar.delta * xi_bar.linear
+                - a * xi.delta * xi.linear;
+            all.d.second = (bracket + u_hat.dot(&linear_u_hat) + d.dot(&second_u_hat)
+                - sound.d.delta * sound.d.linear)
+                / dist;
+        }
+        Rewrite::SecondDProjected | Rewrite::SecondDProjectedTwice => {
+            let n = d / dist;
+            let normal = |v: Vector3<T>| v - n * n.dot(&v);
+            let moved = if rewrite == Rewrite::SecondDProjected { moved } else { normal(moved) };
+            all.d.second = (u_hat.dot(&(moved + normal(linear_u_hat))) + turned) / dist;
+        }
+        Rewrite::Elimination => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
+            let factor = p.b / p.a;
+            let xi_bar = (r_bar - factor * r) / (p.a_bar + factor * p.b);
+            ((r + p.b * xi_bar) / p.a, xi_bar)
+        }),
+        Rewrite::SymmetricMatrix => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
+            let (h, h_bar, rhs) = (p.a, -p.a_bar, -r_bar);
+            let det = h * h_bar - p.b * p.b;
+            ((h_bar * r + p.b * rhs) / det, (p.b * r + h * rhs) / det)
+        }),
+        Rewrite::UnitTangents => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
+            let (s, s_bar) = (one / sound.t.value, one / sound.t_bar.value);
+            let unit =
+                Projection { a: p.a * s * s, b: p.b * s * s_bar, a_bar: p.a_bar * s_bar * s_bar, active };
+            let (xi, xi_bar) = unit.solve(r * s, r_bar * s_bar);
+            (xi * s, xi_bar * s_bar)
+        }),
+        Rewrite::CrossProduct => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
+            // D = −|t × t̄|² + .., with the curvature terms apart
+            let c = x.t.cross(&y.t);
+            let (e, e_bar) = (d.dot(&x.t_xi), d.dot(&y.t_xi));
+            let det = -c.dot(&c) + x.t.dot(&x.t) * e_bar - y.t.dot(&y.t) * e + e * e_bar;
+            ((p.a_bar * r + p.b * r_bar) / det, (p.a * r_bar - p.b * r) / det)
+        }),
+        Rewrite::UnitTangentOfT => {
+            let w = t / length;
+            (all.t.delta, all.t.linear) = (w.dot(&dt), w.dot(&linear_t));
+        }
+        Rewrite::SecondTProjected => {
+            let w = t / length;
+            all.t.second = w.dot(&second_t) + dt.dot(&(linear_t - w * w.dot(&linear_t))) / length;
+        }
+        // Eq. (34)
+        Rewrite::SecondTAsQuotient => {
+            let product = length * (linear_t.dot(&dt) + t.dot(&second_t));
+            all.t.second = (product - sound.t.linear * t.dot(&dt)) / (length * length);
+        }
+        // Eq. (58)
+        Rewrite::SecondTCubed => {
+            let cube = length * length * length;
+            all.t.second =
+                (second_t.dot(&t) + dt.dot(&linear_t)) / length - dt.dot(&t) * t.dot(&linear_t) / cube;
+        }
+        Rewrite::NormsOfNinths => {
+            // Nine is a square, so that the root of its square is itself in every field.
+            let nine = T::from(9.0);
+            let norm = |v: Vector3<T>| (v / nine).dot(&(v / nine)).sqrt() * nine;
+            (all.d.value, all.t.value) = (norm(d), norm(t));
+        }
+        Rewrite::SlipReordered => {
+            let slip = sound.g_t.value / length;
+            all.g_t.second = length * xi.second
+                + (sound.t.linear * xi.delta + sound.t.delta * xi.linear)
+                + slip * sound.t.second;
+        }
+        Rewrite::XBarFromD => {
+            all.x_bar = sound.x.zip_map(&sound.d_vector, |x, d| Varied {
+                value: x.value - d.value,
+                delta: x.delta - d.delta,
+                linear: x.linear - d.linear,
+                second: x.second - d.second,
+            });
+        }
+        _ => {}
+    }
+    all
+}
+
+/// delta xi and delta xi_bar by another way of solving the system, where no end is active.
+fn solve<T: Real>(
+    all: &mut Quantities<Varied<T>>,
+    [beam, bar]: [&Frozen<T>; 2],
+    active: Active,
+    by: impl Fn(&Projection<T>, T, T) -> (T, T),
+) {
+    if active != Active::default() {
+        return;
+    }
+    let (x, y) = (&beam.geometry, &bar.geometry);
+    let d = x.x - y.x;
+    let projection = Projection::new(x, y, active);
+    let u_hat = beam.delta_u[0] - bar.delta_u[0];
+    // Eq. (50)
+    let r = -u_hat.dot(&x.t) - beam.delta_u[1].dot(&d);
+    let r_bar = -u_hat.dot(&y.t) - bar.delta_u[1].dot(&d);
+    (all.xi.delta, all.xi_bar.delta) = by(&projection, r, r_bar);
+}
+
+/// The variations of other beams, from which those of these follow.
+pub(super) fn by_invariance<T: Real>(
+    rewrite: Rewrite,
+    [beam, bar]: [&Frozen<T>; 2],
+    (xi, xi_bar): (T, T),
+    active: Active,
+    contact: &Contact,
+) -> Option<Quantities<Varied<T>>> {
+    let (three, nine) = (T::from(3.0), T::from(9.0));
+    let of = |beam: &Frozen<T>, bar: &Frozen<T>| variations(beam, bar, (xi, xi_bar), active, contact);
+    Some(match rewrite {
+        Rewrite::DirectionsExchanged => of(&beam.exchanged(), &bar.exchanged()).map(exchanged),
+        Rewrite::Symmetrized => {
+            let (one, other) = (of(beam, bar), of(&beam.exchanged(), &bar.exchanged()));
+            let half = T::from(0.5);
+            let mut others = other.components().into_iter();
+            one.map(|v| {
+                let second = others.next().map_or(v.second, |other| (v.second + other.second) * half);
+                Varied { second, ..v }
+            })
+        }
+        Rewrite::BeamsExchanged => {
+            let contact = Contact {
+                radius: contact.radius_bar,
+                radius_bar: contact.radius,
+                xi_0: contact.xi_bar_0,
+                xi_bar_0: contact.xi_0,
+            };
+            let active = Active { xi: active.xi_bar, xi_bar: active.xi };
+            let other = variations(bar, beam, (xi_bar, xi), active, &contact);
+            Quantities {
+                x: other.x_bar,
+                x_bar: other.x,
+                d_vector: other.d_vector.map(|v| times(v, -T::one())),
+                t_vector: other.t_bar_vector,
+                t_bar_vector: other.t_vector,
+                t: other.t_bar,
+                t_bar: other.t,
+                xi: other.xi_bar,
+                xi_bar: other.xi,
+                g_t: other.g_t_bar,
+                g_t_bar: other.g_t,
+                ..other
+            }
+        }
+        Rewrite::Ninths => {
+            let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| v * nine));
+            let contact =
+                Contact { radius: 9.0 * contact.radius, radius_bar: 9.0 * contact.radius_bar, ..*contact };
+            let other = variations(&beam, &bar, (xi, xi_bar), active, &contact);
+            let ninth = T::one() / nine;
+            Quantities { xi: other.xi, xi_bar: other.xi_bar, ..other.map(|v| times(v, ninth)) }
+        }
+        Rewrite::Moved => {
+            let by = beam.geometry.x * T::from(0.5);
+            let mut both = [*beam, *bar];
+            both.iter_mut().for_each(|frozen| frozen.geometry.x += by);
+            let other = of(&both[0], &both[1]);
+            let back = |x: Vector3<Varied<T>>| x.zip_map(&by, |x, by| Varied { value: x.value - by, ..x });
+            Quantities { x: back(other.x), x_bar: back(other.x_bar), ..other }
+        }
+        Rewrite::Turned => {
+            // Columns (2, 1, 2), (-2, 2, 1), (-1, -2, 2), over 3: orthonormal.
+            let entries = [2.0, 1.0, 2.0, -2.0, 2.0, 1.0, -1.0, -2.0, 2.0].map(|e| T::from(e) / three);
+            let turn = Matrix3::from_column_slice(&entries);
+            let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| turn * v));
+            let other = of(&beam, &bar);
+            let back = |v: Vector3<Varied<T>>| {
+                let [value, delta, linear, second] = parts(&v).map(|part| turn.tr_mul(&part));
+                Vector3::from_fn(|i, _| Varied {
+                    value: value[i],
+                    delta: delta[i],
+                    linear: linear[i],
+                    second: second[i],
+                })
+            };
+            Quantities {
+                x: back(other.x),
+                x_bar: back(other.x_bar),
+                d_vector: back(other.d_vector),
+                t_vector: back(other.t_vector),
+                t_bar_vector: back(other.t_bar_vector),
+                ..other
+            }
+        }
+        Rewrite::Reversed => stretched(-T::one(), -1.0, beam, bar, (xi, xi_bar), active, contact),
+        Rewrite::Reparametrized => stretched(T::from(0.5), 0.5, beam, bar, (xi, xi_bar), active, contact),
+        Rewrite::LongDirections => {
+            let long = |frozen: &Frozen<T>| Frozen {
+                delta_u: frozen.delta_u.map(|v| v * three),
+                second_u: frozen.second_u.map(|v| v * three),
+                ..*frozen
+            };
+            of(&long(beam), &long(bar)).map(|v| Varied {
+                delta: v.delta / three,
+                second: v.second / three,
+                ..v
+            })
+        }
+        _ => return None,
+    })
+}
+
+/// With the beam's parameter in another unit, xi = factor * other: signs and lengths of tangents change, no more.
+fn stretched<T: Real>(
+    factor: T,
+    of_contact: f64,
+    beam: &Frozen<T>,
+    bar: &Frozen<T>,
+    (xi, xi_bar): (T, T),
+    active: Active,
+    contact: &Contact,
+) -> Quantities<Varied<T>> {
+    let square = factor * factor;
+    let Geometry { x, t, t_xi, t_xixi } = beam.geometry;
+    let [u, linear_u] =
+        [beam.delta_u, beam.linear_u].map(|[u, u_xi, u_xixi]| [u, u_xi * factor, u_xixi * square]);
+    let other = Frozen {
+        geometry: Geometry { x, t: t * factor, t_xi: t_xi * square, t_xixi: t_xixi * (square * factor) },
+        delta_u: u,
+        linear_u,
+        second_u: [beam.second_u[0], beam.second_u[1] * factor],
+    };
+    let contact = Contact { xi_0: contact.xi_0 / of_contact, ..*contact };
+    let other = variations(&other, bar, (xi / factor, xi_bar), active, &contact);
+    let (back, size) = (T::one() / factor, T::one() / T::from(of_contact.abs()));
+    Quantities {
+        t_vector: other.t_vector.map(|v| times(v, back)),
+        t: times(other.t, size),
+        xi: times(other.xi, factor),
+        // The slip is t ξ: the units cancel, the sign stays.
+        g_t: times(other.g_t, T::from(of_contact.signum())),
+        ..other
+    }
+}
+
+fn times<T: Real>(v: Varied<T>, factor: T) -> Varied<T> {
+    Varied {
+        value: v.value * factor,
+        delta: v.delta * factor,
+        linear: v.linear * factor,
+        second: v.second * factor,
+    }
+}
+
+fn exchanged<T: Real>(v: Varied<T>) -> Varied<T> {
+    Varied { delta: v.linear, linear: v.delta, ..v }
+}
+
+/// Value, delta, Delta and Delta-delta of a vector.
+fn parts<T: Real>(v: &Vector3<Varied<T>>) -> [Vector3<T>; 4] {
+    [v.map(|v| v.value), v.map(|v| v.delta), v.map(|v| v.linear), v.map(|v| v.second)]
+}
