@@ -12,6 +12,7 @@ mod families;
 mod invariances;
 mod jets;
 mod numbers;
+mod oracles;
 mod pairs;
 mod proof;
 mod reports;
