@@ -12,6 +12,13 @@
 //! epsilon derived from the number of operations and the conditioning of the case, entry by entry; no entry is
 //! compared with an absolute number.
 //!
+//! # The third oracle
+//! Central differences of the value in double-double share no derivative with either side, and bring their own estimate
+//! of their error. They are asked for a sample of the cases ([`Oracles`]), and wherever closed form and AD disagree: then
+//! they say which of the two is wrong ([`Arbitration`]). Oracles that disagree among themselves condemn the check, not
+//! the closed form.
+//!
+//! # What is shown
 //! What is *shown* is the error relative to its scale, the sum of the absolute values of the closed form's terms
 //! ([`Magnitude`](crate::number::Magnitude)), with the vectors that enter it counted by their length and a parameter by
 //! its range. The scale knows nothing of rounding in the curves themselves: an arc bent by 1e-6 has its centre a
@@ -21,24 +28,29 @@
 //! A case without a minimum that has derivatives, or whose bounds exceed a thousandth of its scales, is counted under
 //! its reason. It is never passed.
 
+mod arbitration;
 mod compare;
 mod distribution;
 mod draw;
+mod oracle;
 mod regime;
 mod run;
 mod sharpness;
 mod site;
 mod summary;
+mod trial;
 mod verdict;
 mod witness;
 
+pub use arbitration::Arbitration;
 pub use compare::compare;
 pub use distribution::Distribution;
 pub use draw::{Case, Selection};
 pub use regime::Regime;
 pub use run::run;
 pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
-pub use summary::{Cell, Summary, Tally};
+pub use summary::{Cell, Differences, Summary, Tally};
+pub use trial::{Oracles, Trial};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};
 
 pub use crate::specimen::{Family, Shown};

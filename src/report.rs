@@ -24,8 +24,7 @@ pub use error::ReportError;
 pub use interval::{Spread, median_interval, spread};
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 
-use crate::check::{self, Regime, Selection};
-use crate::subject::Subject;
+use crate::check::{self, Regime, Selection, Trial};
 use std::fs;
 use std::path::Path;
 
@@ -49,7 +48,7 @@ pub fn crosscheck(
     done: impl Fn() + Sync,
 ) -> Result<Crosscheck, ReportError> {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
-    let summary = check::run(&Subject::Sound, seed, &selection, done);
+    let summary = check::run(&Trial::default(), seed, &selection, done);
     let json = Crosscheck::new(&summary, seed, cases, Environment::here(command)).to_json()?;
     let record = Crosscheck::from_json(&json)?;
     write(to, "crosscheck.json", &json)?;

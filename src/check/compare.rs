@@ -1,7 +1,10 @@
 //! One case through both linearizations, entry by entry.
 
+use super::arbitration::DIFFERENCES;
 use super::draw::Case;
+use super::oracle::differences;
 use super::site::Site;
+use super::trial::{Oracles, Trial};
 use super::verdict::{Comparison, Inconclusive, Order, Verdict};
 use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
 use crate::linearization::ad::{evaluate, newton, stationary};
@@ -9,9 +12,13 @@ use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{Bounded, Magnitude};
 use crate::subject::{SCALAR_COMPONENTS, SCALARS, Subject};
 use num_dual::HyperDual64;
+use std::collections::BTreeSet;
 
-/// Compares a case at each of its closest points.
-pub fn compare(subject: &Subject, case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
+/// The routes of automatic differentiation.
+const ROUTES: [&str; 3] = ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
+
+/// Compares a case with the oracles at each of its closest points.
+pub fn compare(trial: &Trial, case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
     let [beam, bar] = case.beams();
     let found = match closest_points(beam, bar, &Search::default()) {
         Ok(found) => found,
@@ -21,7 +28,7 @@ pub fn compare(subject: &Subject, case: &Case) -> Vec<(Option<ClosestPoint>, Ver
         Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
     let at_point = |point: &ClosestPoint| match Site::new(case, point) {
-        Ok(site) => verdict(Closed::new(subject, &site).compared_with(&References::new(&site))),
+        Ok(site) => verdict(trial, case, &site),
         Err(reason) => Verdict::Inconclusive(reason, Vec::new()),
     };
     let mut verdicts: Vec<_> = found.minima.iter().map(|point| (Some(*point), at_point(point))).collect();
@@ -31,16 +38,44 @@ pub fn compare(subject: &Subject, case: &Case) -> Vec<(Option<ClosestPoint>, Ver
     verdicts
 }
 
-/// The verdict on all entries of a closest point.
-pub(crate) fn verdict(entries: Vec<Comparison>) -> Verdict {
-    if entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees()) {
-        return Verdict::Mismatch(entries);
+fn verdict(trial: &Trial, case: &Case, site: &Site) -> Verdict {
+    let mut entries = Closed::new(&trial.subject, site).compared_with(&References::new(site));
+    let apart = |entries: &[Comparison]| entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees());
+    let unclear = trial.oracles != Oracles::Ad && !entries.iter().all(Comparison::is_meaningful);
+    if apart(&entries) || unclear || trial.oracles.asks_differences(case.number) {
+        by_differences(site, &mut entries);
     }
-    if entries.iter().all(Comparison::is_meaningful) {
+    if apart(&entries) {
+        Verdict::Mismatch(entries)
+    } else if is_decided(&entries) {
         Verdict::Pass(entries)
     } else {
         Verdict::Inconclusive(Inconclusive::NotMeaningful, entries)
     }
+}
+
+/// Whether each number was compared with some oracle to a tolerance that means something.
+fn is_decided(entries: &[Comparison]) -> bool {
+    if entries.iter().all(Comparison::is_meaningful) {
+        return true;
+    }
+    let name = |entry: &Comparison| (entry.quantity, entry.axis, entry.order, entry.part);
+    let decided: BTreeSet<_> = entries.iter().filter(|entry| entry.is_meaningful()).map(name).collect();
+    entries.iter().all(|entry| entry.is_meaningful() || decided.contains(&name(entry)))
+}
+
+/// Adds the comparisons with the differences, where they exist.
+fn by_differences(site: &Site, entries: &mut Vec<Comparison>) {
+    let Some(differences) = differences(site) else { return };
+    // All components are compared with the first route, part by part.
+    let first: Vec<_> = entries.iter().filter(|entry| entry.against == ROUTES[0]).copied().collect();
+    let told = differences.into_iter().flat_map(Varied::parts);
+    entries.extend(first.into_iter().zip(told).map(|(entry, told)| {
+        let other = told.value.value();
+        // Half an ulp for what is shown of the double-double.
+        let tolerance = entry.bound + told.error + 0.5 * f64::EPSILON * other.abs();
+        Comparison { against: DIFFERENCES, other, tolerance, ..entry }
+    }));
 }
 
 /// The closed form under check, in all that the comparison asks for.
@@ -94,11 +129,11 @@ impl Closed {
             let bound = self.bounds[i].parts().map(|bounded| bounded.bound);
             let own = references.chord[i].parts();
             let routes = [
-                ("hyper-dual, Newton", references.newton[i].parts()),
-                ("hyper-dual, stationary", references.stationary[i].parts()),
-                ("own hyper-dual, chord", own.map(|bounded| bounded.value)),
+                references.newton[i].parts(),
+                references.stationary[i].parts(),
+                own.map(|bounded| bounded.value),
             ];
-            for (against, other) in routes {
+            for (against, other) in ROUTES.into_iter().zip(routes) {
                 for (k, order) in
                     [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
                 {
@@ -111,6 +146,7 @@ impl Closed {
                         closed: closed[k],
                         other: other[k],
                         scale: scale[k],
+                        bound: bound[k],
                         tolerance: bound[k] + own[k].bound,
                     });
                 }
@@ -132,6 +168,7 @@ impl Closed {
             closed: self.plain[i].second,
             other: self.exchanged[i].second,
             scale: self.scales[i].second.scale,
+            bound: self.bounds[i].second.bound,
             tolerance: 2.0 * self.bounds[i].second.bound,
         }
     }
@@ -150,6 +187,7 @@ impl Closed {
                 closed: self.plain[i].parts()[k],
                 other: other.value,
                 scale: self.scales[i].parts()[k].scale,
+                bound: self.bounds[i].parts()[k].bound,
                 tolerance: self.bounds[i].parts()[k].bound + other.bound,
             }
         })

@@ -56,9 +56,14 @@ fn regime(number: u64) -> Regime {
     Regime::ALL[usize::try_from(number % REGIMES).unwrap_or(0)]
 }
 
+/// Which of the cases of its regime a case is.
+pub(super) fn turn(number: u64) -> u64 {
+    number / REGIMES
+}
+
 /// The families of a case: all pairs in turn.
 fn families(number: u64) -> [Family; 2] {
-    let turn = number / REGIMES;
+    let turn = turn(number);
     [turn / FAMILIES, turn].map(|i| Family::ALL[usize::try_from(i % FAMILIES).unwrap_or(0)])
 }
 

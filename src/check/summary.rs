@@ -1,5 +1,6 @@
 //! What a run of the gate found, gathered so that the order of the cases does not matter.
 
+use super::arbitration::{Arbitration, DIFFERENCES};
 use super::draw::Case;
 use super::regime::Regime;
 use super::verdict::{Comparison, Inconclusive, Order, Verdict};
@@ -81,6 +82,41 @@ pub struct Summary {
     pub pairs: BTreeMap<(Family, Family), u64>,
     /// The cases that did not agree, with the entry that is furthest off.
     pub mismatches: BTreeMap<u64, Comparison>,
+    /// Who is wrong in each of them.
+    pub arbitrations: BTreeMap<u64, Arbitration>,
+    /// What the differences in double-double were asked, and answered.
+    pub differences: Differences,
+}
+
+/// Closest points at which the differences in double-double were asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Differences {
+    /// Points where they were asked and had an answer.
+    pub points: u64,
+    /// Of these, points whose tolerance for AD means nothing.
+    pub unclear: u64,
+    /// Of these, points that they decided.
+    pub decided: u64,
+}
+
+impl Differences {
+    fn add(&mut self, verdict: &Verdict) {
+        let entries = verdict.entries();
+        if !entries.iter().any(|entry| entry.against == DIFFERENCES) {
+            return;
+        }
+        self.points += 1;
+        if entries.iter().any(|entry| entry.against != DIFFERENCES && !entry.is_meaningful()) {
+            self.unclear += 1;
+            self.decided += u64::from(!matches!(verdict, Verdict::Inconclusive(..)));
+        }
+    }
+
+    fn merge(&mut self, other: Self) {
+        self.points += other.points;
+        self.unclear += other.unclear;
+        self.decided += other.decided;
+    }
 }
 
 impl Summary {
@@ -89,6 +125,7 @@ impl Summary {
         let mut summary = Self::default();
         let mut tally = Tally { cases: 1, ..Tally::default() };
         for (point, verdict) in verdicts {
+            summary.differences.add(verdict);
             let entries = match verdict {
                 Verdict::Inconclusive(reason, _) => {
                     tally.inconclusive.entry(*reason).or_insert((0, case.number)).0 += 1;
@@ -103,6 +140,9 @@ impl Summary {
                         .chain(earlier)
                         .max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
                     summary.mismatches.extend(worst.map(|worst| (case.number, worst)));
+                    let arbitrated = summary.arbitrations.remove(&case.number).into_iter();
+                    let arbitrated = arbitrated.chain(Arbitration::of(entries)).reduce(Arbitration::and);
+                    summary.arbitrations.extend(arbitrated.map(|arbitrated| (case.number, arbitrated)));
                     entries
                 }
             };
@@ -115,7 +155,7 @@ impl Summary {
             for family in case.families {
                 *summary.families.entry(family).or_default() += 1;
             }
-            for entry in entries {
+            for entry in entries.iter().filter(|entry| entry.is_meaningful()) {
                 let cell = Cell {
                     scaled_error: entry.scaled_error(),
                     case: case.number,
@@ -146,6 +186,8 @@ impl Summary {
             *self.pairs.entry(pair).or_default() += count;
         }
         self.mismatches.extend(other.mismatches);
+        self.arbitrations.extend(other.arbitrations);
+        self.differences.merge(other.differences);
         self
     }
 

@@ -52,7 +52,9 @@ pub struct Comparison {
     pub other: f64,
     /// The sum of the absolute values of the closed form's terms.
     pub scale: f64,
-    /// The largest difference that rounding explains.
+    /// How far rounding may have taken the closed form's number.
+    pub bound: f64,
+    /// The largest difference that rounding of both explains.
     pub tolerance: f64,
 }
 
@@ -139,4 +141,13 @@ pub enum Verdict {
     Mismatch(Vec<Comparison>),
     /// They could not be compared, or to no avail: then the entries show where.
     Inconclusive(Inconclusive, Vec<Comparison>),
+}
+
+impl Verdict {
+    /// What was compared.
+    pub fn entries(&self) -> &[Comparison] {
+        match self {
+            Self::Pass(entries) | Self::Mismatch(entries) | Self::Inconclusive(_, entries) => entries,
+        }
+    }
 }

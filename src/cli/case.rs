@@ -4,7 +4,7 @@ use super::check::Verdict;
 use super::human::{error, name, repeat};
 use super::json;
 use super::table::Table;
-use beamgap::check::{Case, Comparison, Verdict as Compared};
+use beamgap::check::{Arbitration, Case, Comparison, Verdict as Compared};
 use beamgap::closest_point::{ClosestPoint, End};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -43,6 +43,9 @@ pub(super) fn human(seed: u64, case: &Case, points: &Points, verdict: &Verdict) 
                 }
             }
             Compared::Pass(entries) | Compared::Mismatch(entries) => text += &table(entries),
+        }
+        if let Some(who) = Arbitration::of(compared.entries()) {
+            let _ = writeln!(text, "By differences in double-double: {}", who.words());
         }
     }
     text + "\n" + &verdict.words + "\n"
@@ -162,6 +165,13 @@ fn at_point(point: Option<&ClosestPoint>, compared: &Compared) -> Value {
             ("not-compared", Some(reason.reason()), entries.as_slice())
         }
     };
+    let arbitration = Arbitration::of(entries).map(Arbitration::name);
     let entries: Vec<_> = entries.iter().map(json::compared).collect();
-    json!({ "point": point, "verdict": verdict, "reason": reason, "entries": entries })
+    json!({
+        "point": point,
+        "verdict": verdict,
+        "reason": reason,
+        "arbitration": arbitration,
+        "entries": entries,
+    })
 }

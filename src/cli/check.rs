@@ -4,9 +4,9 @@ use super::arguments::{Format, families, regimes, seed, work_with};
 use super::exit::Exit;
 use super::output::Output;
 use super::{case, human, json};
-use beamgap::check::{Case, Family, Regime, Selection, Summary, compare, run};
-use beamgap::subject::{Subject, with_faults};
-use clap::{Args, value_parser};
+use beamgap::check::{Case, Family, Oracles, Regime, Selection, Summary, Trial, compare, run};
+use beamgap::subject::with_faults;
+use clap::{Args, ValueEnum, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -36,6 +36,9 @@ pub(crate) struct Check {
     /// Plant a fault of the catalogue, to see the check fail; may be repeated (see `beamgap teeth --list`)
     #[arg(long, value_name = "FAULT")]
     plant: Vec<String>,
+    /// With what the closed form is compared
+    #[arg(long, value_enum, default_value_t = Oracle::Ad)]
+    oracle: Oracle,
     /// Tables for people, or one document for programs
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -46,6 +49,16 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+}
+
+/// With what the closed form is compared. Where it disagrees with AD, the differences always arbitrate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Oracle {
+    /// Automatic differentiation
+    Ad,
+    /// Also differences of the value in double-double: in every thirteenth
+    /// case, and where the tolerance for AD means nothing
+    All,
 }
 
 /// What was asked, and what was found.
@@ -70,7 +83,11 @@ impl Check {
 
     fn one(&self, number: u64) -> anyhow::Result<(String, Verdict)> {
         let case = Case::draw(self.seed, number);
-        let points = compare(&with_faults(&self.plant)?, &case);
+        let oracles = match self.oracle {
+            Oracle::Ad => Oracles::Ad,
+            Oracle::All => Oracles::All,
+        };
+        let points = compare(&Trial { subject: with_faults(&self.plant)?, oracles }, &case);
         let verdict = verdict(&Summary::of(&case, &points));
         let document = match self.format {
             Format::Human => case::human(self.seed, &case, &points, &verdict),
@@ -83,7 +100,12 @@ impl Check {
         let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
         let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
         let selection = Selection { regimes, family: self.family, cases: self.cases };
-        let summary = with_progress(&with_faults(&self.plant)?, self.seed, &selection);
+        let oracles = match self.oracle {
+            Oracle::Ad => Oracles::Ad,
+            Oracle::All => Oracles::Sample,
+        };
+        let trial = Trial { subject: with_faults(&self.plant)?, oracles };
+        let summary = with_progress(&trial, self.seed, &selection);
         let verdict = verdict(&summary);
         let checked = Checked { seed: self.seed, selection, summary };
         let document = match self.format {
@@ -95,16 +117,16 @@ impl Check {
 }
 
 /// Runs the cases, with a bar on stderr if someone is watching.
-fn with_progress(subject: &Subject, seed: u64, selection: &Selection) -> Summary {
+fn with_progress(trial: &Trial, seed: u64, selection: &Selection) -> Summary {
     if !std::io::stderr().is_terminal() {
-        return run(subject, seed, selection, || ());
+        return run(trial, seed, selection, || ());
     }
     let start = Instant::now();
     let bar = ProgressBar::new(selection.cases * selection.regimes.len() as u64);
     if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} cases, {eta} left") {
         bar.set_style(style);
     }
-    let summary = run(subject, seed, selection, || bar.inc(1));
+    let summary = run(trial, seed, selection, || bar.inc(1));
     bar.finish_and_clear();
     eprintln!("{} cases in {:.1} s", bar.position(), start.elapsed().as_secs_f64());
     summary
@@ -123,7 +145,16 @@ pub(super) fn verdict(summary: &Summary) -> Verdict {
     let left: u64 =
         summary.regimes.values().flat_map(|tally| tally.inconclusive.values()).map(|&(count, _)| count).sum();
     let points = if compared == 1 { "closest point" } else { "closest points" };
+    let untrusted = summary.arbitrations.values().filter(|who| who.is_untrusted()).count();
     let (exit, name, words) = match (compared, apart) {
+        _ if untrusted > 0 => {
+            let cases = if untrusted == 1 { "case" } else { "cases" };
+            let words = format!(
+                "UNTRUSTED: in {untrusted} {cases} the oracles disagree among themselves.\n\
+                 The check itself cannot be trusted, and says nothing of the closed form."
+            );
+            (Exit::Untrusted, "untrusted", words)
+        }
         (0, _) => (Exit::Nothing, "nothing-compared", "NOTHING COMPARED: no closest point could be.".into()),
         (_, 0) => {
             let words = format!("AGREE: at {compared} {points} nothing differs beyond rounding.");

@@ -2,7 +2,7 @@
 
 use super::check::{Checked, Verdict};
 use super::table::Table;
-use beamgap::check::{Case, Cell, Comparison, Family, Inconclusive, Order, Regime};
+use beamgap::check::{Case, Cell, Comparison, Differences, Family, Inconclusive, Order, Regime};
 use beamgap::linearization::Quantity;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -26,6 +26,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     add("Regimes: closest points compared, worst error, and most of a tolerance used", regimes(checked));
     add(&coverage(checked), families(checked));
     add("Not compared", not_compared(checked));
+    add("Differences in double-double", differences(checked));
     add("Disagreements", mismatches(checked));
     text + "\n" + &verdict.words + "\n"
 }
@@ -104,6 +105,18 @@ fn not_compared(checked: &Checked) -> String {
     if reasons.is_empty() { String::new() } else { table.to_string() }
 }
 
+/// What the third oracle was asked.
+fn differences(checked: &Checked) -> String {
+    let Differences { points, unclear, decided } = checked.summary.differences;
+    if points == 0 {
+        return String::new();
+    }
+    format!(
+        "  asked at {points} closest points; of {unclear} where the tolerance for AD means nothing,\n  \
+         they decided {decided}\n"
+    )
+}
+
 /// Why closest points or cases were not compared, over all regimes.
 fn reasons(checked: &Checked) -> BTreeMap<Inconclusive, (u64, u64)> {
     let mut reasons = BTreeMap::new();
@@ -122,6 +135,9 @@ fn mismatches(checked: &Checked) -> String {
         let _ =
             writeln!(text, "  case {number}: {}, {} and {}", Regime::name(regime), beam.name(), bar.name());
         text += &mismatch(entry);
+        if let Some(who) = checked.summary.arbitrations.get(&number) {
+            let _ = writeln!(text, "    by differences in double-double: {}", who.words());
+        }
         let _ = writeln!(text, "    repeat with: {}", repeat(checked.seed, number));
     }
     match all.len().saturating_sub(SHOWN) {
@@ -173,9 +189,11 @@ fn case_of(cell: &Cell) -> Option<String> {
 mod tests {
     use super::super::check::{Checked, verdict};
     use super::super::exit::Exit;
-    use super::document;
-    use beamgap::check::{Case, Cell, Family, Inconclusive, Order, Regime, Selection, Summary, Tally};
-    use beamgap::check::{Verdict, compare};
+    use super::{document, name};
+    use beamgap::check::{
+        Case, Cell, Comparison, Family, Inconclusive, Order, Regime, Selection, Summary, Tally,
+    };
+    use beamgap::check::{Trial, Verdict, compare};
     use beamgap::linearization::Quantity;
     use std::collections::BTreeMap;
 
@@ -211,15 +229,32 @@ mod tests {
     #[test]
     fn a_disagreement_is_shown_with_the_command_that_repeats_it() {
         let case = Case::draw(u64::MAX, 17);
-        let mut points = compare(&case);
+        let mut points = compare(&Trial::default(), &case);
         let Verdict::Pass(mut entries) = points.remove(0).1 else { panic!("case 17 is a plain one") };
-        entries[4].other *= 1.0 + 1e-3;
-        let wrong = (None, Verdict::Mismatch(entries));
+        let of_x = |entry: &&mut Comparison| name(entry) == "x.x" && entry.part == "value";
+        for entry in entries.iter_mut().filter(of_x) {
+            entry.other *= 1.0 + 1e-3;
+        }
+        let wrong = (None, Verdict::Mismatch(entries.clone()));
         let (exit, text) = shown(Summary::of(&case, &[wrong]));
         assert_eq!(exit, Exit::Disagree);
+        assert!(text.contains("by differences in double-double: undecided"), "{text}");
         let told = "beamgap check --seed 0xffffffffffffffff --case 17\n";
         assert!(text.contains(told) && text.contains("value of x.x (value), against"), "{text}");
         assert!(text.contains("DISAGREE: 1 of 1 closest point"), "{text}");
+
+        // One route of AD alone is off: the routes contradict each other, and the closed form is not accused.
+        let route = entries[0].against;
+        for entry in entries.iter_mut().filter(|entry| name(entry) == "x.x" && entry.against != route) {
+            entry.other = entry.closed;
+        }
+        let (exit, text) = shown(Summary::of(&case, &[(None, Verdict::Mismatch(entries))]));
+        assert_eq!(exit, Exit::Untrusted);
+        assert!(
+            text.contains("by differences in double-double: automatic differentiation is wrong"),
+            "{text}"
+        );
+        assert!(text.contains("UNTRUSTED: in 1 case"), "{text}");
     }
 
     #[test]

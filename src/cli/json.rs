@@ -22,7 +22,8 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
         .iter()
         .map(|((beam, bar), count)| json!({ "beam": beam.name(), "bar": bar.name(), "compared": count }));
     let mismatches = summary.mismatches.iter().map(|(&number, entry)| {
-        let case = json!({ "case": number, "repeat": repeat(*seed, number) });
+        let who = summary.arbitrations.get(&number).map(|who| who.name());
+        let case = json!({ "case": number, "repeat": repeat(*seed, number), "arbitration": who });
         with(case, compared(entry))
     });
     text(&json!({
@@ -40,6 +41,11 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
         "regimes": regimes.collect::<Vec<_>>(),
         "families": families.collect::<Vec<_>>(),
         "pairs": pairs.collect::<Vec<_>>(),
+        "differences": {
+            "points": summary.differences.points,
+            "unclear": summary.differences.unclear,
+            "decided": summary.differences.decided,
+        },
         "mismatches": mismatches.collect::<Vec<_>>(),
     }))
 }
@@ -80,6 +86,7 @@ pub(super) fn compared(entry: &Comparison) -> Value {
         "other": entry.other,
         "difference": entry.difference(),
         "scale": entry.scale,
+        "bound": entry.bound,
         "tolerance": entry.tolerance,
         "agrees": entry.agrees(),
     })

@@ -194,13 +194,14 @@ mod tests {
     use beamgap::number::Residue;
     use beamgap::prove::{Draw, prove};
     use beamgap::specimen::Family;
+    use beamgap::subject::Subject;
     use serde_json::Value;
 
     /// A proof with one refutation: xi has the wrong sign in its second variation, g_T half of it, d is off by one.
     fn refuted() -> Proved {
         let families = vec![Family::Segment, Family::Arc];
-        let mut proof = prove(1, &families, 2);
-        let mut draw = Draw::new(1, [Family::Segment, Family::Arc], 1);
+        let mut proof = prove(&Subject::Sound, 1, &families, 2);
+        let mut draw = Draw::new(&Subject::Sound, 1, [Family::Segment, Family::Arc], 1);
         let half = Residue::new(1) / Residue::new(2);
         for entry in draw.entries.iter_mut().filter(|entry| entry.part == "Delta-delta") {
             match entry.quantity() {

@@ -38,6 +38,9 @@ pub(crate) trait AnyBeam:
     /// The same in double-double.
     fn frozen_precise(&self, xi: DoubleDouble) -> Frozen<DoubleDouble>;
 
+    /// The beam in double-double at q + `along`\[0\] dq + `along`\[1\] Dq.
+    fn moved(&self, along: [DoubleDouble; 2]) -> Box<dyn PositionAt<DoubleDouble> + '_>;
+
     /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
     fn padded(&self, xi: Bounded) -> PaddedBeam<Bounded>;
 
@@ -165,6 +168,11 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
 
     fn frozen_precise(&self, xi: DoubleDouble) -> Frozen<DoubleDouble> {
         self.frozen_in(xi)
+    }
+
+    fn moved(&self, [along, linear]: [DoubleDouble; 2]) -> Box<dyn PositionAt<DoubleDouble> + '_> {
+        let [q, dq, linear_dq] = self.lift::<DoubleDouble>();
+        Box::new(Perturbed { curve: &self.curve, q: q + dq * along + linear_dq * linear })
     }
 
     fn padded(&self, xi: Bounded) -> PaddedBeam<Bounded> {

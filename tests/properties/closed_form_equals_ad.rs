@@ -4,11 +4,10 @@ use crate::pairs::{
     Contacting, Movable, any_arc, any_helix, contacting, hermite, nurbs, quadratic, relative_difference,
     segment,
 };
-use beamgap::check::{Case, Verdict, compare};
+use beamgap::check::{Case, Trial, Verdict, compare};
 use beamgap::linearization::ad::{self, Route};
 use beamgap::linearization::closed_form::{self, Matrices, VectorQuantity};
 use beamgap::linearization::{Expansion, Quantities};
-use beamgap::subject::Subject;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -173,7 +172,7 @@ proptest! {
     #[test]
     fn every_case_that_the_gate_can_draw(seed: u64, number in 0..100_000_u64) {
         let case = Case::draw(seed, number);
-        for (point, verdict) in compare(&Subject::Sound, &case) {
+        for (point, verdict) in compare(&Trial::default(), &case) {
             prop_assert!(!matches!(verdict, Verdict::Mismatch(_)), "{case:?} {point:?} {verdict:?}");
         }
     }

@@ -13,6 +13,7 @@ mod faults;
 mod invariances;
 mod jets;
 mod numbers;
+mod oracles;
 mod pairs;
 mod proof;
 mod reports;

@@ -1,0 +1,50 @@
+//! The oracle's numbers and estimates against the closed form in double-double.
+
+use super::{Estimated, differences};
+use crate::check::site::Site;
+use crate::check::{Case, Regime, Selection};
+use crate::closest_point::{Search, closest_points};
+use crate::linearization::{COMPONENTS, Quantity, Varied};
+use crate::number::DoubleDouble;
+use rayon::prelude::*;
+
+/// One entry: what it is, what the oracle says, what is true, and the closed form's own bound.
+type Entry = (Quantity, &'static str, Estimated, DoubleDouble, f64);
+
+/// All entries at the closest points of a case.
+fn entries(number: u64) -> Vec<Entry> {
+    let case = Case::draw(0xdd, number);
+    let [beam, bar] = case.beams();
+    let minima = closest_points(beam, bar, &Search::default()).unwrap().minima;
+    let mut entries = Vec::new();
+    for site in minima.iter().filter_map(|point| Site::new(&case, point).ok()) {
+        let (Some(precise), Some(oracle)) = (site.precise(), differences(&site)) else { continue };
+        let closed = site.closed(&crate::subject::Subject::Sound);
+        for i in 0..COMPONENTS {
+            for (k, part) in Varied::<f64>::PARTS.into_iter().enumerate() {
+                let (told, truth) = (oracle[i].parts()[k], precise[i].parts()[k]);
+                entries.push((Quantity::of_component(i), part, told, truth, closed[i].parts()[k].bound));
+            }
+        }
+    }
+    entries
+}
+
+#[test]
+fn estimates_are_honest_and_far_below_the_bounds_of_f64() {
+    for regime in Regime::ALL {
+        let numbers = Selection { regimes: vec![regime], family: None, cases: 121 }.numbers();
+        let entries: Vec<Entry> = numbers.into_par_iter().flat_map_iter(entries).collect();
+        let (mut sharp, mut all) = (0, 0);
+        for (quantity, part, told, truth, bound) in entries {
+            let error = (told.value - truth).abs().value();
+            assert!(error <= told.error, "{regime:?} {part} of {quantity:?}: {error:e}, not {told:?}");
+            // d'' holds 1/d, and rounding over h² with a step that must be well below d.
+            if bound > 0.0 && !(regime == Regime::NearlyCrossing && part == "Delta-delta") {
+                sharp += u32::from(told.error <= 1e-2 * bound);
+                all += 1;
+            }
+        }
+        assert!(all > 7000 && f64::from(sharp) >= 0.9 * f64::from(all), "{regime:?}: {sharp} of {all}");
+    }
+}

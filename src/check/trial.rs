@@ -1,0 +1,38 @@
+//! What is checked, and by what.
+
+use super::draw::turn;
+use crate::subject::Subject;
+
+/// The closed form under check, and the oracles that it is compared with.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Trial {
+    /// The closed form: as it is, if nothing else is said.
+    pub subject: Subject,
+    /// Automatic differentiation, if nothing else is said.
+    pub oracles: Oracles,
+}
+
+/// Which oracles the closed form is compared with.
+///
+/// Where it disagrees with automatic differentiation the differences are always asked, to arbitrate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Oracles {
+    /// Automatic differentiation.
+    #[default]
+    Ad,
+    /// Also the differences in double-double: in every thirteenth case of each regime, which meets all pairs of
+    /// families, and wherever the tolerance for AD means nothing.
+    Sample,
+    /// Also the differences in double-double, in every case.
+    All,
+}
+
+impl Oracles {
+    pub(super) fn asks_differences(self, number: u64) -> bool {
+        match self {
+            Self::Ad => false,
+            Self::Sample => turn(number).is_multiple_of(13),
+            Self::All => true,
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! The command line measures its own tolerances, and asks a third oracle.
+
+use crate::command_line::{json, run, stdout};
+use serde_json::Value;
+
+#[test]
+fn sharpness_measures_bounds_that_hold() {
+    let arguments = ["sharpness", "--cases", "3", "--family", "arc", "--regime", "near-end"];
+    let text = stdout(&run(&arguments));
+    assert!(text.contains("BOUNDS HOLD") && text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
+    assert_eq!(document["schema"], "beamgap-sharpness/1");
+    assert_eq!(document["violations"], serde_json::json!([]));
+    let command = document["environment"]["command"].as_str().unwrap();
+    assert_eq!(command, "beamgap sharpness --seed 0x5eed --cases 3 --regime near-end --family arc");
+}
+
+#[test]
+fn the_third_oracle_is_asked_on_demand() {
+    let arguments = ["check", "--cases", "14", "--regime", "nearly-parallel", "--oracle", "all"];
+    let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
+    let counts = &document["differences"];
+    assert!(counts["points"].as_u64() > Some(0) && counts["decided"].as_u64() > Some(0), "{counts}");
+    assert!(stdout(&run(&arguments)).contains("\nDifferences in double-double\n  asked at "));
+
+    let case = json(&run(&["check", "--case", "45", "--oracle", "all", "--format", "json"]));
+    let entries = case["closest_points"][0]["entries"].as_array().unwrap();
+    let asked = entries.iter().filter(|entry| entry["against"] == "differences in double-double");
+    assert_eq!(asked.clone().count(), 4 * 23);
+    assert!(asked.clone().all(|entry| entry["agrees"] == true));
+    let own = |entry: &Value| {
+        let [bound, tolerance] = [&entry["bound"], &entry["tolerance"]].map(|x| x.as_f64().unwrap());
+        tolerance < 2.0 * bound
+    };
+    assert!(asked.filter(|entry| own(entry)).count() >= 80, "the estimates are no wider than the bounds");
+    assert!(case["closest_points"][0]["arbitration"].is_null());
+}
