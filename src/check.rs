@@ -28,12 +28,14 @@ mod run;
 mod summary;
 mod verdict;
 mod witness;
+mod written;
 
-pub use compare::compare;
+pub use compare::{Compared, compare};
 pub use draw::{Case, Selection};
 pub use regime::Regime;
 pub use run::run;
 pub use summary::{Cell, Summary, Tally};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};
+pub use written::Written;
 
-pub use crate::specimen::{Family, Shown};
+pub use crate::specimen::{Family, Specimen, SpecimenError};

@@ -3,12 +3,14 @@
 //! What comes after, the gate and the proof, is thereby compiled once and not once per pair of families.
 
 mod beam;
+mod draw;
 mod exact;
 mod family;
 mod padded;
+mod written;
 
 pub(crate) use beam::AnyBeam;
-pub use beam::Shown;
+pub(crate) use draw::Target;
 pub(crate) use exact::ExactBeam;
-pub use family::Family;
-pub(crate) use family::Target;
+pub use family::{Family, Unit};
+pub use written::{Specimen, SpecimenError};

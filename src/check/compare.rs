@@ -8,13 +8,20 @@ use crate::linearization::ad::{Chord, evaluate, newton, stationary};
 use crate::linearization::closed_form::{Frozen, Matrices, variations};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{Bounded, HyperDual, Magnitude};
-use crate::pair::DofVector;
+use crate::pair::{Contact, DofVector};
 use crate::specimen::AnyBeam;
 use num_dual::HyperDual64;
 
+/// A verdict for each closest point, and one without a point if there is none or there may be more.
+pub type Compared = Vec<(Option<ClosestPoint>, Verdict)>;
+
 /// Compares a case at each of its closest points.
-pub fn compare(case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
-    let [beam, bar] = case.beams.each_ref().map(|beam| &**beam);
+pub fn compare(case: &Case) -> Compared {
+    compare_beams(&case.beams, &case.contact)
+}
+
+pub(super) fn compare_beams(beams: &[Box<dyn AnyBeam>; 2], contact: &Contact) -> Compared {
+    let [beam, bar] = beams.each_ref().map(|beam| &**beam);
     let found = match closest_points(beam, bar, &Search::default()) {
         Ok(found) => found,
         Err(ProjectionError::ZeroTangent { .. }) => {
@@ -23,14 +30,14 @@ pub fn compare(case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
         Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
     let mut verdicts: Vec<_> =
-        found.minima.iter().map(|point| (Some(*point), at_point(case, [beam, bar], point))).collect();
+        found.minima.iter().map(|point| (Some(*point), at_point(contact, [beam, bar], point))).collect();
     if !found.unresolved.is_empty() || verdicts.is_empty() {
         verdicts.push((None, Verdict::Inconclusive(Inconclusive::Unresolved, Vec::new())));
     }
     verdicts
 }
 
-fn at_point(case: &Case, beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Verdict {
+fn at_point(contact: &Contact, beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Verdict {
     match point.degeneracy() {
         None => {}
         Some(Degeneracy::Crossing) => return Verdict::Inconclusive(Inconclusive::Crossing, Vec::new()),
@@ -43,7 +50,7 @@ fn at_point(case: &Case, beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Verd
     let Some(at) = witness::parameters(beams, point) else {
         return Verdict::Inconclusive(Inconclusive::IllConditioned, Vec::new());
     };
-    let entries = entries(case, beams, point, at);
+    let entries = entries(contact, beams, point, at);
     if entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees()) {
         return Verdict::Mismatch(entries);
     }
@@ -63,12 +70,12 @@ struct Sides {
 
 /// All comparisons at one closest point.
 fn entries(
-    case: &Case,
+    contact: &Contact,
     beams: [&dyn AnyBeam; 2],
     point: &ClosestPoint,
     (xi, xi_bar): (Bounded, Bounded),
 ) -> Vec<Comparison> {
-    let (active, contact) = (point.active(), &case.contact);
+    let active = point.active();
     let at = (point.xi, point.xi_bar);
     let [beam, bar] = beams;
 
@@ -132,14 +139,14 @@ fn entries(
         });
     }
     let at = Sides { closed, scales, bounds };
-    matrices(case, beams, point, (xi, xi_bar), &at, &mut entries);
+    matrices(contact, beams, point, (xi, xi_bar), &at, &mut entries);
     entries
 }
 
 fn hyper_dual(
     [beam, bar]: [&dyn AnyBeam; 2],
     lifted: (HyperDual64, HyperDual64),
-    contact: &crate::pair::Contact,
+    contact: &Contact,
 ) -> [Varied<f64>; COMPONENTS] {
     let quantities: Quantities<HyperDual64> = evaluate(beam, bar, lifted, contact);
     quantities.map(Varied::from).components()
@@ -147,7 +154,7 @@ fn hyper_dual(
 
 /// Gradient and Hessian of the scalar quantities, contracted with the directions, against the variations.
 fn matrices(
-    case: &Case,
+    contact: &Contact,
     beams: [&dyn AnyBeam; 2],
     point: &ClosestPoint,
     (xi, xi_bar): (Bounded, Bounded),
@@ -158,7 +165,7 @@ fn matrices(
     let (jet_bar, [dq_bar, linear_dq_bar]) = beams[1].padded(xi_bar);
     let dq = DofVector { beam: dq, bar: dq_bar };
     let linear_dq = DofVector { beam: linear_dq, bar: linear_dq_bar };
-    let all = Matrices::new(&jet, &jet_bar, point.active()).all((xi, xi_bar), &case.contact);
+    let all = Matrices::new(&jet, &jet_bar, point.active()).all((xi, xi_bar), contact);
     let scalars = [
         (Quantity::D, &all.d),
         (Quantity::T, &all.t),
