@@ -41,9 +41,10 @@ mod summary;
 mod trial;
 mod verdict;
 mod witness;
+mod written;
 
 pub use arbitration::Arbitration;
-pub use compare::compare;
+pub use compare::{Compared, compare};
 pub use distribution::Distribution;
 pub use draw::{Case, Selection};
 pub use regime::Regime;
@@ -52,5 +53,6 @@ pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
 pub use summary::{Cell, Differences, Summary, Tally};
 pub use trial::{Oracles, Trial};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};
+pub use written::Written;
 
-pub use crate::specimen::{Family, Shown};
+pub use crate::specimen::{Family, Specimen, SpecimenError};

@@ -3,15 +3,17 @@
 //! What comes after, the gate and the proof, is thereby compiled once and not once per pair of families.
 
 mod beam;
+mod draw;
 mod exact;
 mod family;
 mod padded;
 mod stationary;
+mod written;
 
 pub(crate) use beam::AnyBeam;
-pub use beam::Shown;
+pub(crate) use draw::Target;
 pub(crate) use exact::ExactBeam;
-pub use family::Family;
-pub(crate) use family::Target;
+pub use family::{Family, Unit};
 pub(crate) use padded::{Padded, PaddedBeam};
 pub(crate) use stationary::stationary;
+pub use written::{Specimen, SpecimenError};

@@ -10,6 +10,8 @@ use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points
 use crate::linearization::ad::{evaluate, newton, stationary};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{Bounded, Magnitude};
+use crate::pair::Contact;
+use crate::specimen::AnyBeam;
 use crate::subject::{SCALAR_COMPONENTS, SCALARS, Subject};
 use num_dual::HyperDual64;
 use std::collections::BTreeSet;
@@ -17,9 +19,21 @@ use std::collections::BTreeSet;
 /// The routes of automatic differentiation.
 const ROUTES: [&str; 3] = ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
 
+/// A verdict for each closest point, and one without a point if there is none or there may be more.
+pub type Compared = Vec<(Option<ClosestPoint>, Verdict)>;
+
 /// Compares a case with the oracles at each of its closest points.
-pub fn compare(trial: &Trial, case: &Case) -> Vec<(Option<ClosestPoint>, Verdict)> {
-    let [beam, bar] = case.beams();
+pub fn compare(trial: &Trial, case: &Case) -> Compared {
+    compare_beams(trial, trial.oracles.asks_differences(case.number), case.beams(), &case.contact)
+}
+
+/// Compares two beams with the oracles; with the differences in any case if `asked`.
+pub(super) fn compare_beams(
+    trial: &Trial,
+    asked: bool,
+    [beam, bar]: [&dyn AnyBeam; 2],
+    contact: &Contact,
+) -> Compared {
     let found = match closest_points(beam, bar, &Search::default()) {
         Ok(found) => found,
         Err(ProjectionError::ZeroTangent { .. }) => {
@@ -27,8 +41,8 @@ pub fn compare(trial: &Trial, case: &Case) -> Vec<(Option<ClosestPoint>, Verdict
         }
         Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
-    let at_point = |point: &ClosestPoint| match Site::new(case, point) {
-        Ok(site) => verdict(trial, case, &site),
+    let at_point = |point: &ClosestPoint| match Site::new([beam, bar], contact, point) {
+        Ok(site) => verdict(trial, asked, &site),
         Err(reason) => Verdict::Inconclusive(reason, Vec::new()),
     };
     let mut verdicts: Vec<_> = found.minima.iter().map(|point| (Some(*point), at_point(point))).collect();
@@ -38,11 +52,11 @@ pub fn compare(trial: &Trial, case: &Case) -> Vec<(Option<ClosestPoint>, Verdict
     verdicts
 }
 
-fn verdict(trial: &Trial, case: &Case, site: &Site) -> Verdict {
+fn verdict(trial: &Trial, asked: bool, site: &Site) -> Verdict {
     let mut entries = Closed::new(&trial.subject, site).compared_with(&References::new(site));
     let apart = |entries: &[Comparison]| entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees());
     let unclear = trial.oracles != Oracles::Ad && !entries.iter().all(Comparison::is_meaningful);
-    if apart(&entries) || unclear || trial.oracles.asks_differences(case.number) {
+    if apart(&entries) || unclear || asked {
         by_differences(site, &mut entries);
     }
     if apart(&entries) {

@@ -1,10 +1,10 @@
 //! From the number of a case to the case: a counter-based generator, so that shards, threads and reruns agree.
 
 use super::regime::Regime;
+use super::written::Written;
 use crate::number::Bounded;
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Shown};
-use crate::specimen::{Family, Target};
+use crate::specimen::{AnyBeam, Family, Specimen, Target};
 use nalgebra::{Matrix3, Vector3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -20,6 +20,8 @@ pub struct Case {
     pub families: [Family; 2],
     /// Radii and reference parameters.
     pub contact: Contact,
+    /// Beam and bar beam as numbers.
+    pub specimens: [Specimen; 2],
     beams: [Box<dyn AnyBeam>; 2],
 }
 
@@ -73,9 +75,9 @@ impl Case {
         self.beams.each_ref().map(|beam| &**beam)
     }
 
-    /// Beam and bar beam as numbers.
-    pub fn shown(&self) -> [Shown; 2] {
-        self.beams.each_ref().map(|beam| beam.shown())
+    /// The case without the number that drew it.
+    pub fn written(&self) -> Written {
+        Written { specimens: self.specimens.clone(), contact: self.contact }
     }
 
     /// Draws the case with this number.
@@ -107,12 +109,12 @@ impl Case {
             };
             families[i].draw(&target, &mut rng)
         };
-        let mut beams = [beam(0), beam(1)];
+        let mut specimens = [beam(0), beam(1)];
         // What was drawn passes near its target only: measure, and move the first beam to where it belongs.
-        let [x, x_bar] = [0, 1].map(|i| beams[i].geometry_at(Bounded::from(draw.at[i])));
+        let [x, x_bar] = [0, 1].map(|i| specimens[i].drawn().geometry_at(Bounded::from(draw.at[i])));
         let [x, t, x_bar, t_bar] = [x.x, x.t, x_bar.x, x_bar.t].map(|v| v.map(|c| c.value));
         let across = t.cross(&t_bar).normalize();
-        beams[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));
+        specimens[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));
 
         let contact = Contact {
             radius: 0.05 * draw.length * rng.random_range(0.1..1.0),
@@ -120,7 +122,8 @@ impl Case {
             xi_0: rng.random_range(-1.0..1.0),
             xi_bar_0: rng.random_range(-1.0..1.0),
         };
-        Self { number, regime, families, contact, beams }
+        let beams = specimens.each_ref().map(Specimen::drawn);
+        Self { number, regime, families, contact, specimens, beams }
     }
 }
 

@@ -1,6 +1,5 @@
 //! A closest point at which both linearizations are evaluated, in every scalar that the check asks for.
 
-use super::draw::Case;
 use super::verdict::Inconclusive;
 use super::witness;
 use crate::closest_point::{Active, ClosestPoint, Degeneracy};
@@ -23,8 +22,12 @@ pub(super) struct Site<'a> {
 }
 
 impl<'a> Site<'a> {
-    /// The closest point of a case, or why it has no derivatives that can be compared.
-    pub(super) fn new(case: &'a Case, point: &ClosestPoint) -> Result<Self, Inconclusive> {
+    /// A closest point of two beams, or why it has no derivatives that can be compared.
+    pub(super) fn new(
+        beams: [&'a dyn AnyBeam; 2],
+        contact: &'a Contact,
+        point: &ClosestPoint,
+    ) -> Result<Self, Inconclusive> {
         match point.degeneracy() {
             None => {}
             Some(Degeneracy::Crossing) => return Err(Inconclusive::Crossing),
@@ -32,9 +35,8 @@ impl<'a> Site<'a> {
             Some(Degeneracy::ZeroTangent { .. }) => return Err(Inconclusive::ZeroTangent),
             Some(_) => return Err(Inconclusive::Singular),
         }
-        let beams = case.beams();
         let at = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
-        Ok(Self { beams, contact: &case.contact, active: point.active(), at })
+        Ok(Self { beams, contact, active: point.active(), at })
     }
 
     /// Both beams, frozen at these parameters.

@@ -4,7 +4,7 @@ use super::check::Verdict;
 use super::human::{error, name, repeat};
 use super::json;
 use super::table::Table;
-use beamgap::check::{Arbitration, Case, Comparison, Verdict as Compared};
+use beamgap::check::{Arbitration, Case, Comparison, Specimen, Verdict as Compared};
 use beamgap::closest_point::{ClosestPoint, End};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -21,9 +21,12 @@ pub(super) fn human(seed: u64, case: &Case, points: &Points, verdict: &Verdict) 
         beam.name(),
         bar.name()
     );
-    for (title, beam) in ["beam", "bar beam"].into_iter().zip(case.shown()) {
-        let _ = writeln!(text, "\n{title}\n  {}", beam.curve);
-        for (name, numbers) in [("q", beam.q), ("dq", beam.dq), ("Dq", beam.linear_dq)] {
+    for (title, beam) in ["beam", "bar beam"].into_iter().zip(&case.specimens) {
+        let _ = writeln!(text, "\n{title}\n  {}", beam.family.name());
+        for (name, _) in beam.family.parameters() {
+            let _ = writeln!(text, "  {name} = {:?}", beam.parameter(name));
+        }
+        for (name, numbers) in [("q", &beam.q), ("dq", &beam.dq), ("Dq", &beam.linear_dq)] {
             for (i, number) in numbers.iter().enumerate() {
                 let _ = writeln!(text, "  {name}[{i}] = {number:e}");
             }
@@ -110,14 +113,13 @@ fn told(entry: &Comparison) -> &'static str {
 /// The case for programs, of the schema `beamgap-case/1`.
 pub(super) fn json(seed: u64, case: &Case, points: &Points, verdict: &Verdict) -> anyhow::Result<String> {
     let beam = |i: usize| {
-        let (family, shown) = (case.families[i].name(), &case.shown()[i]);
-        json!({
-            "family": family,
-            "curve": shown.curve,
-            "q": shown.q,
-            "dq": shown.dq,
-            "linear_dq": shown.linear_dq,
-        })
+        let Specimen { family, q, dq, linear_dq, .. } = &case.specimens[i];
+        let parameters = family.parameters().iter().map(|&(name, count)| {
+            let numbers = case.specimens[i].parameter(name);
+            (name.to_owned(), if count == 1 { json!(numbers[0]) } else { json!(numbers) })
+        });
+        let curve: serde_json::Map<_, _> = parameters.collect();
+        json!({ "family": family.name(), "curve": curve, "q": q, "dq": dq, "linear_dq": linear_dq })
     };
     let contact = &case.contact;
     json::text(&json!({

@@ -23,9 +23,6 @@ pub(crate) trait AnyBeam:
     + Send
     + Sync
 {
-    /// Moves the whole beam.
-    fn translate(&mut self, by: &Vector3<f64>);
-
     /// Point and tangent at any parameter, also beyond the ends.
     fn geometry_at(&self, xi: Bounded) -> Geometry<Bounded>;
 
@@ -49,22 +46,6 @@ pub(crate) trait AnyBeam:
 
     /// The same with every dof and direction a variable whose degree counts.
     fn degrees(&self) -> Box<dyn ExactBeam<Degree>>;
-
-    /// All that was drawn, to be shown.
-    fn shown(&self) -> Shown;
-}
-
-/// A drawn beam as numbers, to be shown.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
-    /// What describes the curve besides its dofs: knots, weights, angles.
-    pub curve: String,
-    /// The dofs.
-    pub q: Vec<f64>,
-    /// The variation.
-    pub dq: Vec<f64>,
-    /// The direction of linearization.
-    pub linear_dq: Vec<f64>,
 }
 
 /// A curve with its dofs and the two directions of variation.
@@ -146,14 +127,6 @@ impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<Bounded>>> for Drawn<C, N
 }
 
 impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBeam for Drawn<C, N> {
-    fn translate(&mut self, by: &Vector3<f64>) {
-        for &start in &self.points {
-            for c in 0..3 {
-                self.q[start + c] += by[c];
-            }
-        }
-    }
-
     fn geometry_at(&self, xi: Bounded) -> Geometry<Bounded> {
         self.curve.jet(&self.q.map(Bounded::from), xi).geometry
     }
@@ -186,10 +159,5 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
 
     fn degrees(&self) -> Box<dyn ExactBeam<Degree>> {
         Box::new(self.exact(&mut || Degree::VARIABLE))
-    }
-
-    fn shown(&self) -> Shown {
-        let [q, dq, linear_dq] = [&self.q, &self.dq, &self.linear_dq].map(|v| v.iter().copied().collect());
-        Shown { curve: format!("{:?}", self.curve), q, dq, linear_dq }
     }
 }

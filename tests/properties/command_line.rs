@@ -34,7 +34,7 @@ pub(crate) fn json(output: &Output) -> Value {
 }
 
 /// Compares with a golden file, both seen through `blind`; or writes it.
-fn golden(name: &str, output: &str, blind: impl Fn(&str) -> String) {
+pub(crate) fn golden(name: &str, output: &str, blind: impl Fn(&str) -> String) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
     if std::env::var_os("BEAMGAP_BLESS").is_some() {
         std::fs::write(&path, output).unwrap();
@@ -44,7 +44,7 @@ fn golden(name: &str, output: &str, blind: impl Fn(&str) -> String) {
 }
 
 /// Tables without errors and without the cases that showed them.
-fn blind_text(text: &str) -> String {
+pub(crate) fn blind_text(text: &str) -> String {
     let mut kept = usize::MAX;
     let mut blind = String::new();
     for line in text.lines() {
@@ -67,7 +67,7 @@ fn blind_text(text: &str) -> String {
 }
 
 /// The same for the document.
-fn blind_json(text: &str) -> String {
+pub(crate) fn blind_json(text: &str) -> String {
     fn hide(value: &mut Value) {
         match value {
             Value::Array(values) => values.iter_mut().for_each(hide),
@@ -116,26 +116,6 @@ fn one_case_is_the_golden_one() {
         lines.filter(|line| !line.starts_with("Contact {")).collect::<Vec<_>>().join("\n")
     };
     golden("case.txt", &stdout(&run(&["check", "--case", "17"])), words);
-}
-
-/// Standard output of a proof that must succeed; stderr has the time it took, and nothing else.
-fn proved(more: &[&str]) -> String {
-    let output = run(&[&["prove", "--draws", "8", "--family", "segment", "--family", "arc"], more].concat());
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(
-        told.starts_with("32 draws in ") && told.ends_with(" s\n") && told.lines().count() == 1,
-        "{told}"
-    );
-    assert!(output.status.success(), "{output:?}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-#[test]
-fn a_proof_is_the_golden_one() {
-    let text = proved(&[]);
-    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
-    golden("prove.txt", &text, blind_text);
-    golden("prove.json", &proved(&["--format", "json"]), blind_json);
 }
 
 #[test]
@@ -228,14 +208,19 @@ fn a_closed_pipe_is_no_error() {
 
 #[test]
 fn threads_do_not_matter() {
-    for format in ["human", "json"] {
-        let with = |threads: &str| {
-            let mut command = command(&["check", "--cases", "121", "--format", format]);
-            stdout(&command.env("RAYON_NUM_THREADS", threads).output().unwrap())
-        };
-        let one = with("1");
-        assert_eq!(one, with("2"));
-        assert_eq!(one, stdout(&run(&["check", "--cases", "121", "--format", format, "--threads", "3"])));
+    for work in [&["check", "--cases", "121"][..], &["prove", "--draws", "2"]] {
+        for format in ["human", "json"] {
+            let asked = [work, &["--format", format]].concat();
+            let document = |output: Output| {
+                assert!(output.status.success(), "{output:?}");
+                output.stdout
+            };
+            let one = document(command(&asked).env("RAYON_NUM_THREADS", "1").output().unwrap());
+            for threads in ["2", "5"] {
+                let several = document(run(&[&asked[..], &["--threads", threads]].concat()));
+                assert!(one == several, "{asked:?} with {threads} threads");
+            }
+        }
     }
 }
 

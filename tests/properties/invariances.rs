@@ -4,9 +4,10 @@
 
 use crate::pairs::{Contacting, Movable, contacting, hermite, refined, relative_difference, segment};
 use crate::strategies::vector;
-use beamgap::closest_point::Active;
+use beamgap::check::{Case, Compared, Comparison, Trial, Verdict, compare};
+use beamgap::closest_point::{Active, ClosestPoint};
 use beamgap::curve::{Bezier, Hermite};
-use beamgap::linearization::{Expansion, Linearization, closed_form};
+use beamgap::linearization::{Expansion, Linearization, Quantity, closed_form};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 use proptest::prelude::*;
@@ -57,6 +58,44 @@ fn size(row: impl IntoIterator<Item = f64>) -> f64 {
 
 fn hessian_size(e: &Expansion<f64, 12, 12>) -> f64 {
     size((0..24 * 24).map(|k| e.hessian.entry(k / 24, k % 24)))
+}
+
+/// The same for verdicts: all pairs of families in all regimes, in units from 2^-40 to 2^40.
+#[test]
+fn scaling_by_powers_of_two_scales_every_comparison_of_the_gate() {
+    for (number, power) in (0..1089).zip((-40..=40).cycle()) {
+        let case = Case::draw(0x5eed, number);
+        let scaled = case.written().scaled(power).compare(&Trial::default()).unwrap();
+        assert!(scaled == in_unit(&compare(&Trial::default(), &case), power), "case {number}, 2^{power}");
+    }
+}
+
+/// What a comparison of the gate becomes in a unit of 2^-power.
+fn in_unit(compared: &Compared, power: i32) -> Compared {
+    let unit = 2.0_f64.powi(power);
+    let entries = |entries: &[Comparison]| {
+        let scaled = |entry: &Comparison| {
+            // A variation of a length is a length, as the directions are.
+            let unit = if matches!(entry.quantity, Quantity::Xi | Quantity::XiBar) { 1.0 } else { unit };
+            let [closed, other, scale, tolerance] =
+                [entry.closed, entry.other, entry.scale, entry.tolerance].map(|number| number * unit);
+            Comparison { closed, other, scale, tolerance, ..*entry }
+        };
+        entries.iter().map(scaled).collect()
+    };
+    let scaled = |(point, verdict): &(Option<ClosestPoint>, Verdict)| {
+        let point = point.map(|mut point| {
+            point.distance *= unit;
+            point
+        });
+        let verdict = match verdict {
+            Verdict::Pass(compared) => Verdict::Pass(entries(compared)),
+            Verdict::Mismatch(compared) => Verdict::Mismatch(entries(compared)),
+            Verdict::Inconclusive(reason, compared) => Verdict::Inconclusive(*reason, entries(compared)),
+        };
+        (point, verdict)
+    };
+    compared.iter().map(scaled).collect()
 }
 
 proptest! {

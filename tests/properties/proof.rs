@@ -1,5 +1,6 @@
 //! Over a prime field the closed form and AD are equal, not nearly equal.
 
+use crate::command_line::{blind_json, blind_text, golden, run};
 use beamgap::number::Residue;
 use beamgap::prove::{Layer, Proof, prove};
 use beamgap::specimen::Family;
@@ -38,4 +39,24 @@ proptest! {
         // One number in 10^12 is a small fraction.
         prop_assert_eq!(Residue::new(other | 1 << 20).fraction(1000), None);
     }
+}
+
+/// Standard output of a proof that must succeed; stderr has the time it took, and nothing else.
+fn proved(more: &[&str]) -> String {
+    let output = run(&[&["prove", "--draws", "8", "--family", "segment", "--family", "arc"], more].concat());
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        told.starts_with("32 draws in ") && told.ends_with(" s\n") && told.lines().count() == 1,
+        "{told}"
+    );
+    assert!(output.status.success(), "{output:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn a_proof_is_the_golden_one() {
+    let text = proved(&[]);
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    golden("prove.txt", &text, blind_text);
+    golden("prove.json", &proved(&["--format", "json"]), blind_json);
 }

@@ -1,9 +1,13 @@
 //! The reports say what was found and measured, and nothing else.
 
+use beamgap::check::{self, Regime, Selection, Trial};
+use beamgap::prove::prove;
 use beamgap::report::{
     Benchmark, Crosscheck, Environment, Measured, ReportError, Sharpness, VERDICTS, Verdict, Verdicts,
     median_interval, spread,
 };
+use beamgap::specimen::Family;
+use beamgap::subject::Subject;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -32,6 +36,25 @@ fn committed_records_are_written_again_as_they_are() {
     let json = committed("benchmark.json");
     assert!(Benchmark::from_json(&json).unwrap().to_json().unwrap() == json);
     assert!(json.len() < 300_000, "{} bytes", json.len());
+}
+
+/// What the report, the gate and the proof say hangs on the seed alone, not on who does the work.
+#[test]
+fn threads_do_not_matter() {
+    let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 40 };
+    let found = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let (summary, proof) = pool.install(|| {
+            (
+                check::run(&Trial::default(), 7, &selection, || ()),
+                prove(&Subject::Sound, 7, &Family::ALL[..4], 16),
+            )
+        });
+        let record = Crosscheck::new(&summary, 7, 40, Environment::here("none")).to_json().unwrap();
+        (summary, proof, record)
+    };
+    let one = found(1);
+    assert!(one == found(2) && one == found(5));
 }
 
 #[test]

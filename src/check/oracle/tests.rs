@@ -17,7 +17,7 @@ fn entries(number: u64) -> Vec<Entry> {
     let [beam, bar] = case.beams();
     let minima = closest_points(beam, bar, &Search::default()).unwrap().minima;
     let mut entries = Vec::new();
-    for site in minima.iter().filter_map(|point| Site::new(&case, point).ok()) {
+    for site in minima.iter().filter_map(|point| Site::new([beam, bar], &case.contact, point).ok()) {
         let (Some(precise), Some(oracle)) = (site.precise(), differences(&site)) else { continue };
         let closed = site.closed(&crate::subject::Subject::Sound);
         for i in 0..COMPONENTS {
