@@ -91,7 +91,7 @@ impl<'a> Site<'a> {
     pub(super) fn chord(&self) -> [Varied<Bounded>; COMPONENTS] {
         let Self { beams: [beam, bar], contact, active, at } = *self;
         let chord = Chord::<Bounded>::new(beam, bar, at, active);
-        let lifted = chord.lift::<HyperDual<Bounded>, _, _>(beam, bar, at, 2);
+        let lifted = chord.lift_by_orders(beam, bar, at);
         evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components()
     }
 

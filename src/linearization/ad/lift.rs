@@ -3,7 +3,7 @@
 
 use super::evaluate::{PositionAt, tangent};
 use crate::closest_point::Active;
-use crate::number::{Differentiable, Extends};
+use crate::number::{Differentiable, Extends, HyperDual};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual, Dual2SVec, DualSVec, HyperDual64, implicit_derivative_binary, implicit_derivative_sp};
 
@@ -126,5 +126,34 @@ where
             xi_bar -= r * f + s * f_bar;
         }
         (xi, xi_bar)
+    }
+
+    /// Lifts to hyper-dual numbers order by order: the first step yields the parts of first order, the second that of
+    /// second order, and neither touches what is known already.
+    ///
+    /// In exact arithmetic, at the exact closest point, this is [`Chord::lift`] by two steps. Over numbers with error
+    /// bounds it is sharper: there the second step, which changes the first order by zero, is charged for it.
+    pub fn lift_by_orders<S, R>(
+        &self,
+        beam: &S,
+        bar: &R,
+        (xi, xi_bar): (B, B),
+    ) -> (HyperDual<B>, HyperDual<B>)
+    where
+        HyperDual<B>: Differentiable,
+        S: PositionAt<<HyperDual<B> as Differentiable>::Dual> + ?Sized,
+        R: PositionAt<<HyperDual<B> as Differentiable>::Dual> + ?Sized,
+    {
+        let solve = |f: B, f_bar: B| self.inverse.map(|[p, q]| -(p * f + q * f_bar));
+        let known = |xi: B, eps1: B, eps2: B| HyperDual::new(xi, eps1, eps2, B::zero());
+        let held = (known(xi, B::zero(), B::zero()), known(xi_bar, B::zero(), B::zero()));
+        let [f, f_bar] = orthogonality(beam, bar, held);
+        let [delta, delta_bar] = solve(f.eps1, f_bar.eps1);
+        let [linear, linear_bar] = solve(f.eps2, f_bar.eps2);
+        let (first, first_bar) = (known(xi, delta, linear), known(xi_bar, delta_bar, linear_bar));
+        let [f, f_bar] = orthogonality(beam, bar, (first, first_bar));
+        let [second, second_bar] = solve(f.eps1eps2, f_bar.eps1eps2);
+        let with = |first: HyperDual<B>, eps1eps2: B| HyperDual { eps1eps2, ..first };
+        (with(first, second), with(first_bar, second_bar))
     }
 }
