@@ -44,12 +44,14 @@ mod witness;
 mod written;
 
 pub use arbitration::Arbitration;
+pub(crate) use compare::{Closed, References};
 pub use compare::{Compared, compare};
 pub use distribution::Distribution;
 pub use draw::{Case, Selection};
 pub use regime::Regime;
 pub use run::run;
 pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
+pub(crate) use site::Site;
 pub use summary::{Cell, Differences, Summary, Tally};
 pub use trial::{Oracles, Trial};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};

@@ -13,6 +13,7 @@ mod prove;
 mod report;
 mod sharpness;
 mod table;
+mod teeth;
 
 use clap::{Parser, Subcommand};
 use exit::Exit;
@@ -35,6 +36,8 @@ enum Command {
     Prove(prove::Prove),
     /// Measure how far the tolerances are above the rounding, by double-double.
     Sharpness(sharpness::Sharpen),
+    /// Plant faults in the closed form, and see which checks notice.
+    Teeth(teeth::Bites),
     /// Write the reports: what the gate finds now, and what `cargo bench` measured last.
     Report(report::Report),
 }
@@ -57,6 +60,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Check(check) => check.run(),
         Command::Prove(prove) => prove.run(),
         Command::Sharpness(sharpen) => sharpen.run(),
+        Command::Teeth(teeth) => teeth.run(),
         Command::Report(report) => report.run(),
     })
 }

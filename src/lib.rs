@@ -16,5 +16,7 @@ pub mod report;
 pub mod specimen;
 #[cfg(feature = "cli")]
 pub mod subject;
+#[cfg(feature = "cli")]
+pub mod teeth;
 
 pub use nalgebra;

@@ -5,7 +5,9 @@
 
 mod catalogue;
 mod fault;
+mod invariance;
 mod planted;
+mod point;
 mod rewrite;
 mod rewrites;
 
@@ -13,11 +15,14 @@ pub use catalogue::{catalogue, with_faults};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
-pub(crate) use planted::{Change, Planted, Stale};
+pub(crate) use invariance::by_invariance;
+pub(crate) use point::{CONTACT, Point};
+
+use planted::{Change, Planted, Stale};
 
 use crate::closest_point::Active;
-use crate::linearization::closed_form::{Frozen, Matrices, variations, variations_with};
-use crate::linearization::{COMPONENTS, Varied};
+use crate::linearization::closed_form::{Frozen, Label, Matrices, variations, variations_with};
+use crate::linearization::{COMPONENTS, Quantities, Varied};
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
 use crate::specimen::PaddedBeam;
@@ -32,7 +37,7 @@ pub(crate) const SCALARS: usize = 7;
 pub(crate) const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 22];
 
 /// The closed form under check.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Subject {
     /// As it is.
     #[default]
@@ -41,18 +46,20 @@ pub enum Subject {
     Faulty(Vec<Fault>),
     /// With one formula replaced by another that is equal to it.
     Rewritten(Rewrite),
+    /// With one term multiplied.
+    Weighted(Label, f64),
 }
 
 impl Subject {
-    /// The variations of all components, of frozen beams; `before` are these at the [parameters before](before).
-    pub(crate) fn variations<T: Real>(
+    /// All quantities with their variations, of frozen beams; `before` are these at the [parameters before](before).
+    pub(crate) fn quantities<T: Real>(
         &self,
         [beam, bar]: &[Frozen<T>; 2],
         before: impl FnOnce() -> [Frozen<T>; 2],
         at: (T, T),
         active: Active,
         contact: &Contact,
-    ) -> [Varied<T>; COMPONENTS] {
+    ) -> Quantities<Varied<T>> {
         match self {
             Self::Sound => variations(beam, bar, at, active, contact),
             Self::Faulty(faults) => {
@@ -61,9 +68,25 @@ impl Subject {
                 let planted = Planted { changes: &Change::of(faults), stale };
                 variations_with(&planted, beam, bar, at, active, contact)
             }
+            Self::Weighted(label, factor) => {
+                let changes = [(*label, Change::Factor(T::from(*factor)))];
+                let planted = Planted { changes: &changes, stale: Stale::Unused };
+                variations_with(&planted, beam, bar, at, active, contact)
+            }
             Self::Rewritten(rewrite) => rewrite.variations([beam, bar], at, active, contact),
         }
-        .components()
+    }
+
+    /// Their components.
+    pub(crate) fn variations<T: Real>(
+        &self,
+        frozen: &[Frozen<T>; 2],
+        before: impl FnOnce() -> [Frozen<T>; 2],
+        at: (T, T),
+        active: Active,
+        contact: &Contact,
+    ) -> [Varied<T>; COMPONENTS] {
+        self.quantities(frozen, before, at, active, contact).components()
     }
 
     /// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up.
@@ -81,6 +104,11 @@ impl Subject {
                 let stale = is_stale(faults).then(|| before().map(|(jet, _)| jet));
                 let stale = stale.as_ref().map_or(Stale::Unused, Stale::Jets);
                 let planted = Planted { changes: &Change::of(faults), stale };
+                Matrices::with(planted, jet, jet_bar, active).all(at, contact)
+            }
+            Self::Weighted(label, factor) => {
+                let changes = [(*label, Change::Factor(T::from(*factor)))];
+                let planted = Planted { changes: &changes, stale: Stale::Unused };
                 Matrices::with(planted, jet, jet_bar, active).all(at, contact)
             }
         };

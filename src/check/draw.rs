@@ -71,7 +71,7 @@ fn families(number: u64) -> [Family; 2] {
 
 impl Case {
     /// Beam and bar beam.
-    pub(super) fn beams(&self) -> [&dyn AnyBeam; 2] {
+    pub(crate) fn beams(&self) -> [&dyn AnyBeam; 2] {
         self.beams.each_ref().map(|beam| &**beam)
     }
 

@@ -111,7 +111,8 @@ impl Sharpness {
         let minima = closest_points(beam, bar, &Search::default()).map(|found| found.minima);
         for point in minima.unwrap_or_default() {
             let site = Site::new([beam, bar], &case.contact, &point).ok();
-            let Some((site, precise)) = site.and_then(|site| Some((site, site.precise()?))) else {
+            let Some((site, precise)) = site.and_then(|site| site.precise().map(|precise| (site, precise)))
+            else {
                 points.left_out += 1;
                 continue;
             };

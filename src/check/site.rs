@@ -8,22 +8,33 @@ use crate::linearization::closed_form::{Frozen, Projection, variations};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Bounded, DoubleDouble, HyperDual, Magnitude, Real};
 use crate::pair::Contact;
-use crate::specimen::AnyBeam;
+use crate::specimen::{AnyBeam, PaddedBeam};
 use crate::subject::{SCALARS, Subject, before};
+use std::sync::OnceLock;
 
 /// A closest point that has derivatives, and is known well enough.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Site<'a> {
-    pub(super) beams: [&'a dyn AnyBeam; 2],
-    pub(super) contact: &'a Contact,
-    pub(super) active: Active,
+#[derive(Debug)]
+pub(crate) struct Site<'a> {
+    pub(crate) beams: [&'a dyn AnyBeam; 2],
+    pub(crate) contact: &'a Contact,
+    pub(crate) active: Active,
     /// The parameters, with bounds on how far they are from the exact closest point.
-    pub(super) at: (Bounded, Bounded),
+    pub(crate) at: (Bounded, Bounded),
+    /// The beams at these parameters, and at those before.
+    moments: [Moment; 2],
+}
+
+/// Both beams at some parameters, in the scalars that the check asks for; evaluated once, when they are asked for.
+#[derive(Debug, Default)]
+struct Moment {
+    plain: OnceLock<[Frozen<f64>; 2]>,
+    bounded: OnceLock<[Frozen<Bounded>; 2]>,
+    padded: OnceLock<[PaddedBeam<Bounded>; 2]>,
 }
 
 impl<'a> Site<'a> {
     /// A closest point of two beams, or why it has no derivatives that can be compared.
-    pub(super) fn new(
+    pub(crate) fn new(
         beams: [&'a dyn AnyBeam; 2],
         contact: &'a Contact,
         point: &ClosestPoint,
@@ -36,60 +47,72 @@ impl<'a> Site<'a> {
             Some(_) => return Err(Inconclusive::Singular),
         }
         let at = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
-        Ok(Self { beams, contact, active: point.active(), at })
+        Ok(Self { beams, contact, active: point.active(), at, moments: Default::default() })
     }
 
-    /// Both beams, frozen at these parameters.
-    fn frozen(&self, at: (f64, f64)) -> [Frozen<f64>; 2] {
-        let [beam, bar] = self.beams;
-        [beam.frozen_plain(at.0), bar.frozen_plain(at.1)]
+    /// The parameters, or those before.
+    fn parameters(&self, k: usize) -> (Bounded, Bounded) {
+        if k == 0 { self.at } else { before(self.at) }
+    }
+
+    /// Both beams, frozen.
+    pub(crate) fn frozen(&self, k: usize) -> [Frozen<f64>; 2] {
+        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(k));
+        *self.moments[k].plain.get_or_init(|| [beam.frozen_plain(xi.value), bar.frozen_plain(xi_bar.value)])
+    }
+
+    /// Both beams, frozen, with bounds on their errors.
+    pub(crate) fn bounded(&self, k: usize) -> [Frozen<Bounded>; 2] {
+        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(k));
+        *self.moments[k].bounded.get_or_init(|| [beam.frozen(xi), bar.frozen(xi_bar)])
+    }
+
+    fn padded(&self, k: usize) -> &[PaddedBeam<Bounded>; 2] {
+        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(k));
+        self.moments[k].padded.get_or_init(|| [beam.padded(xi), bar.padded(xi_bar)])
     }
 
     /// The closed form.
-    pub(super) fn plain(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
-        self.variations(subject, |at| self.frozen(at), (self.at.0.value, self.at.1.value))
+    pub(crate) fn plain(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
+        self.variations(subject, |k| self.frozen(k), (self.at.0.value, self.at.1.value))
     }
 
     /// The closed form with the directions exchanged.
     pub(super) fn exchanged(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
-        let frozen = |at| self.frozen(at).map(Frozen::exchanged);
+        let frozen = |k| self.frozen(k).map(Frozen::exchanged);
         self.variations(subject, frozen, (self.at.0.value, self.at.1.value))
     }
 
     /// The closed form, with a bound on its error.
-    pub(super) fn closed(&self, subject: &Subject) -> [Varied<Bounded>; COMPONENTS] {
-        let [beam, bar] = self.beams;
-        self.variations(subject, |(xi, xi_bar)| [beam.frozen(xi), bar.frozen(xi_bar)], self.at)
+    pub(crate) fn closed(&self, subject: &Subject) -> [Varied<Bounded>; COMPONENTS] {
+        self.variations(subject, |k| self.bounded(k), self.at)
     }
 
     /// The closed form with the size of its terms.
     pub(super) fn scales(&self, subject: &Subject) -> [Varied<Magnitude>; COMPONENTS] {
         let at = (Magnitude::parameter(self.at.0.value), Magnitude::parameter(self.at.1.value));
-        let sizes = |(xi, xi_bar): (Magnitude, Magnitude)| {
-            self.frozen((xi.value, xi_bar.value)).map(|frozen| frozen.map(Magnitude::vector))
-        };
+        let sizes = |k| self.frozen(k).map(|frozen| frozen.map(Magnitude::vector));
         self.variations(subject, sizes, at)
     }
 
+    /// By `frozen(0)` at the parameters, and by `frozen(1)` at those before.
     fn variations<T: Real>(
         &self,
         subject: &Subject,
-        frozen: impl Fn((T, T)) -> [Frozen<T>; 2],
+        frozen: impl Fn(usize) -> [Frozen<T>; 2],
         at: (T, T),
     ) -> [Varied<T>; COMPONENTS] {
-        subject.variations(&frozen(at), || frozen(before(at)), at, self.active, self.contact)
+        subject.variations(&frozen(0), || frozen(1), at, self.active, self.contact)
     }
 
     /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors.
     pub(super) fn matrices(&self, subject: &Subject) -> [[Bounded; 3]; SCALARS] {
-        let Self { beams: [beam, bar], contact, active, at } = *self;
-        let padded = |(xi, xi_bar): (Bounded, Bounded)| [beam.padded(xi), bar.padded(xi_bar)];
-        subject.matrices(&padded(at), || padded(before(at)), at, active, contact)
+        subject.matrices(self.padded(0), || self.padded(1).clone(), self.at, self.active, self.contact)
     }
 
     /// Automatic differentiation in our own hyper-dual numbers, with a bound on its error.
     pub(super) fn chord(&self) -> [Varied<Bounded>; COMPONENTS] {
-        let Self { beams: [beam, bar], contact, active, at } = *self;
+        let Self { beams: [beam, bar], contact, active, at, .. } = *self;
         let chord = Chord::<Bounded>::new(beam, bar, at, active);
         let lifted = chord.lift_by_orders(beam, bar, at);
         evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components()
@@ -99,7 +122,7 @@ impl<'a> Site<'a> {
     ///
     /// Nothing if Newton's method does not settle within the bounds of the parameters.
     pub(super) fn precise(&self) -> Option<[Varied<DoubleDouble>; COMPONENTS]> {
-        let Self { beams: [beam, bar], contact, active, at } = *self;
+        let Self { beams: [beam, bar], contact, active, at, .. } = *self;
         let (mut xi, mut xi_bar) = (DoubleDouble::from(at.0.value), DoubleDouble::from(at.1.value));
         let mut previous = f64::INFINITY;
         for _ in 0..STEPS {

@@ -4,7 +4,7 @@ use super::draw::turn;
 use crate::subject::Subject;
 
 /// The closed form under check, and the oracles that it is compared with.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trial {
     /// The closed form: as it is, if nothing else is said.
     pub subject: Subject,

@@ -60,6 +60,11 @@ impl Family {
         }
     }
 
+    /// Whether its curves are linear in their dofs.
+    pub fn is_linear(self) -> bool {
+        !matches!(self, Self::NurbsWeighted | Self::Arc | Self::Helix)
+    }
+
     /// The family of this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|family| family.name() == name)

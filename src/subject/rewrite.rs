@@ -1,6 +1,7 @@
 //! Formulas written another way: equal to those of the library, so that a check must let them pass.
 
-use super::rewrites::{by_invariance, by_term};
+use super::invariance::by_invariance;
+use super::rewrites::by_term;
 use crate::closest_point::Active;
 use crate::linearization::closed_form::{Frozen, variations};
 use crate::linearization::{Quantities, Varied};
@@ -135,9 +136,11 @@ impl Rewrite {
         active: Active,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
-        by_invariance(self, beams, at, active, contact).unwrap_or_else(|| {
-            let sound = variations(beams[0], beams[1], at, active, contact);
-            by_term(self, beams, active, sound)
+        let sound = |[beam, bar]: [Frozen<T>; 2], at, active, contact: &Contact| {
+            variations(&beam, &bar, at, active, contact)
+        };
+        by_invariance(self, sound, beams, at, active, contact).unwrap_or_else(|| {
+            by_term(self, beams, active, sound(beams.map(|beam| *beam), at, active, contact))
         })
     }
 }

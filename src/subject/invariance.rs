@@ -1,0 +1,161 @@
+//! Other beams whose variations are known from those of these: moved, turned, in another unit.
+
+use super::Rewrite;
+use super::rewrites::parts;
+use crate::closest_point::Active;
+use crate::curve::Geometry;
+use crate::linearization::closed_form::Frozen;
+use crate::linearization::{Quantities, Varied};
+use crate::number::Real;
+use crate::pair::Contact;
+use nalgebra::{Matrix3, Vector3};
+
+/// The variations of other beams, from which those of these follow.
+pub(crate) fn by_invariance<T: Real>(
+    rewrite: Rewrite,
+    variations: impl Fn([Frozen<T>; 2], (T, T), Active, &Contact) -> Quantities<Varied<T>>,
+    [beam, bar]: [&Frozen<T>; 2],
+    (xi, xi_bar): (T, T),
+    active: Active,
+    contact: &Contact,
+) -> Option<Quantities<Varied<T>>> {
+    let (three, nine) = (T::from(3.0), T::from(9.0));
+    let of = |beam: Frozen<T>, bar: Frozen<T>| variations([beam, bar], (xi, xi_bar), active, contact);
+    Some(match rewrite {
+        Rewrite::DirectionsExchanged => of(beam.exchanged(), bar.exchanged()).map(exchanged),
+        Rewrite::Symmetrized => {
+            let (one, other) = (of(*beam, *bar), of(beam.exchanged(), bar.exchanged()));
+            let half = T::from(0.5);
+            let mut others = other.components().into_iter();
+            one.map(|v| {
+                let second = others.next().map_or(v.second, |other| (v.second + other.second) * half);
+                Varied { second, ..v }
+            })
+        }
+        Rewrite::BeamsExchanged => {
+            let contact = Contact {
+                radius: contact.radius_bar,
+                radius_bar: contact.radius,
+                xi_0: contact.xi_bar_0,
+                xi_bar_0: contact.xi_0,
+            };
+            let active = Active { xi: active.xi_bar, xi_bar: active.xi };
+            let other = variations([*bar, *beam], (xi_bar, xi), active, &contact);
+            Quantities {
+                x: other.x_bar,
+                x_bar: other.x,
+                d_vector: other.d_vector.map(|v| times(v, -T::one())),
+                t_vector: other.t_bar_vector,
+                t_bar_vector: other.t_vector,
+                t: other.t_bar,
+                t_bar: other.t,
+                xi: other.xi_bar,
+                xi_bar: other.xi,
+                g_t: other.g_t_bar,
+                g_t_bar: other.g_t,
+                ..other
+            }
+        }
+        Rewrite::Ninths => {
+            let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| v * nine));
+            let contact =
+                Contact { radius: 9.0 * contact.radius, radius_bar: 9.0 * contact.radius_bar, ..*contact };
+            let other = variations([beam, bar], (xi, xi_bar), active, &contact);
+            let ninth = T::one() / nine;
+            Quantities { xi: other.xi, xi_bar: other.xi_bar, ..other.map(|v| times(v, ninth)) }
+        }
+        Rewrite::Moved => {
+            let by = beam.geometry.x * T::from(0.5);
+            let mut both = [*beam, *bar];
+            both.iter_mut().for_each(|frozen| frozen.geometry.x += by);
+            let other = of(both[0], both[1]);
+            let back = |x: Vector3<Varied<T>>| x.zip_map(&by, |x, by| Varied { value: x.value - by, ..x });
+            Quantities { x: back(other.x), x_bar: back(other.x_bar), ..other }
+        }
+        Rewrite::Turned => {
+            // Columns (2, 1, 2), (-2, 2, 1), (-1, -2, 2), over 3: orthonormal.
+            let entries = [2.0, 1.0, 2.0, -2.0, 2.0, 1.0, -1.0, -2.0, 2.0].map(|e| T::from(e) / three);
+            let turn = Matrix3::from_column_slice(&entries);
+            let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| turn * v));
+            let other = of(beam, bar);
+            let back = |v: Vector3<Varied<T>>| {
+                let [value, delta, linear, second] = parts(&v).map(|part| turn.tr_mul(&part));
+                Vector3::from_fn(|i, _| Varied {
+                    value: value[i],
+                    delta: delta[i],
+                    linear: linear[i],
+                    second: second[i],
+                })
+            };
+            Quantities {
+                x: back(other.x),
+                x_bar: back(other.x_bar),
+                d_vector: back(other.d_vector),
+                t_vector: back(other.t_vector),
+                t_bar_vector: back(other.t_bar_vector),
+                ..other
+            }
+        }
+        Rewrite::Reversed => stretched(-1.0, variations, [beam, bar], (xi, xi_bar), active, contact),
+        Rewrite::Reparametrized => stretched(0.5, variations, [beam, bar], (xi, xi_bar), active, contact),
+        Rewrite::LongDirections => {
+            let long = |frozen: &Frozen<T>| Frozen {
+                delta_u: frozen.delta_u.map(|v| v * three),
+                second_u: frozen.second_u.map(|v| v * three),
+                ..*frozen
+            };
+            of(long(beam), long(bar)).map(|v| Varied {
+                delta: v.delta / three,
+                second: v.second / three,
+                ..v
+            })
+        }
+        _ => return None,
+    })
+}
+
+/// With the beam's parameter in another unit, xi = factor * other: signs and lengths of tangents change, no more.
+fn stretched<T: Real>(
+    unit: f64,
+    variations: impl Fn([Frozen<T>; 2], (T, T), Active, &Contact) -> Quantities<Varied<T>>,
+    [beam, bar]: [&Frozen<T>; 2],
+    (xi, xi_bar): (T, T),
+    active: Active,
+    contact: &Contact,
+) -> Quantities<Varied<T>> {
+    let factor = T::from(unit);
+    let square = factor * factor;
+    let Geometry { x, t, t_xi, t_xixi } = beam.geometry;
+    let [u, linear_u] =
+        [beam.delta_u, beam.linear_u].map(|[u, u_xi, u_xixi]| [u, u_xi * factor, u_xixi * square]);
+    let other = Frozen {
+        geometry: Geometry { x, t: t * factor, t_xi: t_xi * square, t_xixi: t_xixi * (square * factor) },
+        delta_u: u,
+        linear_u,
+        second_u: [beam.second_u[0], beam.second_u[1] * factor],
+    };
+    let contact = Contact { xi_0: contact.xi_0 / unit, ..*contact };
+    let other = variations([other, *bar], (xi / factor, xi_bar), active, &contact);
+    let (back, size) = (T::one() / factor, T::one() / T::from(unit.abs()));
+    Quantities {
+        t_vector: other.t_vector.map(|v| times(v, back)),
+        t: times(other.t, size),
+        xi: times(other.xi, factor),
+        // The slip is t ξ: the units cancel, the sign stays.
+        g_t: times(other.g_t, T::from(unit.signum())),
+        ..other
+    }
+}
+
+fn times<T: Real>(v: Varied<T>, factor: T) -> Varied<T> {
+    Varied {
+        value: v.value * factor,
+        delta: v.delta * factor,
+        linear: v.linear * factor,
+        second: v.second * factor,
+    }
+}
+
+fn exchanged<T: Real>(v: Varied<T>) -> Varied<T> {
+    Varied { delta: v.linear, linear: v.delta, ..v }
+}

@@ -1,0 +1,37 @@
+//! The exact check: the closed form against AD over the prime field.
+
+use crate::linearization::ad::{Chord, evaluate};
+use crate::linearization::{COMPONENTS, Varied};
+use crate::number::{HyperDual, Residue};
+use crate::subject::{CONTACT, Point, SCALAR_COMPONENTS, Subject};
+
+/// Stationary points with what AD finds there.
+pub(super) struct Exact(Vec<(Point, [Varied<Residue>; COMPONENTS])>);
+
+impl Exact {
+    pub(super) fn new() -> Self {
+        let with_ad = |point: Point| {
+            let ad = differentiated(&point);
+            (point, ad)
+        };
+        Self(Point::all().into_iter().map(with_ad).collect())
+    }
+
+    /// Whether some number is not equal.
+    pub(super) fn accuses(&self, subject: &Subject) -> bool {
+        self.0.iter().any(|(point, ad)| {
+            let (variations, matrices) = point.results(subject);
+            let of_ad = |i: usize| ad[i].parts();
+            let unequal = |(i, closed): (usize, &Varied<Residue>)| closed.parts() != of_ad(i);
+            let apart = |(&i, matrix): (&usize, &[Residue; 3])| matrix[..] != of_ad(i)[1..];
+            variations.iter().enumerate().any(unequal) || SCALAR_COMPONENTS.iter().zip(&matrices).any(apart)
+        })
+    }
+}
+
+fn differentiated(Point { beams: [beam, bar], at, active, .. }: &Point) -> [Varied<Residue>; COMPONENTS] {
+    let (beam, bar) = (&**beam, &**bar);
+    let lifted =
+        Chord::<Residue>::new(beam, bar, *at, *active).lift::<HyperDual<Residue>, _, _>(beam, bar, *at, 2);
+    evaluate::<HyperDual<Residue>>(beam, bar, lifted, &CONTACT).map(Varied::from).components()
+}

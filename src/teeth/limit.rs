@@ -1,0 +1,54 @@
+//! Detection limits: the smallest relative error of a term that the gate sees.
+
+use super::panel::{Sample, panel};
+use crate::check::{Comparison, Regime};
+use crate::linearization::closed_form::Label;
+use crate::subject::{Subject, catalogue};
+use rayon::prelude::*;
+
+/// By how much a term is changed to see what changes with it: enough above rounding, and little enough to be linear.
+const NUDGE: f64 = 1.0 / 1024.0;
+
+/// The detection limit of a term in a regime.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// The regime.
+    pub regime: Regime,
+    /// The term.
+    pub label: Label,
+    /// The smallest relative error that exceeds a tolerance, at the point that shows it best.
+    pub limit: f64,
+}
+
+/// The detection limits of all terms in all regimes, the largest first.
+pub fn limits(seed: u64) -> Vec<Limit> {
+    let mut labels: Vec<_> = catalogue().into_iter().map(|fault| fault.label).collect();
+    labels.dedup();
+    let of_regime = |&regime: &Regime| {
+        let points = panel(seed, regime);
+        let samples: Vec<_> = points.iter().filter_map(|(case, point)| Sample::new(case, point)).collect();
+        let sound: Vec<_> = samples.iter().map(|sample| sample.compared(&Subject::Sound)).collect();
+        let limit = |&label: &Label| {
+            let nudged = Subject::Weighted(label, 1.0 + NUDGE);
+            let pairs = samples.iter().zip(&sound);
+            let at =
+                |(sample, sound): (&Sample, &Vec<Comparison>)| smallest(sound, &sample.compared(&nudged));
+            Limit { regime, label, limit: pairs.map(at).fold(f64::INFINITY, f64::min) }
+        };
+        labels.iter().map(limit).collect::<Vec<_>>()
+    };
+    let mut limits: Vec<_> = Regime::ALL.par_iter().flat_map_iter(of_regime).collect();
+    limits.sort_by(|a, b| b.limit.total_cmp(&a.limit));
+    limits
+}
+
+/// The relative error at which some entry exceeds its tolerance.
+fn smallest(sound: &[Comparison], nudged: &[Comparison]) -> f64 {
+    let limit = |(sound, nudged): (&Comparison, &Comparison)| {
+        // Both sides of an entry may move: of a matrix entry, each is the closed form's.
+        let before = sound.closed - sound.other;
+        let change = (nudged.closed - nudged.other - before).abs() / NUDGE;
+        if sound.is_meaningful() && change > 0.0 { sound.tolerance / change } else { f64::INFINITY }
+    };
+    sound.iter().zip(nudged).map(limit).fold(f64::INFINITY, f64::min)
+}

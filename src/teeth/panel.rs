@@ -1,0 +1,80 @@
+//! The closest points at which everything is put to the test: so chosen that no term vanishes at all of them.
+
+use super::differences::Steps;
+use crate::check::{Case, Closed, Comparison, References, Regime, Selection, Site};
+use crate::closest_point::{Active, ClosestPoint, Search, closest_points};
+use crate::specimen::Family;
+use crate::subject::Subject;
+use std::collections::BTreeMap;
+
+/// Points inside both beams, of each combination of curves linear in their dofs and not.
+const INSIDE: usize = 3;
+/// Cases that are drawn at most.
+const DRAWN: u64 = 2000;
+/// The turns from one case to the next: coprime to the 121 pairs of families, so that all are met.
+const STRIDE: usize = 37;
+
+/// A closest point, with all that does not depend on the subject.
+pub(super) struct Sample<'a> {
+    pub(super) site: Site<'a>,
+    references: References,
+    pub(super) steps: Steps,
+}
+
+impl<'a> Sample<'a> {
+    /// Evaluates the references; none if the point has no derivatives that can be compared.
+    pub(super) fn new(case: &'a Case, point: &ClosestPoint) -> Option<Self> {
+        let site = Site::new(case.beams(), &case.contact, point).ok()?;
+        let references = References::new(&site);
+        let steps = Steps::new(&case.specimens, point);
+        Some(Self { site, references, steps })
+    }
+
+    /// What the gate compares.
+    pub(super) fn compared(&self, subject: &Subject) -> Vec<Comparison> {
+        Closed::new(subject, &self.site).compared_with(&self.references)
+    }
+}
+
+/// The cases and closest points of a regime: inside, and with one end active, beams of both kinds.
+pub(super) fn panel(seed: u64, regime: Regime) -> Vec<(Case, ClosestPoint)> {
+    let selection = Selection { regimes: vec![regime], family: None, cases: 121 * DRAWN };
+    let mut wanted = BTreeMap::new();
+    for linear in [[false, false], [false, true], [true, false], [true, true]] {
+        wanted.insert((false, false, linear), INSIDE);
+        wanted.insert((true, false, linear), 1);
+        wanted.insert((false, true, linear), 1);
+    }
+    let mut chosen = Vec::new();
+    for number in selection.numbers().into_iter().step_by(STRIDE).take(usize::try_from(DRAWN).unwrap_or(0)) {
+        if wanted.values().all(|&count| count == 0) {
+            break;
+        }
+        let case = Case::draw(seed, number);
+        let Some((key, point)) = best(&case, &wanted) else { continue };
+        wanted.entry(key).and_modify(|count| *count -= 1);
+        chosen.push((key, case, point));
+    }
+    // First those where most terms are at work.
+    chosen.sort_by_key(|(key, ..)| *key);
+    chosen.into_iter().map(|(_, case, point)| (case, point)).collect()
+}
+
+type Key = (bool, bool, [bool; 2]);
+
+/// A closest point of the case that is still wanted and that the gate passes.
+fn best(case: &Case, wanted: &BTreeMap<Key, usize>) -> Option<(Key, ClosestPoint)> {
+    let linear = case.families.map(Family::is_linear);
+    let [beam, bar] = case.beams();
+    let minima = closest_points(beam, bar, &Search::default()).ok()?.minima;
+    minima.into_iter().find_map(|point| {
+        let Active { xi, xi_bar } = point.active();
+        let key = (xi, xi_bar, linear);
+        let is_wanted = wanted.get(&key).is_some_and(|&count| count > 0);
+        let passes = |sample: &Sample| {
+            sample.compared(&Subject::Sound).iter().all(|entry| entry.is_meaningful() && entry.agrees())
+        };
+        let sample = if is_wanted { Sample::new(case, &point) } else { None };
+        sample.as_ref().is_some_and(passes).then_some((key, point))
+    })
+}
