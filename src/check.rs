@@ -22,18 +22,24 @@
 //! its reason. It is never passed.
 
 mod compare;
+mod diagnosis;
 mod draw;
+mod pasted;
 mod regime;
 mod run;
+mod shrink;
 mod summary;
 mod verdict;
 mod witness;
 mod written;
 
 pub use compare::{Compared, compare};
+pub use diagnosis::{Diagnosis, Finding};
 pub use draw::{Case, Selection};
+pub use pasted::test_source;
 pub use regime::Regime;
 pub use run::run;
+pub use shrink::{Shrunk, shrink, shrink_mismatches};
 pub use summary::{Cell, Summary, Tally};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};
 pub use written::Written;

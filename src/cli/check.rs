@@ -3,8 +3,11 @@
 use super::arguments::{Format, families, regimes, seed, work_with};
 use super::exit::Exit;
 use super::output::Output;
-use super::{case, human, json};
-use beamgap::check::{Case, Family, Regime, Selection, Summary, compare, run};
+use super::{case, case_file, human, json};
+use beamgap::check::{
+    Case, Compared, Family, Regime, Selection, Shrunk, Summary, Verdict as Found, Written, run,
+    shrink_mismatches,
+};
 use clap::{Args, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -32,6 +35,10 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(conflicts_with_all = ["cases", "family", "regime"])]
     case: Option<u64>,
+    /// Only the case in this file, or on standard input if it is -: JSON as --case or a disagreement shows it
+    #[arg(long, value_name = "PATH")]
+    #[arg(conflicts_with_all = ["cases", "family", "regime", "case", "seed"])]
+    case_file: Option<PathBuf>,
     /// Tables for people, or one document for programs
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -44,11 +51,15 @@ pub(crate) struct Check {
     threads: Option<u16>,
 }
 
+/// Mismatches shown in full, and made small; the others are counted.
+pub(super) const SHOWN: usize = 5;
+
 /// What was asked, and what was found.
 pub(super) struct Checked {
     pub(super) seed: u64,
     pub(super) selection: Selection,
     pub(super) summary: Summary,
+    pub(super) shrunk: Vec<Shrunk>,
 }
 
 impl Check {
@@ -56,21 +67,25 @@ impl Check {
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let output = Output::open(self.output.as_deref())?;
         work_with(self.threads)?;
-        let (document, verdict) = match self.case {
-            Some(number) => self.one(number)?,
-            None => self.many()?,
+        let (document, verdict) = match (&self.case_file, self.case) {
+            (Some(path), _) => self.one(&case_file::read(path)?, None)?,
+            (None, Some(number)) => {
+                let case = Case::draw(self.seed, number);
+                self.one(&case.written(), Some((self.seed, number, case.regime)))?
+            }
+            (None, None) => self.many()?,
         };
         output.write(&document, &format!("{}\n", verdict.words))?;
         Ok(verdict.exit)
     }
 
-    fn one(&self, number: u64) -> anyhow::Result<(String, Verdict)> {
-        let case = Case::draw(self.seed, number);
-        let points = compare(&case);
-        let verdict = verdict(&Summary::of(&case, &points));
+    fn one(&self, case: &Written, drawn: Option<(u64, u64, Regime)>) -> anyhow::Result<(String, Verdict)> {
+        let points = case.compare()?;
+        let verdict = verdict_on(&points);
+        let shown = case::Shown { case, drawn, points: &points, verdict: &verdict };
         let document = match self.format {
-            Format::Human => case::human(self.seed, &case, &points, &verdict),
-            Format::Json => case::json(self.seed, &case, &points, &verdict)?,
+            Format::Human => case::human(&shown),
+            Format::Json => case::json(&shown)?,
         };
         Ok((document, verdict))
     }
@@ -81,7 +96,8 @@ impl Check {
         let selection = Selection { regimes, family: self.family, cases: self.cases };
         let summary = with_progress(self.seed, &selection);
         let verdict = verdict(&summary);
-        let checked = Checked { seed: self.seed, selection, summary };
+        let shrunk = shrink_mismatches(self.seed, &summary, SHOWN);
+        let checked = Checked { seed: self.seed, selection, summary, shrunk };
         let document = match self.format {
             Format::Human => human::document(&checked, &verdict),
             Format::Json => json::document(&checked, &verdict)?,
@@ -114,10 +130,19 @@ pub(super) struct Verdict {
 }
 
 pub(super) fn verdict(summary: &Summary) -> Verdict {
-    let compared = summary.compared();
-    let apart: u64 = summary.regimes.values().map(|tally| tally.mismatches).sum();
-    let left: u64 =
-        summary.regimes.values().flat_map(|tally| tally.inconclusive.values()).map(|&(count, _)| count).sum();
+    let tallies = || summary.regimes.values();
+    let left = tallies().flat_map(|tally| tally.inconclusive.values()).map(|&(count, _)| count).sum();
+    in_words(summary.compared(), tallies().map(|tally| tally.mismatches).sum(), left)
+}
+
+/// The same for one case.
+fn verdict_on(points: &Compared) -> Verdict {
+    let count = |wanted: fn(&Found) -> bool| points.iter().filter(|(_, found)| wanted(found)).count() as u64;
+    let left = count(|found| matches!(found, Found::Inconclusive(..)));
+    in_words(points.len() as u64 - left, count(|found| matches!(found, Found::Mismatch(_))), left)
+}
+
+fn in_words(compared: u64, apart: u64, left: u64) -> Verdict {
     let points = if compared == 1 { "closest point" } else { "closest points" };
     let (exit, name, words) = match (compared, apart) {
         (0, _) => (Exit::Nothing, "nothing-compared", "NOTHING COMPARED: no closest point could be.".into()),

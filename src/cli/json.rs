@@ -2,15 +2,16 @@
 //!
 //! Names and meanings stay; entries may be added. Errors have two digits; what is infinite or not a number is null.
 
+use super::case_file;
 use super::check::{Checked, Verdict};
 use super::human::repeat;
-use beamgap::check::{Cell, Comparison, Tally};
+use beamgap::check::{Cell, Comparison, Shrunk, Tally, test_source};
 use serde::Serialize;
 use serde_json::{Value, json};
 
 /// All that is to be said about a run.
 pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<String> {
-    let Checked { seed, selection, summary } = checked;
+    let Checked { seed, selection, summary, .. } = checked;
     let quantities = summary.cells.iter().map(|((quantity, order), cell)| {
         with(json!({ "quantity": quantity.name(), "order": order.name() }), worst(cell))
     });
@@ -24,6 +25,17 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
     let mismatches = summary.mismatches.iter().map(|(&number, entry)| {
         let case = json!({ "case": number, "repeat": repeat(*seed, number) });
         with(case, compared(entry))
+    });
+    let shrunk = checked.shrunk.iter().map(|Shrunk { number, case, finding }| {
+        let minimum = finding.minimum;
+        let found = json!({
+            "case": number,
+            "minimum": minimum,
+            "test": test_source(case, minimum, &finding.entry),
+            "repeat": case_file::command(case),
+            "shrunk": case_file::object(case),
+        });
+        with(found, compared(&finding.entry))
     });
     text(&json!({
         "schema": "beamgap-check/1",
@@ -41,6 +53,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
         "families": families.collect::<Vec<_>>(),
         "pairs": pairs.collect::<Vec<_>>(),
         "mismatches": mismatches.collect::<Vec<_>>(),
+        "shrunk": shrunk.collect::<Vec<_>>(),
     }))
 }
 

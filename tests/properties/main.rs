@@ -1,6 +1,7 @@
 //! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
 
 mod allocation;
+mod case_files;
 mod centroids;
 mod closed_form_equals_ad;
 mod closest_points;
@@ -12,9 +13,11 @@ mod invariances;
 mod jets;
 mod numbers;
 mod pairs;
+mod pasted;
 mod proof;
 mod reports;
 mod scalars;
+mod shrinking;
 mod strategies;
 mod symmetry;
 mod values;
