@@ -36,11 +36,11 @@ pub fn shrink_mismatches(seed: u64, summary: &Summary, most: usize) -> Vec<Shrun
     let mut shrunk: Vec<Shrunk> = Vec::new();
     for &number in summary.mismatches.keys().take(most) {
         let case = Case::draw(seed, number).written();
-        let Some(Finding { diagnosis, is_clear, .. }) = find(&case) else { continue };
+        let Some(Finding { diagnosis, minimum, is_clear, .. }) = find(&case) else { continue };
         if shrunk.iter().all(|known| known.finding.diagnosis != diagnosis) {
-            // What is left must be a case that can pass.
-            let clear = |finding: &Finding| finding.is_clear || !is_clear;
-            let case = shrink(&case, |case| Some(find(case).filter(clear)?.diagnosis));
+            // What is left must be a case that can pass, and have no more minima before the one in question.
+            let simple = |found: &Finding| found.minimum <= minimum && (found.is_clear || !is_clear);
+            let case = shrink(&case, |case| Some(find(case).filter(simple)?.diagnosis));
             shrunk.extend(find(&case).map(|finding| Shrunk { number, case, finding }));
         }
     }
