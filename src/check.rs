@@ -20,6 +20,10 @@
 //! # What cannot be compared
 //! A case without a minimum that has derivatives, or whose bounds exceed a thousandth of its scales, is counted under
 //! its reason. It is never passed.
+//!
+//! # What does not agree
+//! A mismatch is named by its first wrong number ([`Diagnosis`]), made small while it keeps that name ([`shrink`]), and
+//! written as a test ([`test_source`]) or as numbers ([`Written`]).
 
 mod compare;
 mod diagnosis;

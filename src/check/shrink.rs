@@ -77,8 +77,8 @@ pub fn shrink<D: PartialEq>(case: &Written, diagnose: impl Fn(&Written) -> D) ->
     }
 }
 
-/// How large a case is: first the families count, in the order of [`Family`](crate::specimen::Family), then the dofs that vary, then those that
-/// are not nought, then how long the numbers are when written.
+/// How large a case is: the families count first, in the order of [`Family`](crate::specimen::Family), then the dofs
+/// that vary, then those that are not nought, then how long the numbers are when written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Size {
     families: usize,

@@ -52,7 +52,7 @@ fn faults_are_shown_by_few_small_numbers() {
         (Quantity::XiBar, Order::Matrix),
     ];
     let mut shown = [0; 5];
-    for number in (0..1089).step_by(13) {
+    for number in (0..1089).step_by(26) {
         let case = Case::draw(1, number).written();
         for (i, (quantity, order)) in faults.into_iter().enumerate() {
             let diagnose = |case: &Written| diagnosed(case, flipped(quantity, order));
@@ -69,7 +69,7 @@ fn faults_are_shown_by_few_small_numbers() {
             }
         }
     }
-    assert!(shown.iter().all(|&shown| shown > 50), "{shown:?}");
+    assert!(shown.iter().all(|&shown| shown > 25), "{shown:?}");
 }
 
 /// Where there are two faults, the second never takes the place of the first.
@@ -156,7 +156,7 @@ fn specimen() -> impl Strategy<Value = Specimen> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(100))]
 
     /// Whatever the numbers: a verdict or an error, and no panic.
     #[test]
