@@ -1,9 +1,9 @@
 //! From a case with a fault to a small one with the same fault.
 //!
 //! A drawn case has some sixty numbers of seventeen digits; what is wrong mostly shows in two straight beams and two
-//! unit directions. So the case is edited, and an edit stays if it makes the case smaller and leaves the diagnosis as it
-//! is; greedily, until no edit does or the budget is spent. The closest point is searched for anew each time: a case
-//! without a regular one has no diagnosis.
+//! unit directions. So the case is edited, and an edit stays if it makes the case smaller and leaves the diagnosis as
+//! it is; greedily, until no edit does or the budget is spent. The closest point is searched for anew each time: a
+//! case without a regular one has no diagnosis.
 
 mod edit;
 mod frame;

@@ -1,7 +1,7 @@
 //! Cases as JSON, of the schema `beamgap-case/1`: written, and read back to the last bit.
 //!
-//! A case is `beam`, `bar` and `contact`; a document that shows what was found at a case has more, which is passed over.
-//! What is neither is an error, so that no misspelt name goes unnoticed.
+//! A case is `beam`, `bar` and `contact`; a document that shows what was found at a case has more, which is passed
+//! over. What is neither is an error, so that no misspelt name goes unnoticed.
 
 use anyhow::{Context, anyhow, bail, ensure};
 use beamgap::check::{Family, Specimen, Written};

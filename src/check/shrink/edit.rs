@@ -15,7 +15,8 @@ pub(super) enum Edit {
     Only(List, usize, usize),
     /// Nothing of this beam varies.
     Still(List, usize),
-    /// The closest point and t on the first axis, t_bar in the first plane; and all dofs rounded to so many binary digits.
+    /// The closest point and t on the first axis, t_bar in the first plane; and all dofs rounded to so many binary
+    /// digits.
     Frame(i32),
     /// All dofs of one beam rounded to so many binary digits.
     Round(usize, i32),
