@@ -27,15 +27,22 @@
 //! # What cannot be compared
 //! A case without a minimum that has derivatives, or whose bounds exceed a thousandth of its scales, is counted under
 //! its reason. It is never passed.
+//!
+//! # What does not agree
+//! A mismatch is named by its first wrong number ([`Diagnosis`]), made small while it keeps that name ([`shrink`]), and
+//! written as a test ([`test_source`]) or as numbers ([`Written`]).
 
 mod arbitration;
 mod compare;
+mod diagnosis;
 mod distribution;
 mod draw;
 mod oracle;
+mod pasted;
 mod regime;
 mod run;
 mod sharpness;
+mod shrink;
 mod site;
 mod summary;
 mod trial;
@@ -46,11 +53,14 @@ mod written;
 pub use arbitration::Arbitration;
 pub(crate) use compare::{Closed, References};
 pub use compare::{Compared, compare};
+pub use diagnosis::{Diagnosis, Finding};
 pub use distribution::Distribution;
 pub use draw::{Case, Selection};
+pub use pasted::test_source;
 pub use regime::Regime;
 pub use run::run;
 pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
+pub use shrink::{Shrunk, shrink, shrink_mismatches};
 pub(crate) use site::Site;
 pub use summary::{Cell, Differences, Summary, Tally};
 pub use trial::{Oracles, Trial};

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod case;
+mod case_file;
 mod check;
 mod exit;
 mod human;

@@ -83,7 +83,7 @@ impl Regime {
             gap: rng.random_range(0.02..0.3),
             angle: rng.random_range(0.5..std::f64::consts::FRAC_PI_2),
             bend: [rng.random_range(0.05..1.0), rng.random_range(0.05..1.0)],
-            at: [rng.random_range(-0.8..0.8), rng.random_range(-0.8..0.8)],
+            at: crossing(rng),
         };
         let mut power = |low: f64, high: f64| 10_f64.powf(rng.random_range(low..high));
         match self {
@@ -114,4 +114,14 @@ impl Regime {
             Self::Millimetres => Draw { length: 1e3 * length, ..generic },
         }
     }
+}
+
+/// Where the beams cross: mostly within both, once in eight times beyond an end of one, which is then active.
+fn crossing(rng: &mut ChaCha8Rng) -> [f64; 2] {
+    let mut at = [rng.random_range(-0.8..0.8), rng.random_range(-0.8..0.8)];
+    if rng.random_ratio(1, 8) {
+        let beyond = rng.random_range(1.02..1.3);
+        at[rng.random_range(0..2)] = if rng.random() { beyond } else { -beyond };
+    }
+    at
 }

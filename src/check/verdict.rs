@@ -80,9 +80,14 @@ impl Comparison {
         self.over_tolerance() <= 1.0
     }
 
-    /// Whether the tolerance is small enough to mean anything: below a thousandth of the scale.
+    /// Whether the tolerance is small enough to mean anything: below a thousandth of the scale, or of the other number,
+    /// as the scale is the closed form's own and may be what is wrong with it.
+    ///
+    /// A closed form that is infinite or no number where the other one is finite is wrong, whatever its tolerance.
     pub fn is_meaningful(&self) -> bool {
-        (self.tolerance <= 1e-3 * self.scale && self.tolerance.is_finite()) || self.tolerance == 0.0
+        let size = self.scale.max(self.other.abs());
+        let is_small = self.tolerance <= 1e-3 * size && self.tolerance.is_finite();
+        is_small || self.tolerance == 0.0 || (self.other.is_finite() && !self.closed.is_finite())
     }
 }
 

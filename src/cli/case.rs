@@ -1,26 +1,36 @@
 //! One case with everything about it: what was drawn, what was found, and every entry that was compared.
 
+use super::case_file;
 use super::check::Verdict;
 use super::human::{error, name, repeat};
 use super::json;
 use super::table::Table;
-use beamgap::check::{Arbitration, Case, Comparison, Specimen, Verdict as Compared};
+use beamgap::check::{Arbitration, Compared, Comparison, Regime, Verdict as Found, Written};
 use beamgap::closest_point::{ClosestPoint, End};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-type Points = [(Option<ClosestPoint>, Compared)];
+/// A case, and what was found at it.
+pub(super) struct Shown<'a> {
+    /// The case.
+    pub(super) case: &'a Written,
+    /// Seed, number and regime, of a drawn one.
+    pub(super) drawn: Option<(u64, u64, Regime)>,
+    /// The comparison.
+    pub(super) points: &'a Compared,
+    /// What it amounts to.
+    pub(super) verdict: &'a Verdict,
+}
 
 /// The case for people; the numbers have all their digits.
-pub(super) fn human(seed: u64, case: &Case, points: &Points, verdict: &Verdict) -> String {
-    let [beam, bar] = case.families;
-    let mut text = format!(
-        "{}\nregime {}, {} and {}\n",
-        repeat(seed, case.number),
-        case.regime.name(),
-        beam.name(),
-        bar.name()
-    );
+pub(super) fn human(Shown { case, drawn, points, verdict }: &Shown) -> String {
+    let [beam, bar] = case.specimens.each_ref().map(|specimen| specimen.family.name());
+    let mut text = match drawn {
+        Some((seed, number, regime)) => {
+            format!("{}\nregime {}, {beam} and {bar}\n", repeat(*seed, *number), regime.name())
+        }
+        None => format!("{beam} and {bar}\n"),
+    };
     for (title, beam) in ["beam", "bar beam"].into_iter().zip(&case.specimens) {
         let _ = writeln!(text, "\n{title}\n  {}", beam.family.name());
         for (name, _) in beam.family.parameters() {
@@ -33,19 +43,19 @@ pub(super) fn human(seed: u64, case: &Case, points: &Points, verdict: &Verdict) 
         }
     }
     let _ = writeln!(text, "\ncontact\n  {:?}", case.contact);
-    for (point, compared) in points {
+    for (point, compared) in *points {
         text += "\n";
         if let Some(point) = point {
             text += &described(point);
         }
         match compared {
-            Compared::Inconclusive(reason, entries) => {
+            Found::Inconclusive(reason, entries) => {
                 let _ = writeln!(text, "Not compared: {}", reason.reason());
                 if !entries.is_empty() {
                     text += &table(entries);
                 }
             }
-            Compared::Pass(entries) | Compared::Mismatch(entries) => text += &table(entries),
+            Found::Pass(entries) | Found::Mismatch(entries) => text += &table(entries),
         }
         if let Some(who) = Arbitration::of(compared.entries()) {
             let _ = writeln!(text, "By differences in double-double: {}", who.words());
@@ -111,37 +121,22 @@ fn told(entry: &Comparison) -> &'static str {
 }
 
 /// The case for programs, of the schema `beamgap-case/1`.
-pub(super) fn json(seed: u64, case: &Case, points: &Points, verdict: &Verdict) -> anyhow::Result<String> {
-    let beam = |i: usize| {
-        let Specimen { family, q, dq, linear_dq, .. } = &case.specimens[i];
-        let parameters = family.parameters().iter().map(|&(name, count)| {
-            let numbers = case.specimens[i].parameter(name);
-            (name.to_owned(), if count == 1 { json!(numbers[0]) } else { json!(numbers) })
-        });
-        let curve: serde_json::Map<_, _> = parameters.collect();
-        json!({ "family": family.name(), "curve": curve, "q": q, "dq": dq, "linear_dq": linear_dq })
-    };
-    let contact = &case.contact;
-    json::text(&json!({
-        "schema": "beamgap-case/1",
-        "version": env!("CARGO_PKG_VERSION"),
-        "seed": format!("{seed:#x}"),
-        "case": case.number,
-        "regime": case.regime.name(),
-        "verdict": verdict.name,
-        "beam": beam(0),
-        "bar": beam(1),
-        "contact": {
-            "radius": contact.radius,
-            "radius_bar": contact.radius_bar,
-            "xi_0": contact.xi_0,
-            "xi_bar_0": contact.xi_bar_0,
-        },
-        "closest_points": points.iter().map(|(point, compared)| at_point(point.as_ref(), compared)).collect::<Vec<_>>(),
-    }))
+pub(super) fn json(Shown { case, drawn, points, verdict }: &Shown) -> anyhow::Result<String> {
+    let mut document = case_file::object(case);
+    let mut add = |name: &str, value: Value| drop(document.insert(name.into(), value));
+    if let Some((seed, number, regime)) = drawn {
+        add("seed", json!(format!("{seed:#x}")));
+        add("case", json!(number));
+        add("regime", json!(regime.name()));
+    }
+    add("version", json!(env!("CARGO_PKG_VERSION")));
+    add("verdict", json!(verdict.name));
+    let points = points.iter().map(|(point, compared)| at_point(point.as_ref(), compared));
+    add("closest_points", points.collect());
+    json::text(&document)
 }
 
-fn at_point(point: Option<&ClosestPoint>, compared: &Compared) -> Value {
+fn at_point(point: Option<&ClosestPoint>, compared: &Found) -> Value {
     let end = |end: Option<End>| {
         end.map(
             |end| json!({ "side": end.side.parameter(), "strict": end.strict, "multiplier": end.multiplier }),
@@ -161,11 +156,9 @@ fn at_point(point: Option<&ClosestPoint>, compared: &Compared) -> Value {
         })
     });
     let (verdict, reason, entries) = match compared {
-        Compared::Pass(entries) => ("agree", None, entries.as_slice()),
-        Compared::Mismatch(entries) => ("disagree", None, entries.as_slice()),
-        Compared::Inconclusive(reason, entries) => {
-            ("not-compared", Some(reason.reason()), entries.as_slice())
-        }
+        Found::Pass(entries) => ("agree", None, entries.as_slice()),
+        Found::Mismatch(entries) => ("disagree", None, entries.as_slice()),
+        Found::Inconclusive(reason, entries) => ("not-compared", Some(reason.reason()), entries.as_slice()),
     };
     let arbitration = Arbitration::of(entries).map(Arbitration::name);
     let entries: Vec<_> = entries.iter().map(json::compared).collect();

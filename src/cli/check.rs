@@ -3,8 +3,11 @@
 use super::arguments::{Format, families, regimes, seed, work_with};
 use super::exit::Exit;
 use super::output::Output;
-use super::{case, human, json};
-use beamgap::check::{Case, Family, Oracles, Regime, Selection, Summary, Trial, compare, run};
+use super::{case, case_file, human, json};
+use beamgap::check::{
+    Arbitration, Case, Compared, Family, Oracles, Regime, Selection, Shrunk, Summary, Trial,
+    Verdict as Found, Written, run, shrink_mismatches,
+};
 use beamgap::subject::with_faults;
 use clap::{Args, ValueEnum, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -33,6 +36,10 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(conflicts_with_all = ["cases", "family", "regime"])]
     case: Option<u64>,
+    /// Only the case in this file, or on standard input if it is -: JSON as --case or a disagreement shows it
+    #[arg(long, value_name = "PATH")]
+    #[arg(conflicts_with_all = ["cases", "family", "regime", "case", "seed"])]
+    case_file: Option<PathBuf>,
     /// Plant a fault of the catalogue, to see the check fail; may be repeated (see `beamgap teeth --list`)
     #[arg(long, value_name = "FAULT")]
     plant: Vec<String>,
@@ -61,11 +68,15 @@ enum Oracle {
     All,
 }
 
+/// Mismatches shown in full, and made small; the others are counted.
+pub(super) const SHOWN: usize = 5;
+
 /// What was asked, and what was found.
 pub(super) struct Checked {
     pub(super) seed: u64,
     pub(super) selection: Selection,
     pub(super) summary: Summary,
+    pub(super) shrunk: Vec<Shrunk>,
 }
 
 impl Check {
@@ -73,25 +84,29 @@ impl Check {
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let output = Output::open(self.output.as_deref())?;
         work_with(self.threads)?;
-        let (document, verdict) = match self.case {
-            Some(number) => self.one(number)?,
-            None => self.many()?,
+        let (document, verdict) = match (&self.case_file, self.case) {
+            (Some(path), _) => self.one(&case_file::read(path)?, None)?,
+            (None, Some(number)) => {
+                let case = Case::draw(self.seed, number);
+                self.one(&case.written(), Some((self.seed, number, case.regime)))?
+            }
+            (None, None) => self.many()?,
         };
         output.write(&document, &format!("{}\n", verdict.words))?;
         Ok(verdict.exit)
     }
 
-    fn one(&self, number: u64) -> anyhow::Result<(String, Verdict)> {
-        let case = Case::draw(self.seed, number);
+    fn one(&self, case: &Written, drawn: Option<(u64, u64, Regime)>) -> anyhow::Result<(String, Verdict)> {
         let oracles = match self.oracle {
             Oracle::Ad => Oracles::Ad,
             Oracle::All => Oracles::All,
         };
-        let points = compare(&Trial { subject: with_faults(&self.plant)?, oracles }, &case);
-        let verdict = verdict(&Summary::of(&case, &points));
+        let points = case.compare(&Trial { subject: with_faults(&self.plant)?, oracles })?;
+        let verdict = verdict_on(&points);
+        let shown = case::Shown { case, drawn, points: &points, verdict: &verdict };
         let document = match self.format {
-            Format::Human => case::human(self.seed, &case, &points, &verdict),
-            Format::Json => case::json(self.seed, &case, &points, &verdict)?,
+            Format::Human => case::human(&shown),
+            Format::Json => case::json(&shown)?,
         };
         Ok((document, verdict))
     }
@@ -107,7 +122,8 @@ impl Check {
         let trial = Trial { subject: with_faults(&self.plant)?, oracles };
         let summary = with_progress(&trial, self.seed, &selection);
         let verdict = verdict(&summary);
-        let checked = Checked { seed: self.seed, selection, summary };
+        let shrunk = shrink_mismatches(&trial.subject, self.seed, &summary, SHOWN);
+        let checked = Checked { seed: self.seed, selection, summary, shrunk };
         let document = match self.format {
             Format::Human => human::document(&checked, &verdict),
             Format::Json => json::document(&checked, &verdict)?,
@@ -140,12 +156,23 @@ pub(super) struct Verdict {
 }
 
 pub(super) fn verdict(summary: &Summary) -> Verdict {
-    let compared = summary.compared();
-    let apart: u64 = summary.regimes.values().map(|tally| tally.mismatches).sum();
-    let left: u64 =
-        summary.regimes.values().flat_map(|tally| tally.inconclusive.values()).map(|&(count, _)| count).sum();
-    let points = if compared == 1 { "closest point" } else { "closest points" };
+    let tallies = || summary.regimes.values();
+    let left = tallies().flat_map(|tally| tally.inconclusive.values()).map(|&(count, _)| count).sum();
     let untrusted = summary.arbitrations.values().filter(|who| who.is_untrusted()).count();
+    in_words(summary.compared(), tallies().map(|tally| tally.mismatches).sum(), left, untrusted)
+}
+
+/// The same for one case.
+fn verdict_on(points: &Compared) -> Verdict {
+    let count = |wanted: fn(&Found) -> bool| points.iter().filter(|(_, found)| wanted(found)).count() as u64;
+    let left = count(|found| matches!(found, Found::Inconclusive(..)));
+    let arbitrated = points.iter().filter_map(|(_, found)| Arbitration::of(found.entries()));
+    let untrusted = arbitrated.filter(|who| who.is_untrusted()).count();
+    in_words(points.len() as u64 - left, count(|found| matches!(found, Found::Mismatch(_))), left, untrusted)
+}
+
+fn in_words(compared: u64, apart: u64, left: u64, untrusted: usize) -> Verdict {
+    let points = if compared == 1 { "closest point" } else { "closest points" };
     let (exit, name, words) = match (compared, apart) {
         _ if untrusted > 0 => {
             let cases = if untrusted == 1 { "case" } else { "cases" };

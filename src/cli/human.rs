@@ -1,14 +1,14 @@
 //! A run as tables for people, 80 columns wide.
 
-use super::check::{Checked, Verdict};
+use super::case_file;
+use super::check::{Checked, SHOWN, Verdict};
 use super::table::Table;
-use beamgap::check::{Case, Cell, Comparison, Differences, Family, Inconclusive, Order, Regime};
+use beamgap::check::{
+    Case, Cell, Comparison, Differences, Family, Inconclusive, Order, Regime, Shrunk, test_source,
+};
 use beamgap::linearization::Quantity;
 use std::collections::BTreeMap;
 use std::fmt::Write;
-
-/// Mismatches shown in full; the others are counted.
-const SHOWN: usize = 5;
 
 /// All that is to be said about a run.
 pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
@@ -28,6 +28,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     add("Not compared", not_compared(checked));
     add("Differences in double-double", differences(checked));
     add("Disagreements", mismatches(checked));
+    add("Made small: as a test, and as a command", shrunk(checked));
     text + "\n" + &verdict.words + "\n"
 }
 
@@ -147,6 +148,22 @@ fn mismatches(checked: &Checked) -> String {
     text
 }
 
+/// What is left of the disagreements, wider than a terminal: it is to be pasted.
+fn shrunk(checked: &Checked) -> String {
+    let each = checked.shrunk.iter().map(|Shrunk { number, case, finding }| {
+        let entry = &finding.entry;
+        format!(
+            "\n// From case {number}: {} of {} ({}) is the first wrong number.\n{}{}\n",
+            entry.part,
+            name(entry),
+            entry.order.name(),
+            test_source(case, finding.minimum, entry),
+            case_file::command(case)
+        )
+    });
+    each.collect()
+}
+
 fn mismatch(entry: &Comparison) -> String {
     format!(
         "    {} of {} ({}), against: {}\n    closed form {:e}, other {:e}\n    \
@@ -189,18 +206,19 @@ fn case_of(cell: &Cell) -> Option<String> {
 mod tests {
     use super::super::check::{Checked, verdict};
     use super::super::exit::Exit;
+    use super::super::json;
     use super::{document, name};
     use beamgap::check::{
-        Case, Cell, Comparison, Family, Inconclusive, Order, Regime, Selection, Summary, Tally,
+        Case, Cell, Comparison, Family, Finding, Inconclusive, Order, Regime, Selection, Shrunk, Summary,
+        Tally, Trial, Verdict, compare,
     };
-    use beamgap::check::{Trial, Verdict, compare};
     use beamgap::linearization::Quantity;
     use std::collections::BTreeMap;
 
     fn shown(summary: Summary) -> (Exit, String) {
         let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1_000_000 };
         let verdict = verdict(&summary);
-        let text = document(&Checked { seed: u64::MAX, selection, summary }, &verdict);
+        let text = document(&Checked { seed: u64::MAX, selection, summary, shrunk: Vec::new() }, &verdict);
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
         (verdict.exit, text)
     }
@@ -255,6 +273,41 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("UNTRUSTED: in 1 case"), "{text}");
+    }
+
+    #[test]
+    fn a_disagreement_made_small_is_a_test_and_a_command() {
+        let case = Case::draw(u64::MAX, 17).written();
+        let (point, Verdict::Pass(mut entries)) = case.compare(&Trial::default()).unwrap().remove(0) else {
+            panic!("case 17 is a plain one")
+        };
+        let wrong = entries.iter_mut().find(|entry| entry.quantity == Quantity::Xi && entry.part == "Delta");
+        wrong.unwrap().closed += 1.0;
+        let finding = Finding::of(&vec![(point, Verdict::Mismatch(entries))]).unwrap();
+        let shrunk = vec![Shrunk { number: 17, finding, case }];
+        let (seed, selection) = (1, Selection { regimes: Vec::new(), family: None, cases: 1 });
+        let checked = Checked { seed, selection, summary: Summary::default(), shrunk };
+        let text = document(&checked, &verdict(&checked.summary));
+        assert!(
+            text.contains("\n// From case 17: Delta of xi (first) is the first wrong number.\n#[test]\n"),
+            "{text}"
+        );
+        assert!(text.contains("(&pair, &q, point, &dq, &linear_dq).xi.linear;\n"), "{text}");
+        assert!(
+            text.contains("\n}\necho '{") && text.contains("}' | beamgap check --case-file -\n"),
+            "{text}"
+        );
+        let told: serde_json::Value =
+            serde_json::from_str(&json::document(&checked, &verdict(&checked.summary)).unwrap()).unwrap();
+        let told = &told["shrunk"][0];
+        assert_eq!(
+            (&told["quantity"], &told["part"], &told["case"]),
+            (&"xi".into(), &"Delta".into(), &17.into())
+        );
+        for pasted in ["test", "repeat"] {
+            assert!(text.contains(told[pasted].as_str().unwrap()), "{pasted}");
+        }
+        assert_eq!(told["shrunk"]["beam"]["family"], "segment");
     }
 
     #[test]

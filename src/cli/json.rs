@@ -2,15 +2,16 @@
 //!
 //! Names and meanings stay; entries may be added. Errors have two digits; what is infinite or not a number is null.
 
+use super::case_file;
 use super::check::{Checked, Verdict};
 use super::human::repeat;
-use beamgap::check::{Cell, Comparison, Tally};
+use beamgap::check::{Cell, Comparison, Shrunk, Tally, test_source};
 use serde::Serialize;
 use serde_json::{Value, json};
 
 /// All that is to be said about a run.
 pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<String> {
-    let Checked { seed, selection, summary } = checked;
+    let Checked { seed, selection, summary, .. } = checked;
     let quantities = summary.cells.iter().map(|((quantity, order), cell)| {
         with(json!({ "quantity": quantity.name(), "order": order.name() }), worst(cell))
     });
@@ -25,6 +26,17 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
         let who = summary.arbitrations.get(&number).map(|who| who.name());
         let case = json!({ "case": number, "repeat": repeat(*seed, number), "arbitration": who });
         with(case, compared(entry))
+    });
+    let shrunk = checked.shrunk.iter().map(|Shrunk { number, case, finding }| {
+        let minimum = finding.minimum;
+        let found = json!({
+            "case": number,
+            "minimum": minimum,
+            "test": test_source(case, minimum, &finding.entry),
+            "repeat": case_file::command(case),
+            "shrunk": case_file::object(case),
+        });
+        with(found, compared(&finding.entry))
     });
     text(&json!({
         "schema": "beamgap-check/1",
@@ -47,6 +59,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
             "decided": summary.differences.decided,
         },
         "mismatches": mismatches.collect::<Vec<_>>(),
+        "shrunk": shrunk.collect::<Vec<_>>(),
     }))
 }
 

@@ -42,7 +42,7 @@ impl Residue {
         power
     }
 
-    /// The fraction that this is, as numerator and denominator, both at most `limit`; none if there is no such fraction.
+    /// The fraction that this is, as numerator and denominator, both at most `limit`; none if there is none such.
     ///
     /// With a limit below 2^30 there is one at most. It is in lowest terms, and the denominator is positive.
     ///

@@ -87,6 +87,23 @@ impl Family {
         coordinates.map(|(i, _)| i).step_by(3).collect()
     }
 
+    /// Where the vectors start in the dofs, points and others: what turns when the beam is turned.
+    pub(crate) fn vectors(self) -> Vec<usize> {
+        match self {
+            Self::Hermite | Self::HermiteScaled => vec![0, 3, 6, 9],
+            _ => self.points(),
+        }
+    }
+
+    /// Where the quaternion starts in the dofs, if there is one.
+    pub(crate) fn quaternion(self) -> Option<usize> {
+        match self {
+            Self::Arc => Some(4),
+            Self::Helix => Some(3),
+            _ => None,
+        }
+    }
+
     /// What each dof is measured in.
     pub fn units(self) -> Vec<Unit> {
         use Unit::{Length, Point, Pure};

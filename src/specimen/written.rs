@@ -51,7 +51,7 @@ pub enum SpecimenError {
         value: f64,
     },
     /// The parameters make no curve.
-    #[error("curve: {0}")]
+    #[error("the parameters make no curve")]
     Curve(#[from] CurveError),
 }
 

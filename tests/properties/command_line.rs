@@ -9,7 +9,7 @@ use std::process::{Command, Output, Stdio};
 
 const SMALL: [&str; 5] = ["check", "--cases", "11", "--family", "segment"];
 
-fn command(arguments: &[&str]) -> Command {
+pub(crate) fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_beamgap"));
     command.args(arguments).env_remove("RAYON_NUM_THREADS");
     command

@@ -2,6 +2,7 @@
 
 mod allocation;
 mod bounds;
+mod case_files;
 mod centroids;
 mod closed_form_equals_ad;
 mod closest_points;
@@ -15,9 +16,11 @@ mod jets;
 mod numbers;
 mod oracles;
 mod pairs;
+mod pasted;
 mod proof;
 mod reports;
 mod scalars;
+mod shrinking;
 mod strategies;
 mod symmetry;
 mod values;

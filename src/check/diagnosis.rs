@@ -1,0 +1,91 @@
+//! What a mismatch is at heart: the first wrong number in the order in which they are computed.
+
+use super::compare::Compared;
+use super::verdict::{Comparison, Order, Verdict};
+use crate::closest_point::{Active, ClosestPoint};
+use crate::linearization::Quantity;
+
+/// What is wrong, in a few words.
+///
+/// Whatever is computed from a wrong number is wrong too, so the whole list of wrong numbers says less than its first:
+/// values come before first variations, those before second ones, the matrices last; and within an order the
+/// parameters come before the vectors, these before lengths, and slips last. A case that is made smaller step by step
+/// must keep all of this, lest it ends in another fault: the same first number, wrong by the word of the same
+/// references, at a closest point with the same ends held. How many numbers are wrong after it may change.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnosis {
+    /// The order of the first wrong number.
+    pub order: Order,
+    /// Its quantity.
+    pub quantity: Quantity,
+    /// Its part, in the words of [`Varied::PARTS`](crate::linearization::Varied::PARTS).
+    pub part: &'static str,
+    /// All that it was compared with and does not agree with.
+    pub against: Vec<&'static str>,
+    /// Which parameters are held at an end.
+    pub active: Active,
+}
+
+/// A diagnosis and where it shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// What is wrong.
+    pub diagnosis: Diagnosis,
+    /// The place of the closest point among the minima.
+    pub minimum: usize,
+    /// The closest point.
+    pub point: ClosestPoint,
+    /// The first wrong number.
+    pub entry: Comparison,
+    /// Whether all numbers at this point can be compared, so that the case passes once they are right.
+    pub is_clear: bool,
+}
+
+impl Finding {
+    /// The diagnosis of a comparison, if something does not agree.
+    pub fn of(compared: &Compared) -> Option<Self> {
+        let wrong = compared.iter().enumerate().filter_map(|(minimum, (point, verdict))| match verdict {
+            Verdict::Mismatch(entries) => Some((minimum, (*point)?, first(entries)?, entries)),
+            Verdict::Pass(_) | Verdict::Inconclusive(..) => None,
+        });
+        let (minimum, point, entry, entries) = wrong.min_by_key(|(_, _, entry, _)| place(entry))?;
+        let same = |other: &&Comparison| is_wrong(other) && place(other) == place(&entry);
+        let mut against: Vec<_> = entries.iter().filter(same).map(|entry| entry.against).collect();
+        against.sort_unstable();
+        against.dedup();
+        let Comparison { order, quantity, part, .. } = entry;
+        let diagnosis = Diagnosis { order, quantity, part, against, active: point.active() };
+        let is_clear = entries.iter().all(Comparison::is_meaningful);
+        Some(Self { diagnosis, minimum, point, entry, is_clear })
+    }
+}
+
+fn is_wrong(entry: &Comparison) -> bool {
+    entry.is_meaningful() && !entry.agrees()
+}
+
+fn first(entries: &[Comparison]) -> Option<Comparison> {
+    entries.iter().filter(|entry| is_wrong(entry)).min_by_key(|entry| place(entry)).copied()
+}
+
+/// The place of a number in the order of computation; components of a vector share one, as axes mean nothing.
+fn place(entry: &Comparison) -> (Order, usize, usize) {
+    const QUANTITIES: [Quantity; 13] = [
+        Quantity::Xi,
+        Quantity::XiBar,
+        Quantity::X,
+        Quantity::XBar,
+        Quantity::DVector,
+        Quantity::TVector,
+        Quantity::TBarVector,
+        Quantity::D,
+        Quantity::T,
+        Quantity::TBar,
+        Quantity::GN,
+        Quantity::GT,
+        Quantity::GTBar,
+    ];
+    let quantity = QUANTITIES.iter().position(|&quantity| quantity == entry.quantity);
+    let part = crate::linearization::Varied::<f64>::PARTS.iter().position(|&part| part == entry.part);
+    (entry.order, quantity.unwrap_or(QUANTITIES.len()), part.unwrap_or(0))
+}

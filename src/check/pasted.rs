@@ -1,0 +1,154 @@
+//! A case as the source of a Rust test, to be pasted into the tests of whoever calls the library.
+
+use super::Written;
+use super::verdict::{Comparison, Order};
+use crate::linearization::{Quantity, Varied};
+use crate::pair::Contact;
+use crate::specimen::{Family, Specimen};
+
+/// A test of one entry at one of the minima of a case: green if the two sides agree, in the gate's tolerance.
+///
+/// It needs nothing but the library without its features. Numbers are written with as many digits as they have.
+pub fn test_source(case: &Written, minimum: usize, entry: &Comparison) -> String {
+    let [beam, bar] = &case.specimens;
+    let mut curves = [beam, bar].map(|specimen| type_name(specimen.family)).to_vec();
+    curves.sort_unstable();
+    curves.dedup();
+    let curves = if let [one] = curves[..] { one.into() } else { format!("{{{}}}", curves.join(", ")) };
+    let side = match entry.order {
+        Order::Value | Order::First | Order::Second => "{ad, closed_form}",
+        Order::Symmetry | Order::Matrix => "closed_form",
+    };
+    let vectors = |of: fn(&Specimen) -> &Vec<f64>| {
+        format!(
+            "DofVector {{\n        beam: SVector::from({:?}),\n        bar: SVector::from({:?}),\n    }}",
+            of(beam),
+            of(bar)
+        )
+    };
+    let (q, dq, linear_dq) = (vectors(|s| &s.q), vectors(|s| &s.dq), vectors(|s| &s.linear_dq));
+    format!(
+        "#[test]
+fn {name}() {{
+    use beamgap::closest_point::{{Beam, Search, closest_points}};
+    use beamgap::curve::{curves};
+    use beamgap::linearization::{side};
+    use beamgap::nalgebra::SVector;
+    use beamgap::pair::{{Contact, DofVector, Pair}};
+
+    let contact = {contact};
+    let pair = Pair {{ curve: {curve}, curve_bar: {curve_bar}, contact }};
+    let q = {q};
+    let dq = {dq};
+    let linear_dq = {linear_dq};
+    let beam = Beam {{ curve: &pair.curve, q: &q.beam }};
+    let bar = Beam {{ curve: &pair.curve_bar, q: &q.bar }};
+    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let point = &found.minima[{minimum}];
+
+    let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).{field};
+    let other = {other};
+    assert!((closed - other).abs() <= {tolerance}, \"{{closed:e}}, not {{other:e}}\");
+}}
+",
+        name = name(entry),
+        contact = contact(&case.contact),
+        curve = constructor(beam),
+        curve_bar = constructor(bar),
+        field = field(entry),
+        other = other(entry),
+        tolerance = rounded_up(entry.tolerance),
+    )
+}
+
+/// What the number is compared with, as an expression.
+fn other(entry: &Comparison) -> String {
+    let route = match (entry.order, entry.against) {
+        (Order::Symmetry, _) => {
+            return format!("closed_form::vary(&pair, &q, point, &linear_dq, &dq).{}", field(entry));
+        }
+        (Order::Matrix, _) => {
+            let contracted = match entry.part {
+                "delta" => "gradient.along(&dq)",
+                "Delta" => "gradient.along(&linear_dq)",
+                _ => "hessian.along(&dq, &linear_dq)",
+            };
+            let scalar = quantity(entry.quantity);
+            return format!("closed_form::linearize(&pair, &q, point).{scalar}.{contracted}");
+        }
+        (_, "hyper-dual, stationary") => "ad::Route::Stationary",
+        (_, "own hyper-dual, chord") => "ad::Route::Chord(ad::chord(&pair, &q, point), 2)",
+        _ => "ad::Route::Newton",
+    };
+    format!("ad::vary({route}, &pair, &q, point, &dq, &linear_dq).{}", field(entry))
+}
+
+/// The number among the quantities that vary.
+fn field(entry: &Comparison) -> String {
+    let part = match Varied::<f64>::PARTS.iter().position(|&part| part == entry.part) {
+        Some(0) => "value",
+        Some(1) => "delta",
+        Some(2) => "linear",
+        _ => "second",
+    };
+    let axis = entry.axis.map(|axis| format!("{axis}.")).unwrap_or_default();
+    format!("{}.{axis}{part}", quantity(entry.quantity))
+}
+
+fn quantity(quantity: Quantity) -> String {
+    quantity.name().to_lowercase()
+}
+
+/// What is tested, as the name of a function.
+fn name(entry: &Comparison) -> String {
+    let order = match entry.order {
+        Order::Symmetry => "symmetry_of_",
+        Order::Matrix => "matrix_of_",
+        _ => "",
+    };
+    format!("{order}{}", field(entry).replace('.', "_"))
+}
+
+fn contact(contact: &Contact) -> String {
+    if *contact == Contact::default() { "Contact::default()".into() } else { format!("{contact:?}") }
+}
+
+fn type_name(family: Family) -> &'static str {
+    match family {
+        Family::Segment => "Segment",
+        Family::Quadratic => "Quadratic",
+        Family::Cubic => "Cubic",
+        Family::Hermite | Family::HermiteScaled => "Hermite",
+        Family::Bezier => "Bezier",
+        Family::BSpline => "BSpline",
+        Family::Nurbs => "Nurbs",
+        Family::NurbsWeighted => "NurbsWeighted",
+        Family::Arc => "Arc",
+        Family::Helix => "Helix",
+    }
+}
+
+fn constructor(specimen: &Specimen) -> String {
+    let (name, knots) = (type_name(specimen.family), specimen.parameter("knots"));
+    let first = specimen.parameters.first().copied().unwrap_or_default();
+    match specimen.family {
+        Family::Segment | Family::Quadratic | Family::Cubic | Family::Hermite => format!("{name}::new()"),
+        Family::HermiteScaled => format!("{name}::scaled_by({first:?})"),
+        Family::Bezier => format!("{name}::<6>::new()"),
+        Family::BSpline | Family::NurbsWeighted => format!("{name}::<4>::new(&{knots:?}).unwrap()"),
+        Family::Nurbs => {
+            format!("{name}::<3>::new(&{knots:?}, {:?}).unwrap()", specimen.parameter("weights"))
+        }
+        Family::Arc | Family::Helix => format!("{name}::new({first:?})"),
+    }
+}
+
+/// Two digits, and no less than the number.
+fn rounded_up(number: f64) -> String {
+    let text = format!("{number:.1e}");
+    if text.parse().is_ok_and(|rounded: f64| rounded >= number) {
+        text
+    } else {
+        format!("{:.1e}", 1.05 * number)
+    }
+}

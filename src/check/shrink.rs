@@ -1,0 +1,123 @@
+//! From a case with a fault to a small one with the same fault.
+//!
+//! A drawn case has some sixty numbers of seventeen digits; what is wrong mostly shows in two straight beams and two
+//! unit directions. So the case is edited, and an edit stays if it makes the case smaller and leaves the diagnosis as
+//! it is; greedily, until no edit does or the budget is spent. The closest point is searched for anew each time: a
+//! case without a regular one has no diagnosis.
+
+mod edit;
+mod frame;
+mod simpler;
+
+use super::Written;
+use super::diagnosis::Finding;
+use super::draw::Case;
+use super::summary::Summary;
+use super::trial::{Oracles, Trial};
+use crate::specimen::Specimen;
+use crate::subject::Subject;
+use edit::edits;
+
+/// Most comparisons that a case is worth; one takes about half a millisecond.
+const BUDGET: usize = 1000;
+
+/// A mismatch made small.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shrunk {
+    /// The number of the case that it comes from.
+    pub number: u64,
+    /// What is left of it.
+    pub case: Written,
+    /// What is wrong.
+    pub finding: Finding,
+}
+
+/// The first `most` cases that did not agree, made small; one for each diagnosis.
+pub fn shrink_mismatches(subject: &Subject, seed: u64, summary: &Summary, most: usize) -> Vec<Shrunk> {
+    let trial = Trial { subject: subject.clone(), oracles: Oracles::Ad };
+    let find = |case: &Written| Finding::of(&case.compare(&trial).ok()?);
+    let mut shrunk: Vec<Shrunk> = Vec::new();
+    for &number in summary.mismatches.keys().take(most) {
+        let case = Case::draw(seed, number).written();
+        let Some(Finding { diagnosis, minimum, is_clear, .. }) = find(&case) else { continue };
+        if shrunk.iter().all(|known| known.finding.diagnosis != diagnosis) {
+            // What is left must be a case that can pass, and have no more minima before the one in question.
+            let simple = |found: &Finding| found.minimum <= minimum && (found.is_clear || !is_clear);
+            let case = shrink(&case, |case| Some(find(case).filter(simple)?.diagnosis));
+            shrunk.extend(find(&case).map(|finding| Shrunk { number, case, finding }));
+        }
+    }
+    shrunk
+}
+
+/// The smallest case found for which `diagnose` says the same as for `case`; the case itself if it makes no beams.
+pub fn shrink<D: PartialEq>(case: &Written, diagnose: impl Fn(&Written) -> D) -> Written {
+    if case.beams().is_err() {
+        return case.clone();
+    }
+    let diagnosis = diagnose(case);
+    // Edits put ones and whole numbers, so lengths must be near one first; a verdict knows no unit.
+    let mut case = frame::near_one(case).filter(|case| diagnose(case) == diagnosis).unwrap_or(case.clone());
+    let (mut size, mut budget) = (Size::of(&case), BUDGET);
+    loop {
+        let before = size;
+        for edit in edits(&case) {
+            let Some(candidate) = edit.apply(&case) else { continue };
+            let candidate_size = Size::of(&candidate);
+            if candidate_size < size {
+                if budget == 0 {
+                    return case;
+                }
+                budget -= 1;
+                if diagnose(&candidate) == diagnosis {
+                    (case, size) = (candidate, candidate_size);
+                }
+            }
+        }
+        if size == before {
+            return case;
+        }
+    }
+}
+
+/// How large a case is: the families count first, in the order of [`Family`](crate::specimen::Family), then the dofs
+/// that vary, then those that are not nought, then how long the numbers are when written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Size {
+    families: usize,
+    varied: usize,
+    not_nought: usize,
+    digits: usize,
+}
+
+impl Size {
+    fn of(case: &Written) -> Self {
+        let contact =
+            [case.contact.radius, case.contact.radius_bar, case.contact.xi_0, case.contact.xi_bar_0];
+        let mut size = Self { families: 0, varied: 0, not_nought: 0, digits: 0 };
+        size.not_nought += not_nought(&contact);
+        size.digits += digits(&contact);
+        for Specimen { family, parameters, q, dq, linear_dq } in &case.specimens {
+            size.families += *family as usize;
+            size.varied += not_nought(dq) + not_nought(linear_dq);
+            size.not_nought += not_nought(q);
+            size.digits +=
+                [parameters, q, dq, linear_dq].map(|numbers| digits(numbers)).iter().sum::<usize>();
+        }
+        size
+    }
+}
+
+fn not_nought(numbers: &[f64]) -> usize {
+    numbers.iter().filter(|&&number| number != 0.0).count()
+}
+
+/// What the numbers take to write, with 0 for nothing and 1 for less than any other.
+fn digits(numbers: &[f64]) -> usize {
+    let length = |&number: &f64| match number {
+        0.0 => 0,
+        1.0 => 1,
+        _ => 1 + number.to_string().len().min(format!("{number:e}").len()),
+    };
+    numbers.iter().map(length).sum()
+}

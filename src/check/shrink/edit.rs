@@ -1,0 +1,185 @@
+//! The edits, the boldest first.
+
+use super::super::Written;
+use super::{frame, simpler};
+use crate::specimen::{Family, Specimen, Unit};
+
+/// A change of a case that may make it smaller.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Edit {
+    /// Another family for one beam, with the same point and tangent.
+    Family(usize, Family),
+    /// No radii and no reference parameters; or one of the four.
+    Contact(Option<usize>),
+    /// One dof varies, by one, and no other; of both beams.
+    Only(List, usize, usize),
+    /// Nothing of this beam varies.
+    Still(List, usize),
+    /// The closest point and t on the first axis, t_bar in the first plane; and all dofs rounded to so many binary
+    /// digits.
+    Frame(i32),
+    /// All dofs of one beam rounded to so many binary digits.
+    Round(usize, i32),
+    /// Knots at equal distances, weights of one, the length of a reference beam 2, and no rotation.
+    Plain(usize),
+    /// A node, or a weight, like its neighbours.
+    Straight(usize, usize),
+    /// One number nought, one, or rounded to so many binary digits.
+    Number(usize, List, usize, To),
+}
+
+/// The lists of numbers of a beam.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum List {
+    Parameters,
+    Q,
+    Dq,
+    LinearDq,
+}
+
+/// What becomes of a number.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum To {
+    Zero,
+    One,
+    Digits(i32),
+}
+
+/// All edits of a case.
+pub(super) fn edits(case: &Written) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    let dofs = |beam: usize| case.specimens[beam].q.len();
+    let all_dofs = || [0, 1].into_iter().flat_map(move |beam| (0..dofs(beam)).map(move |i| (beam, i)));
+    for beam in [0, 1] {
+        edits.extend(simpler::FAMILIES.map(|family| Edit::Family(beam, family)));
+    }
+    edits.push(Edit::Contact(None));
+    edits.extend((0..4).map(|which| Edit::Contact(Some(which))));
+    for list in [List::Dq, List::LinearDq] {
+        edits.extend([0, 1].map(|beam| Edit::Still(list, beam)));
+        edits.extend(all_dofs().map(|(beam, i)| Edit::Only(list, beam, i)));
+    }
+    edits.extend([0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32].map(Edit::Frame));
+    edits.extend([0, 1].map(Edit::Plain));
+    for digits in [0, 1, 2, 3, 4, 6, 8, 12, 16] {
+        edits.extend([0, 1].map(|beam| Edit::Round(beam, digits)));
+    }
+    edits.extend(all_dofs().map(|(beam, i)| Edit::Straight(beam, i)));
+    for list in [List::Dq, List::LinearDq, List::Q, List::Parameters] {
+        for beam in [0, 1] {
+            for i in 0..numbers(&case.specimens[beam], list).len() {
+                edits.extend([To::Zero, To::One].map(|to| Edit::Number(beam, list, i, to)));
+                edits.extend((0..6).map(|digits| Edit::Number(beam, list, i, To::Digits(digits))));
+            }
+        }
+    }
+    edits
+}
+
+impl Edit {
+    /// The case changed; nothing if this is no change for it.
+    pub(super) fn apply(self, case: &Written) -> Option<Written> {
+        let mut edited = case.clone();
+        match self {
+            Self::Family(beam, family) => edited.specimens[beam] = simpler::simpler(case, beam, family)?,
+            Self::Contact(which) => {
+                let contact = &mut edited.contact;
+                let all =
+                    [&mut contact.radius, &mut contact.radius_bar, &mut contact.xi_0, &mut contact.xi_bar_0];
+                for (i, number) in all.into_iter().enumerate() {
+                    if which.is_none_or(|which| which == i) {
+                        *number = 0.0;
+                    }
+                }
+            }
+            Self::Only(list, beam, i) => {
+                edited.specimens.iter_mut().for_each(|specimen| numbers_mut(specimen, list).fill(0.0));
+                *numbers_mut(&mut edited.specimens[beam], list).get_mut(i)? = 1.0;
+            }
+            Self::Still(list, beam) => numbers_mut(&mut edited.specimens[beam], list).fill(0.0),
+            Self::Frame(digits) => {
+                edited = frame::framed(case)?;
+                edited.specimens.iter_mut().for_each(|specimen| round(specimen, digits));
+            }
+            Self::Round(beam, digits) => round(&mut edited.specimens[beam], digits),
+            Self::Plain(beam) => plain(&mut edited.specimens[beam]),
+            Self::Straight(beam, i) => straighten(&mut edited.specimens[beam], i)?,
+            Self::Number(beam, list, i, to) => {
+                let number = numbers_mut(&mut edited.specimens[beam], list).get_mut(i)?;
+                *number = match to {
+                    To::Zero => 0.0,
+                    To::One => 1.0,
+                    To::Digits(digits) => rounded(*number, digits),
+                };
+            }
+        }
+        (edited != *case).then_some(edited)
+    }
+}
+
+fn numbers(specimen: &Specimen, list: List) -> &Vec<f64> {
+    match list {
+        List::Parameters => &specimen.parameters,
+        List::Q => &specimen.q,
+        List::Dq => &specimen.dq,
+        List::LinearDq => &specimen.linear_dq,
+    }
+}
+
+fn numbers_mut(specimen: &mut Specimen, list: List) -> &mut Vec<f64> {
+    match list {
+        List::Parameters => &mut specimen.parameters,
+        List::Q => &mut specimen.q,
+        List::Dq => &mut specimen.dq,
+        List::LinearDq => &mut specimen.linear_dq,
+    }
+}
+
+/// The nearest multiple of 2^-digits.
+fn rounded(number: f64, digits: i32) -> f64 {
+    let unit = 2.0_f64.powi(-digits);
+    // No minus in front of nought.
+    (number / unit).round() * unit + 0.0
+}
+
+fn round(specimen: &mut Specimen, digits: i32) {
+    for list in [List::Q, List::Dq, List::LinearDq] {
+        for number in numbers_mut(specimen, list) {
+            *number = rounded(*number, digits);
+        }
+    }
+}
+
+fn plain(specimen: &mut Specimen) {
+    let mut places = specimen.parameters.iter_mut();
+    for &(name, count) in specimen.family.parameters() {
+        let equidistant = (0..).map(f64::from);
+        for (parameter, knot) in places.by_ref().take(count).zip(equidistant) {
+            *parameter = match name {
+                "knots" => knot,
+                "weights" | "half_angle" => 1.0,
+                "length" => 2.0,
+                _ => *parameter,
+            };
+        }
+    }
+    if let Some(start) = specimen.family.quaternion() {
+        specimen.q[start..start + 4].copy_from_slice(&[1.0, 0.0, 0.0, 0.0]);
+    }
+    if specimen.family == Family::NurbsWeighted {
+        specimen.q.iter_mut().skip(3).step_by(4).for_each(|weight| *weight = 1.0);
+    }
+}
+
+/// A coordinate of a node becomes the mean of those of its neighbours.
+fn straighten(specimen: &mut Specimen, i: usize) -> Option<()> {
+    let units = specimen.family.units();
+    let node = if specimen.family == Family::NurbsWeighted { 4 } else { 3 };
+    let (before, after) = (i.checked_sub(node)?, i + node);
+    let is_point = |i: usize| units.get(i) == Some(&Unit::Point);
+    if !(is_point(before) && is_point(i) && is_point(after)) {
+        return None;
+    }
+    specimen.q[i] = 0.5 * (specimen.q[before] + specimen.q[after]);
+    Some(())
+}

@@ -1,0 +1,56 @@
+//! A case in a unit and in axes of its own.
+
+use super::super::Written;
+use crate::closest_point::{Search, closest_points};
+use crate::specimen::Specimen;
+use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
+
+/// The same pair in another unit of length, by a power of two: the longer tangent is between one and two.
+pub(super) fn near_one(case: &Written) -> Option<Written> {
+    let beams = case.beams().ok()?;
+    let found = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?;
+    let point = found.minima.first()?;
+    let (t, t_bar) = (beams[0].geometry(point.xi).t, beams[1].geometry(point.xi_bar).t);
+    let longest = t.norm().max(t_bar.norm());
+    #[expect(clippy::cast_possible_truncation, reason = "an exponent of f64 is below 1100")]
+    let power = longest.log2().floor() as i32;
+    longest.is_normal().then(|| case.scaled(-power))
+}
+
+/// The same pair with t along the first axis, t x t_bar along the third, and x_bar at one on the first.
+///
+/// In the origin it would have no size, next to which a difference were small or large.
+pub(super) fn framed(case: &Written) -> Option<Written> {
+    let beams = case.beams().ok()?;
+    let found = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?;
+    let point = found.minima.first()?;
+    let (x, x_bar) = (beams[0].geometry(point.xi), beams[1].geometry(point.xi_bar));
+    let first = x.t.try_normalize(0.0)?;
+    let third = x.t.cross(&x_bar.t).try_normalize(0.0)?;
+    let rotation = Matrix3::from_rows(&[first, third.cross(&first), third].map(|axis| axis.transpose()));
+    let mut framed = case.clone();
+    for specimen in &mut framed.specimens {
+        specimen.translate(&-x_bar.x);
+        turn(specimen, &rotation);
+        specimen.translate(&Vector3::x());
+    }
+    Some(framed)
+}
+
+/// Turns a beam and its directions about the origin.
+fn turn(specimen: &mut Specimen, rotation: &Matrix3<f64>) {
+    let quaternion = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*rotation));
+    let family = specimen.family;
+    for numbers in [&mut specimen.q, &mut specimen.dq, &mut specimen.linear_dq] {
+        for start in family.vectors() {
+            let vector = rotation * Vector3::from_column_slice(&numbers[start..start + 3]);
+            numbers[start..start + 3].copy_from_slice(vector.as_slice());
+        }
+        if let Some(start) = family.quaternion() {
+            // One rotation after another is a product, which is linear in either.
+            let [w, i, j, k] = [0, 1, 2, 3].map(|part| numbers[start + part]);
+            let turned = quaternion.into_inner() * Quaternion::new(w, i, j, k);
+            numbers[start..start + 4].copy_from_slice(&[turned.w, turned.i, turned.j, turned.k]);
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! Cases as files: read back as they were written, or refused with the place of what is wrong.
+
+use crate::command_line::{command, golden, run};
+use beamgap::check::{Comparison, Family, Specimen, Trial, Verdict, Written, test_source};
+use beamgap::pair::Contact;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::io::Write as _;
+use std::process::{Output, Stdio};
+
+/// Checks the case that is given on standard input.
+fn check(case: &str, more: &[&str]) -> Output {
+    let mut command = command(&[&["check", "--case-file", "-"], more].concat());
+    let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = piped.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(case.as_bytes()).unwrap();
+    child.wait_with_output().unwrap()
+}
+
+#[test]
+fn a_case_is_read_back_to_the_last_bit() {
+    // One for each family, and all regimes.
+    for k in 0..11 {
+        let drawn = run(&["check", "--case", &(109 * k).to_string(), "--format", "json"]);
+        let text = String::from_utf8(drawn.stdout).unwrap();
+        let read = check(&text, &["--format", "json"]);
+        assert_eq!((read.status.code(), read.stderr), (drawn.status.code(), Vec::new()));
+        let mut drawn: Value = serde_json::from_str(&text).unwrap();
+        for origin in ["seed", "case", "regime"] {
+            assert!(drawn.as_object_mut().unwrap().remove(origin).is_some());
+        }
+        assert!(drawn == serde_json::from_slice::<Value>(&read.stdout).unwrap(), "case {}", 109 * k);
+    }
+}
+
+#[test]
+fn a_file_is_as_good_as_standard_input() {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("case.json");
+    let case = run(&["check", "--case", "17", "--format", "json"]).stdout;
+    std::fs::write(&path, &case).unwrap();
+    let from_file = run(&["check", "--case-file", path.to_str().unwrap()]);
+    let from_stdin = check(std::str::from_utf8(&case).unwrap(), &[]);
+    assert!(from_file.status.success() && from_file.stdout == from_stdin.stdout);
+    let text = String::from_utf8(from_file.stdout).unwrap();
+    assert!(text.starts_with("segment and quadratic\n") && text.contains("\nAGREE: "), "{text}");
+}
+
+/// A case with few small numbers: a curve of this family over a straight one.
+fn small(family: Family) -> Written {
+    let node = |x: f64| [x, 0.0, 0.25 * x * x];
+    let points = |nodes: &[f64]| nodes.iter().flat_map(|&x| node(x)).collect::<Vec<_>>();
+    let hermite = [&node(-1.0)[..], &[1.0, 0.0, -0.5], &node(1.0), &[1.0, 0.0, 0.5]].concat();
+    let (parameters, q) = match family {
+        Family::Segment => (vec![], points(&[-1.0, 1.0])),
+        Family::Quadratic => (vec![], points(&[-1.0, 0.0, 1.0])),
+        Family::Cubic => (vec![], points(&[-1.0, -0.5, 0.5, 1.0])),
+        Family::Hermite => (vec![], hermite),
+        Family::HermiteScaled => (vec![2.0], hermite),
+        Family::Bezier => (vec![], points(&[-1.0, -0.5, -0.5, 0.5, 0.5, 1.0])),
+        Family::BSpline => (vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0], points(&[-3.0, -1.0, 1.0, 3.0])),
+        Family::Nurbs => (vec![0.0, 1.0, 2.0, 3.0, 1.0, 0.5, 2.0], points(&[-2.0, 0.0, 2.0])),
+        Family::NurbsWeighted => {
+            let weighted = [(-3.0, 1.0), (-1.0, 2.0), (1.0, 1.0), (3.0, 0.5)];
+            let q = weighted.iter().flat_map(|&(x, w)| [&node(x)[..], &[w]].concat()).collect();
+            (vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0], q)
+        }
+        Family::Arc => (vec![0.75], vec![0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, -1.5]),
+        Family::Helix => (vec![0.75], vec![0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.5, -1.5]),
+    };
+    let directed = |family, parameters, q: Vec<f64>| {
+        let direction =
+            |step: u32| (0..).map(|i| f64::from(i * step % 5) / 4.0 - 0.5).take(q.len()).collect();
+        Specimen { family, parameters, dq: direction(2), linear_dq: direction(3), q }
+    };
+    let bar = directed(Family::Segment, vec![], vec![0.25, -1.0, -0.5, 0.25, 1.0, -0.5]);
+    let contact = Contact { xi_bar_0: 0.5, ..Contact::default() };
+    Written { specimens: [directed(family, parameters, q), bar], contact }
+}
+
+#[test]
+fn tests_to_be_pasted_are_the_golden_ones() {
+    let mut text = String::new();
+    for (k, family) in Family::ALL.into_iter().enumerate() {
+        let mut case = small(family);
+        if k % 2 == 1 {
+            case.specimens.reverse();
+        }
+        let compared = case.compare(&Trial::default()).unwrap();
+        let (minimum, entries) = compared
+            .iter()
+            .enumerate()
+            .find_map(
+                |(i, (_, verdict))| {
+                    if let Verdict::Pass(entries) = verdict { Some((i, entries)) } else { None }
+                },
+            )
+            .unwrap_or_else(|| panic!("{compared:?}"));
+        // All kinds of entries in turn.
+        let entry: &Comparison = &entries[(k * 29 + 9) % entries.len()];
+        let name = family.name().replace('-', "_");
+        let _ = writeln!(text, "mod {name} {{\n{}}}", test_source(&case, minimum, entry));
+    }
+    for needed in ["Route::Newton", "Route::Stationary", "Route::Chord", "linearize", "&linear_dq, &dq"] {
+        assert!(text.contains(needed), "{needed}");
+    }
+    // The tolerance is derived from how the formulas are written.
+    let blind = |text: &str| {
+        let tolerance =
+            |line: &str| line.split_once(" <= ").map_or(line.into(), |(before, _)| before.to_owned());
+        text.lines().map(tolerance).collect::<Vec<_>>().join("\n")
+    };
+    golden("pasted.rs", &text, blind);
+}
+
+/// The document of a small case.
+fn document() -> Value {
+    let line = |q: [f64; 6]| json!({ "family": "segment", "q": q, "dq": [1.0, 0.0, 0.0, 0.0, 0.0, 0.0], "linear_dq": vec![0; 6] });
+    json!({
+        "schema": "beamgap-case/1",
+        "beam": line([-1.0, 0.0, 2.0, 1.0, 0.0, 2.0]),
+        "bar": line([0.0, -1.0, 1.0, 0.0, 1.0, 1.0]),
+    })
+}
+
+fn refused(text: &str) -> String {
+    let output = check(text, &[]);
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(3), 0), "{output:?}");
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(told.lines().count(), 1, "{told}");
+    let told = told.trim_end().strip_prefix("error: standard input is no ").unwrap_or(&told).to_owned();
+    told.strip_prefix("case: ").map(str::to_owned).unwrap_or(told)
+}
+
+#[test]
+fn a_bad_case_is_refused_with_its_place() {
+    assert!(check(&document().to_string(), &[]).status.success());
+    let families = "segment, quadratic, cubic, hermite, hermite-scaled, bezier, bspline, nurbs, nurbs-weighted, \
+                    arc, helix";
+    let knots = |knots: [f64; 6]| json!({ "knots": knots });
+    let curved = |family: &str, curve: Value, dofs: usize| {
+        let zero = vec![0; dofs];
+        json!({ "family": family, "curve": curve, "q": zero, "dq": zero, "linear_dq": zero })
+    };
+    let spline = |curve: Value| curved("bspline", curve, 12);
+    let nurbs = |weights: Value| curved("nurbs", json!({ "knots": [0, 1, 2, 3], "weights": weights }), 9);
+    let told = [
+        (
+            "/schema",
+            json!("beamgap-check/1"),
+            "schema: \"beamgap-case/1\" expected, found \"beamgap-check/1\"".into(),
+        ),
+        ("/schema", json!(1), "schema: \"beamgap-case/1\" expected, found 1".into()),
+        ("/beam", json!(7), "beam: an object expected, found 7".into()),
+        ("/bar/family", json!("rope"), format!("bar.family: one of {families} expected, found \"rope\"")),
+        ("/bar/family", json!(null), format!("bar.family: one of {families} expected, found null")),
+        ("/bar/q", json!([1, 2]), "bar.q: 6 numbers expected, found 2".into()),
+        ("/bar/dq", json!({}), "bar.dq: 6 numbers expected, found an object".into()),
+        ("/beam/linear_dq/3", json!("x"), "beam.linear_dq[3]: a number expected, found \"x\"".into()),
+        ("/beam/q/5", json!(null), "beam.q[5]: a number expected, found null".into()),
+        ("/beam", spline(json!({})), "beam.curve.knots: missing, 6 numbers expected".into()),
+        ("/beam", spline(json!([])), "beam.curve: an object expected, found a list".into()),
+        ("/beam", spline(json!({ "knots": 1 })), "beam.curve.knots: 6 numbers expected, found 1".into()),
+        (
+            "/beam",
+            spline(knots([0.0, 1.0, 2.0, 1.5, 3.0, 4.0])),
+            "beam: the parameters make no curve: knot 3 is less than the knot before it; knots must not decrease".into(),
+        ),
+        ("/beam", spline(knots([1.0; 6])), "beam: the parameters make no curve: the span from 1 to 1 has no length".into()),
+        (
+            "/bar",
+            nurbs(json!([1, 0, 1])),
+            "bar: the parameters make no curve: weight 1 is 0, but weights must be positive and finite".into(),
+        ),
+    ];
+    for (place, value, expected) in told {
+        let mut document = document();
+        *document.pointer_mut(place).unwrap() = value;
+        assert_eq!(refused(&document.to_string()), expected);
+    }
+    let without = [
+        ("", "schema", "schema: missing, \"beamgap-case/1\" expected".into()),
+        ("", "bar", "bar: missing".into()),
+        ("/beam", "family", format!("beam.family: missing, one of {families} expected")),
+        ("/beam", "dq", "beam.dq: missing, 6 numbers expected".into()),
+    ];
+    for (place, name, expected) in without {
+        let mut document = document();
+        document.pointer_mut(place).unwrap().as_object_mut().unwrap().remove(name);
+        assert_eq!(refused(&document.to_string()), expected);
+    }
+    let with = [
+        ("", "contct", json!({}), "contct: no such entry, expected beam, bar, contact, "),
+        ("/beam", "Dq", json!([]), "beam.Dq: no such entry, expected family, curve, q, dq, linear_dq"),
+        ("/beam", "curve", json!({ "knots": [] }), "beam.curve.knots: no such entry, expected nothing"),
+        (
+            "",
+            "contact",
+            json!({ "xi": 0 }),
+            "contact.xi: no such entry, expected radius, radius_bar, xi_0, xi_bar_0",
+        ),
+        ("", "contact", json!({ "radius": "1" }), "contact.radius: a number expected, found \"1\""),
+    ];
+    for (place, name, value, expected) in with {
+        let mut document = document();
+        document.pointer_mut(place).unwrap()[name] = value;
+        let told = refused(&document.to_string());
+        assert!(told.starts_with(expected), "{told}");
+    }
+}
+
+#[test]
+fn what_is_no_case_at_all_is_refused() {
+    assert_eq!(refused(""), "JSON: EOF while parsing a value at line 1 column 0");
+    assert_eq!(refused("{\"beam\":\n NaN}"), "JSON: expected value at line 2 column 2");
+    assert_eq!(refused("[1e999]"), "JSON: number out of range at line 1 column 6");
+    assert_eq!(refused("[]"), "the document: an object expected, found a list");
+    let output = run(&["check", "--case-file", "/nowhere"]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(told, "error: cannot read /nowhere: No such file or directory (os error 2)\n");
+    assert_eq!(output.status.code(), Some(3));
+    let output = run(&["check", "--case-file", "-", "--seed", "1"]);
+    assert_eq!(output.status.code(), Some(2));
+}
