@@ -17,6 +17,7 @@
 
 mod run;
 
+pub(crate) use run::stationary;
 pub use run::{Layer, Proof, Refutation, Row, prove};
 
 use crate::closest_point::Active;

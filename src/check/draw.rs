@@ -20,7 +20,7 @@ pub struct Case {
     pub families: [Family; 2],
     /// Radii and reference parameters.
     pub contact: Contact,
-    pub(super) beams: [Box<dyn AnyBeam>; 2],
+    pub(crate) beams: [Box<dyn AnyBeam>; 2],
 }
 
 /// Which cases are wanted: all pairs of families in all regimes take turns, so a selection leaves the others out.

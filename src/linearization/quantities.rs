@@ -179,6 +179,18 @@ impl<T> Varied<T> {
     pub fn parts(self) -> [T; 4] {
         [self.value, self.delta, self.linear, self.second]
     }
+
+    /// All parts, each seen through `f`.
+    #[must_use]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Varied<U> {
+        Varied { value: f(self.value), delta: f(self.delta), linear: f(self.linear), second: f(self.second) }
+    }
+
+    /// The same with delta and Delta exchanged.
+    #[must_use]
+    pub fn exchanged(self) -> Self {
+        Self { delta: self.linear, linear: self.delta, ..self }
+    }
 }
 
 impl From<HyperDual64> for Varied<f64> {

@@ -190,10 +190,10 @@ fn degrees(families: [Family; 2], contact: &Contact) -> [[f64; 4]; COMPONENTS] {
 }
 
 /// Two beams at a stationary point.
-type Stationary = ([Box<dyn ExactBeam<Residue>>; 2], (Residue, Residue));
+pub(crate) type Stationary = ([Box<dyn ExactBeam<Residue>>; 2], (Residue, Residue));
 
 /// Draws dofs until d, t and t_bar have square roots, and moves the first beam to where the point is stationary.
-fn stationary(models: &[Box<dyn AnyBeam>; 2], active: Active, rng: &mut ChaCha8Rng) -> Stationary {
+pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], active: Active, rng: &mut ChaCha8Rng) -> Stationary {
     let random = |rng: &mut ChaCha8Rng| Residue::new(rng.random());
     loop {
         let mut beams = models.each_ref().map(|model| model.residues(&mut || random(rng)));

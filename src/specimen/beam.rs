@@ -3,7 +3,7 @@
 use super::exact::{Exact, ExactBeam};
 use super::padded::Padded;
 use crate::closest_point::Centroid;
-use crate::curve::{Curve, Geometry, Jet};
+use crate::curve::{Curve, DofDerivatives, Geometry, Jet};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
 use crate::number::{Bounded, Degree, Dual, Extends, HyperDual, Real, Residue};
@@ -23,6 +23,9 @@ pub(crate) trait AnyBeam:
     + Send
     + Sync
 {
+    /// Whether the curve is linear in its dofs.
+    fn is_linear(&self) -> bool;
+
     /// Moves the whole beam.
     fn translate(&mut self, by: &Vector3<f64>);
 
@@ -143,6 +146,10 @@ impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<Bounded>>> for Drawn<C, N
 }
 
 impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBeam for Drawn<C, N> {
+    fn is_linear(&self) -> bool {
+        <C::Dofs<f64> as DofDerivatives<f64, N>>::LINEAR
+    }
+
     fn translate(&mut self, by: &Vector3<f64>) {
         for &start in &self.points {
             for c in 0..3 {
