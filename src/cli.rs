@@ -6,6 +6,7 @@ mod check;
 mod exit;
 mod human;
 mod json;
+mod ledger;
 mod output;
 mod panics;
 mod prove;
@@ -31,6 +32,8 @@ enum Command {
     Check(check::Check),
     /// Compare the two over a prime field, without a tolerance.
     Prove(prove::Prove),
+    /// Run every equation of the paper, as printed and as corrected.
+    Ledger(ledger::Ledger),
     /// Write the reports: what the gate finds now, and what `cargo bench` measured last.
     Report(report::Report),
 }
@@ -52,6 +55,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
     panics::caught(|| match arguments.command {
         Command::Check(check) => check.run(),
         Command::Prove(prove) => prove.run(),
+        Command::Ledger(ledger) => ledger.run(),
         Command::Report(report) => report.run(),
     })
 }

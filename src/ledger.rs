@@ -40,5 +40,5 @@ pub use book::{Kind, Order, Reading};
 pub use claim::Claim;
 pub use record::{Counts, Entry, Ledger, Part, Run, Score};
 pub use run::{CASES, DRAWS, ledger};
-pub use source::{Place, SOURCES, places};
+pub use source::{Place, SOURCES, named, places};
 pub use verdict::{Symmetry, Verdict};

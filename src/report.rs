@@ -1,6 +1,6 @@
 //! The reports: what the gate found and what criterion measured, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`] and [`Benchmark`] are the two records. Each is written as JSON; Markdown and SVG are pure functions of
+//! [`Crosscheck`], [`Ledger`] and [`Benchmark`] are the records. Each is written as JSON; Markdown and SVG are pure functions of
 //! what is read back from there, so that whoever has the JSON can make the pages again, byte for byte.
 
 mod benchmark;
@@ -11,6 +11,8 @@ mod crosscheck_page;
 mod environment;
 mod error;
 mod interval;
+mod ledger;
+mod ledger_page;
 mod number;
 mod plot;
 
@@ -22,6 +24,7 @@ pub use error::ReportError;
 pub use interval::{Spread, median_interval, spread};
 
 use crate::check::{self, Regime, Selection};
+use crate::ledger::Ledger;
 use std::fs;
 use std::path::Path;
 
@@ -48,6 +51,18 @@ pub fn crosscheck(
     let record = Crosscheck::from_json(&json)?;
     write(to, "crosscheck.json", &json)?;
     write(to, "crosscheck.md", &record.to_markdown())?;
+    Ok(record)
+}
+
+/// Runs every equation of the paper and writes `ledger.json` and `ledger.md` into the directory `to`.
+///
+/// # Errors
+/// [`ReportError::Write`] if a file cannot be written.
+pub fn ledger(to: &Path, seed: u64, draws: u64, cases: u64, command: &str) -> Result<Ledger, ReportError> {
+    let json = crate::ledger::ledger(seed, draws, cases, command).to_json()?;
+    let record = Ledger::from_json(&json)?;
+    write(to, "ledger.json", &json)?;
+    write(to, "ledger.md", &record.to_markdown())?;
     Ok(record)
 }
 

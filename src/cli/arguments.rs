@@ -1,7 +1,15 @@
 //! How arguments are read that several subcommands have.
 
 use beamgap::check::{Family, Regime};
+use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+/// For whom the result is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    Human,
+    Json,
+}
 
 /// A seed, decimal or hexadecimal.
 pub(super) fn seed(text: &str) -> Result<u64, String> {

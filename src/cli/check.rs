@@ -1,12 +1,12 @@
 //! `beamgap check`: random pairs of beams through both linearizations.
 
-use super::arguments::{families, regimes, seed};
+use super::arguments::{Format, families, regimes, seed};
 use super::exit::Exit;
 use super::output::Output;
 use super::{case, human, json};
 use anyhow::Context;
 use beamgap::check::{Case, Family, Regime, Selection, Summary, compare, run};
-use clap::{Args, ValueEnum, value_parser};
+use clap::{Args, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -43,13 +43,6 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-}
-
-/// For whom the result is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Human,
-    Json,
 }
 
 /// What was asked, and what was found.

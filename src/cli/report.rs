@@ -1,9 +1,13 @@
 //! `beamgap report`: the reports, written anew.
 
 use super::exit::Exit;
-use beamgap::report::{CASES, SEED, benchmark, criterion_directory, crosscheck};
+use beamgap::ledger;
+use beamgap::report::{self, CASES, SEED, benchmark, criterion_directory, crosscheck};
 use clap::{Args, value_parser};
 use std::path::PathBuf;
+
+/// What writes the ledger's record to standard output.
+const LEDGER: &str = "cargo run --release -- ledger --format json";
 
 /// The arguments.
 #[derive(Args)]
@@ -19,15 +23,16 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes crosscheck.json and .md, then benchmark.json, .md and .svg.
+    /// Writes crosscheck.json and .md, ledger.json and .md, then benchmark.json, .md and .svg.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let command = match self.cases {
             CASES => "cargo run --release -- report".into(),
             cases => format!("cargo run --release -- report --cases {cases}"),
         };
         let found = crosscheck(&self.to, SEED, self.cases, &command, || ())?;
+        let equations = report::ledger(&self.to, SEED, ledger::DRAWS, ledger::CASES, LEDGER)?;
         benchmark(&self.to, &criterion_directory())?;
-        println!("Wrote crosscheck and benchmark to {}.", self.to.display());
-        Ok(if found.mismatches.is_empty() { Exit::Agree } else { Exit::Disagree })
+        println!("Wrote crosscheck, ledger and benchmark to {}.", self.to.display());
+        Ok(if found.mismatches.is_empty() && equations.holds() { Exit::Agree } else { Exit::Disagree })
     }
 }

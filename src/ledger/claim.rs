@@ -34,33 +34,20 @@ pub(super) fn claims(equations: &[Entry]) -> Vec<Claim> {
         claim(
             equations,
             "Δδx_C and Δδx_C,ξ are symmetric",
-            "section 3.1, of (27), (30), (31)",
+            "sec. 3.1: (27), (30), (31)",
             |number, run, _| [27, 30, 31].contains(&number) && printed(run),
         ),
+        claim(equations, "all operators are symmetric", "abstract, as corrected", as_corrected),
+        claim(equations, "all operators are symmetric", "abstract, as printed", |_, run, _| printed(run)),
         claim(
             equations,
-            "every operator of second order is symmetric",
-            "abstract; as corrected",
-            as_corrected,
+            "Δδd with Δᵤû_C is symmetric",
+            "corrected: (39), (40), (57)",
+            |n, run, last| hat(n) && as_corrected(n, run, last),
         ),
-        claim(
-            equations,
-            "every operator of second order is symmetric",
-            "abstract; as printed",
-            |_, run, _| printed(run),
-        ),
-        claim(
-            equations,
-            "(40) is symmetric, though it does not look so",
-            "(40), (57), as corrected",
-            |n, run, last| [40, 57].contains(&n) && as_corrected(n, run, last),
-        ),
-        claim(
-            equations,
-            "Δδd with the total Δû_C is symmetric",
-            "(39), (40), (57), as printed",
-            |n, run, _| hat(n) && printed(run),
-        ),
+        claim(equations, "Δδd with total Δû_C is symmetric", "printed: (39), (40), (57)", |n, run, _| {
+            hat(n) && printed(run)
+        }),
     ]
 }
 

@@ -7,8 +7,8 @@ const VARIABLES: [&str; 3] = ["g_N", "g_T", r"\bar{g}_T"];
 
 /// What the list with this number leaves out, given the LaTeX of (16), (17) or (22); nothing, for other equations.
 pub(super) fn omitted(number: u8, printed: &str) -> Vec<String> {
-    let printed = printed.replace([' ', '\n'], "").replace(r"\,", "");
-    let terms: Vec<&str> = printed.split([',']).map(|term| term.trim_matches('\\')).collect();
+    let printed = printed.replace(r"\ ", "").replace("\\\n", "").replace([' ', '\n'], "");
+    let terms: Vec<&str> = printed.split(',').collect();
     let named = |term: &str| match number {
         16 => terms.contains(&term),
         // The twin of a barred term, or of Δ, stands for it.

@@ -32,7 +32,9 @@ pub(super) fn cases(seed: u64, cases: u64) -> (Tally, Vec<Arc>) {
     let mut tally = Tally::default();
     for (of_case, of_beams) in results {
         tally = tally.merge(of_case);
-        of_beams.into_iter().for_each(|beam| arcs.add(beam));
+        for beam in of_beams {
+            arcs.add(beam);
+        }
     }
     (tally, arcs.found())
 }

@@ -37,8 +37,6 @@ pub(super) struct Side<T> {
     pub(super) length: Varied<T>,
     /// g_T.
     pub(super) slip: Varied<T>,
-    /// d . t.
-    pub(super) orthogonality: Varied<T>,
     /// x,xixi and x,xixixi by differentiation of the position.
     pub(super) x_xixi: V<T>,
     pub(super) x_xixixi: V<T>,
@@ -158,7 +156,6 @@ impl<T: Real> Point<T> {
                 xi: Varied::from(xi),
                 length: Varied::from(length),
                 slip: Varied::from(slip),
-                orthogonality: Varied::from(all.d_vector.dot(&t)),
                 x_xixi: bilinear(0),
                 x_xixixi: bilinear(1),
                 moving_x_xixi: Both {
@@ -180,6 +177,14 @@ impl<T: Real> Point<T> {
             gap: Varied::from(all.g_n),
             after,
         }
+    }
+
+    /// d . t of one of the beams, multiplied as hyper-dual numbers.
+    pub(super) fn orthogonality(&self, side: &Side<T>) -> Varied<T> {
+        let component =
+            |v: &Varied<V<T>>, i: usize| HyperDual::new(v.value[i], v.delta[i], v.linear[i], v.second[i]);
+        let product = |i: usize| component(&self.d, i) * component(&side.t, i);
+        Varied::from(product(0) + product(1) + product(2))
     }
 
     /// The same with delta and Delta exchanged.
@@ -242,7 +247,6 @@ impl<T: Real> Side<T> {
             xi: self.xi.exchanged(),
             length: self.length.exchanged(),
             slip: self.slip.exchanged(),
-            orthogonality: self.orthogonality.exchanged(),
             moving_x_xixi: self.moving_x_xixi.exchanged(),
             moving_u: self.moving_u.map(Both::exchanged),
             moving_reference: self.moving_reference.map(Varied::exchanged),
@@ -268,7 +272,6 @@ impl<T: Real> Side<T> {
             xi: self.xi.map(&mut *number),
             length: self.length.map(&mut *number),
             slip: self.slip.map(&mut *number),
-            orthogonality: self.orthogonality.map(&mut *number),
             x_xixi: vector(self.x_xixi),
             x_xixixi: vector(self.x_xixixi),
             moving_x_xixi: self.moving_x_xixi.map(vector),

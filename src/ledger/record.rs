@@ -137,3 +137,12 @@ impl Counts {
         self.refuted += other.refuted;
     }
 }
+
+impl Entry {
+    /// The largest error of the print: against the truth, and for a slip against the arc length.
+    pub fn error(&self) -> Option<f64> {
+        let [linear, nonlinear] = self.as_printed.errors;
+        let worst = linear.zip(nonlinear).map(|(linear, nonlinear)| linear.max(nonlinear));
+        self.arcs.iter().map(|arc| arc.error).fold(worst, |worst, error| worst.map(|worst| worst.max(error)))
+    }
+}

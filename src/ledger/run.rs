@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// The draws for each ordered pair of families, unless others are asked for.
-pub const DRAWS: u64 = 8;
+pub const DRAWS: u64 = 16;
 /// The cases of each regime in `f64`: each ordered pair of families once.
 pub const CASES: u64 = 121;
 

@@ -41,7 +41,7 @@ pub fn places() -> BTreeMap<u8, Vec<Place>> {
     for (file, text) in SOURCES {
         let lines: Vec<&str> = text.lines().collect();
         for (i, line) in lines.iter().enumerate() {
-            for number in numbers(line) {
+            for number in named(line) {
                 let tag = line.trim_start().starts_with("#[doc(alias");
                 let item = if tag { below(&lines, i) } else { above(&lines, i).or_else(|| below(&lines, i)) };
                 let item = item.unwrap_or_default().to_owned();
@@ -54,7 +54,7 @@ pub fn places() -> BTreeMap<u8, Vec<Place>> {
 }
 
 /// The equations that a line names: `Eq. (4), (5)`, `Eq. (4)-(15)`, `Eq. (40), from (38) and (39)`.
-fn numbers(line: &str) -> Vec<u8> {
+pub fn named(line: &str) -> Vec<u8> {
     const SEPARATORS: [&str; 5] = [", from ", " from ", " and ", ", ", "-"];
     let mut numbers = Vec::new();
     for mut rest in line.split("Eq. ").skip(1) {

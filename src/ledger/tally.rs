@@ -65,8 +65,9 @@ impl Tally {
             }
             let mut counted = [Tallied::default(); 2];
             if !equation.parts.is_empty() {
-                for (counted, met) in counted.iter_mut().zip(met) {
-                    counted.counts[at].count(met);
+                counted[1].counts[at].count(met[1]);
+                if !equation.printed.is_empty() {
+                    counted[0].counts[at].count(met[0]);
                 }
             }
             tally.equations.push(counted);

@@ -9,6 +9,7 @@ use num_dual::HyperDual64;
 ///
 /// Lengths are in the user's unit; xi and xi_bar have none.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "Eq. (17)")]
 pub struct Quantities<S> {
     /// x_C, the closest point on the beam.
     pub x: Vector3<S>,

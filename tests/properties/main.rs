@@ -10,6 +10,7 @@ mod every_minimum;
 mod families;
 mod invariances;
 mod jets;
+mod ledger;
 mod numbers;
 mod pairs;
 mod proof;

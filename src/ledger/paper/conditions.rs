@@ -37,7 +37,7 @@ pub(super) fn enter<T: Real>(p: &Point<T>, book: &mut Book<T>) {
 \delta(\mathbf{d}\cdot\mathbf{t}) = 0",
     )
     .part(Order::First, "")
-    .printed([d.delta.dot(&t.value) + d.value.dot(&t.delta), s.orthogonality.delta], [zero; 2]);
+    .printed([d.delta.dot(&t.value) + d.value.dot(&t.delta), p.orthogonality(s).delta], [zero; 2]);
 
     // (45): δ(d + Δd)·(t + Δt) + (d + Δd)·δ(t + Δt) = 0, Δ finite
     let (linear_d, linear_t) = (delta_d, delta_t);
@@ -91,13 +91,13 @@ pub(super) fn enter<T: Real>(p: &Point<T>, book: &mut Book<T>) {
     .printed(
         [
             d.second.dot(&t.value) + d.delta.dot(&t.linear) + d.linear.dot(&t.delta) + d.value.dot(&t.second),
-            s.orthogonality.second,
+            p.orthogonality(s).second,
         ],
         [zero; 2],
     );
 
     // (48)
-    let (f, f_bar) = (&s.orthogonality, &r.orthogonality);
+    let (f, f_bar) = (p.orthogonality(s), p.orthogonality(r));
     book.state(
         48,
         "orthogonality, resumed",

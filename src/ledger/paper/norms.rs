@@ -13,13 +13,16 @@ pub(super) fn enter<T: Real>(p: &Point<T>, book: &mut Book<T>) {
     tangent(p, book);
 }
 
+/// A norm and the vector it is of.
+type Norm<T> = (Varied<T>, Varied<Vector3<T>>);
+
 /// (33) to (35): the norm of any vector; d, t and t_bar are three.
 fn generic<T: Real>(p: &Point<T>, book: &mut Book<T>) {
     let norms = [(p.distance, p.d), (p.beam.length, p.beam.t), (p.bar.length, p.bar.t)];
-    let of = |f: &dyn Fn(&Varied<T>, &Varied<Vector3<T>>) -> T| norms.map(|(v, vector)| f(&v, &vector));
+    let of = |f: fn(&Norm<T>) -> T| norms.each_ref().map(f);
 
     // (33): δv = v·δv/v
-    let first = |v: &Varied<T>, vector: &Varied<Vector3<T>>| vector.value.dot(&vector.delta) / v.value;
+    let first = |(v, w): &Norm<T>| w.value.dot(&w.delta) / v.value;
     book.state(
         33,
         "variation of a norm",
@@ -28,7 +31,7 @@ fn generic<T: Real>(p: &Point<T>, book: &mut Book<T>) {
     )
     .remark("Run for d, t and t̄, as (34) and (35) are.")
     .part(Order::First, "")
-    .printed(of(&|v, _| v.delta), of(&first));
+    .printed(of(|(v, _)| v.delta), of(first));
 
     // (34): Δδv = [v (Δv·δv + v·Δδv) − Δv v·δv]/v²
     book.state(
@@ -40,8 +43,8 @@ fn generic<T: Real>(p: &Point<T>, book: &mut Book<T>) {
     )
     .part(Order::Second, "")
     .printed(
-        of(&|v, _| v.second),
-        of(&|v, w| {
+        of(|(v, _)| v.second),
+        of(|(v, w)| {
             (v.value * (w.linear.dot(&w.delta) + w.value.dot(&w.second)) - v.linear * w.value.dot(&w.delta))
                 / (v.value * v.value)
         }),
@@ -56,11 +59,11 @@ fn generic<T: Real>(p: &Point<T>, book: &mut Book<T>) {
 - \frac{1}{v^3}\,\delta\mathbf{v}\cdot\mathbf{v}\;\mathbf{v}\cdot\Delta\mathbf{v}",
     )
     .part(Order::First, "δv")
-    .printed(of(&|v, _| v.delta), of(&first))
+    .printed(of(|(v, _)| v.delta), of(first))
     .part(Order::Second, "Δδv")
     .printed(
-        of(&|v, _| v.second),
-        of(&|v, w| {
+        of(|(v, _)| v.second),
+        of(|(v, w)| {
             (w.value.dot(&w.second) + w.linear.dot(&w.delta)) / v.value
                 - w.delta.dot(&w.value) * w.value.dot(&w.linear) / (v.value * v.value * v.value)
         }),
@@ -189,7 +192,7 @@ fn distance<T: Real>(p: &Point<T>, book: &mut Book<T>) {
             r"\Delta\delta d = \ldots - \frac{1}{d^3}\left[\delta_u\hat{\mathbf{u}}_C\cdot\mathbf{d}\;
 \mathbf{d}\cdot\Delta_u\hat{\mathbf{u}}_C\right] + \frac{1}{d}\mathbf{d}\cdot\Delta_u\delta_u\hat{\mathbf{u}}_C",
         )
-        .remark("Δû_C is never defined. As Δd the last term would do here, d being normal to t and t̄, but not in (40).")
+        .remark("Δû_C is never defined; read as total, u is what a random reference configuration leaves of x. As Δd the last term would do here, d being normal to t and t̄, but not in (40).")
         .part(Order::Second, "");
     readings(equation, p, formula);
 

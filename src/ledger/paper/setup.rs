@@ -29,7 +29,7 @@ pub(super) fn enter<T: Real>(p: &Point<T>, book: &mut Book<T>) {
     )
     .remark("Run as stationarity, which is what the paper uses of it; all that follows needs a strict minimum inside.")
     .part(Order::Value, "")
-    .printed([s.orthogonality.value, -r.orthogonality.value], [zero, zero]);
+    .printed([p.orthogonality(s).value, -p.orthogonality(r).value], [zero, zero]);
 
     // (3)
     book.define(

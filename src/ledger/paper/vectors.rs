@@ -256,7 +256,7 @@ fn geometry<T: Real>(p: &Point<T>, book: &mut Book<T>) {
     .part(Order::First, "δt̄")
     .read("−δξ̄ off each component", r.t.delta, delta_t_bar - Vector3::repeat(r.xi.delta))
     .read("−δξ̄ times t̄", r.t.delta, delta_t_bar - y.t * r.xi.delta)
-    .read("t̄,ξ̄ (δξ̄ − δξ̄)", r.t.delta, y.t_xi * (r.xi.delta - r.xi.delta) + r.jet.delta_u[1])
+    .read("t̄,ξ̄ (δξ̄ − δξ̄)", r.t.delta, r.jet.delta_u[1])
     .mended("without −δξ̄", r.t.delta, delta_t_bar)
     .part(Order::Second, "Δδt̄")
     .printed(r.t.second, y.t_xi * squared(r) + rest_t_bar)

@@ -61,7 +61,7 @@ pub fn variations<T: Real>(
 
     // Eq. (44), (50): first order
     let first = |u_hat: &Vector3<T>, u_xi: &Vector3<T>, u_bar_xi: &Vector3<T>| {
-        // R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   (49) corrected in its second row
+        // R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   Eq. (49) corrected in its second row
         let r = -u_hat.dot(&beam.geometry.t) - u_xi.dot(&d_vector);
         let r_bar = -u_hat.dot(&bar.geometry.t) - u_bar_xi.dot(&d_vector);
         projection.solve(r, r_bar)
@@ -76,7 +76,7 @@ pub fn variations<T: Real>(
     let delta_d = moving.delta_x - moving_bar.delta_x;
     let linear_d = moving.linear_x - moving_bar.linear_x;
 
-    // Eq. (53), (54): second order. The part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which
+    // Eq. (47), (53), (54): second order. The part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which
     // the paper never gives:
     // R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
     let rest_d = moving.rest_x - moving_bar.rest_x;
@@ -86,7 +86,7 @@ pub fn variations<T: Real>(
     let r_bar = -(delta_d.dot(&moving_bar.linear_t) + linear_d.dot(&moving_bar.delta_t))
         - bar.geometry.t.dot(&rest_d)
         - d_vector.dot(&moving_bar.rest_t);
-    // Eq. (59); its twin (56) lacks a bar
+    // Eq. (55), (59); its twin Eq. (56) lacks a bar
     let (second_xi, second_xi_bar) = projection.solve(r, r_bar);
 
     let x = moving.position(second_xi);
@@ -97,10 +97,10 @@ pub fn variations<T: Real>(
 
     // Eq. (4): d = ‖d‖
     let d = d_vector.value.dot(&d_vector.value).sqrt();
-    // Eq. (37): δd = d·δᵤû/d
+    // Eq. (37), from (36): δd = d·δᵤû/d
     let delta_dist = d_vector.value.dot(&delta_u_hat) / d;
     let linear_dist = d_vector.value.dot(&linear_u_hat) / d;
-    // Eq. (40), (57), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû. As (37) it holds at an active
+    // Eq. (40), (57), from (38) and (39), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû. As (37) it holds at an active
     // end too, where δξ = 0 takes the place of d·t = 0.
     let moved = beam.geometry.t * linear_xi - bar.geometry.t * linear_xi_bar;
     let turned = beam.delta_u[1] * linear_xi - bar.delta_u[1] * linear_xi_bar;
@@ -113,7 +113,7 @@ pub fn variations<T: Real>(
         / d;
     let d = Varied { value: d, delta: delta_dist, linear: linear_dist, second: second_dist };
 
-    // Eq. (41), (42) corrected
+    // Eq. (41), (42), (58) corrected
     let t = norm(&t_vector);
     let t_bar = norm(&t_bar_vector);
 
@@ -161,7 +161,7 @@ impl<'a, T: Real> Moving<'a, T> {
             // Eq. (24), (31): δx_C = t δξ + δᵤu_C
             delta_x: geometry.t * delta_xi + delta_u[0],
             linear_x: geometry.t * linear_xi + linear_u[0],
-            // Eq. (26), (31): Δδx_C = t,ξ δξΔξ + t Δδξ + δξ Δᵤu_C,ξ + δᵤu_C,ξ Δξ + Δᵤδᵤu_C
+            // Eq. (26), (27), (31): Δδx_C = t,ξ δξΔξ + t Δδξ + δξ Δᵤu_C,ξ + δᵤu_C,ξ Δξ + Δᵤδᵤu_C
             rest_x: geometry.t_xi * (delta_xi * linear_xi)
                 + linear_u[1] * delta_xi
                 + delta_u[1] * linear_xi
