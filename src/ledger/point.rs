@@ -37,9 +37,9 @@ pub(super) struct Side<T> {
     pub(super) length: Varied<T>,
     /// g_T.
     pub(super) slip: Varied<T>,
-    /// x,xixi and x,xixixi by differentiation of the position.
-    pub(super) x_xixi: V<T>,
-    pub(super) x_xixixi: V<T>,
+    /// Delta-delta x_C and Delta-delta x_C,xi if the parameter does not move, moves by one in delta, in Delta, or in
+    /// both: what is bilinear in the two motions is x,xixi and x,xixixi.
+    pub(super) corners: [[V<T>; 2]; 4],
     /// delta and Delta of x_C,xixi.
     pub(super) moving_x_xixi: Both<T>,
     /// delta Delta_u u_C and Delta delta_u u_C, and the same of u_C,xi.
@@ -134,10 +134,10 @@ impl<T: Real> Point<T> {
             [[all.x, all.t_vector], [all.x_bar, all.t_bar_vector]].map(|side| side.map(|v| vector(v).second))
         };
         let (deltas, linears) = ([xi.eps1, xi_bar.eps1], [xi.eps2, xi_bar.eps2]);
-        let corners = [moved([zero; 2], [zero; 2]), moved([one; 2], [zero; 2]), moved([zero; 2], [one; 2])];
-        let (both, linear) = (moved([one; 2], [one; 2]), moved([zero; 2], linears));
-        let (delta, linear_one) = (moved(deltas, [zero; 2]), moved([one; 2], linears));
-        let delta_one = moved(deltas, [one; 2]);
+        let corners =
+            [[zero, zero], [one, zero], [zero, one], [one, one]].map(|[a, b]| moved([a; 2], [b; 2]));
+        let (delta, delta_one) = (moved(deltas, [zero; 2]), moved(deltas, [one; 2]));
+        let (linear, linear_one) = (moved([zero; 2], linears), moved([one; 2], linears));
 
         let norms = [
             (all.t, all.g_t, contact.xi_0, contact.radius),
@@ -147,8 +147,6 @@ impl<T: Real> Point<T> {
         let side = |i: usize| {
             let (x, t, xi) = vectors[i];
             let (length, slip, xi_0, radius) = norms[i];
-            // What is bilinear in the motions along the beam: x,ξξ and x,ξξξ.
-            let bilinear = |k: usize| both[i][k] - corners[1][i][k] - corners[2][i][k] + corners[0][i][k];
             Side {
                 jet: jets[i],
                 x: vector(x),
@@ -156,8 +154,7 @@ impl<T: Real> Point<T> {
                 xi: Varied::from(xi),
                 length: Varied::from(length),
                 slip: Varied::from(slip),
-                x_xixi: bilinear(0),
-                x_xixixi: bilinear(1),
+                corners: corners.map(|corner| corner[i]),
                 moving_x_xixi: Both {
                     delta: delta_one[i][1] - delta[i][1],
                     linear: linear_one[i][1] - linear[i][1],
@@ -247,6 +244,7 @@ impl<T: Real> Side<T> {
             xi: self.xi.exchanged(),
             length: self.length.exchanged(),
             slip: self.slip.exchanged(),
+            corners: [self.corners[0], self.corners[2], self.corners[1], self.corners[3]],
             moving_x_xixi: self.moving_x_xixi.exchanged(),
             moving_u: self.moving_u.map(Both::exchanged),
             moving_reference: self.moving_reference.map(Varied::exchanged),
@@ -272,8 +270,7 @@ impl<T: Real> Side<T> {
             xi: self.xi.map(&mut *number),
             length: self.length.map(&mut *number),
             slip: self.slip.map(&mut *number),
-            x_xixi: vector(self.x_xixi),
-            x_xixixi: vector(self.x_xixixi),
+            corners: self.corners.map(|corner| corner.map(&mut *vector)),
             moving_x_xixi: self.moving_x_xixi.map(vector),
             moving_u: self.moving_u.map(|u| u.map(vector)),
             reference,

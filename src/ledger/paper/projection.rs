@@ -148,10 +148,10 @@ fn first<T: Real>(p: &Point<T>, book: &mut Book<T>) {
         52,
         "δξ and δξ̄",
         r"\delta\xi = \frac{\bar a R_\delta + b\bar R_\delta}{D} \qquad
-\delta\bar\xi = \frac{-b R_\delta + a\bar R_\delta}{D} \qquad D = a\bar a + b^2",
+\delta\bar\xi = \frac{-b R_\delta + a\bar R_\delta}{D}",
     )
     .remark(
-        "D is not 0 where the closest points depend smoothly on the dofs, and negative at a strict minimum.",
+        "D = aā + b², not 0 where the closest points depend smoothly on the dofs, and negative at a strict minimum.",
     )
     .part(Order::First, "")
     .printed([xi.delta, xi_bar.delta], system.solve(first_sides(p)));

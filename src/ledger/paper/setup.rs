@@ -2,7 +2,7 @@
 
 use super::norm;
 use crate::ledger::book::{Book, Kind, Order};
-use crate::ledger::point::Point;
+use crate::ledger::point::{Point, Side};
 use crate::number::Real;
 
 pub(super) fn enter<T: Real>(p: &Point<T>, book: &mut Book<T>) {
@@ -96,6 +96,10 @@ pub(super) fn enter<T: Real>(p: &Point<T>, book: &mut Book<T>) {
         [norm(&p.d.value), norm(&s.t.value), norm(&r.t.value)],
     );
 
+    let bilinear = |side: &Side<T>, k: usize| {
+        let [none, delta, linear, both] = side.corners.map(|corner| corner[k]);
+        both - delta - linear + none
+    };
     // (10): t,ξ = x_C,ξξ   t,ξξ = x_C,ξξξ, the left from the jet, the right by differentiating the position
     book.enter(10, Kind::Lost, "derivatives of the tangents", "")
         .corrected(
@@ -105,7 +109,5 @@ pub(super) fn enter<T: Real>(p: &Point<T>, book: &mut Book<T>) {
         )
         .remark("The sentence that announces it is there, the equation is not. This is what (31) and (32) take from it.")
         .part(Order::Value, "")
-        .mended("as reconstructed", [x.t_xi, x.t_xixi, x_bar.t_xi, x_bar.t_xixi], [
-            s.x_xixi, s.x_xixixi, r.x_xixi, r.x_xixixi,
-        ]);
+        .mended("as reconstructed", [x.t_xi, x.t_xixi, x_bar.t_xi, x_bar.t_xixi], [bilinear(s, 0), bilinear(s, 1), bilinear(r, 0), bilinear(r, 1)]);
 }
