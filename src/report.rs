@@ -54,16 +54,14 @@ pub fn crosscheck(
     Ok(record)
 }
 
-/// Runs every equation of the paper and writes `ledger.json` and `ledger.md` into the directory `to`.
+/// Writes `ledger.json` and `ledger.md` into the directory `to`.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn ledger(to: &Path, seed: u64, draws: u64, cases: u64, command: &str) -> Result<Ledger, ReportError> {
-    let json = crate::ledger::ledger(seed, draws, cases, command).to_json()?;
-    let record = Ledger::from_json(&json)?;
+pub fn ledger(to: &Path, record: &Ledger) -> Result<(), ReportError> {
+    let json = record.to_json()?;
     write(to, "ledger.json", &json)?;
-    write(to, "ledger.md", &record.to_markdown())?;
-    Ok(record)
+    write(to, "ledger.md", &Ledger::from_json(&json)?.to_markdown())
 }
 
 /// Reads what criterion left in `from` and writes `benchmark.json`, `benchmark.md` and `benchmark.svg` into the

@@ -5,9 +5,13 @@ use super::exit::Exit;
 use super::output::Output;
 use super::table::Table;
 use beamgap::ledger::{self as record, CASES, Counts, DRAWS, Entry, Order, Reading, Run, Score, Verdict};
+use beamgap::report;
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
+
+/// What makes the record, and the page that is made of it.
+pub(super) const LEDGER: &str = "cargo run --release -- ledger --to reports";
 
 /// The arguments.
 #[derive(Args)]
@@ -27,6 +31,9 @@ pub(crate) struct Ledger {
     /// Tables for people, or one document for programs
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
+    /// Also write ledger.json and ledger.md into this directory
+    #[arg(long, value_name = "DIR", conflicts_with = "equation")]
+    to: Option<PathBuf>,
     /// Write the result to this file, and only the verdict to standard output
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
@@ -37,6 +44,9 @@ impl Ledger {
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let output = Output::open(self.output.as_deref())?;
         let mut ledger = record::ledger(self.seed, self.draws, CASES, &self.command());
+        if let Some(directory) = &self.to {
+            report::ledger(directory, &ledger)?;
+        }
         let (mut holds, mut verdict) = (ledger.holds(), words(&ledger));
         if let Some(number) = self.equation {
             ledger.equations.retain(|entry| entry.number == number);
@@ -55,8 +65,8 @@ impl Ledger {
 
     /// The command that gives the record again.
     fn command(&self) -> String {
-        let mut command = String::from("cargo run --release -- ledger --format json");
-        if self.seed != beamgap::report::SEED {
+        let mut command = String::from(LEDGER);
+        if self.seed != report::SEED {
             let _ = write!(command, " --seed {:#x}", self.seed);
         }
         if self.draws != DRAWS {
@@ -71,8 +81,10 @@ fn words(ledger: &record::Ledger) -> String {
     let (all, misprints) = (ledger.equations.len(), of(Verdict::Misprint));
     if ledger.holds() {
         format!("HOLDS: of {all} equations {misprints} are misprinted, and none is refuted as corrected.")
+    } else if of(Verdict::Refuted) == 0 {
+        format!("DOES NOT HOLD: the {all} equations are not those from 1 to 59.")
     } else {
-        format!("DOES NOT HOLD: of {all} equations {} are refuted as corrected.", of(Verdict::Refuted))
+        format!("DOES NOT HOLD: of {all} equations {} refuted as corrected.", of(Verdict::Refuted))
     }
 }
 

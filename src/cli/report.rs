@@ -1,13 +1,11 @@
 //! `beamgap report`: the reports, written anew.
 
 use super::exit::Exit;
+use super::ledger::LEDGER;
 use beamgap::ledger;
 use beamgap::report::{self, CASES, SEED, benchmark, criterion_directory, crosscheck};
 use clap::{Args, value_parser};
 use std::path::PathBuf;
-
-/// What writes the ledger's record to standard output.
-const LEDGER: &str = "cargo run --release -- ledger --format json";
 
 /// The arguments.
 #[derive(Args)]
@@ -30,7 +28,8 @@ impl Report {
             cases => format!("cargo run --release -- report --cases {cases}"),
         };
         let found = crosscheck(&self.to, SEED, self.cases, &command, || ())?;
-        let equations = report::ledger(&self.to, SEED, ledger::DRAWS, ledger::CASES, LEDGER)?;
+        let equations = ledger::ledger(SEED, ledger::DRAWS, ledger::CASES, LEDGER);
+        report::ledger(&self.to, &equations)?;
         benchmark(&self.to, &criterion_directory())?;
         println!("Wrote crosscheck, ledger and benchmark to {}.", self.to.display());
         Ok(if found.mismatches.is_empty() && equations.holds() { Exit::Agree } else { Exit::Disagree })

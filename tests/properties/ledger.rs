@@ -52,9 +52,9 @@ fn the_committed_ledger_is_what_a_run_finds_now() {
     let (now, then) = (NOW.to_json().unwrap(), file("reports/ledger.json"));
     for (now, then) in NOW.equations.iter().zip(&committed().equations) {
         let json = |entry: &Entry| serde_json::to_value(entry).unwrap();
-        assert!(same(&json(now), &json(then), ""), "ledger.json is stale at ({}): {now:#?}", then.number);
+        assert!(same(&json(now), &json(then), ""), "stale at ({}), now {now:#?}", then.number);
     }
-    assert!(same(&value(&now), &value(&then), ""), "ledger.json is stale");
+    assert!(same(&value(&now), &value(&then), ""), "stale: `{}` writes it again", NOW.command);
 }
 
 #[test]
@@ -219,11 +219,16 @@ fn the_command_prints_all_or_one() {
 
 #[test]
 fn the_recorded_command_makes_the_record() {
-    assert_eq!(committed().command, "cargo run --release -- ledger --format json");
+    assert_eq!(committed().command, "cargo run --release -- ledger --to reports");
     let json = |output: Output| serde_json::from_slice::<Value>(&output.stdout).unwrap();
-    assert!(same(&json(run(&["--format", "json"])), &serde_json::to_value(&*NOW).unwrap(), ""));
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ledger");
+    let written = run(&["--to", directory.to_str().unwrap(), "--format", "json"]);
+    let record = std::fs::read_to_string(directory.join("ledger.json")).unwrap();
+    assert_eq!(record, String::from_utf8(written.stdout).unwrap());
+    assert_eq!(record, NOW.to_json().unwrap());
+    assert_eq!(std::fs::read_to_string(directory.join("ledger.md")).unwrap(), NOW.to_markdown());
     let other = json(run(&["--format", "json", "--seed", "7", "--draws", "1"]));
-    assert_eq!(other["command"], "cargo run --release -- ledger --format json --seed 0x7 --draws 1");
+    assert_eq!(other["command"], "cargo run --release -- ledger --to reports --seed 0x7 --draws 1");
 }
 
 #[test]
@@ -231,5 +236,8 @@ fn there_is_no_sixtieth_equation() {
     for number in ["0", "60", "x"] {
         assert_eq!(run(&["--equation", number]).status.code(), Some(2));
     }
-    assert_eq!(run(&["--output", "/nowhere/at/all"]).status.code(), Some(3));
+    for place in ["--output", "--to"] {
+        assert_eq!(run(&["--draws", "1", place, "/dev/null/at/all"]).status.code(), Some(3), "{place}");
+    }
+    assert_eq!(run(&["--to", "here", "--equation", "1"]).status.code(), Some(2));
 }
