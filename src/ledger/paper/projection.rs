@@ -87,7 +87,10 @@ fn first_rows<T: Real>(p: &Point<T>, book: &mut Book<T>) {
 + \mathbf{d}\cdot\left(\mathbf{t}_{,\xi}\delta\xi + \delta_u\mathbf{u}_{C,\xi}\right) = 0 \\
 \delta\mathbf{d}\cdot\bar{\mathbf{t}} + \mathbf{d}\cdot\delta\bar{\mathbf{t}} = \left(\mathbf{t}\delta\xi
 - \bar{\mathbf{t}}\delta\bar\xi + \delta_u\mathbf{u}_C - \delta_u\bar{\mathbf{u}}_{\bar C}\right)\cdot\bar{\mathbf{t}}
-+ \mathbf{d}\cdot\left(\bar{\mathbf{t}}_{,\xi}\delta\bar\xi + \delta_u\mathbf{u}_{C,\xi}\right) = 0\end{cases}",
++ \mathbf{d}\cdot\left(\bar{\mathbf{t}}_{,\xi}\delta\bar\xi + \delta_u\mathbf{u}_{C,\xi}\right) = 0 \\
+\delta\mathbf{d}\cdot\mathbf{t} + \mathbf{d}\cdot\delta\mathbf{t} = \left(\mathbf{t}\delta\xi
+- \bar{\mathbf{t}}\delta\xi + \delta_u\mathbf{u}_C - \delta_u\bar{\mathbf{u}}_{\bar C}\right)\cdot\bar{\mathbf{t}}
++ \mathbf{d}\cdot\left(\mathbf{t}_{,\bar\xi}\delta\xi + \delta_u\bar{\mathbf{u}}_{\bar C,\bar\xi}\right) = 0\end{cases}",
     )
     .corrected(
         r"\delta\mathbf{d}\cdot\bar{\mathbf{t}} + \mathbf{d}\cdot\delta\bar{\mathbf{t}} = \left(\mathbf{t}\delta\xi
@@ -95,8 +98,8 @@ fn first_rows<T: Real>(p: &Point<T>, book: &mut Book<T>) {
 + \mathbf{d}\cdot\left(\bar{\mathbf{t}}_{,\bar\xi}\delta\bar\xi + \delta_u\bar{\mathbf{u}}_{\bar C,\bar\xi}\right) = 0",
     )
     .remark(
-        "The scan has the second row twice. Its last term has the bars once on the left of the sum and once on the right \
-         of it, so that the fault may be the scan's.",
+        "The third row is the second once more, as the scan repeats it without a number. One of the two has the bars of \
+         the last sum on its first term, the other on its second, so that the fault may be the scan's.",
     )
     .part(Order::First, "row 1")
     .printed([varied(s), delta_d.dot(&x.t) + d.dot(&(x.t_xi * s.xi.delta + u_xi))], none)
