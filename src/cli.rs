@@ -7,6 +7,7 @@ mod check;
 mod exit;
 mod human;
 mod json;
+mod ledger;
 mod output;
 mod panics;
 mod proof;
@@ -39,6 +40,8 @@ enum Command {
     Sharpness(sharpness::Sharpen),
     /// Plant faults in the closed form, and see which checks notice.
     Teeth(teeth::Bites),
+    /// Run every equation of the paper, as printed and as corrected.
+    Ledger(ledger::Ledger),
     /// Write the reports: what the gate finds now, and what `cargo bench` measured last.
     Report(report::Report),
 }
@@ -62,6 +65,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Prove(prove) => prove.run(),
         Command::Sharpness(sharpen) => sharpen.run(),
         Command::Teeth(teeth) => teeth.run(),
+        Command::Ledger(ledger) => ledger.run(),
         Command::Report(report) => report.run(),
     })
 }

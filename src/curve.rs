@@ -40,6 +40,7 @@ pub trait Curve<const N: usize> {
     type Dofs<T: Real>: DofDerivatives<T, N>;
 
     /// The point x(xi), in the user's unit of length.
+    #[doc(alias = "Eq. (1)")]
     fn position<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Vector3<T>;
 
     /// The point with its derivatives in xi (up to the third) and in the dofs.

@@ -9,6 +9,8 @@ pub mod pair;
 #[cfg(feature = "cli")]
 pub mod check;
 #[cfg(feature = "cli")]
+pub mod ledger;
+#[cfg(feature = "cli")]
 pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;

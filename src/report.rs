@@ -1,7 +1,8 @@
-//! The reports: what the gate found, how sharp its tolerances are and what criterion measured, as JSON of a stable form, and pages made of it alone.
+//! The reports, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`], [`Sharpness`] and [`Benchmark`] are the records. Each is written as JSON; Markdown and SVG are pure functions of
-//! what is read back from there, so that whoever has the JSON can make the pages again, byte for byte.
+//! [`Crosscheck`], [`Sharpness`], [`Ledger`] and [`Benchmark`] are the records: what the gate found, how sharp its
+//! tolerances are, what became of each equation, and what criterion measured. Markdown and SVG are pure functions of what
+//! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
 
 mod benchmark;
 mod benchmark_page;
@@ -11,6 +12,8 @@ mod crosscheck_page;
 mod environment;
 mod error;
 mod interval;
+mod ledger;
+mod ledger_page;
 mod number;
 mod plot;
 mod sharpness;
@@ -25,6 +28,7 @@ pub use interval::{Spread, median_interval, spread};
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 
 use crate::check::{self, Regime, Selection, Trial};
+use crate::ledger::Ledger;
 use std::fs;
 use std::path::Path;
 
@@ -69,6 +73,16 @@ pub fn sharpness(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Shar
     write(to, "sharpness.json", &json)?;
     write(to, "sharpness.md", &record.to_markdown())?;
     Ok(record)
+}
+
+/// Writes `ledger.json` and `ledger.md` into the directory `to`.
+///
+/// # Errors
+/// [`ReportError::Write`] if a file cannot be written.
+pub fn ledger(to: &Path, record: &Ledger) -> Result<(), ReportError> {
+    let json = record.to_json()?;
+    write(to, "ledger.json", &json)?;
+    write(to, "ledger.md", &Ledger::from_json(&json)?.to_markdown())
 }
 
 /// Reads what criterion left in `from` and writes `benchmark.json`, `benchmark.md` and `benchmark.svg` into the

@@ -1,7 +1,11 @@
 //! `beamgap report`: the reports, written anew.
 
 use super::exit::Exit;
-use beamgap::report::{CASES, SEED, SHARPNESS_CASES, benchmark, criterion_directory, crosscheck, sharpness};
+use super::ledger::LEDGER;
+use beamgap::ledger;
+use beamgap::report::{
+    self, CASES, SEED, SHARPNESS_CASES, benchmark, criterion_directory, crosscheck, sharpness,
+};
 use clap::{Args, value_parser};
 use std::path::PathBuf;
 
@@ -20,7 +24,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes crosscheck.json and .md, sharpness.json and .md, then benchmark.json, .md and .svg.
+    /// Writes the pages and records of crosscheck, sharpness and ledger, then those of the benchmark.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let (command, sharpness_cases) = match self.cases {
             CASES => ("cargo run --release -- report".into(), SHARPNESS_CASES),
@@ -28,9 +32,12 @@ impl Report {
         };
         let found = crosscheck(&self.to, SEED, self.cases, &command, || ())?;
         let sharp = sharpness(&self.to, SEED, sharpness_cases, &command)?;
+        let equations = ledger::ledger(SEED, ledger::DRAWS, ledger::CASES, LEDGER);
+        report::ledger(&self.to, &equations)?;
         benchmark(&self.to, &criterion_directory())?;
-        println!("Wrote crosscheck, sharpness and benchmark to {}.", self.to.display());
-        Ok(match (sharp.violations.is_empty(), found.mismatches.is_empty()) {
+        println!("Wrote crosscheck, sharpness, ledger and benchmark to {}.", self.to.display());
+        let agrees = found.mismatches.is_empty() && equations.holds();
+        Ok(match (sharp.violations.is_empty(), agrees) {
             (false, _) => Exit::Untrusted,
             (true, false) => Exit::Disagree,
             (true, true) => Exit::Agree,

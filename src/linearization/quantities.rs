@@ -9,6 +9,7 @@ use num_dual::HyperDual64;
 ///
 /// Lengths are in the user's unit; xi and xi_bar have none.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "Eq. (17)")]
 pub struct Quantities<S> {
     /// x_C, the closest point on the beam.
     pub x: Vector3<S>,
@@ -178,6 +179,18 @@ impl<T> Varied<T> {
     /// The four parts.
     pub fn parts(self) -> [T; 4] {
         [self.value, self.delta, self.linear, self.second]
+    }
+
+    /// All parts, each seen through `f`.
+    #[must_use]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Varied<U> {
+        Varied { value: f(self.value), delta: f(self.delta), linear: f(self.linear), second: f(self.second) }
+    }
+
+    /// The same with delta and Delta exchanged.
+    #[must_use]
+    pub fn exchanged(self) -> Self {
+        Self { delta: self.linear, linear: self.delta, ..self }
     }
 }
 

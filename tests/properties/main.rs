@@ -13,6 +13,7 @@ mod families;
 mod faults;
 mod invariances;
 mod jets;
+mod ledger;
 mod numbers;
 mod oracles;
 mod pairs;

@@ -32,6 +32,8 @@ pub(super) fn tangent<T: Differentiable>(
     beam: &(impl PositionAt<T::Dual> + ?Sized),
     xi: T,
 ) -> (Vector3<T>, Vector3<T>) {
+    // Eq. (3), (6): x_C = x(ξ_C)   t = x_C,ξ. With dual numbers for ξ_C and the dofs their parts are total variations,
+    // Eq. (23), (25) and (29).
     let point = beam.position_at(xi.dual(1.0)).map(T::parts);
     (point.map(|(re, _)| re), point.map(|(_, eps)| eps))
 }
@@ -46,6 +48,7 @@ pub fn evaluate<T: Differentiable>(
     (xi, xi_bar): (T, T),
     contact: &Contact,
 ) -> Quantities<T> {
+    // Eq. (7), (9): v = ‖v‖, and in the parts of the root Eq. (33), (34)
     let norm = |v: &Vector3<T>| v.dot(v).sqrt();
     // Eq. (8): d = x_C − x̄_C   t = x_C,ξ   t̄ = x̄_C,ξ̄
     let (x, t_vector) = tangent(beam, xi);
@@ -66,6 +69,7 @@ pub fn evaluate<T: Differentiable>(
         xi_bar,
         // Eq. (15)
         g_n: d - (T::from(contact.radius) + T::from(contact.radius_bar)),
+        // Eq. (14), from (12) and (13): the slip is small, and goes along the tangent
         g_t: t * (xi - T::from(contact.xi_0)),
         g_t_bar: t_bar * (xi_bar - T::from(contact.xi_bar_0)),
     }

@@ -120,6 +120,7 @@ where
     {
         let [[p, q], [r, s]] = self.inverse.map(|row| row.map(T::constant));
         let (mut xi, mut xi_bar) = (T::constant(xi), T::constant(xi_bar));
+        // Eq. (43), (45), (46): (d + δd)·(t + δt) = 0 after each step, no product dropped
         for _ in 0..steps {
             let [f, f_bar] = orthogonality(beam, bar, (xi, xi_bar));
             xi -= p * f + q * f_bar;

@@ -13,13 +13,13 @@ pub(super) fn distance<T: Real, F: Terms<T, Operands<T>>>(
 ) -> (Varied<T>, Operands<T>) {
     // Eq. (4): d = ‖d‖
     o.distance = Formula::new(terms, &o).term("|d|: d.d", |o| o.d.dot(&o.d)).sqrt();
-    // Eq. (37): δd = d·δᵤû/d
+    // Eq. (37), from (36): δd = d·δᵤû/d
     let first = |o: &Operands<T>| {
         Formula::new(terms, o).term("d|d|: d.du_hat", |o| o.d.dot(&o.delta.u_hat)) / o.distance
     };
     (o.delta.distance, o.linear.distance) = (first(&o), first(&o.exchanged()));
-    // Eq. (40), (57), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû. As (37) it holds at an active
-    // end too, where δξ = 0 takes the place of d·t = 0.
+    // Eq. (40), (57), from (38) and (39), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû. As (37) it
+    // holds at an active end too, where δξ = 0 takes the place of d·t = 0.
     let of = Formula::new(terms, &o);
     let moved = of.term("Dd|d|: du_hat.t Dxi", |o| o.beam.geometry.t * o.beam.linear.xi)
         - of.term("Dd|d|: du_hat.t_bar Dxi_bar", |o| o.bar.geometry.t * o.bar.linear.xi);
@@ -52,7 +52,7 @@ pub(super) fn length<T: Real, F: Terms<T, Operands<T>>>(
     };
     let (delta, linear) = (first(&o), first(&o.exchanged()));
     (o.side_mut(bar).delta.length, o.side_mut(bar).linear.length) = (delta, linear);
-    // Eq. (35), (42) corrected: Δδt = (t·Δδt + Δt·δt − δt Δt)/t, the last of lengths
+    // Eq. (35), (42), (58) corrected: Δδt = (t·Δδt + Δt·δt − δt Δt)/t, the last of lengths
     let of = Formula::of_side(terms, &o, bar);
     let second = (of.own("Dd|t|: t.Ddt", |s| s.geometry.t.dot(&s.second.t))
         + of.own("Dd|t|: Dt.dt", |s| s.linear.t.dot(&s.delta.t))

@@ -87,7 +87,7 @@ where
         (o.side_mut(bar).second.rest_x, o.side_mut(bar).second.rest_t) = (x, t);
     }
     let (r, r_bar) = right_hand_sides(&Formula::new(terms, &o));
-    // Eq. (59); its twin (56) lacks a bar
+    // Eq. (55), (59); its twin Eq. (56) lacks a bar
     (o.beam.second.xi, o.bar.second.xi) = projection.solve_with(terms, r, r_bar);
     for bar in [false, true] {
         let (x, t) = second_order(&Formula::of_side(terms, &o, bar));
@@ -142,7 +142,7 @@ where
     let of = Formula::new(terms, &o);
     o.delta.u_hat =
         of.term("u_hat: du", |o| o.beam.delta.u[0]) - of.term("u_hat: du_bar", |o| o.bar.delta.u[0]);
-    // Eq. (44), (50): R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   (49) corrected in its second row
+    // Eq. (44), (50): R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   Eq. (49) corrected in its second row
     let of = Formula::new(terms, &o);
     let r = -of.term("R: du_hat.t", |o| o.delta.u_hat.dot(&o.beam.geometry.t))
         - of.term("R: du,xi.d", |o| o.beam.delta.u[1].dot(&o.d));
@@ -167,7 +167,7 @@ where
 /// The second variations of a contact point and its tangent, less their terms in Delta-delta xi.
 #[inline]
 fn rest<T: Real, F: Terms<T, Operands<T>>>(of: &Formula<'_, F, T>) -> (Vector3<T>, Vector3<T>) {
-    // Eq. (26), (31): Δδx_C = t,ξ δξΔξ + t Δδξ + δξ Δᵤu_C,ξ + δᵤu_C,ξ Δξ + Δᵤδᵤu_C
+    // Eq. (26), (27), (31): Δδx_C = t,ξ δξΔξ + t Δδξ + δξ Δᵤu_C,ξ + δᵤu_C,ξ Δξ + Δᵤδᵤu_C
     let x = of.own("Dd x: t,xi dxi Dxi", |s| s.geometry.t_xi * (s.delta.xi * s.linear.xi))
         + of.own("Dd x: dxi Du,xi", |s| s.linear.u[1] * s.delta.xi)
         + of.own("Dd x: du,xi Dxi", |s| s.delta.u[1] * s.linear.xi)
@@ -184,7 +184,7 @@ fn rest<T: Real, F: Terms<T, Operands<T>>>(of: &Formula<'_, F, T>) -> (Vector3<T
 /// R and R_bar of second order.
 #[inline]
 fn right_hand_sides<T: Real, F: Terms<T, Operands<T>>>(of: &Formula<'_, F, T>) -> (T, T) {
-    // Eq. (53), (54): the part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which the paper never
+    // Eq. (47), (53), (54): the part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which the paper never
     // gives: R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
     let rest_d = of.term("R2: rest of Dd x", |o| o.beam.second.rest_x)
         - of.term("R2: rest of Dd x_bar", |o| o.bar.second.rest_x);
