@@ -4,7 +4,7 @@ use super::arbitration::DIFFERENCES;
 use super::draw::{Case, turn};
 use super::oracle::differences;
 use super::site::Site;
-use super::verdict::{Comparison, Inconclusive, Order, Verdict};
+use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
 use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
 use crate::linearization::ad::{evaluate, newton, stationary};
 use crate::linearization::closed_form::{Frozen, Matrices, variations};
@@ -12,7 +12,6 @@ use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{Bounded, Magnitude};
 use crate::pair::DofVector;
 use num_dual::HyperDual64;
-use std::collections::BTreeSet;
 
 /// The routes of automatic differentiation.
 const ROUTES: [&str; 3] = ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
@@ -72,27 +71,17 @@ fn at_point(case: &Case, point: &ClosestPoint, oracles: Oracles) -> Verdict {
     };
     let mut entries = entries(&site);
     let apart = |entries: &[Comparison]| entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees());
-    let unclear = oracles != Oracles::Ad && !entries.iter().all(Comparison::is_meaningful);
+    let unclear = oracles != Oracles::Ad && !is_decided(entries.iter());
     if apart(&entries) || unclear || oracles.asks_differences(case.number) {
         by_differences(&site, &mut entries);
     }
     if apart(&entries) {
         Verdict::Mismatch(entries)
-    } else if is_decided(&entries) {
+    } else if is_decided(entries.iter()) {
         Verdict::Pass(entries)
     } else {
         Verdict::Inconclusive(Inconclusive::NotMeaningful, entries)
     }
-}
-
-/// Whether each number was compared with some oracle to a tolerance that means something.
-fn is_decided(entries: &[Comparison]) -> bool {
-    if entries.iter().all(Comparison::is_meaningful) {
-        return true;
-    }
-    let name = |entry: &Comparison| (entry.quantity, entry.axis, entry.order, entry.part);
-    let decided: BTreeSet<_> = entries.iter().filter(|entry| entry.is_meaningful()).map(name).collect();
-    entries.iter().all(|entry| entry.is_meaningful() || decided.contains(&name(entry)))
 }
 
 /// Adds the comparisons with the differences, where they exist.
@@ -118,7 +107,7 @@ struct Sides {
 
 /// All comparisons at one closest point.
 fn entries(site: &Site) -> Vec<Comparison> {
-    let Site { beams: [beam, bar], contact, active, at: (xi, xi_bar) } = *site;
+    let Site { beams: [beam, bar], contact, active, at: (xi, xi_bar), .. } = *site;
     let at = (xi.value, xi_bar.value);
 
     // The closed form: in plain f64, its terms' magnitudes, and with bounds.
@@ -131,7 +120,8 @@ fn entries(site: &Site) -> Vec<Comparison> {
     // Automatic differentiation: two routes of num-dual, and our own numbers with bounds.
     let by_newton = hyper_dual(site, newton(beam, bar, at, active));
     let by_stationarity = hyper_dual(site, stationary(beam, bar, at, active));
-    let by_chord = site.chord();
+    // .. the former solve for the closest point in f64 again, and are as far off as that may take them.
+    let (by_chord, loose) = (site.chord(site.at), site.chord(site.loose));
 
     let mut entries = Vec::with_capacity(16 * COMPONENTS);
     for i in 0..COMPONENTS {
@@ -141,7 +131,9 @@ fn entries(site: &Site) -> Vec<Comparison> {
         let bound = bounds[i].parts().map(|bounded| bounded.bound);
         let own = by_chord[i].parts();
         let routes = [by_newton[i].parts(), by_stationarity[i].parts(), own.map(|bounded| bounded.value)];
-        for (against, other) in ROUTES.into_iter().zip(routes) {
+        let far = loose[i].parts().map(|bounded| bounded.bound);
+        let near = own.map(|bounded| bounded.bound);
+        for ((against, other), own) in ROUTES.into_iter().zip(routes).zip([far, far, near]) {
             for (k, order) in
                 [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
             {
@@ -155,7 +147,7 @@ fn entries(site: &Site) -> Vec<Comparison> {
                     other: other[k],
                     scale: scale[k],
                     bound: bound[k],
-                    tolerance: bound[k] + own[k].bound,
+                    tolerance: bound[k] + own[k],
                 });
             }
         }
@@ -184,7 +176,7 @@ fn hyper_dual(site: &Site, lifted: (HyperDual64, HyperDual64)) -> [Varied<f64>; 
 
 /// Gradient and Hessian of the scalar quantities, contracted with the directions, against the variations.
 fn matrices(site: &Site, Sides { closed, scales, bounds }: &Sides, entries: &mut Vec<Comparison>) {
-    let Site { beams, contact, active, at: (xi, xi_bar) } = *site;
+    let Site { beams, contact, active, at: (xi, xi_bar), .. } = *site;
     let (jet, [dq, linear_dq]) = beams[0].padded(xi);
     let (jet_bar, [dq_bar, linear_dq_bar]) = beams[1].padded(xi_bar);
     let dq = DofVector { beam: dq, bar: dq_bar };

@@ -17,8 +17,11 @@ pub(super) struct Site<'a> {
     pub(super) beams: [&'a dyn AnyBeam; 2],
     pub(super) contact: &'a Contact,
     pub(super) active: Active,
-    /// The parameters, with bounds on how far they are from the exact closest point.
+    /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
+    /// point.
     pub(super) at: (Bounded, Bounded),
+    /// The same with bounds as far as `f64` can tell: for those who solve for the closest point in `f64` again.
+    pub(super) loose: (Bounded, Bounded),
 }
 
 impl<'a> Site<'a> {
@@ -33,12 +36,19 @@ impl<'a> Site<'a> {
         }
         let beams = case.beams();
         let at = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
-        Ok(Self { beams, contact: &case.contact, active: point.active(), at })
+        let site = Self { beams, contact: &case.contact, active: point.active(), at, loose: at };
+        let Some(refined) = site.refined() else { return Ok(site) };
+        let at = refined.map(Refined::rounded);
+        let loose = [0, 1].map(|i| {
+            let was = refined[i].within;
+            Bounded::new(at[i].value, was.bound + (at[i].value - was.value).abs() * (1.0 + f64::EPSILON))
+        });
+        Ok(Self { at: at.into(), loose: loose.into(), ..site })
     }
 
     /// The closed form, with a bound on its error.
     pub(super) fn closed(&self) -> [Varied<Bounded>; COMPONENTS] {
-        let Self { beams: [beam, bar], contact, active, at } = *self;
+        let Self { beams: [beam, bar], contact, active, at, .. } = *self;
         variations(&beam.frozen(at.0), &bar.frozen(at.1), at, active, contact).components()
     }
 
@@ -50,8 +60,8 @@ impl<'a> Site<'a> {
     }
 
     /// Automatic differentiation in our own hyper-dual numbers, with a bound on its error.
-    pub(super) fn chord(&self) -> [Varied<Bounded>; COMPONENTS] {
-        let Self { beams: [beam, bar], contact, active, at } = *self;
+    pub(super) fn chord(&self, at: (Bounded, Bounded)) -> [Varied<Bounded>; COMPONENTS] {
+        let Self { beams: [beam, bar], contact, active, .. } = *self;
         let chord = Chord::<Bounded>::new(beam, bar, at, active);
         let lifted = chord.lift_by_orders(beam, bar, at);
         evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components()
@@ -61,29 +71,65 @@ impl<'a> Site<'a> {
     ///
     /// Nothing if Newton's method does not settle within the bounds of the parameters.
     pub(super) fn precise(&self) -> Option<[Varied<DoubleDouble>; COMPONENTS]> {
-        let Self { beams: [beam, bar], contact, active, at } = *self;
+        let Self { beams: [beam, bar], contact, active, .. } = *self;
+        let [xi, xi_bar] = self.refined()?.map(|refined| refined.value);
+        let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
+        Some(variations(&frozen[0], &frozen[1], (xi, xi_bar), active, contact).components())
+    }
+
+    /// The parameters in double-double, by Newton's method; nothing if it does not settle.
+    fn refined(&self) -> Option<[Refined; 2]> {
+        let Self { beams: [beam, bar], active, at, .. } = *self;
         let (mut xi, mut xi_bar) = (DoubleDouble::from(at.0.value), DoubleDouble::from(at.1.value));
         let mut previous = f64::INFINITY;
         for _ in 0..STEPS {
-            let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
-            let [x, x_bar] = frozen.each_ref().map(|frozen| &frozen.geometry);
+            let [x, x_bar] =
+                [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)].map(|frozen| frozen.geometry);
             let d = x.x - x_bar.x;
             // Eq. (48): d·t = d·t̄ = 0, by the matrix of (50).
-            let (step, step_bar) = Projection::new(x, x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
-            let size = step.value().abs().max(step_bar.value().abs());
-            if size == 0.0 || size >= 0.5 * previous {
-                let settled = step.value().abs() <= SETTLED * at.0.bound
-                    && step_bar.value().abs() <= SETTLED * at.1.bound;
-                let all = || variations(&frozen[0], &frozen[1], (xi, xi_bar), active, contact).components();
-                return settled.then(all);
+            let (step, step_bar) = Projection::new(&x, &x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
+            let [size, size_bar] = [step, step_bar].map(|step| step.value().abs());
+            let larger = size.max(size_bar);
+            if larger == 0.0 || larger >= 0.5 * previous {
+                let end = |value, step: f64, was: Bounded| Refined {
+                    value,
+                    bound: 2.0 * step + FINER * was.bound,
+                    within: was,
+                };
+                let both = [end(xi, size, at.0), end(xi_bar, size_bar, at.1)];
+                return both.iter().all(Refined::is_within).then_some(both);
             }
-            (xi, xi_bar, previous) = (xi + step, xi_bar + step_bar, size);
+            (xi, xi_bar, previous) = (xi + step, xi_bar + step_bar, larger);
         }
         None
     }
 }
 
+/// A parameter of the closest point in double-double.
+#[derive(Clone, Copy)]
+struct Refined {
+    value: DoubleDouble,
+    /// The step that is left, and the rounding of double-double: that part of the rounding of `f64`.
+    bound: f64,
+    /// Where it is known to be.
+    within: Bounded,
+}
+
+impl Refined {
+    fn is_within(&self) -> bool {
+        let moved = (self.value - DoubleDouble::from(self.within.value)).abs().value();
+        moved <= self.within.bound && self.bound <= self.within.bound
+    }
+
+    /// The nearest `f64`, known to half an ulp or so.
+    fn rounded(self) -> Bounded {
+        let value = self.value.value();
+        let rounding = (self.value - DoubleDouble::from(value)).abs().value();
+        Bounded::new(value, (rounding + self.bound) * (1.0 + f64::EPSILON))
+    }
+}
+
+/// The rounding of double-double over that of `f64`: eight of its units 2^-106 in an operation.
+const FINER: f64 = 8.0 * f64::EPSILON / 2.0;
 /// The most steps of Newton's method, which doubles the digits each time.
 const STEPS: usize = 12;
-/// How little of the parameters' bounds the last step may be.
-const SETTLED: f64 = 1e-9;
