@@ -115,13 +115,14 @@ fn entries(site: &Site) -> Vec<Comparison> {
     let closed = variations(&plain[0], &plain[1], at, active, contact).components();
     let exchanged = plain.map(Frozen::exchanged);
     let exchanged = variations(&exchanged[0], &exchanged[1], at, active, contact).components();
-    let (scales, bounds) = (site.scales(&plain), site.closed());
+    let (scales, bounds) = (site.scales(&plain), site.closed(site.at));
 
     // Automatic differentiation: two routes of num-dual, and our own numbers with bounds.
     let by_newton = hyper_dual(site, newton(beam, bar, at, active));
     let by_stationarity = hyper_dual(site, stationary(beam, bar, at, active));
     // .. the former solve for the closest point in f64 again, and are as far off as that may take them.
-    let (by_chord, loose) = (site.chord(site.at), site.chord(site.loose));
+    let by_chord = site.chord(site.at);
+    let loose = [site.closed(site.loose), site.chord(site.loose)];
 
     let mut entries = Vec::with_capacity(16 * COMPONENTS);
     for i in 0..COMPONENTS {
@@ -131,9 +132,10 @@ fn entries(site: &Site) -> Vec<Comparison> {
         let bound = bounds[i].parts().map(|bounded| bounded.bound);
         let own = by_chord[i].parts();
         let routes = [by_newton[i].parts(), by_stationarity[i].parts(), own.map(|bounded| bounded.value)];
-        let far = loose[i].parts().map(|bounded| bounded.bound);
-        let near = own.map(|bounded| bounded.bound);
-        for ((against, other), own) in ROUTES.into_iter().zip(routes).zip([far, far, near]) {
+        let [of_closed, of_chord] = loose.map(|side| side[i].parts().map(|bounded| bounded.bound));
+        let far: [f64; 4] = std::array::from_fn(|k| of_closed[k] + of_chord[k]);
+        let near: [f64; 4] = std::array::from_fn(|k| bound[k] + own[k].bound);
+        for ((against, other), tolerance) in ROUTES.into_iter().zip(routes).zip([far, far, near]) {
             for (k, order) in
                 [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
             {
@@ -147,7 +149,7 @@ fn entries(site: &Site) -> Vec<Comparison> {
                     other: other[k],
                     scale: scale[k],
                     bound: bound[k],
-                    tolerance: bound[k] + own[k],
+                    tolerance: tolerance[k],
                 });
             }
         }

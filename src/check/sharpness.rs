@@ -128,7 +128,7 @@ impl Sharpness {
         let [beam, bar] = site.beams;
         let plain = [beam.frozen_plain(site.at.0.value), bar.frozen_plain(site.at.1.value)];
         let scales = site.scales(&plain);
-        let sides = [(Side::Closed, site.closed()), (Side::Chord, site.chord(site.at))];
+        let sides = [(Side::Closed, site.closed(site.at)), (Side::Chord, site.chord(site.at))];
         let orders = [Order::Value, Order::First, Order::First, Order::Second];
         let mut not_meaningful = false;
         for i in 0..COMPONENTS {

@@ -46,9 +46,9 @@ impl<'a> Site<'a> {
         Ok(Self { at: at.into(), loose: loose.into(), ..site })
     }
 
-    /// The closed form, with a bound on its error.
-    pub(super) fn closed(&self) -> [Varied<Bounded>; COMPONENTS] {
-        let Self { beams: [beam, bar], contact, active, at, .. } = *self;
+    /// The closed form at these parameters, with a bound on its error.
+    pub(super) fn closed(&self, at: (Bounded, Bounded)) -> [Varied<Bounded>; COMPONENTS] {
+        let Self { beams: [beam, bar], contact, active, .. } = *self;
         variations(&beam.frozen(at.0), &bar.frozen(at.1), at, active, contact).components()
     }
 
@@ -59,7 +59,7 @@ impl<'a> Site<'a> {
         variations(&sizes[0], &sizes[1], at, self.active, self.contact).components()
     }
 
-    /// Automatic differentiation in our own hyper-dual numbers, with a bound on its error.
+    /// Automatic differentiation in our own hyper-dual numbers at these parameters, with a bound on its error.
     pub(super) fn chord(&self, at: (Bounded, Bounded)) -> [Varied<Bounded>; COMPONENTS] {
         let Self { beams: [beam, bar], contact, active, .. } = *self;
         let chord = Chord::<Bounded>::new(beam, bar, at, active);
