@@ -7,7 +7,8 @@
 //! # The tolerance
 //! Both sides are also run over [`Bounded`](crate::number::Bounded), which yields for every number a bound on its
 //! distance from exact arithmetic: each operation contributes half an ulp of its result, and passes on what its
-//! operands have. The parameters of the closest point enter with the bound that their residual and the conditioning
+//! operands have. The closest point is refined in double-double, so that its parameters enter with little more than their
+//! own half ulp; routes that solve for it in `f64` again are held to the bound that their residual and the conditioning
 //! of the projection give. |closed - AD| must not exceed the sum of the two bounds. So the tolerance is a multiple of
 //! epsilon derived from the number of operations and the conditioning of the case, entry by entry; no entry is
 //! compared with an absolute number.
@@ -51,7 +52,7 @@ mod witness;
 mod written;
 
 pub use arbitration::Arbitration;
-pub(crate) use compare::{Closed, References};
+pub(crate) use compare::{Closed, References, judged};
 pub use compare::{Compared, compare};
 pub use diagnosis::{Diagnosis, Finding};
 pub use distribution::Distribution;
@@ -61,7 +62,7 @@ pub use regime::Regime;
 pub use run::run;
 pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
 pub use shrink::{Shrunk, shrink, shrink_mismatches};
-pub(crate) use site::Site;
+pub(crate) use site::{Site, When};
 pub use summary::{Cell, Differences, Summary, Tally};
 pub use trial::{Oracles, Trial};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};

@@ -3,9 +3,9 @@
 use super::arbitration::DIFFERENCES;
 use super::draw::Case;
 use super::oracle::differences;
-use super::site::Site;
+use super::site::{Site, When};
 use super::trial::{Oracles, Trial};
-use super::verdict::{Comparison, Inconclusive, Order, Verdict};
+use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
 use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
 use crate::linearization::ad::{evaluate, newton, stationary};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
@@ -14,7 +14,6 @@ use crate::pair::Contact;
 use crate::specimen::AnyBeam;
 use crate::subject::{SCALAR_COMPONENTS, SCALARS, Subject};
 use num_dual::HyperDual64;
-use std::collections::BTreeSet;
 
 /// The routes of automatic differentiation.
 const ROUTES: [&str; 3] = ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
@@ -54,28 +53,27 @@ pub(super) fn compare_beams(
 
 fn verdict(trial: &Trial, asked: bool, site: &Site) -> Verdict {
     let mut entries = Closed::new(&trial.subject, site).compared_with(&References::new(site));
-    let apart = |entries: &[Comparison]| entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees());
-    let unclear = trial.oracles != Oracles::Ad && !entries.iter().all(Comparison::is_meaningful);
-    if apart(&entries) || unclear || asked {
+    let unclear = trial.oracles != Oracles::Ad && !is_decided(entries.iter());
+    if is_apart(&entries) || unclear || asked {
         by_differences(site, &mut entries);
     }
-    if apart(&entries) {
+    judged(entries)
+}
+
+/// The verdict that the entries of a closest point amount to.
+pub(crate) fn judged(entries: Vec<Comparison>) -> Verdict {
+    if is_apart(&entries) {
         Verdict::Mismatch(entries)
-    } else if is_decided(&entries) {
+    } else if is_decided(entries.iter()) {
         Verdict::Pass(entries)
     } else {
         Verdict::Inconclusive(Inconclusive::NotMeaningful, entries)
     }
 }
 
-/// Whether each number was compared with some oracle to a tolerance that means something.
-fn is_decided(entries: &[Comparison]) -> bool {
-    if entries.iter().all(Comparison::is_meaningful) {
-        return true;
-    }
-    let name = |entry: &Comparison| (entry.quantity, entry.axis, entry.order, entry.part);
-    let decided: BTreeSet<_> = entries.iter().filter(|entry| entry.is_meaningful()).map(name).collect();
-    entries.iter().all(|entry| entry.is_meaningful() || decided.contains(&name(entry)))
+/// Whether some entry tells a difference beyond rounding.
+fn is_apart(entries: &[Comparison]) -> bool {
+    entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees())
 }
 
 /// Adds the comparisons with the differences, where they exist.
@@ -98,6 +96,8 @@ pub(crate) struct Closed {
     exchanged: [Varied<f64>; COMPONENTS],
     scales: [Varied<Magnitude>; COMPONENTS],
     bounds: [Varied<Bounded>; COMPONENTS],
+    /// The same at parameters known loosely.
+    loose: [Varied<Bounded>; COMPONENTS],
     matrices: [[Bounded; 3]; SCALARS],
 }
 
@@ -106,6 +106,8 @@ pub(crate) struct References {
     newton: [Varied<f64>; COMPONENTS],
     stationary: [Varied<f64>; COMPONENTS],
     chord: [Varied<Bounded>; COMPONENTS],
+    /// num-dual solves for the closest point in `f64` again, and is as far off as that may take it.
+    loose: [Varied<Bounded>; COMPONENTS],
 }
 
 impl References {
@@ -116,7 +118,8 @@ impl References {
         Self {
             newton: hyper_dual(site, newton(beam, bar, at, active)),
             stationary: hyper_dual(site, stationary(beam, bar, at, active)),
-            chord: site.chord(),
+            chord: site.chord(When::Now),
+            loose: site.chord(When::Loosely),
         }
     }
 }
@@ -128,7 +131,8 @@ impl Closed {
             plain: site.plain(subject),
             exchanged: site.exchanged(subject),
             scales: site.scales(subject),
-            bounds: site.closed(subject),
+            bounds: site.closed(subject, When::Now),
+            loose: site.closed(subject, When::Loosely),
             matrices: site.matrices(subject),
         }
     }
@@ -147,7 +151,11 @@ impl Closed {
                 references.stationary[i].parts(),
                 own.map(|bounded| bounded.value),
             ];
-            for (against, other) in ROUTES.into_iter().zip(routes) {
+            let [of_closed, of_chord] =
+                [&self.loose[i], &references.loose[i]].map(|side| side.parts().map(|bounded| bounded.bound));
+            let far: [f64; 4] = std::array::from_fn(|k| of_closed[k] + of_chord[k]);
+            let near: [f64; 4] = std::array::from_fn(|k| bound[k] + own[k].bound);
+            for ((against, other), tolerance) in ROUTES.into_iter().zip(routes).zip([far, far, near]) {
                 for (k, order) in
                     [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
                 {
@@ -161,7 +169,7 @@ impl Closed {
                         other: other[k],
                         scale: scale[k],
                         bound: bound[k],
-                        tolerance: bound[k] + own[k].bound,
+                        tolerance: tolerance[k],
                     });
                 }
             }

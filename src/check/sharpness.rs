@@ -6,7 +6,7 @@
 use super::distribution::Distribution;
 use super::draw::{Case, Selection};
 use super::regime::Regime;
-use super::site::Site;
+use super::site::{Site, When};
 use super::verdict::Order;
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
@@ -128,7 +128,8 @@ impl Sharpness {
     /// Measures a point, and tells whether some tolerance means nothing there.
     fn add_point(&mut self, case: &Case, site: &Site, precise: &[Varied<DoubleDouble>; COMPONENTS]) -> bool {
         let scales = site.scales(&Subject::Sound);
-        let sides = [(Side::Closed, site.closed(&Subject::Sound)), (Side::Chord, site.chord())];
+        let closed = site.closed(&Subject::Sound, When::Now);
+        let sides = [(Side::Closed, closed), (Side::Chord, site.chord(When::Now))];
         let orders = [Order::Value, Order::First, Order::First, Order::Second];
         let mut not_meaningful = false;
         for i in 0..COMPONENTS {

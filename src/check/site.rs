@@ -18,10 +18,23 @@ pub(crate) struct Site<'a> {
     pub(crate) beams: [&'a dyn AnyBeam; 2],
     pub(crate) contact: &'a Contact,
     pub(crate) active: Active,
-    /// The parameters, with bounds on how far they are from the exact closest point.
+    /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
+    /// point.
     pub(crate) at: (Bounded, Bounded),
-    /// The beams at these parameters, and at those before.
-    moments: [Moment; 2],
+    /// The same with bounds as far as `f64` can tell: for those who solve for the closest point in `f64` again.
+    loose: (Bounded, Bounded),
+    moments: [Moment; 3],
+}
+
+/// Which parameters: those of the closest point, those of the step before, and the former with loose bounds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum When {
+    /// At the closest point.
+    Now,
+    /// A step before.
+    Before,
+    /// At the closest point, known as far as `f64` can tell.
+    Loosely,
 }
 
 /// Both beams at some parameters, in the scalars that the check asks for; evaluated once, when they are asked for.
@@ -47,72 +60,88 @@ impl<'a> Site<'a> {
             Some(_) => return Err(Inconclusive::Singular),
         }
         let at = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
-        Ok(Self { beams, contact, active: point.active(), at, moments: Default::default() })
+        let site =
+            Self { beams, contact, active: point.active(), at, loose: at, moments: Default::default() };
+        let Some(refined) = site.refined() else { return Ok(site) };
+        let at = refined.map(Refined::rounded);
+        let loose = [0, 1].map(|i| {
+            let was = refined[i].within;
+            Bounded::new(at[i].value, was.bound + (at[i].value - was.value).abs() * (1.0 + f64::EPSILON))
+        });
+        Ok(Self { at: at.into(), loose: loose.into(), ..site })
     }
 
-    /// The parameters, or those before.
-    fn parameters(&self, k: usize) -> (Bounded, Bounded) {
-        if k == 0 { self.at } else { before(self.at) }
+    pub(crate) fn parameters(&self, when: When) -> (Bounded, Bounded) {
+        match when {
+            When::Now => self.at,
+            When::Before => before(self.at),
+            When::Loosely => self.loose,
+        }
     }
 
     /// Both beams, frozen.
-    pub(crate) fn frozen(&self, k: usize) -> [Frozen<f64>; 2] {
-        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(k));
-        *self.moments[k].plain.get_or_init(|| [beam.frozen_plain(xi.value), bar.frozen_plain(xi_bar.value)])
+    pub(crate) fn frozen(&self, when: When) -> [Frozen<f64>; 2] {
+        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(when));
+        let frozen = || [beam.frozen_plain(xi.value), bar.frozen_plain(xi_bar.value)];
+        *self.moments[when as usize].plain.get_or_init(frozen)
     }
 
     /// Both beams, frozen, with bounds on their errors.
-    pub(crate) fn bounded(&self, k: usize) -> [Frozen<Bounded>; 2] {
-        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(k));
-        *self.moments[k].bounded.get_or_init(|| [beam.frozen(xi), bar.frozen(xi_bar)])
+    pub(crate) fn bounded(&self, when: When) -> [Frozen<Bounded>; 2] {
+        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(when));
+        *self.moments[when as usize].bounded.get_or_init(|| [beam.frozen(xi), bar.frozen(xi_bar)])
     }
 
-    fn padded(&self, k: usize) -> &[PaddedBeam<Bounded>; 2] {
-        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(k));
-        self.moments[k].padded.get_or_init(|| [beam.padded(xi), bar.padded(xi_bar)])
+    fn padded(&self, when: When) -> &[PaddedBeam<Bounded>; 2] {
+        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(when));
+        self.moments[when as usize].padded.get_or_init(|| [beam.padded(xi), bar.padded(xi_bar)])
     }
 
     /// The closed form.
     pub(crate) fn plain(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
-        self.variations(subject, |k| self.frozen(k), (self.at.0.value, self.at.1.value))
+        let frozen = [When::Now, When::Before].map(|when| self.frozen(when));
+        self.variations(subject, frozen, (self.at.0.value, self.at.1.value))
     }
 
     /// The closed form with the directions exchanged.
     pub(super) fn exchanged(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
-        let frozen = |k| self.frozen(k).map(Frozen::exchanged);
+        let frozen = [When::Now, When::Before].map(|when| self.frozen(when).map(Frozen::exchanged));
         self.variations(subject, frozen, (self.at.0.value, self.at.1.value))
     }
 
     /// The closed form, with a bound on its error.
-    pub(crate) fn closed(&self, subject: &Subject) -> [Varied<Bounded>; COMPONENTS] {
-        self.variations(subject, |k| self.bounded(k), self.at)
+    pub(crate) fn closed(&self, subject: &Subject, when: When) -> [Varied<Bounded>; COMPONENTS] {
+        let frozen = [when, When::Before].map(|when| self.bounded(when));
+        self.variations(subject, frozen, self.parameters(when))
     }
 
     /// The closed form with the size of its terms.
     pub(super) fn scales(&self, subject: &Subject) -> [Varied<Magnitude>; COMPONENTS] {
         let at = (Magnitude::parameter(self.at.0.value), Magnitude::parameter(self.at.1.value));
-        let sizes = |k| self.frozen(k).map(|frozen| frozen.map(Magnitude::vector));
-        self.variations(subject, sizes, at)
+        let size = |when| self.frozen(when).map(|frozen| frozen.map(Magnitude::vector));
+        self.variations(subject, [When::Now, When::Before].map(size), at)
     }
 
-    /// By `frozen(0)` at the parameters, and by `frozen(1)` at those before.
+    /// Of the beams now and before.
     fn variations<T: Real>(
         &self,
         subject: &Subject,
-        frozen: impl Fn(usize) -> [Frozen<T>; 2],
+        [now, before]: [[Frozen<T>; 2]; 2],
         at: (T, T),
     ) -> [Varied<T>; COMPONENTS] {
-        subject.variations(&frozen(0), || frozen(1), at, self.active, self.contact)
+        subject.variations(&now, || before, at, self.active, self.contact)
     }
 
     /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors.
     pub(super) fn matrices(&self, subject: &Subject) -> [[Bounded; 3]; SCALARS] {
-        subject.matrices(self.padded(0), || self.padded(1).clone(), self.at, self.active, self.contact)
+        let before = || self.padded(When::Before).clone();
+        subject.matrices(self.padded(When::Now), before, self.at, self.active, self.contact)
     }
 
     /// Automatic differentiation in our own hyper-dual numbers, with a bound on its error.
-    pub(super) fn chord(&self) -> [Varied<Bounded>; COMPONENTS] {
-        let Self { beams: [beam, bar], contact, active, at, .. } = *self;
+    pub(super) fn chord(&self, when: When) -> [Varied<Bounded>; COMPONENTS] {
+        let Self { beams: [beam, bar], contact, active, .. } = *self;
+        let at = self.parameters(when);
         let chord = Chord::<Bounded>::new(beam, bar, at, active);
         let lifted = chord.lift_by_orders(beam, bar, at);
         evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components()
@@ -122,29 +151,65 @@ impl<'a> Site<'a> {
     ///
     /// Nothing if Newton's method does not settle within the bounds of the parameters.
     pub(super) fn precise(&self) -> Option<[Varied<DoubleDouble>; COMPONENTS]> {
-        let Self { beams: [beam, bar], contact, active, at, .. } = *self;
+        let Self { beams: [beam, bar], contact, active, .. } = *self;
+        let [xi, xi_bar] = self.refined()?.map(|refined| refined.value);
+        let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
+        Some(variations(&frozen[0], &frozen[1], (xi, xi_bar), active, contact).components())
+    }
+
+    /// The parameters in double-double, by Newton's method; nothing if it does not settle.
+    fn refined(&self) -> Option<[Refined; 2]> {
+        let Self { beams: [beam, bar], active, at, .. } = *self;
         let (mut xi, mut xi_bar) = (DoubleDouble::from(at.0.value), DoubleDouble::from(at.1.value));
         let mut previous = f64::INFINITY;
         for _ in 0..STEPS {
-            let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
-            let [x, x_bar] = frozen.each_ref().map(|frozen| &frozen.geometry);
+            let [x, x_bar] =
+                [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)].map(|frozen| frozen.geometry);
             let d = x.x - x_bar.x;
             // Eq. (48): d·t = d·t̄ = 0, by the matrix of (50).
-            let (step, step_bar) = Projection::new(x, x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
-            let size = step.value().abs().max(step_bar.value().abs());
-            if size == 0.0 || size >= 0.5 * previous {
-                let settled = step.value().abs() <= SETTLED * at.0.bound
-                    && step_bar.value().abs() <= SETTLED * at.1.bound;
-                let all = || variations(&frozen[0], &frozen[1], (xi, xi_bar), active, contact).components();
-                return settled.then(all);
+            let (step, step_bar) = Projection::new(&x, &x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
+            let [size, size_bar] = [step, step_bar].map(|step| step.value().abs());
+            let larger = size.max(size_bar);
+            if larger == 0.0 || larger >= 0.5 * previous {
+                let end = |value, step: f64, was: Bounded| Refined {
+                    value,
+                    bound: 2.0 * step + FINER * was.bound,
+                    within: was,
+                };
+                let both = [end(xi, size, at.0), end(xi_bar, size_bar, at.1)];
+                return both.iter().all(Refined::is_within).then_some(both);
             }
-            (xi, xi_bar, previous) = (xi + step, xi_bar + step_bar, size);
+            (xi, xi_bar, previous) = (xi + step, xi_bar + step_bar, larger);
         }
         None
     }
 }
 
+/// A parameter of the closest point in double-double.
+#[derive(Clone, Copy)]
+struct Refined {
+    value: DoubleDouble,
+    /// The step that is left, and the rounding of double-double: that part of the rounding of `f64`.
+    bound: f64,
+    /// Where it is known to be.
+    within: Bounded,
+}
+
+impl Refined {
+    fn is_within(&self) -> bool {
+        let moved = (self.value - DoubleDouble::from(self.within.value)).abs().value();
+        moved <= self.within.bound && self.bound <= self.within.bound
+    }
+
+    /// The nearest `f64`, known to half an ulp or so.
+    fn rounded(self) -> Bounded {
+        let value = self.value.value();
+        let rounding = (self.value - DoubleDouble::from(value)).abs().value();
+        Bounded::new(value, (rounding + self.bound) * (1.0 + f64::EPSILON))
+    }
+}
+
+/// The rounding of double-double over that of `f64`: eight of its units 2^-106 in an operation.
+const FINER: f64 = 8.0 * f64::EPSILON / 2.0;
 /// The most steps of Newton's method, which doubles the digits each time.
 const STEPS: usize = 12;
-/// How little of the parameters' bounds the last step may be.
-const SETTLED: f64 = 1e-9;

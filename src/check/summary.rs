@@ -3,7 +3,7 @@
 use super::arbitration::{Arbitration, DIFFERENCES};
 use super::draw::Case;
 use super::regime::Regime;
-use super::verdict::{Comparison, Inconclusive, Order, Verdict};
+use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
 use crate::linearization::Quantity;
 use crate::specimen::Family;
 use std::collections::BTreeMap;
@@ -93,7 +93,7 @@ pub struct Summary {
 pub struct Differences {
     /// Points where they were asked and had an answer.
     pub points: u64,
-    /// Of these, points whose tolerance for AD means nothing.
+    /// Of these, points where no tolerance for AD means anything, for some number.
     pub unclear: u64,
     /// Of these, points that they decided.
     pub decided: u64,
@@ -106,7 +106,7 @@ impl Differences {
             return;
         }
         self.points += 1;
-        if entries.iter().any(|entry| entry.against != DIFFERENCES && !entry.is_meaningful()) {
+        if !is_decided(entries.iter().filter(|entry| entry.against != DIFFERENCES)) {
             self.unclear += 1;
             self.decided += u64::from(!matches!(verdict, Verdict::Inconclusive(..)));
         }

@@ -1,6 +1,7 @@
 //! What a comparison finds: single entries, and the verdict on a closest point.
 
 use crate::linearization::Quantity;
+use std::collections::BTreeSet;
 
 /// Which part of a quantity is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -155,4 +156,15 @@ impl Verdict {
             Self::Pass(entries) | Self::Mismatch(entries) | Self::Inconclusive(_, entries) => entries,
         }
     }
+}
+
+/// Whether each number was compared, with one oracle at least, to a tolerance that means something.
+pub(super) fn is_decided<'a>(mut entries: impl Iterator<Item = &'a Comparison> + Clone) -> bool {
+    if entries.clone().all(Comparison::is_meaningful) {
+        return true;
+    }
+    let name = |entry: &Comparison| (entry.quantity, entry.axis, entry.order, entry.part);
+    let of_meaning = entries.clone().filter(|entry| entry.is_meaningful());
+    let decided: BTreeSet<_> = of_meaning.map(name).collect();
+    entries.all(|entry| entry.is_meaningful() || decided.contains(&name(entry)))
 }

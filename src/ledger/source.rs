@@ -27,6 +27,7 @@ sources![
     "linearization/closed_form/projection.rs",
     "linearization/closed_form/matrices.rs",
     "linearization/closed_form/matrices/parameters.rs",
+    "linearization/closed_form/matrices/vector.rs",
     "linearization/closed_form/sums.rs",
     "linearization/closed_form/frozen.rs",
     "linearization/expansion.rs",

@@ -2,7 +2,7 @@
 
 use super::differences::{Differences, Rule};
 use super::panel::Sample;
-use crate::check::{Comparison, Site};
+use crate::check::{Site, Verdict, When, judged};
 use crate::linearization::closed_form::variations;
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::Bounded;
@@ -65,24 +65,19 @@ impl Check {
     pub(super) fn accuses(self, subject: &Subject, sample: &Sample) -> bool {
         match self {
             Self::Exact => false,
-            Self::Gate => sample.compared(subject).iter().any(is_apart),
+            Self::Gate => matches!(judged(sample.compared(subject)), Verdict::Mismatch(_)),
             Self::Invariants => {
                 let moved = [Rewrite::Moved, Rewrite::Turned, Rewrite::Ninths, Rewrite::DirectionsExchanged];
-                let closed = sample.site.closed(subject);
+                let closed = sample.site.closed(subject, When::Now);
                 moved.into_iter().any(|rewrite| is_violated(rewrite, subject, sample, &closed))
             }
             Self::Symmetry => {
-                let closed = sample.site.closed(subject);
+                let closed = sample.site.closed(subject, When::Now);
                 is_violated(Rewrite::DirectionsExchanged, subject, sample, &closed)
             }
             Self::Differences(rule) => Differences::new(subject, sample).accuses(rule),
         }
     }
-}
-
-/// Whether an entry of the gate tells a fault.
-pub(super) fn is_apart(entry: &Comparison) -> bool {
-    entry.is_meaningful() && !entry.agrees()
 }
 
 /// Whether the subject at other beams is not what it is at these, beyond rounding.
@@ -94,15 +89,15 @@ fn is_violated(
 ) -> bool {
     let Site { at, active, contact, .. } = sample.site;
     // The beams of the step before, moved alike.
-    let moved = Cell::new(sample.site.bounded(1));
-    let [beam, bar] = &sample.site.bounded(1);
+    let moved = Cell::new(sample.site.bounded(When::Before));
+    let [beam, bar] = &sample.site.bounded(When::Before);
     let keep = |frozen: [_; 2], at, active, contact: &_| {
         moved.set(frozen);
         variations(&frozen[0], &frozen[1], at, active, contact)
     };
     by_invariance(rewrite, keep, [beam, bar], at, active, contact);
 
-    let [beam, bar] = &sample.site.bounded(0);
+    let [beam, bar] = &sample.site.bounded(When::Now);
     let of = |frozen: [_; 2], at, active, contact: &_| {
         subject.quantities(&frozen, || moved.get(), at, active, contact)
     };

@@ -1,7 +1,7 @@
 //! The closest points at which everything is put to the test: so chosen that no term vanishes at all of them.
 
 use super::differences::Steps;
-use crate::check::{Case, Closed, Comparison, References, Regime, Selection, Site};
+use crate::check::{Case, Closed, Comparison, References, Regime, Selection, Site, Verdict, judged};
 use crate::closest_point::{Active, ClosestPoint, Search, closest_points};
 use crate::specimen::Family;
 use crate::subject::Subject;
@@ -71,9 +71,7 @@ fn best(case: &Case, wanted: &BTreeMap<Key, usize>) -> Option<(Key, ClosestPoint
         let Active { xi, xi_bar } = point.active();
         let key = (xi, xi_bar, linear);
         let is_wanted = wanted.get(&key).is_some_and(|&count| count > 0);
-        let passes = |sample: &Sample| {
-            sample.compared(&Subject::Sound).iter().all(|entry| entry.is_meaningful() && entry.agrees())
-        };
+        let passes = |sample: &Sample| matches!(judged(sample.compared(&Subject::Sound)), Verdict::Pass(_));
         let sample = if is_wanted { Sample::new(case, &point) } else { None };
         sample.as_ref().is_some_and(passes).then_some((key, point))
     })

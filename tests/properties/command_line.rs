@@ -276,12 +276,9 @@ fn a_case_that_is_repeated_shows_the_error_of_the_run() {
 
 #[test]
 fn nothing_compared_is_no_success() {
-    let document =
-        json(&run(&["check", "--cases", "121", "--regime", "nearly-parallel", "--format", "json"]));
     let mut nothing = 0;
-    for reason in document["regimes"][0]["not_compared"].as_array().unwrap() {
-        let number = reason["first_case"].to_string();
-        let output = run(&["check", "--case", &number, "--format", "json"]);
+    for (seed, number) in [("7", "21757"), ("9", "30513"), ("0x5eed", "247")] {
+        let output = run(&["check", "--seed", seed, "--case", number, "--format", "json"]);
         let case = json(&output);
         let mut points = case["closest_points"].as_array().unwrap().iter();
         let none = points.all(|point| point["verdict"] == "not-compared");

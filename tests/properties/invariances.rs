@@ -77,9 +77,9 @@ fn in_unit(compared: &Compared, power: i32) -> Compared {
         let scaled = |entry: &Comparison| {
             // A variation of a length is a length, as the directions are.
             let unit = if matches!(entry.quantity, Quantity::Xi | Quantity::XiBar) { 1.0 } else { unit };
-            let [closed, other, scale, tolerance] =
-                [entry.closed, entry.other, entry.scale, entry.tolerance].map(|number| number * unit);
-            Comparison { closed, other, scale, tolerance, ..*entry }
+            let [closed, other, scale, bound, tolerance] =
+                [entry.closed, entry.other, entry.scale, entry.bound, entry.tolerance].map(|x| x * unit);
+            Comparison { closed, other, scale, bound, tolerance, ..*entry }
         };
         entries.iter().map(scaled).collect()
     };

@@ -114,12 +114,13 @@ fn a_beam_that_must_bend_bends_in_few_numbers() {
 #[test]
 fn every_family_becomes_plain() {
     for (k, family) in (0..).zip(Family::ALL) {
-        let case = Case::draw(2, 9 * 12 * k).written();
         let kept = |case: &Written| {
             let families = case.specimens.each_ref().map(|beam| beam.family) == [family; 2];
             families && diagnosed(case, flipped(Quantity::Xi, Order::First)).is_some()
         };
-        assert!(kept(&case), "{case:?}");
+        // In turn, the cases of a regime go through the 121 pairs of families; xi is held in some.
+        let mut cases = (0..20).map(|round| Case::draw(2, 9 * (12 * k + 121 * round)).written());
+        let case = cases.find(|case| kept(case)).unwrap();
         let small = shrink(&case, kept);
         let [beam, bar] = &small.specimens;
         let [_, dq, linear_dq] = counts(&small);
