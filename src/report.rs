@@ -1,7 +1,7 @@
 //! The reports, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`], [`Sharpness`], [`Ledger`] and [`Benchmark`] are the records: what the gate found, how sharp its
-//! tolerances are, what became of each equation, and what criterion measured. Markdown and SVG are pure functions of what
+//! [`Crosscheck`], [`Sharpness`], [`Teeth`], [`Ledger`] and [`Benchmark`] are the records: what the gate found, how sharp
+//! its tolerances are, what it made of planted faults, what became of each equation, and what criterion measured. Markdown and SVG are pure functions of what
 //! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
 
 mod benchmark;
@@ -18,6 +18,8 @@ mod number;
 mod plot;
 mod sharpness;
 mod sharpness_page;
+mod teeth;
+mod teeth_page;
 
 pub use benchmark::{Benchmark, Measured, Ratio};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory};
@@ -26,6 +28,7 @@ pub use environment::Environment;
 pub use error::ReportError;
 pub use interval::{Spread, median_interval, spread};
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
+pub use teeth::{BiteRow, Teeth};
 
 use crate::check::{self, Regime, Selection, Trial};
 use crate::ledger::Ledger;
@@ -73,6 +76,16 @@ pub fn sharpness(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Shar
     write(to, "sharpness.json", &json)?;
     write(to, "sharpness.md", &record.to_markdown())?;
     Ok(record)
+}
+
+/// Writes `teeth.json` and `teeth.md` into the directory `to`.
+///
+/// # Errors
+/// [`ReportError::Write`] if a file cannot be written.
+pub fn teeth(to: &Path, record: &Teeth) -> Result<(), ReportError> {
+    let json = record.to_json()?;
+    write(to, "teeth.json", &json)?;
+    write(to, "teeth.md", &Teeth::from_json(&json)?.to_markdown())
 }
 
 /// Writes `ledger.json` and `ledger.md` into the directory `to`.

@@ -11,6 +11,7 @@ mod point;
 mod rewrite;
 mod rewrites;
 
+pub(crate) use catalogue::terms;
 pub use catalogue::{catalogue, with_faults};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;

@@ -2,6 +2,7 @@
 
 use super::exit::Exit;
 use super::ledger::LEDGER;
+use super::teeth;
 use beamgap::ledger;
 use beamgap::report::{
     self, CASES, SEED, SHARPNESS_CASES, benchmark, criterion_directory, crosscheck, sharpness,
@@ -24,7 +25,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes the pages and records of crosscheck, sharpness and ledger, then those of the benchmark.
+    /// Writes the pages and records of crosscheck, sharpness, ledger and teeth, then those of the benchmark.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let (command, sharpness_cases) = match self.cases {
             CASES => ("cargo run --release -- report".into(), SHARPNESS_CASES),
@@ -34,10 +35,12 @@ impl Report {
         let sharp = sharpness(&self.to, SEED, sharpness_cases, &command)?;
         let equations = ledger::ledger(SEED, ledger::DRAWS, ledger::CASES, LEDGER);
         report::ledger(&self.to, &equations)?;
+        let teeth = teeth::record(SEED, &[]);
+        report::teeth(&self.to, &teeth)?;
         benchmark(&self.to, &criterion_directory())?;
-        println!("Wrote crosscheck, sharpness, ledger and benchmark to {}.", self.to.display());
+        println!("Wrote crosscheck, sharpness, ledger, teeth and benchmark to {}.", self.to.display());
         let agrees = found.mismatches.is_empty() && equations.holds();
-        Ok(match (sharp.violations.is_empty(), agrees) {
+        Ok(match (sharp.violations.is_empty() && teeth.holds, agrees) {
             (false, _) => Exit::Untrusted,
             (true, false) => Exit::Disagree,
             (true, true) => Exit::Agree,

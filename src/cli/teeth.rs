@@ -5,8 +5,9 @@ use super::exit::Exit;
 use super::output::Output;
 use super::table::Table;
 use beamgap::check::Regime;
-use beamgap::subject::{Rewrite, catalogue};
-use beamgap::teeth::{Bite, Check, Teeth, teeth};
+use beamgap::report::{self, Environment, Teeth};
+use beamgap::subject::catalogue;
+use beamgap::teeth::{limits, teeth};
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -16,7 +17,7 @@ use std::path::PathBuf;
 #[command(after_help = Exit::help())]
 pub(crate) struct Bites {
     /// Only name the faults, as `check --plant` and `prove --plant` take them
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["seed", "regime", "format", "to"])]
     list: bool,
     /// Seed of the random pairs, decimal or 0x-hexadecimal
     #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
@@ -24,6 +25,12 @@ pub(crate) struct Bites {
     /// Only this regime; may be repeated
     #[arg(long, value_parser = regimes())]
     regime: Vec<Regime>,
+    /// Tables for people, or one document for programs
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Also write teeth.json and teeth.md into this directory
+    #[arg(long, value_name = "DIRECTORY")]
+    to: Option<PathBuf>,
     /// Write the result to this file, and only the verdict to standard output
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
@@ -43,33 +50,76 @@ impl Bites {
             output.write(&names, "")?;
             return Ok(Exit::Agree);
         }
-        let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
-        let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
-        let found = teeth(self.seed, &regimes);
-        let mut text = String::new();
-        for bite in &found.bites {
-            let _ = writeln!(
-                text,
-                "{:12} {:18} points {:3} killed {:4} of {} false {:2} pairs {} of {}",
-                bite.check.name(),
-                bite.regime.map_or("-", Regime::name),
-                bite.points,
-                bite.killed,
-                found.faults.len(),
-                bite.false_alarms.len(),
-                bite.pairs_killed,
-                bite.pairs_killed + bite.pairs_survived.len()
-            );
-            if matches!(bite.check, Check::Gate | Check::Exact) {
-                for fault in &bite.survivors {
-                    let _ = writeln!(text, "   {fault}");
-                }
-                for right in &bite.false_alarms {
-                    let _ = writeln!(text, "   {:?}", right.map(Rewrite::name));
-                }
-            }
+        let record = record(self.seed, &self.regime);
+        if let Some(to) = &self.to {
+            report::teeth(to, &record)?;
         }
-        output.write(&text, "")?;
-        Ok(if found.holds() { Exit::Agree } else { Exit::Untrusted })
+        let words = verdict(&record);
+        let document = match self.format {
+            Format::Human => format!("{}\n{words}\n", human(&record)),
+            Format::Json => record.to_json()?,
+        };
+        output.write(&document, &format!("{words}\n"))?;
+        Ok(if record.holds { Exit::Agree } else { Exit::Untrusted })
     }
+}
+
+/// The record of these regimes, or of all if none is named.
+pub(super) fn record(seed: u64, named: &[Regime]) -> Teeth {
+    let mut command = String::from("beamgap teeth");
+    if seed != report::SEED {
+        let _ = write!(command, " --seed {seed:#x}");
+    }
+    for regime in named {
+        let _ = write!(command, " --regime {}", regime.name());
+    }
+    let asked = |regime: &Regime| named.is_empty() || named.contains(regime);
+    let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
+    let found = teeth(seed, &regimes);
+    Teeth::new(&found, &limits(seed, &regimes), seed, Environment::here(&command))
+}
+
+fn verdict(record: &Teeth) -> String {
+    let faults: usize = record.kinds.iter().map(|(_, count)| count).sum();
+    if record.holds {
+        let rewrites = record.rewrites.len();
+        return format!(
+            "TEETH: the gate shows all of {faults} faults, and accuses none of {rewrites} rewrites."
+        );
+    }
+    "NO TEETH: the gate misses a fault, or accuses what is right.".into()
+}
+
+fn human(record: &Teeth) -> String {
+    let mut table =
+        Table::new(&["check", "regime", "shown", "of", "pairs", "of", "accused", "of", "alarms"]).left(&[1]);
+    for row in &record.rows {
+        let counts = [
+            row.killed,
+            row.planted,
+            row.pairs_killed,
+            row.pairs,
+            row.accused,
+            row.points,
+            row.false_alarms.len(),
+        ];
+        table.row(
+            [row.check.clone(), row.regime.clone()]
+                .into_iter()
+                .chain(counts.map(|n| n.to_string()))
+                .collect(),
+        );
+    }
+    let mut text = format!(
+        "Planted faults: what each check shows\nseed {:#x}\n\n\
+         shown: faults; pairs: of faults planted at once; accused: points at which the\n\
+         closed form is accused as it is; alarms: correct rewrites accused\n\n{table}",
+        record.seed
+    );
+    for row in record.rows.iter().filter(|row| row.check == "exact" || row.check == "gate") {
+        for fault in row.survivors.iter().chain(&row.false_alarms) {
+            let _ = write!(text, "\n  {} in {}: {fault}", row.check, row.regime);
+        }
+    }
+    text
 }

@@ -15,7 +15,8 @@ use std::ops::Mul;
 /// All faults, in the order in which their terms are evaluated.
 pub fn catalogue() -> Vec<Fault> {
     let points = Point::all();
-    let labels = labels(&points);
+    let [mut labels, expanded] = labels(&points);
+    labels.extend(expanded.into_iter().filter(|label| !labels.contains(label)).collect::<Vec<_>>());
     let of_label = |&label: &Label| {
         let results = |subject: &Subject| points.each_ref().map(|point| point.results(subject));
         let mut known = vec![results(&Subject::Sound)];
@@ -49,14 +50,18 @@ pub fn with_faults(names: &[String]) -> Result<Subject, UnknownFault> {
     names.iter().map(find).collect::<Result<_, _>>().map(Subject::Faulty)
 }
 
-/// The names of all terms, in the order of their first use.
-fn labels(points: &[Point]) -> Vec<Label> {
-    let seen = Recorder::default();
+/// The names of the terms of the variations, and of the matrices, in the order of their first use; some are in both.
+pub(crate) fn terms() -> [Vec<Label>; 2] {
+    labels(&Point::all())
+}
+
+fn labels(points: &[Point]) -> [Vec<Label>; 2] {
+    let (varied, expanded) = (Recorder::default(), Recorder::default());
     for Point { at, active, frozen: [[beam, bar], _], padded: [[(jet, _), (jet_bar, _)], _], .. } in points {
-        variations_with(&&seen, beam, bar, *at, *active, &CONTACT);
-        Matrices::with(&seen, jet, jet_bar, *active).all(*at, &CONTACT);
+        variations_with(&&varied, beam, bar, *at, *active, &CONTACT);
+        Matrices::with(&expanded, jet, jet_bar, *active).all(*at, &CONTACT);
     }
-    seen.labels.into_inner()
+    [varied, expanded].map(|recorder| recorder.labels.into_inner())
 }
 
 /// Evaluates all terms as they are, and notes their names.

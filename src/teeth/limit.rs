@@ -20,8 +20,8 @@ pub struct Limit {
     pub limit: f64,
 }
 
-/// The detection limits of all terms in all regimes, the largest first.
-pub fn limits(seed: u64) -> Vec<Limit> {
+/// The detection limits of all terms in these regimes, regime by regime.
+pub fn limits(seed: u64, regimes: &[Regime]) -> Vec<Limit> {
     let mut labels: Vec<_> = catalogue().into_iter().map(|fault| fault.label).collect();
     labels.dedup();
     let of_regime = |&regime: &Regime| {
@@ -37,9 +37,7 @@ pub fn limits(seed: u64) -> Vec<Limit> {
         };
         labels.iter().map(limit).collect::<Vec<_>>()
     };
-    let mut limits: Vec<_> = Regime::ALL.par_iter().flat_map_iter(of_regime).collect();
-    limits.sort_by(|a, b| b.limit.total_cmp(&a.limit));
-    limits
+    regimes.par_iter().flat_map_iter(of_regime).collect()
 }
 
 /// The relative error at which some entry exceeds its tolerance.

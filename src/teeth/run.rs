@@ -4,13 +4,15 @@ use super::check::Check;
 use super::exact::Exact;
 use super::panel::{Sample, panel};
 use crate::check::Regime;
-use crate::subject::{Fault, Rewrite, Subject, catalogue};
+use crate::subject::{Fault, Rewrite, Subject, catalogue, terms};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 /// How many pairs of faults are planted at once, in each regime.
 const PAIRS: usize = 200;
+/// Less than that is no catalogue.
+const FAULTS: usize = 200;
 
 /// What one check does in one regime.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,14 +23,17 @@ pub struct Bite {
     pub regime: Option<Regime>,
     /// Closest points.
     pub points: usize,
-    /// Faults that it shows.
-    pub killed: usize,
+    /// Of these, those at which the closed form is accused although it is right. What the check says there counts for
+    /// nothing.
+    pub accused: usize,
+    /// Faults that were planted: those of the matrices only for a check that looks at them.
+    pub planted: usize,
     /// Faults that it does not show.
     pub survivors: Vec<Fault>,
-    /// What is right and is accused: a rewrite, or nothing for the closed form as it is.
-    pub false_alarms: Vec<Option<Rewrite>>,
-    /// Pairs of faults, planted at once, that it shows.
-    pub pairs_killed: usize,
+    /// Rewrites that it accuses although they are right.
+    pub false_alarms: Vec<Rewrite>,
+    /// Pairs of faults, planted at once.
+    pub pairs: usize,
     /// Those that it does not show.
     pub pairs_survived: Vec<[Fault; 2]>,
 }
@@ -42,17 +47,22 @@ pub struct Teeth {
     pub bites: Vec<Bite>,
 }
 
+impl Bite {
+    /// Whether it shows every fault and accuses nothing that is right.
+    pub fn is_whole(&self) -> bool {
+        self.points > 0
+            && self.accused == 0
+            && self.survivors.is_empty()
+            && self.false_alarms.is_empty()
+            && self.pairs_survived.is_empty()
+    }
+}
+
 impl Teeth {
-    /// Whether the gate and the exact check kill all faults and accuse nothing that is right.
+    /// Whether the gate and the exact check kill all faults, in every regime, and accuse nothing that is right.
     pub fn holds(&self) -> bool {
         let ours = |bite: &&Bite| matches!(bite.check, Check::Gate | Check::Exact);
-        let is_whole = |bite: &Bite| {
-            bite.points > 0
-                && bite.survivors.is_empty()
-                && bite.false_alarms.is_empty()
-                && bite.pairs_survived.is_empty()
-        };
-        self.faults.len() >= 200 && self.bites.iter().filter(ours).all(is_whole)
+        self.faults.len() >= FAULTS && self.bites.iter().filter(ours).all(Bite::is_whole)
     }
 }
 
@@ -61,58 +71,71 @@ impl Teeth {
 /// The result depends on the seed and the regimes, not on the number of threads.
 pub fn teeth(seed: u64, regimes: &[Regime]) -> Teeth {
     let faults = catalogue();
-    let pairs = pairs(seed, &faults);
+    let [varied, _] = terms();
+    let all = Planted::new(seed, faults.clone());
+    let of_variations =
+        Planted::new(seed, faults.iter().copied().filter(|fault| varied.contains(&fault.label)).collect());
     let exact = Exact::new();
-    let mut bites = vec![bite(&faults, &pairs, Check::Exact, None, 4, |subject| exact.accuses(subject))];
+    let mut bites = vec![all.bite(Check::Exact, None, &[()], |subject, ()| exact.accuses(subject))];
     for &regime in regimes {
         let points = panel(seed, regime);
         let samples: Vec<_> = points.iter().filter_map(|(case, point)| Sample::new(case, point)).collect();
         for check in Check::ALL.into_iter().filter(|&check| check != Check::Exact) {
-            let accuses = |subject: &Subject| samples.iter().any(|sample| check.accuses(subject, sample));
-            bites.push(bite(&faults, &pairs, check, Some(regime), samples.len(), accuses));
+            let planted = if check == Check::Gate { &all } else { &of_variations };
+            bites.push(
+                planted.bite(check, Some(regime), &samples, |subject, sample| check.accuses(subject, sample)),
+            );
         }
     }
     bites.sort_by_key(|bite| (bite.check, bite.regime));
     Teeth { faults, bites }
 }
 
-fn bite(
-    faults: &[Fault],
-    pairs: &[[Fault; 2]],
-    check: Check,
-    regime: Option<Regime>,
-    points: usize,
-    accuses: impl Fn(&Subject) -> bool + Sync,
-) -> Bite {
-    let survives = |faults: Vec<Fault>| !accuses(&Subject::Faulty(faults));
-    let survivors: Vec<_> = faults.par_iter().copied().filter(|&fault| survives(vec![fault])).collect();
-    let pairs_survived: Vec<_> = pairs.par_iter().copied().filter(|pair| survives(pair.to_vec())).collect();
-    let right = [None].into_iter().chain(Rewrite::ALL.map(Some)).collect::<Vec<_>>();
-    let false_alarms = right
-        .into_par_iter()
-        .filter(|right| accuses(&right.map_or(Subject::Sound, Subject::Rewritten)))
-        .collect();
-    Bite {
-        check,
-        regime,
-        points,
-        killed: faults.len() - survivors.len(),
-        survivors,
-        false_alarms,
-        pairs_killed: pairs.len() - pairs_survived.len(),
-        pairs_survived,
-    }
+/// Faults, and pairs of them.
+struct Planted {
+    faults: Vec<Fault>,
+    pairs: Vec<[Fault; 2]>,
 }
 
-/// Pairs of faults of two terms, at random.
-fn pairs(seed: u64, faults: &[Fault]) -> Vec<[Fault; 2]> {
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    let mut pairs = Vec::with_capacity(PAIRS);
-    while pairs.len() < PAIRS && faults.len() > 1 {
-        let pair = [0, 1].map(|_| faults[rng.random_range(0..faults.len())]);
-        if pair[0].label != pair[1].label {
-            pairs.push(pair);
+impl Planted {
+    /// With pairs of faults of two terms, at random.
+    fn new(seed: u64, faults: Vec<Fault>) -> Self {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut pairs = Vec::with_capacity(PAIRS);
+        while pairs.len() < PAIRS && faults.len() > 1 {
+            let pair = [0, 1].map(|_| faults[rng.random_range(0..faults.len())]);
+            if pair[0].label != pair[1].label {
+                pairs.push(pair);
+            }
+        }
+        Self { faults, pairs }
+    }
+
+    fn bite<S: Sync>(
+        &self,
+        check: Check,
+        regime: Option<Regime>,
+        samples: &[S],
+        accuses: impl Fn(&Subject, &S) -> bool + Sync,
+    ) -> Bite {
+        let is_fair = |sample: &&S| !accuses(&Subject::Sound, sample);
+        let fair: Vec<_> = samples.iter().filter(is_fair).collect();
+        let survives = |faults: &[Fault]| {
+            let subject = Subject::Faulty(faults.to_vec());
+            !fair.iter().any(|sample| accuses(&subject, sample))
+        };
+        let is_accused =
+            |&rewrite: &Rewrite| samples.iter().any(|sample| accuses(&Subject::Rewritten(rewrite), sample));
+        Bite {
+            check,
+            regime,
+            points: samples.len(),
+            accused: samples.len() - fair.len(),
+            planted: self.faults.len(),
+            survivors: self.faults.par_iter().copied().filter(|&fault| survives(&[fault])).collect(),
+            false_alarms: Rewrite::ALL.into_par_iter().filter(is_accused).collect(),
+            pairs: self.pairs.len(),
+            pairs_survived: self.pairs.par_iter().copied().filter(|pair| survives(pair)).collect(),
         }
     }
-    pairs
 }

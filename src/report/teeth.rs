@@ -1,0 +1,137 @@
+//! The record of planted faults, `beamgap-teeth/1`.
+
+use super::number::{finite, rounded};
+use super::{Environment, ReportError};
+use crate::check::Regime;
+use crate::subject::{Kind, Rewrite};
+use crate::teeth::{self, Bite, Check, Limit};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+const SCHEMA: &str = "beamgap-teeth/1";
+
+/// What the checks made of planted faults.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Teeth {
+    /// `beamgap-teeth/1`.
+    pub schema: String,
+    /// Where and with what it ran.
+    pub environment: Environment,
+    /// The seed of the cases and of the pairs of faults.
+    pub seed: u64,
+    /// Whether the gate and the exact check show every fault and accuse nothing that is right.
+    pub holds: bool,
+    /// How many faults there are of each kind.
+    pub kinds: Vec<(String, usize)>,
+    /// What is written another way, and is right.
+    pub rewrites: Vec<String>,
+    /// The checks, in words.
+    pub checks: Vec<(String, String)>,
+    /// What each does in each regime.
+    pub rows: Vec<BiteRow>,
+    /// The regimes of `limits`.
+    pub regimes: Vec<String>,
+    /// The detection limits of each term, in the order of `regimes`; null where nothing moves.
+    pub limits: Vec<(String, Vec<Option<f64>>)>,
+}
+
+/// What one check does in one regime.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct BiteRow {
+    /// The check.
+    pub check: String,
+    /// The regime, or `-`.
+    pub regime: String,
+    /// Closest points.
+    pub points: usize,
+    /// Of these, those at which what is right is accused.
+    pub accused: usize,
+    /// Faults planted.
+    pub planted: usize,
+    /// Faults shown.
+    pub killed: usize,
+    /// Rewrites accused.
+    pub false_alarms: Vec<String>,
+    /// Pairs of faults planted.
+    pub pairs: usize,
+    /// Pairs of faults shown.
+    pub pairs_killed: usize,
+    /// Faults not shown; only counted but in the regime in which the check misses least.
+    pub survivors: Vec<String>,
+}
+
+impl Teeth {
+    /// The record of a run.
+    pub fn new(found: &teeth::Teeth, limits: &[Limit], seed: u64, environment: Environment) -> Self {
+        let count = |kind: Kind| found.faults.iter().filter(|fault| fault.kind == kind).count();
+        let mut regimes: Vec<&str> = Vec::new();
+        let mut terms: BTreeMap<String, Vec<Option<f64>>> = BTreeMap::new();
+        for &Limit { regime, label, limit } in limits {
+            if !regimes.contains(&regime.name()) {
+                regimes.push(regime.name());
+            }
+            terms.entry(label.to_string()).or_default().push(finite(limit).map(|limit| rounded(limit, 2)));
+        }
+        Self {
+            schema: SCHEMA.to_owned(),
+            environment,
+            seed,
+            holds: found.holds(),
+            kinds: Kind::ALL.map(|kind| (kind.name().to_owned(), count(kind))).to_vec(),
+            rewrites: Rewrite::ALL.map(|rewrite| rewrite.name().to_owned()).to_vec(),
+            checks: Check::ALL.map(|check| (check.name().to_owned(), check.what().to_owned())).to_vec(),
+            rows: found.bites.iter().map(|bite| BiteRow::new(bite, is_best(bite, &found.bites))).collect(),
+            regimes: regimes.into_iter().map(ToOwned::to_owned).collect(),
+            limits: terms.into_iter().collect(),
+        }
+    }
+
+    /// The record as JSON.
+    ///
+    /// # Errors
+    /// [`ReportError::Format`].
+    pub fn to_json(&self) -> Result<String, ReportError> {
+        Ok(serde_json::to_string_pretty(self).map_err(format)? + "\n")
+    }
+
+    /// The record from JSON.
+    ///
+    /// # Errors
+    /// [`ReportError::Format`], or [`ReportError::Schema`] if it is of another kind or version.
+    pub fn from_json(json: &str) -> Result<Self, ReportError> {
+        let record: Self = serde_json::from_str(json).map_err(format)?;
+        if record.schema == SCHEMA {
+            Ok(record)
+        } else {
+            Err(ReportError::Schema { found: record.schema, expected: SCHEMA })
+        }
+    }
+}
+
+/// Whether the check misses fewer faults elsewhere in no regime, and as few in no earlier one.
+fn is_best(bite: &Bite, all: &[Bite]) -> bool {
+    let of_check = all.iter().filter(|other| other.check == bite.check);
+    of_check.min_by_key(|other| (other.survivors.len(), other.regime)) == Some(bite)
+}
+
+impl BiteRow {
+    fn new(bite: &Bite, with_survivors: bool) -> Self {
+        let survivors = if with_survivors { bite.survivors.as_slice() } else { &[] };
+        Self {
+            check: bite.check.name().to_owned(),
+            regime: bite.regime.map_or("-", Regime::name).to_owned(),
+            points: bite.points,
+            accused: bite.accused,
+            planted: bite.planted,
+            killed: bite.planted - bite.survivors.len(),
+            false_alarms: bite.false_alarms.iter().map(|rewrite| rewrite.name().to_owned()).collect(),
+            pairs: bite.pairs,
+            pairs_killed: bite.pairs - bite.pairs_survived.len(),
+            survivors: survivors.iter().map(ToString::to_string).collect(),
+        }
+    }
+}
+
+fn format(source: serde_json::Error) -> ReportError {
+    ReportError::Format { what: SCHEMA.to_owned(), source }
+}

@@ -1,0 +1,117 @@
+//! What the checks made of planted faults, as Markdown, from the record alone.
+
+use super::number::error;
+use super::teeth::Teeth;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+impl Teeth {
+    /// The page; the same record always makes the same page.
+    pub fn to_markdown(&self) -> String {
+        let faults: usize = self.kinds.iter().map(|(_, count)| count).sum();
+        let verdict = if self.holds { "shows every one" } else { "DOES NOT SHOW EVERY ONE" };
+        let mut page = format!(
+            "# Teeth\n\nA check that was never seen to fail proves nothing. Every term of the closed form was made wrong \
+             in every way that makes a difference: {faults} faults, each planted in the library's own code. The gate \
+             **{verdict}**, in every regime, and accuses none of {} correct rewrites of the formulas.\n\n",
+            self.rewrites.len()
+        );
+        page.push_str("| kind of fault | faults |\n|---|---:|\n");
+        for (kind, count) in &self.kinds {
+            let _ = writeln!(page, "| {kind} | {count} |");
+        }
+        page.push_str("\n## What each check shows\n\n| check | what it does |\n|---|---|\n");
+        for (check, what) in &self.checks {
+            let _ = writeln!(page, "| {check} | {what} |");
+        }
+        page.push_str(
+            "\nFaults shown of faults planted, at the same closest points for all. What a check says at a point where it \
+             accuses the closed form as it is (wrongly: *accused*) counts for nothing; *false alarms* are correct \
+             rewrites accused anywhere. The checks other than the first two look at the variations, so faults of the \
+             matrices alone were not planted for them.\n\n\
+             | check | regime | faults shown | pairs of faults | points accused | false alarms |\n\
+             |---|---|---:|---:|---:|---:|\n",
+        );
+        for row in &self.rows {
+            let _ = writeln!(
+                page,
+                "| {} | {} | {} of {} | {} of {} | {} of {} | {} of {} |",
+                row.check,
+                row.regime,
+                row.killed,
+                row.planted,
+                row.pairs_killed,
+                row.pairs,
+                row.accused,
+                row.points,
+                row.false_alarms.len(),
+                self.rewrites.len()
+            );
+        }
+        page.push_str(&self.missed());
+        page.push_str(&self.detection_limits());
+        let _ = write!(
+            page,
+            "\n## How it was made\n\n{}| seed | {:#x} |\n\nAll faults that survived, and the limits of all terms, are in \
+             `teeth.json`, from which alone this page is made. `beamgap teeth --list` names the faults, and \
+             `beamgap check --plant NAME` plants one.\n",
+            self.environment.rows(),
+            self.seed
+        );
+        page
+    }
+
+    /// What other checks would have missed, in the regime that suits them best.
+    fn missed(&self) -> String {
+        let mut text = String::from(
+            "\n## What the others miss\n\nIn the regime in which each misses least, the formulas of the faults that it \
+             does not show.\n\n| check | regime | missed | of the formulas |\n|---|---|---:|---|\n",
+        );
+        for row in self.rows.iter().filter(|row| !row.survivors.is_empty()) {
+            let mut formulas: BTreeMap<&str, usize> = BTreeMap::new();
+            for fault in &row.survivors {
+                *formulas.entry(fault.split(':').next().unwrap_or(fault)).or_default() += 1;
+            }
+            let mut formulas: Vec<_> = formulas.into_iter().collect();
+            formulas.sort_by_key(|&(name, count)| (usize::MAX - count, name));
+            let listed: Vec<_> = formulas
+                .iter()
+                .map(|(name, count)| format!("{} ({count})", name.replace('|', "\\|")))
+                .collect();
+            let _ = writeln!(
+                text,
+                "| {} | {} | {} of {} | {} |",
+                row.check,
+                row.regime,
+                row.survivors.len(),
+                row.planted,
+                listed.join(", ")
+            );
+        }
+        text
+    }
+
+    fn detection_limits(&self) -> String {
+        let mut text = String::from(
+            "\n## Detection limits of the gate\n\nThe smallest relative error of a term that exceeds a tolerance, at the \
+             point that shows it best.\n\n| regime | median of all terms | largest | of the term |\n|---|---:|---:|---|\n",
+        );
+        for (i, regime) in self.regimes.iter().enumerate() {
+            let mut limits: Vec<(f64, &str)> = self
+                .limits
+                .iter()
+                .filter_map(|(term, limits)| Some(((*limits.get(i)?)?, term.as_str())))
+                .collect();
+            limits.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let (Some(middle), Some(last)) = (limits.get(limits.len() / 2), limits.last()) else { continue };
+            let _ = writeln!(
+                text,
+                "| {regime} | {} | {} | {} |",
+                error(Some(middle.0)),
+                error(Some(last.0)),
+                last.1.replace('|', "\\|")
+            );
+        }
+        text
+    }
+}
