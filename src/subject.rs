@@ -29,7 +29,7 @@ use crate::pair::{Contact, DofVector};
 use crate::specimen::PaddedBeam;
 
 /// How far the parameters of a stale point lag behind.
-const LAG: f64 = 0.0078125;
+const LAG: f64 = 1.0 / 128.0;
 
 /// The number of scalar quantities that the matrices are made for.
 pub(crate) const SCALARS: usize = 7;

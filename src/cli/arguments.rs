@@ -2,8 +2,10 @@
 
 use anyhow::Context;
 use beamgap::check::{Family, Regime};
+use beamgap::subject::{Subject, with_faults};
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::error::ErrorKind;
 
 /// For whom a result is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -40,4 +42,19 @@ pub(super) fn families() -> impl TypedValueParser<Value = Family> {
 pub(super) fn regimes() -> impl TypedValueParser<Value = Regime> {
     PossibleValuesParser::new(Regime::ALL.map(Regime::name))
         .try_map(|name| Regime::from_name(&name).ok_or("no such regime"))
+}
+
+/// The closed form with these faults planted.
+pub(super) fn subject(plant: &[String]) -> anyhow::Result<Subject> {
+    with_faults(plant).map_err(|unknown| clap::Error::raw(ErrorKind::InvalidValue, unknown).into())
+}
+
+/// The options that plant these faults again.
+pub(super) fn planting(plant: &[String]) -> String {
+    plant.iter().flat_map(|fault| [" --plant '", fault, "'"]).collect()
+}
+
+/// A line for each planted fault.
+pub(super) fn planted(plant: &[String]) -> String {
+    plant.iter().flat_map(|fault| ["planted: ", fault, "\n"]).collect()
 }

@@ -1,6 +1,6 @@
 //! `beamgap check`: random pairs of beams through both linearizations.
 
-use super::arguments::{Format, families, regimes, seed, work_with};
+use super::arguments::{Format, families, regimes, seed, subject, work_with};
 use super::exit::Exit;
 use super::output::Output;
 use super::{case, case_file, human, json};
@@ -8,7 +8,6 @@ use beamgap::check::{
     Arbitration, Case, Compared, Family, Oracles, Regime, Selection, Shrunk, Summary, Trial,
     Verdict as Found, Written, run, shrink_mismatches,
 };
-use beamgap::subject::with_faults;
 use clap::{Args, ValueEnum, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -73,6 +72,7 @@ pub(super) const SHOWN: usize = 5;
 
 /// What was asked, and what was found.
 pub(super) struct Checked {
+    pub(super) plant: Vec<String>,
     pub(super) seed: u64,
     pub(super) selection: Selection,
     pub(super) summary: Summary,
@@ -101,7 +101,7 @@ impl Check {
             Oracle::Ad => Oracles::Ad,
             Oracle::All => Oracles::All,
         };
-        let points = case.compare(&Trial { subject: with_faults(&self.plant)?, oracles })?;
+        let points = case.compare(&Trial { subject: subject(&self.plant)?, oracles })?;
         let verdict = verdict_on(&points);
         let shown = case::Shown { case, drawn, points: &points, verdict: &verdict };
         let document = match self.format {
@@ -119,11 +119,11 @@ impl Check {
             Oracle::Ad => Oracles::Ad,
             Oracle::All => Oracles::Sample,
         };
-        let trial = Trial { subject: with_faults(&self.plant)?, oracles };
+        let trial = Trial { subject: subject(&self.plant)?, oracles };
         let summary = with_progress(&trial, self.seed, &selection);
         let verdict = verdict(&summary);
         let shrunk = shrink_mismatches(&trial.subject, self.seed, &summary, SHOWN);
-        let checked = Checked { seed: self.seed, selection, summary, shrunk };
+        let checked = Checked { plant: self.plant.clone(), seed: self.seed, selection, summary, shrunk };
         let document = match self.format {
             Format::Human => human::document(&checked, &verdict),
             Format::Json => json::document(&checked, &verdict)?,

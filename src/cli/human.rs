@@ -1,5 +1,6 @@
 //! A run as tables for people, 80 columns wide.
 
+use super::arguments::{planted, planting};
 use super::case_file;
 use super::check::{Checked, SHOWN, Verdict};
 use super::table::Table;
@@ -32,7 +33,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     text + "\n" + &verdict.words + "\n"
 }
 
-fn title(Checked { seed, selection, .. }: &Checked) -> String {
+fn title(Checked { plant, seed, selection, .. }: &Checked) -> String {
     let family =
         selection.family.map_or_else(|| "all families".into(), |family| format!("family {}", family.name()));
     let regimes = match selection.regimes.as_slice() {
@@ -41,10 +42,11 @@ fn title(Checked { seed, selection, .. }: &Checked) -> String {
     };
     format!(
         "Contact geometry of two beams: closed form against automatic differentiation\n\
-         seed {seed:#x}, {regimes}, {} cases each, {family}\n\n\
+         seed {seed:#x}, {regimes}, {} cases each, {family}\n{}\n\
          first: delta and Delta; second: Delta-delta; symmetry: second, with the\n\
          directions exchanged; matrix: gradient and Hessian times the directions\n",
-        selection.cases
+        selection.cases,
+        planted(plant)
     )
 }
 
@@ -139,7 +141,8 @@ fn mismatches(checked: &Checked) -> String {
         if let Some(who) = checked.summary.arbitrations.get(&number) {
             let _ = writeln!(text, "    by differences in double-double: {}", who.words());
         }
-        let _ = writeln!(text, "    repeat with: {}", repeat(checked.seed, number));
+        let _ =
+            writeln!(text, "    repeat with: {}", repeat(checked.seed, number) + &planting(&checked.plant));
     }
     match all.len().saturating_sub(SHOWN) {
         0 => {}
@@ -158,7 +161,7 @@ fn shrunk(checked: &Checked) -> String {
             name(entry),
             entry.order.name(),
             test_source(case, finding.minimum, entry),
-            case_file::command(case)
+            case_file::command(case) + &planting(&checked.plant)
         )
     });
     each.collect()
@@ -218,7 +221,10 @@ mod tests {
     fn shown(summary: Summary) -> (Exit, String) {
         let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1_000_000 };
         let verdict = verdict(&summary);
-        let text = document(&Checked { seed: u64::MAX, selection, summary, shrunk: Vec::new() }, &verdict);
+        let text = document(
+            &Checked { plant: Vec::new(), seed: u64::MAX, selection, summary, shrunk: Vec::new() },
+            &verdict,
+        );
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
         (verdict.exit, text)
     }
@@ -286,7 +292,8 @@ mod tests {
         let finding = Finding::of(&vec![(point, Verdict::Mismatch(entries))]).unwrap();
         let shrunk = vec![Shrunk { number: 17, finding, case }];
         let (seed, selection) = (1, Selection { regimes: Vec::new(), family: None, cases: 1 });
-        let checked = Checked { seed, selection, summary: Summary::default(), shrunk };
+        let plant = Vec::new();
+        let checked = Checked { plant, seed, selection, summary: Summary::default(), shrunk };
         let text = document(&checked, &verdict(&checked.summary));
         assert!(
             text.contains("\n// From case 17: Delta of xi (first) is the first wrong number.\n#[test]\n"),

@@ -2,6 +2,7 @@
 //!
 //! Names and meanings stay; entries may be added. Errors have two digits; what is infinite or not a number is null.
 
+use super::arguments::planting;
 use super::case_file;
 use super::check::{Checked, Verdict};
 use super::human::repeat;
@@ -11,7 +12,7 @@ use serde_json::{Value, json};
 
 /// All that is to be said about a run.
 pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<String> {
-    let Checked { seed, selection, summary, .. } = checked;
+    let Checked { plant, seed, selection, summary, .. } = checked;
     let quantities = summary.cells.iter().map(|((quantity, order), cell)| {
         with(json!({ "quantity": quantity.name(), "order": order.name() }), worst(cell))
     });
@@ -24,7 +25,8 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
         .map(|((beam, bar), count)| json!({ "beam": beam.name(), "bar": bar.name(), "compared": count }));
     let mismatches = summary.mismatches.iter().map(|(&number, entry)| {
         let who = summary.arbitrations.get(&number).map(|who| who.name());
-        let case = json!({ "case": number, "repeat": repeat(*seed, number), "arbitration": who });
+        let case =
+            json!({ "case": number, "repeat": repeat(*seed, number) + &planting(plant), "arbitration": who });
         with(case, compared(entry))
     });
     let shrunk = checked.shrunk.iter().map(|Shrunk { number, case, finding }| {
@@ -33,7 +35,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
             "case": number,
             "minimum": minimum,
             "test": test_source(case, minimum, &finding.entry),
-            "repeat": case_file::command(case),
+            "repeat": case_file::command(case) + &planting(plant),
             "shrunk": case_file::object(case),
         });
         with(found, compared(&finding.entry))
@@ -42,6 +44,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
         "schema": "beamgap-check/1",
         "version": env!("CARGO_PKG_VERSION"),
         "seed": format!("{seed:#x}"),
+        "planted": plant,
         "selection": {
             "regimes": selection.regimes.iter().map(|regime| regime.name()).collect::<Vec<_>>(),
             "family": selection.family.map(beamgap::check::Family::name),

@@ -1,5 +1,6 @@
 //! A proof as tables for people, and as one document for programs.
 
+use super::arguments::{planted, planting};
 use super::json;
 use super::prove::Proved;
 use super::table::Table;
@@ -23,14 +24,15 @@ pub(super) fn verdict(proof: &Proof) -> String {
 
 /// The proof for people, 80 columns wide.
 pub(super) fn human(proved: &Proved) -> String {
-    let Proved { seed, draws, proof, .. } = proved;
+    let Proved { plant, seed, draws, proof, .. } = proved;
     let mut text = format!(
         "Contact geometry of two beams: closed form against automatic differentiation,\n\
          over the field of 2^61 - 1 elements, compared by ==\n\
-         seed {seed:#x}, {} ordered pairs of families, {draws} draws each\n\n\
+         seed {seed:#x}, {} ordered pairs of families, {draws} draws each\n{}\n\
          The chance that a wrong formula passes one draw is at most 10^bound, from the\n\
          degree of the two sides (Schwartz and Zippel); independent draws multiply.\n\n",
-        proof.pairs
+        proof.pairs,
+        planted(plant)
     );
     let mut table = Table::new(&["quantity", "layer", "equal", "unequal", "degree <", "bound"]).left(&[1]);
     for row in &proof.rows {
@@ -49,7 +51,7 @@ pub(super) fn human(proved: &Proved) -> String {
         let _ = write!(text, "\n{}", in_full(first));
     }
     for draw in proof.refutations.iter().take(SHOWN) {
-        let _ = write!(text, "\n{}", told(*seed, draw));
+        let _ = write!(text, "\n{}", told(&repeat(*seed, draw, plant), draw));
     }
     match proof.refutations.len().saturating_sub(SHOWN) {
         0 => {}
@@ -90,7 +92,7 @@ fn in_full(draw: &Draw) -> String {
 }
 
 /// The first inequality of a draw and the command that shows it again.
-fn told(seed: u64, draw: &Draw) -> String {
+fn told(repeat: &str, draw: &Draw) -> String {
     let Draw { families: [one, other], number, active, .. } = draw;
     let Some(first) = draw.unequal().next() else { return String::new() };
     let matrix = if first.layer == Layer::Matrix { "contracted matrix, " } else { "" };
@@ -109,17 +111,17 @@ fn told(seed: u64, draw: &Draw) -> String {
         draw.entries.len(),
         first.part,
         name(first),
-        repeat(seed, draw)
+        repeat
     )
 }
 
 /// The command that shows a draw again.
-fn repeat(seed: u64, Draw { families: [one, other], number, .. }: &Draw) -> String {
+fn repeat(seed: u64, Draw { families: [one, other], number, .. }: &Draw, plant: &[String]) -> String {
     let mut families = format!("--family {}", one.name());
     if one != other {
         let _ = write!(families, " --family {}", other.name());
     }
-    format!("beamgap prove --seed {seed:#x} --draws {} {families}", number + 1)
+    format!("beamgap prove --seed {seed:#x} --draws {} {families}{}", number + 1, planting(plant))
 }
 
 /// The quantity with its component.
@@ -138,7 +140,7 @@ fn ratio(entry: &Entry<Residue>) -> Option<String> {
 
 /// The proof for programs, of the schema `beamgap-prove/1`; residues are strings, as not all readers hold 61 bits.
 pub(super) fn json(proved: &Proved) -> anyhow::Result<String> {
-    let Proved { seed, families, draws, proof } = proved;
+    let Proved { plant, seed, families, draws, proof } = proved;
     let rows = proof.rows.iter().map(|row| {
         json!({
             "quantity": row.quantity.name(),
@@ -153,17 +155,18 @@ pub(super) fn json(proved: &Proved) -> anyhow::Result<String> {
         "schema": "beamgap-prove/1",
         "version": env!("CARGO_PKG_VERSION"),
         "seed": format!("{seed:#x}"),
+        "planted": plant,
         "prime": Residue::PRIME.to_string(),
         "families": families.iter().map(|family| family.name()).collect::<Vec<_>>(),
         "draws": draws,
         "pairs": proof.pairs,
         "verdict": if proof.holds() { "proved" } else { "refuted" },
         "rows": rows.collect::<Vec<_>>(),
-        "refutations": proof.refutations.iter().map(|draw| refuted(*seed, draw)).collect::<Vec<_>>(),
+        "refutations": proof.refutations.iter().map(|draw| refuted(&repeat(*seed, draw, plant), draw)).collect::<Vec<_>>(),
     }))
 }
 
-fn refuted(seed: u64, draw: &Draw) -> Value {
+fn refuted(repeat: &str, draw: &Draw) -> Value {
     let entries = draw.entries.iter().map(|entry| {
         json!({
             "quantity": entry.quantity().name(),
@@ -181,7 +184,7 @@ fn refuted(seed: u64, draw: &Draw) -> Value {
         "bar": draw.families[1].name(),
         "draw": draw.number,
         "held": { "xi": draw.active.xi, "xi_bar": draw.active.xi_bar },
-        "repeat": repeat(seed, draw),
+        "repeat": repeat,
         "entries": entries.collect::<Vec<_>>(),
     })
 }
@@ -212,7 +215,7 @@ mod tests {
             }
         }
         proof.refutations.push(draw);
-        Proved { seed: 1, families, draws: 2, proof }
+        Proved { plant: Vec::new(), seed: 1, families, draws: 2, proof }
     }
 
     #[test]

@@ -1,12 +1,11 @@
 //! `beamgap prove`: both linearizations over a prime field, compared without a tolerance.
 
-use super::arguments::{Format, families, seed, work_with};
+use super::arguments::{Format, families, seed, subject, work_with};
 use super::exit::Exit;
 use super::output::Output;
 use super::proof;
 use beamgap::prove::{Proof, prove};
 use beamgap::specimen::Family;
-use beamgap::subject::with_faults;
 use clap::{Args, value_parser};
 use std::io::Write;
 use std::path::PathBuf;
@@ -43,6 +42,7 @@ pub(crate) struct Prove {
 
 /// What was asked, and what was found.
 pub(super) struct Proved {
+    pub(super) plant: Vec<String>,
     pub(super) seed: u64,
     pub(super) families: Vec<Family>,
     pub(super) draws: u64,
@@ -57,11 +57,11 @@ impl Prove {
         let named = |family: &Family| self.family.is_empty() || self.family.contains(family);
         let families: Vec<_> = Family::ALL.into_iter().filter(named).collect();
         let start = Instant::now();
-        let proof = prove(&with_faults(&self.plant)?, self.seed, &families, self.draws);
+        let proof = prove(&subject(&self.plant)?, self.seed, &families, self.draws);
         let draws = proof.pairs as u64 * self.draws;
         // A closed stderr is no reason to lose the result.
         let _ = writeln!(std::io::stderr(), "{draws} draws in {:.1} s", start.elapsed().as_secs_f64());
-        let proved = Proved { seed: self.seed, families, draws: self.draws, proof };
+        let proved = Proved { plant: self.plant, seed: self.seed, families, draws: self.draws, proof };
         let document = match self.format {
             Format::Human => proof::human(&proved),
             Format::Json => proof::json(&proved)?,

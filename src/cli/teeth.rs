@@ -46,8 +46,8 @@ impl Bites {
         let output = Output::open(self.output.as_deref())?;
         work_with(self.threads)?;
         if self.list {
-            let names: String = catalogue().iter().map(|fault| format!("{fault}\n")).collect();
-            output.write(&names, "")?;
+            let names: Vec<_> = catalogue().iter().map(ToString::to_string).collect();
+            output.write(&(names.join("\n") + "\n"), "")?;
             return Ok(Exit::Agree);
         }
         let record = record(self.seed, &self.regime);

@@ -18,7 +18,8 @@ pub fn catalogue() -> Vec<Fault> {
     let [mut labels, expanded] = labels(&points);
     labels.extend(expanded.into_iter().filter(|label| !labels.contains(label)).collect::<Vec<_>>());
     let of_label = |&label: &Label| {
-        let results = |subject: &Subject| points.each_ref().map(|point| point.results(subject));
+        let results =
+            |subject: &Subject| points.iter().map(|point| point.results(subject)).collect::<Vec<_>>();
         let mut known = vec![results(&Subject::Sound)];
         let mut faults = Vec::new();
         for kind in Kind::ALL {

@@ -67,7 +67,9 @@ pub(crate) fn by_invariance<T: Real>(
         Rewrite::Moved => {
             let by = beam.geometry.x * T::from(0.5);
             let mut both = [*beam, *bar];
-            both.iter_mut().for_each(|frozen| frozen.geometry.x += by);
+            for frozen in &mut both {
+                frozen.geometry.x += by;
+            }
             let other = of(both[0], both[1]);
             let back = |x: Vector3<Varied<T>>| x.zip_map(&by, |x, by| Varied { value: x.value - by, ..x });
             Quantities { x: back(other.x), x_bar: back(other.x_bar), ..other }

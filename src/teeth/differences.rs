@@ -85,7 +85,7 @@ impl Steps {
                 let moved = specimen.q.iter().zip(by).map(|(q, by)| q + step / units[direction] * by);
                 Specimen { q: moved.collect(), ..specimen.clone() }
             };
-            solved(&specimens.each_ref().map(|specimen| along(specimen)), point)
+            solved(&specimens.each_ref().map(along), point)
         };
         let twice = specimens
             .each_ref()
@@ -150,14 +150,14 @@ impl<'a> Differences<'a> {
         let width = STEPS[ahead] - STEPS[behind];
         let [along, linear] = &self.sample.steps.moved;
         let pair = |of: &[Moved; STEPS.len()]| Some([self.at(&of[ahead])?, self.at(&of[behind])?]);
-        self.all_near(pair(along)?, pair(linear)?, width, near)
+        Some(self.all_near(pair(along)?, pair(linear)?, width, near))
     }
 
     fn passes_forward(&self, near: impl Fn(f64, f64) -> bool) -> Option<bool> {
         let [along, linear] = &self.sample.steps.moved;
         let last = STEPS.len() - 1;
         let pair = |of: &[Moved; STEPS.len()]| Some([self.at(&of[last])?, self.here]);
-        self.all_near(pair(along)?, pair(linear)?, STEPS[last], near)
+        Some(self.all_near(pair(along)?, pair(linear)?, STEPS[last], near))
     }
 
     /// First derivatives along both directions, and delta along Delta q.
@@ -167,14 +167,14 @@ impl<'a> Differences<'a> {
         [z, w]: [[Varied<f64>; COMPONENTS]; 2],
         width: f64,
         near: impl Fn(f64, f64) -> bool,
-    ) -> Option<bool> {
+    ) -> bool {
         let [unit, linear_unit] = self.sample.steps.units;
-        Some((0..COMPONENTS).all(|i| {
+        (0..COMPONENTS).all(|i| {
             let here = &self.here[i];
             near(here.delta / unit, (x[i].value - y[i].value) / width)
                 && near(here.linear / linear_unit, (z[i].value - w[i].value) / width)
                 && near(here.second / (unit * linear_unit), (z[i].delta - w[i].delta) / (unit * width))
-        }))
+        })
     }
 
     /// The remainders of the expansion along delta q fall with the square, and with the cube, of the step.

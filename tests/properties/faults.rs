@@ -1,21 +1,145 @@
-//! The catalogue of planted faults.
+//! Planted faults: the checks turn red for each of them, and for nothing else.
 
-use beamgap::subject::{Kind, catalogue};
-use std::collections::BTreeMap;
+use crate::command_line::{json, run, stdout};
+use beamgap::check::Regime;
+use beamgap::prove::Draw;
+use beamgap::report::{BiteRow, Environment, Teeth};
+use beamgap::specimen::Family;
+use beamgap::subject::{Fault, Kind, Subject, catalogue};
+use beamgap::teeth::{Check, limits, teeth};
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+fn committed() -> Teeth {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/teeth.json");
+    Teeth::from_json(&fs::read_to_string(path).unwrap()).unwrap()
+}
 
 #[test]
-fn the_catalogue_has_every_kind_of_fault() {
+fn the_catalogue_has_every_kind_of_fault_of_every_formula() {
     let faults = catalogue();
+    assert!(faults.len() >= 200, "{} faults", faults.len());
+    let names: BTreeSet<String> = faults.iter().map(ToString::to_string).collect();
+    assert_eq!(names.len(), faults.len(), "two faults have one name");
     let mut kinds = BTreeMap::<_, usize>::new();
     for fault in &faults {
         *kinds.entry(fault.kind).or_default() += 1;
     }
-    println!("{} {kinds:?}", faults.len());
-    for f in &faults {
-        println!("{f}");
+    assert_eq!(kinds.len(), Kind::ALL.len(), "{kinds:?}");
+    // A term that is missing is wrong, whichever it is, but for the root of a square that is none.
+    let terms: BTreeSet<_> = faults.iter().map(|fault| fault.label).collect();
+    assert_eq!(kinds[&Kind::Dropped], terms.len());
+    let formulas: BTreeSet<_> = terms.iter().map(|label| label.name.split(':').next().unwrap()).collect();
+    for formula in
+        ["a", "a_bar", "b", "D", "R", "R_bar", "R2", "xi", "Dd x", "Dd t", "Dd|d|", "Ddg_T", "H_d", "C"]
+    {
+        assert!(formulas.contains(formula), "{formulas:?}");
     }
-    assert!(faults.len() >= 200, "{} faults", faults.len());
-    for kind in Kind::ALL {
-        assert!(kinds.contains_key(&kind), "{kind:?}");
+}
+
+/// At a draw inside both beams, or at an end of either.
+#[test]
+fn the_proof_is_red_for_every_fault() {
+    let pairs = [[Family::NurbsWeighted, Family::Helix], [Family::Arc, Family::NurbsWeighted]];
+    let is_refuted = |subject: &Subject| {
+        let mut draws = pairs.iter().flat_map(|&families| [0, 5, 6].map(|number| (families, number)));
+        draws.any(|(families, number)| Draw::new(subject, 3, families, number).unequal().next().is_some())
+    };
+    assert!(!is_refuted(&Subject::Sound));
+    let faults = catalogue();
+    let survivors: Vec<&Fault> =
+        faults.par_iter().filter(|&&fault| !is_refuted(&Subject::Faulty(vec![fault]))).collect();
+    assert!(survivors.is_empty(), "{survivors:?}");
+}
+
+#[test]
+fn the_committed_teeth_are_what_a_run_finds_now() {
+    let committed = committed();
+    assert!(committed.holds);
+    let regimes = [Regime::NearlyStraight, Regime::NearlyCrossing];
+    let found = teeth(committed.seed, &regimes);
+    assert!(found.holds());
+    let limits = limits(committed.seed, &regimes);
+    let found = Teeth::new(&found, &limits, committed.seed, Environment::here("by hand"));
+    assert_eq!(found.kinds, committed.kinds);
+    let counts = |row: &BiteRow| {
+        let BiteRow { points, accused, planted, killed, false_alarms, pairs, pairs_killed, .. } = row.clone();
+        (points, accused, planted, killed, false_alarms, [pairs, pairs_killed])
+    };
+    for row in &found.rows {
+        let same = |other: &&BiteRow| (&other.check, &other.regime) == (&row.check, &row.regime);
+        assert_eq!(
+            counts(row),
+            counts(committed.rows.iter().find(same).unwrap()),
+            "{} {}",
+            row.check,
+            row.regime
+        );
     }
+    for (i, regime) in found.regimes.iter().enumerate() {
+        let k = committed.regimes.iter().position(|other| other == regime).unwrap();
+        for ((term, limits), (other, of_committed)) in found.limits.iter().zip(&committed.limits) {
+            assert_eq!((term, limits[i]), (other, of_committed[k]), "{regime}");
+        }
+    }
+}
+
+#[test]
+fn committed_teeth_bite_where_others_do_not() {
+    let committed = committed();
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/teeth.md")).unwrap();
+    assert!(committed.to_markdown() == page, "teeth.md is stale");
+    for row in &committed.rows {
+        let whole = row.killed == row.planted && row.accused == 0 && row.false_alarms.is_empty();
+        let ours = row.check == Check::Gate.name() || row.check == Check::Exact.name();
+        assert_eq!(whole && row.pairs_killed == row.pairs, ours, "{} {}", row.check, row.regime);
+    }
+    assert!(committed.rewrites.len() >= 20);
+    // Every term but a few is seen to a millionth of it, in every regime.
+    assert_eq!(committed.regimes.len(), Regime::ALL.len());
+    for (term, limits) in &committed.limits {
+        assert!(limits.iter().all(|limit| limit.is_some_and(|limit| limit < 1e-5)), "{term}: {limits:?}");
+    }
+}
+
+#[test]
+fn a_planted_fault_is_told_shrunk_and_laid_to_the_closed_form() {
+    let fault = ["--plant", "Dd|d|: d.turned = sign"];
+    let few = ["--cases", "30", "--regime", "generic", "--family", "hermite"];
+    let output = run(&[&["check", "--format", "json"], &few[..], &fault].concat());
+    assert_eq!(output.status.code(), Some(1));
+    let told = json(&output);
+    assert_eq!(told["verdict"], "disagree");
+    let mismatches = told["mismatches"].as_array().unwrap();
+    assert!(mismatches.len() > 10);
+    assert!(
+        mismatches.iter().all(|mismatch| mismatch["arbitration"] == "closed-form-wrong"),
+        "{}",
+        mismatches[0]
+    );
+    assert_eq!(told["shrunk"][0]["quantity"], "d");
+    assert_eq!(told["planted"], serde_json::json!(["Dd|d|: d.turned = sign"]));
+    let repeat = mismatches[0]["repeat"].as_str().unwrap();
+    assert!(repeat.ends_with(" --plant 'Dd|d|: d.turned = sign'"), "{repeat}");
+
+    let output = run(&[&["prove", "--draws", "4", "--family", "hermite"], &fault[..]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8(output.stdout).unwrap().contains("REFUTED"));
+
+    let wrong = run(&["check", "--plant", "Dd|d|: d.turned = wrong"]);
+    assert_eq!(wrong.status.code(), Some(2));
+    let told = String::from_utf8(wrong.stderr).unwrap();
+    assert!(
+        told.starts_with("error: no fault is called `Dd|d|: d.turned = wrong`") && told.lines().count() == 1,
+        "{told}"
+    );
+}
+
+#[test]
+fn the_list_of_faults_is_the_catalogue() {
+    let listed = stdout(&run(&["teeth", "--list"]));
+    let names: Vec<String> = catalogue().iter().map(ToString::to_string).collect();
+    assert_eq!(listed.lines().collect::<Vec<_>>(), names);
 }

@@ -32,7 +32,7 @@ where
 {
     /// w . v for a fixed vector w and a vector quantity v; unit vectors for w give its components.
     ///
-    /// `parameters` are xi and xi_bar as in [`Linearization`].
+    /// `parameters` are xi and xi_bar as in [`Linearization`](crate::linearization::Linearization).
     #[doc(alias = "Eq. (31)")]
     #[doc(alias = "Eq. (32)")]
     pub fn vector(
