@@ -4,6 +4,7 @@ mod arguments;
 mod case;
 mod case_file;
 mod check;
+mod disagreements;
 mod exit;
 mod human;
 mod json;

@@ -16,6 +16,7 @@ mod ledger;
 mod ledger_page;
 mod number;
 mod plot;
+mod record;
 mod sharpness;
 mod sharpness_page;
 mod teeth;
@@ -27,6 +28,7 @@ pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;
 pub use interval::{Spread, median_interval, spread};
+pub use record::Record;
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 pub use teeth::{BiteRow, Teeth};
 

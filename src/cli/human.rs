@@ -1,12 +1,10 @@
 //! A run as tables for people, 80 columns wide.
 
-use super::arguments::{planted, planting};
-use super::case_file;
-use super::check::{Checked, SHOWN, Verdict};
+use super::arguments::planted;
+use super::check::{Checked, Verdict};
+use super::disagreements;
 use super::table::Table;
-use beamgap::check::{
-    Case, Cell, Comparison, Differences, Family, Inconclusive, Order, Regime, Shrunk, test_source,
-};
+use beamgap::check::{Cell, Comparison, Differences, Family, Inconclusive, Order};
 use beamgap::linearization::Quantity;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -28,8 +26,8 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     add(&coverage(checked), families(checked));
     add("Not compared", not_compared(checked));
     add("Differences in double-double", differences(checked));
-    add("Disagreements", mismatches(checked));
-    add("Made small: as a test, and as a command", shrunk(checked));
+    add("Disagreements", disagreements::listed(checked));
+    add("Made small: as a test, and as a command", disagreements::made_small(checked));
     text + "\n" + &verdict.words + "\n"
 }
 
@@ -128,59 +126,6 @@ fn reasons(checked: &Checked) -> BTreeMap<Inconclusive, (u64, u64)> {
         *sum = (sum.0 + count, sum.1.min(case));
     }
     reasons
-}
-
-fn mismatches(checked: &Checked) -> String {
-    let mut text = String::new();
-    let all = &checked.summary.mismatches;
-    for (&number, entry) in all.iter().take(SHOWN) {
-        let Case { regime, families: [beam, bar], .. } = Case::draw(checked.seed, number);
-        let _ =
-            writeln!(text, "  case {number}: {}, {} and {}", Regime::name(regime), beam.name(), bar.name());
-        text += &mismatch(entry);
-        if let Some(who) = checked.summary.arbitrations.get(&number) {
-            let _ = writeln!(text, "    by differences in double-double: {}", who.words());
-        }
-        let _ =
-            writeln!(text, "    repeat with: {}", repeat(checked.seed, number) + &planting(&checked.plant));
-    }
-    match all.len().saturating_sub(SHOWN) {
-        0 => {}
-        rest => drop(writeln!(text, "  and {rest} more")),
-    }
-    text
-}
-
-/// What is left of the disagreements, wider than a terminal: it is to be pasted.
-fn shrunk(checked: &Checked) -> String {
-    let each = checked.shrunk.iter().map(|Shrunk { number, case, finding }| {
-        let entry = &finding.entry;
-        format!(
-            "\n// From case {number}: {} of {} ({}) is the first wrong number.\n{}{}\n",
-            entry.part,
-            name(entry),
-            entry.order.name(),
-            test_source(case, finding.minimum, entry),
-            case_file::command(case) + &planting(&checked.plant)
-        )
-    });
-    each.collect()
-}
-
-fn mismatch(entry: &Comparison) -> String {
-    format!(
-        "    {} of {} ({}), against: {}\n    closed form {:e}, other {:e}\n    \
-         difference {:.1e}, tolerance {:.1e}, scale {:.1e}\n",
-        entry.part,
-        name(entry),
-        entry.order.name(),
-        entry.against,
-        entry.closed,
-        entry.other,
-        entry.difference(),
-        entry.tolerance,
-        entry.scale
-    )
 }
 
 /// The quantity with its component.

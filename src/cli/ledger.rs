@@ -6,6 +6,7 @@ use super::output::Output;
 use super::table::Table;
 use beamgap::ledger::{self as record, CASES, Counts, DRAWS, Entry, Order, Reading, Run, Score, Verdict};
 use beamgap::report;
+use beamgap::report::Record;
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;

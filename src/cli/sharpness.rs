@@ -6,7 +6,7 @@ use super::human::error;
 use super::output::Output;
 use super::table::Table;
 use beamgap::check::{Family, Regime, Selection, sharpness};
-use beamgap::report::{Environment, SHARPNESS_CASES, Sharpness, SharpnessRow};
+use beamgap::report::{Environment, Record, SHARPNESS_CASES, Sharpness, SharpnessRow};
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;

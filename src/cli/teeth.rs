@@ -5,7 +5,7 @@ use super::exit::Exit;
 use super::output::Output;
 use super::table::Table;
 use beamgap::check::Regime;
-use beamgap::report::{self, Environment, Teeth};
+use beamgap::report::{self, Environment, Record, Teeth};
 use beamgap::subject::catalogue;
 use beamgap::teeth::{limits, teeth};
 use clap::{Args, value_parser};

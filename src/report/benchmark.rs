@@ -2,11 +2,11 @@
 
 use super::criterion::{Verdicts, samples};
 use super::number::{finite, rounded};
-use super::{Environment, ReportError, spread};
+use super::record::format;
+use super::{Environment, Record, ReportError, spread};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-const SCHEMA: &str = "beamgap-benchmark/1";
 /// What the other ways of a group are divided by.
 pub(super) const DENOMINATOR: &str = "closed form";
 
@@ -65,6 +65,25 @@ impl Ratio {
     }
 }
 
+impl Record for Benchmark {
+    const SCHEMA: &'static str = "beamgap-benchmark/1";
+
+    fn schema(&self) -> &str {
+        &self.schema
+    }
+
+    /// One scenario a line.
+    fn to_json(&self) -> Result<String, ReportError> {
+        let environment = serde_json::to_string(&self.environment).map_err(format::<Self>)?;
+        let scenarios: Result<Vec<_>, _> = self.scenarios.iter().map(serde_json::to_string).collect();
+        let scenarios = scenarios.map_err(format::<Self>)?.join(",\n");
+        Ok(format!(
+            "{{\n\"schema\": \"{}\",\n\"environment\": {environment},\n\"scenarios\": [\n{scenarios}\n]\n}}\n",
+            self.schema
+        ))
+    }
+}
+
 impl Benchmark {
     /// Puts together what criterion and the benches left in a directory.
     ///
@@ -104,34 +123,7 @@ impl Benchmark {
         for (measured, ratio) in scenarios.iter_mut().zip(ratios) {
             measured.ratio_to_closed_form = ratio;
         }
-        Ok(Self { schema: SCHEMA.to_owned(), environment: verdicts.environment, scenarios })
-    }
-
-    /// The record as JSON, one scenario a line.
-    ///
-    /// # Errors
-    /// [`ReportError::Format`].
-    pub fn to_json(&self) -> Result<String, ReportError> {
-        let environment = serde_json::to_string(&self.environment).map_err(format)?;
-        let scenarios: Result<Vec<_>, _> = self.scenarios.iter().map(serde_json::to_string).collect();
-        let scenarios = scenarios.map_err(format)?.join(",\n");
-        Ok(format!(
-            "{{\n\"schema\": \"{}\",\n\"environment\": {environment},\n\"scenarios\": [\n{scenarios}\n]\n}}\n",
-            self.schema
-        ))
-    }
-
-    /// The record from JSON.
-    ///
-    /// # Errors
-    /// [`ReportError::Format`], or [`ReportError::Schema`] if it is of another kind or version.
-    pub fn from_json(json: &str) -> Result<Self, ReportError> {
-        let record: Self = serde_json::from_str(json).map_err(format)?;
-        if record.schema == SCHEMA {
-            Ok(record)
-        } else {
-            Err(ReportError::Schema { found: record.schema, expected: SCHEMA })
-        }
+        Ok(Self { schema: Self::SCHEMA.to_owned(), environment: verdicts.environment, scenarios })
     }
 
     /// The scenarios of each task, in the order of the record.
@@ -150,8 +142,4 @@ impl Measured {
         }
         Some(spread(&self.samples)?.over(&spread(&closed.samples)?).rounded())
     }
-}
-
-fn format(source: serde_json::Error) -> ReportError {
-    ReportError::Format { what: SCHEMA.to_owned(), source }
 }

@@ -1,11 +1,9 @@
 //! The record of the gate, `beamgap-crosscheck/1`.
 
 use super::number::finite;
-use super::{Environment, ReportError};
+use super::{Environment, Record};
 use crate::check::{Cell, Comparison, Summary};
 use serde::{Deserialize, Serialize};
-
-const SCHEMA: &str = "beamgap-crosscheck/1";
 
 /// What a run of the gate found, and where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -113,6 +111,14 @@ pub struct Mismatch {
     pub tolerance: Option<f64>,
 }
 
+impl Record for Crosscheck {
+    const SCHEMA: &'static str = "beamgap-crosscheck/1";
+
+    fn schema(&self) -> &str {
+        &self.schema
+    }
+}
+
 impl Crosscheck {
     /// The record of a run.
     pub fn new(summary: &Summary, seed: u64, cases_per_regime: u64, environment: Environment) -> Self {
@@ -150,7 +156,7 @@ impl Crosscheck {
             points,
         });
         Self {
-            schema: SCHEMA.to_owned(),
+            schema: Self::SCHEMA.to_owned(),
             environment,
             seed,
             cases_per_regime,
@@ -160,27 +166,6 @@ impl Crosscheck {
             families: families.collect(),
             pairs: pairs.collect(),
             mismatches: summary.mismatches.iter().map(|(&case, entry)| Mismatch::new(case, entry)).collect(),
-        }
-    }
-
-    /// The record as JSON.
-    ///
-    /// # Errors
-    /// [`ReportError::Format`].
-    pub fn to_json(&self) -> Result<String, ReportError> {
-        Ok(serde_json::to_string_pretty(self).map_err(format)? + "\n")
-    }
-
-    /// The record from JSON.
-    ///
-    /// # Errors
-    /// [`ReportError::Format`], or [`ReportError::Schema`] if it is of another kind or version.
-    pub fn from_json(json: &str) -> Result<Self, ReportError> {
-        let record: Self = serde_json::from_str(json).map_err(format)?;
-        if record.schema == SCHEMA {
-            Ok(record)
-        } else {
-            Err(ReportError::Schema { found: record.schema, expected: SCHEMA })
         }
     }
 }
@@ -197,8 +182,4 @@ impl Mismatch {
             tolerance: finite(entry.tolerance),
         }
     }
-}
-
-fn format(source: serde_json::Error) -> ReportError {
-    ReportError::Format { what: SCHEMA.to_owned(), source }
 }

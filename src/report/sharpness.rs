@@ -1,11 +1,9 @@
 //! The record of how sharp the tolerances are, `beamgap-sharpness/1`.
 
 use super::number::{finite, rounded};
-use super::{Environment, ReportError};
+use super::{Environment, Record};
 use crate::check::{self, Distribution, Order, Regime, Side};
 use serde::{Deserialize, Serialize};
-
-const SCHEMA: &str = "beamgap-sharpness/1";
 
 /// What the bounds allow for, against the errors that there are.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -90,6 +88,14 @@ pub struct BrokenBound {
     pub error: Option<f64>,
 }
 
+impl Record for Sharpness {
+    const SCHEMA: &'static str = "beamgap-sharpness/1";
+
+    fn schema(&self) -> &str {
+        &self.schema
+    }
+}
+
 impl Sharpness {
     /// The record of a run.
     pub fn new(found: &check::Sharpness, seed: u64, cases_per_regime: u64, environment: Environment) -> Self {
@@ -119,34 +125,13 @@ impl Sharpness {
             error: finite(violation.error),
         });
         Self {
-            schema: SCHEMA.to_owned(),
+            schema: Self::SCHEMA.to_owned(),
             environment,
             seed,
             cases_per_regime,
             regimes: regimes.collect(),
             rows,
             violations: violations.collect(),
-        }
-    }
-
-    /// The record as JSON.
-    ///
-    /// # Errors
-    /// [`ReportError::Format`].
-    pub fn to_json(&self) -> Result<String, ReportError> {
-        Ok(serde_json::to_string_pretty(self).map_err(format)? + "\n")
-    }
-
-    /// The record from JSON.
-    ///
-    /// # Errors
-    /// [`ReportError::Format`], or [`ReportError::Schema`] if it is of another kind or version.
-    pub fn from_json(json: &str) -> Result<Self, ReportError> {
-        let record: Self = serde_json::from_str(json).map_err(format)?;
-        if record.schema == SCHEMA {
-            Ok(record)
-        } else {
-            Err(ReportError::Schema { found: record.schema, expected: SCHEMA })
         }
     }
 }
@@ -176,8 +161,4 @@ impl Quantiles {
             max: short(of.max()),
         }
     }
-}
-
-fn format(source: serde_json::Error) -> ReportError {
-    ReportError::Format { what: SCHEMA.to_owned(), source }
 }

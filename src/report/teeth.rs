@@ -1,14 +1,12 @@
 //! The record of planted faults, `beamgap-teeth/1`.
 
 use super::number::{finite, rounded};
-use super::{Environment, ReportError};
+use super::{Environment, Record};
 use crate::check::Regime;
 use crate::subject::{Kind, Rewrite};
 use crate::teeth::{self, Bite, Check, Limit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-
-const SCHEMA: &str = "beamgap-teeth/1";
 
 /// What the checks made of planted faults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -60,6 +58,14 @@ pub struct BiteRow {
     pub survivors: Vec<String>,
 }
 
+impl Record for Teeth {
+    const SCHEMA: &'static str = "beamgap-teeth/1";
+
+    fn schema(&self) -> &str {
+        &self.schema
+    }
+}
+
 impl Teeth {
     /// The record of a run.
     pub fn new(found: &teeth::Teeth, limits: &[Limit], seed: u64, environment: Environment) -> Self {
@@ -73,7 +79,7 @@ impl Teeth {
             terms.entry(label.to_string()).or_default().push(finite(limit).map(|limit| rounded(limit, 2)));
         }
         Self {
-            schema: SCHEMA.to_owned(),
+            schema: Self::SCHEMA.to_owned(),
             environment,
             seed,
             holds: found.holds(),
@@ -83,27 +89,6 @@ impl Teeth {
             rows: found.bites.iter().map(|bite| BiteRow::new(bite, is_best(bite, &found.bites))).collect(),
             regimes: regimes.into_iter().map(ToOwned::to_owned).collect(),
             limits: terms.into_iter().collect(),
-        }
-    }
-
-    /// The record as JSON.
-    ///
-    /// # Errors
-    /// [`ReportError::Format`].
-    pub fn to_json(&self) -> Result<String, ReportError> {
-        Ok(serde_json::to_string_pretty(self).map_err(format)? + "\n")
-    }
-
-    /// The record from JSON.
-    ///
-    /// # Errors
-    /// [`ReportError::Format`], or [`ReportError::Schema`] if it is of another kind or version.
-    pub fn from_json(json: &str) -> Result<Self, ReportError> {
-        let record: Self = serde_json::from_str(json).map_err(format)?;
-        if record.schema == SCHEMA {
-            Ok(record)
-        } else {
-            Err(ReportError::Schema { found: record.schema, expected: SCHEMA })
         }
     }
 }
@@ -130,8 +115,4 @@ impl BiteRow {
             survivors: survivors.iter().map(ToString::to_string).collect(),
         }
     }
-}
-
-fn format(source: serde_json::Error) -> ReportError {
-    ReportError::Format { what: SCHEMA.to_owned(), source }
 }

@@ -3,7 +3,7 @@
 use crate::command_line::{json, run, stdout};
 use beamgap::check::Regime;
 use beamgap::prove::Draw;
-use beamgap::report::{BiteRow, Environment, Teeth};
+use beamgap::report::{BiteRow, Environment, Record, Teeth};
 use beamgap::specimen::Family;
 use beamgap::subject::{Fault, Kind, Subject, catalogue};
 use beamgap::teeth::{Check, limits, teeth};

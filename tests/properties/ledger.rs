@@ -3,6 +3,7 @@
 use beamgap::ledger::{
     CASES, Counts, DRAWS, Entry, Ledger, Reading, SOURCES, Symmetry, Verdict, ledger, named, places,
 };
+use beamgap::report::Record;
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};

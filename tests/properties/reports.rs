@@ -3,8 +3,8 @@
 use beamgap::check::{self, Regime, Selection, Trial};
 use beamgap::prove::prove;
 use beamgap::report::{
-    Benchmark, Crosscheck, Environment, Measured, ReportError, Sharpness, VERDICTS, Verdict, Verdicts,
-    median_interval, spread,
+    Benchmark, Crosscheck, Environment, Measured, Record, ReportError, Sharpness, VERDICTS, Verdict,
+    Verdicts, median_interval, spread,
 };
 use beamgap::specimen::Family;
 use beamgap::subject::Subject;
