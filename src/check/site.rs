@@ -118,7 +118,16 @@ impl<'a> Site<'a> {
     /// The closed form with the size of its terms.
     pub(super) fn scales(&self, subject: &Subject) -> [Varied<Magnitude>; COMPONENTS] {
         let at = (Magnitude::parameter(self.at.0.value), Magnitude::parameter(self.at.1.value));
-        let size = |when| self.frozen(when).map(|frozen| frozen.map(Magnitude::vector));
+        // A position has the size of the curve at least: where the origin is says nothing of rounding.
+        let sized = |frozen: Frozen<f64>| {
+            let mut sizes = frozen.map(Magnitude::vector);
+            let of_curve = sizes.geometry.t.map(|t| t.scale).min();
+            for x in &mut sizes.geometry.x {
+                x.scale = x.scale.max(of_curve);
+            }
+            sizes
+        };
+        let size = |when| self.frozen(when).map(sized);
         self.variations(subject, [When::Now, When::Before].map(size), at)
     }
 

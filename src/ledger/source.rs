@@ -35,7 +35,6 @@ sources![
     "linearization/ad/evaluate.rs",
     "linearization/ad/lift.rs",
     "closest_point/half_square.rs",
-    "check/oracle/moved.rs",
     "check/site.rs",
     "curve.rs",
 ];

@@ -221,3 +221,22 @@ fn what_is_no_case_at_all_is_refused() {
     let output = run(&["check", "--case-file", "-", "--seed", "1"]);
     assert_eq!(output.status.code(), Some(2));
 }
+
+/// Two lines that cross above the origin: x is nought there, and no less comparable than elsewhere.
+#[test]
+fn a_closest_point_at_the_origin_is_compared() {
+    let line = |q: [f64; 6], dq: [f64; 6], linear_dq: [f64; 6]| json!({ "family": "segment", "q": q, "dq": dq, "linear_dq": linear_dq });
+    let varied = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let beam = line([-1.0, 0.0, 0.0, 1.0, 0.0, 0.0], varied, [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+    let bar = line([0.0, -1.0, 1.0, 0.0, 1.0, 1.0], [0.0; 6], [0.0; 6]);
+    let output = check(
+        &json!({ "schema": "beamgap-case/1", "beam": beam, "bar": bar }).to_string(),
+        &["--format", "json"],
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        (&found["closest_points"][0]["point"]["xi"], &found["verdict"]),
+        (&json!(0.0), &json!("agree"))
+    );
+}

@@ -67,7 +67,7 @@ impl Place {
         self.t.map(|t| d.dot(&t))
     }
 
-    /// Eq. (4)-(15).
+    /// The definitions (4)-(15) of the paper, once more: they see positions alone.
     fn quantities(&self, site: &Site) -> [DoubleDouble; COMPONENTS] {
         let length = |v: &Vector| v.dot(v).sqrt();
         let Self { at: [xi, xi_bar], x: [x, x_bar], t: [t_vector, t_bar_vector] } = *self;
