@@ -143,3 +143,15 @@ fn the_list_of_faults_is_the_catalogue() {
     let names: Vec<String> = catalogue().iter().map(ToString::to_string).collect();
     assert_eq!(listed.lines().collect::<Vec<_>>(), names);
 }
+
+#[test]
+fn the_command_tells_what_every_check_shows() {
+    let text = stdout(&run(&["teeth", "--regime", "metres"]));
+    assert!(text.contains("\nTEETH: the gate shows all of "), "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    for check in Check::ALL {
+        assert!(text.contains(&format!("\n  {} ", check.name())), "{}", check.name());
+    }
+    let wrong = run(&["teeth", "--list", "--regime", "metres"]);
+    assert_eq!(wrong.status.code(), Some(2));
+}
