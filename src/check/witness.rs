@@ -38,7 +38,7 @@ mod tests {
     fn straight() -> [Box<dyn AnyBeam>; 2] {
         [[2.0, 0.0, 0.0], [0.15, 0.2, 0.0]].map(|t: [f64; 3]| {
             let z = if t[1] == 0.0 { 0.0 } else { 1.0 };
-            let q = vec![-t[0], -t[1], z, t[0], t[1], z];
+            let q = vec![3.0 - t[0], 4.0 - t[1], z, 3.0 + t[0], 4.0 + t[1], z];
             let none = vec![0.0; 6];
             let segment = Specimen {
                 family: Family::Segment,
