@@ -54,7 +54,10 @@ fn every_number_is_compared_with_every_route() {
 fn a_tolerance_holds_the_bounds_of_both_sides() {
     for (_, verdict) in found(Oracles::All, 7, 0) {
         for entry in verdict.entries() {
-            assert!(entry.tolerance >= entry.bound && entry.tolerance <= 1e-9 * entry.scale, "{entry:?}");
+            assert!(
+                entry.tolerance >= entry.bound && entry.tolerance < 1e-9 * entry.scale.max(1e-3),
+                "{entry:?}"
+            );
             if entry.order == Order::Symmetry {
                 assert_eq!(entry.tolerance.to_bits(), (2.0 * entry.bound).to_bits());
             }
