@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn a_tolerance_above_a_thousandth_means_nothing() {
-        let with = |tolerance, scale, other| Comparison { tolerance, scale, other, ..NUMBERS };
+        let with = |tolerance, scale, other| Comparison { other, scale, tolerance, ..NUMBERS };
         assert!(with(4e-3, 4.0, 2.5).is_meaningful() && !with(4.1e-3, 4.0, 2.5).is_meaningful());
         // The closed form's own scale may be what is wrong with it.
         assert!(with(8e-3, 4.0, -8.0).is_meaningful() && !with(8.1e-3, 4.0, -8.0).is_meaningful());
