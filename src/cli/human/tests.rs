@@ -1,6 +1,6 @@
 //! Tables that fit a terminal, and disagreements that can be repeated.
 
-use super::{document, name};
+use super::{case_of, document, error, name};
 use crate::cli::check::{Checked, verdict};
 use crate::cli::exit::Exit;
 use crate::cli::json;
@@ -123,4 +123,11 @@ fn reasons_add_up_over_the_regimes_and_show_their_first_case() {
     let row = text.lines().find(|line| line.contains(reason.reason())).unwrap();
     assert!(row.split_whitespace().rev().take(2).eq(["10", "35"]), "{row}");
     assert!(!shown(Summary::default()).1.contains("\nNot compared\n"));
+}
+
+#[test]
+fn errors_have_two_digits_and_the_case_that_showed_them() {
+    assert_eq!((error(0.0), error(0.123)), ("0".to_owned(), "1.2e-1".to_owned()));
+    let cell = |scaled_error| Cell { scaled_error, case: 7, over_tolerance: 0.0, entries: 1 };
+    assert_eq!((case_of(&cell(1e-9)), case_of(&cell(0.0))), (Some("7".to_owned()), None));
 }
