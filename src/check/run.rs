@@ -33,7 +33,9 @@ mod tests {
         let regimes = vec![Regime::NearEnd, Regime::Generic];
         let selection = Selection { regimes, family: Some(Family::Segment), cases: 4 };
         let (trial, done) = (Trial::default(), AtomicU64::new(0));
-        let summary = run(&trial, 7, &selection, || drop(done.fetch_add(1, Ordering::Relaxed)));
+        let summary = run(&trial, 7, &selection, || {
+            done.fetch_add(1, Ordering::Relaxed);
+        });
         let each = selection.numbers().into_iter().map(|number| {
             let case = Case::draw(7, number);
             Summary::of(&case, &compare(&trial, &case))
