@@ -191,4 +191,20 @@ mod tests {
         assert_eq!(Arbitration::of(&entries[..4]), Some(ClosedForm));
         assert_eq!(Arbitration::of(&entries[4..]), Some(Ad));
     }
+
+    #[test]
+    fn every_judgement_has_its_own_words() {
+        use Arbitration::{Ad, Both, ClosedForm, Undecided};
+        let all = [ClosedForm, Ad, Both, Undecided];
+        assert_eq!(all.map(Arbitration::name), ["closed-form-wrong", "ad-wrong", "both-wrong", "undecided"]);
+        assert!(ClosedForm.words().starts_with("the closed form") && Ad.words().starts_with("automatic"));
+    }
+
+    #[test]
+    fn routes_are_near_within_their_own_bounds() {
+        // What is not known of the closed form excuses no difference between two routes.
+        let route = |other| Comparison { bound: 1e-4, tolerance: 1e-4 + 1e-11, ..entry("route", other, 0.0) };
+        assert_eq!(Arbitration::of(&[route(1.01), route(1.01)]), Some(Arbitration::Undecided));
+        assert_eq!(Arbitration::of(&[route(1.01), route(1.010_05)]), Some(Arbitration::Ad));
+    }
 }

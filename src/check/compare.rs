@@ -221,3 +221,6 @@ fn hyper_dual(site: &Site, lifted: (HyperDual64, HyperDual64)) -> [Varied<f64>; 
     let quantities: Quantities<HyperDual64> = evaluate(beam, bar, lifted, site.contact);
     quantities.map(Varied::from).components()
 }
+
+#[cfg(test)]
+mod tests;

@@ -138,3 +138,6 @@ fn orthonormal(rng: &mut ChaCha8Rng) -> Matrix3<f64> {
     let w = u.cross(&v).normalize();
     Matrix3::from_columns(&[u, w.cross(&u), w])
 }
+
+#[cfg(test)]
+mod tests;

@@ -21,3 +21,27 @@ pub fn run(trial: &Trial, seed: u64, selection: &Selection, done: impl Fn() + Sy
         })
         .reduce(Summary::default, Summary::merge)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Case, Selection, Summary, Trial, compare, run};
+    use crate::check::{Family, Regime};
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    #[test]
+    fn a_run_is_the_sum_of_its_cases() {
+        let regimes = vec![Regime::NearEnd, Regime::Generic];
+        let selection = Selection { regimes, family: Some(Family::Segment), cases: 4 };
+        let (trial, done) = (Trial::default(), AtomicU64::new(0));
+        let summary = run(&trial, 7, &selection, || {
+            done.fetch_add(1, Ordering::Relaxed);
+        });
+        let each = selection.numbers().into_iter().map(|number| {
+            let case = Case::draw(7, number);
+            Summary::of(&case, &compare(&trial, &case))
+        });
+        assert_eq!(summary, each.reduce(Summary::merge).unwrap());
+        assert_eq!(done.into_inner(), 8);
+        assert!(summary.compared() >= 8);
+    }
+}

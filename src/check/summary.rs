@@ -196,3 +196,6 @@ impl Summary {
         self.regimes.values().map(|tally| tally.interior + tally.at_end).sum()
     }
 }
+
+#[cfg(test)]
+mod tests;

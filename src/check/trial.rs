@@ -36,3 +36,18 @@ impl Oracles {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Oracles;
+    use crate::check::Regime;
+
+    #[test]
+    fn a_sample_is_every_thirteenth_case_of_each_regime() {
+        let regimes = Regime::ALL.len() as u64;
+        for number in 0..40 * regimes {
+            assert!(!Oracles::Ad.asks_differences(number) && Oracles::All.asks_differences(number));
+            assert_eq!(Oracles::Sample.asks_differences(number), (number / regimes).is_multiple_of(13));
+        }
+    }
+}

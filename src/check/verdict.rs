@@ -168,3 +168,82 @@ pub(super) fn is_decided<'a>(mut entries: impl Iterator<Item = &'a Comparison> +
     let decided: BTreeSet<_> = of_meaning.map(name).collect();
     entries.all(|entry| entry.is_meaningful() || decided.contains(&name(entry)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Comparison, Inconclusive, Order, Verdict, is_decided};
+    use crate::linearization::Quantity;
+    use std::collections::BTreeSet;
+
+    const NUMBERS: Comparison = Comparison {
+        quantity: Quantity::D,
+        axis: None,
+        order: Order::Value,
+        part: "value",
+        against: "AD",
+        closed: 2.0,
+        other: 2.5,
+        scale: 4.0,
+        bound: 0.125,
+        tolerance: 0.25,
+    };
+
+    #[test]
+    fn an_error_is_told_in_three_measures() {
+        let told = |entry: Comparison| (entry.difference(), entry.scaled_error(), entry.over_tolerance());
+        assert_eq!(told(NUMBERS), (0.5, 0.125, 2.0));
+        let infinite = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
+        assert_eq!(told(Comparison { closed: f64::NAN, ..NUMBERS }), infinite);
+        assert_eq!(told(Comparison { closed: f64::NAN, tolerance: f64::INFINITY, ..NUMBERS }), infinite);
+        assert_eq!(told(Comparison { scale: 0.0, tolerance: 0.0, other: 2.0, ..NUMBERS }), (0.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn a_difference_up_to_the_tolerance_agrees() {
+        assert!(!NUMBERS.agrees());
+        assert!(Comparison { tolerance: 0.5, ..NUMBERS }.agrees());
+        assert!(!Comparison { closed: f64::NAN, tolerance: f64::INFINITY, ..NUMBERS }.agrees());
+        assert!(Comparison { other: 2.0, tolerance: 0.0, ..NUMBERS }.agrees());
+    }
+
+    #[test]
+    fn a_tolerance_above_a_thousandth_means_nothing() {
+        let with = |tolerance, scale, other| Comparison { other, scale, tolerance, ..NUMBERS };
+        assert!(with(4e-3, 4.0, 2.5).is_meaningful() && !with(4.1e-3, 4.0, 2.5).is_meaningful());
+        // The closed form's own scale may be what is wrong with it.
+        assert!(with(8e-3, 4.0, -8.0).is_meaningful() && !with(8.1e-3, 4.0, -8.0).is_meaningful());
+        assert!(
+            with(0.0, 0.0, 0.0).is_meaningful() && !with(f64::INFINITY, f64::INFINITY, 0.0).is_meaningful()
+        );
+        let [closed, tolerance] = [f64::NAN; 2];
+        assert!(Comparison { closed, tolerance, ..NUMBERS }.is_meaningful());
+        assert!(!Comparison { closed, tolerance, other: f64::INFINITY, ..NUMBERS }.is_meaningful());
+        assert!(!Comparison { tolerance, ..NUMBERS }.is_meaningful());
+    }
+
+    #[test]
+    fn one_oracle_that_knows_decides_a_number() {
+        let clear = Comparison { tolerance: 1e-9, ..NUMBERS };
+        let second = Comparison { part: "Delta-delta", order: Order::Second, ..NUMBERS };
+        assert!(is_decided([clear, clear].iter()) && is_decided([clear, NUMBERS].iter()));
+        assert!(!is_decided([NUMBERS, NUMBERS].iter()) && !is_decided([clear, second].iter()));
+        assert!(!is_decided([clear, Comparison { axis: Some('x'), ..NUMBERS }].iter()));
+    }
+
+    #[test]
+    fn every_order_and_every_reason_has_its_own_words() {
+        let names: BTreeSet<_> = Order::ALL.map(Order::name).into();
+        assert_eq!(names, ["value", "first", "second", "symmetry", "matrix"].into());
+        assert!(Inconclusive::Crossing.reason().starts_with("crossing"));
+        assert!(Inconclusive::WeakEnd.reason().starts_with("kink"));
+    }
+
+    #[test]
+    fn a_verdict_shows_what_was_compared() {
+        let entries = vec![NUMBERS];
+        let inconclusive = Verdict::Inconclusive(Inconclusive::NotMeaningful, entries.clone());
+        for verdict in [Verdict::Pass(entries.clone()), Verdict::Mismatch(entries.clone()), inconclusive] {
+            assert_eq!(verdict.entries(), entries);
+        }
+    }
+}

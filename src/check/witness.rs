@@ -27,3 +27,46 @@ pub(super) fn parameters(beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Opti
     let [step, step_bar] = steps(xi, xi_bar);
     (step <= guess && step_bar <= guess_bar).then_some((xi, xi_bar))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::parameters;
+    use crate::closest_point::{Search, closest_points};
+    use crate::specimen::{AnyBeam, Family, Specimen};
+
+    /// Two straight beams of half-lengths 2 and 1/4 under the angle whose cosine is 0.6, closest at their centres.
+    fn straight() -> [Box<dyn AnyBeam>; 2] {
+        [[2.0, 0.0, 0.0], [0.15, 0.2, 0.0]].map(|t: [f64; 3]| {
+            let z = if t[1] == 0.0 { 0.0 } else { 1.0 };
+            let q = vec![3.0 - t[0], 4.0 - t[1], z, 3.0 + t[0], 4.0 + t[1], z];
+            let none = vec![0.0; 6];
+            let segment = Specimen {
+                family: Family::Segment,
+                parameters: Vec::new(),
+                q,
+                dq: none.clone(),
+                linear_dq: none,
+            };
+            segment.drawn()
+        })
+    }
+
+    #[test]
+    fn bounds_hold_the_distance_to_the_closest_point_and_little_more() {
+        let beams = straight();
+        let beams = [&*beams[0], &*beams[1]];
+        let exact = closest_points(beams[0], beams[1], &Search::default()).unwrap().minima[0];
+        let (xi, xi_bar) = parameters(beams, &exact).unwrap();
+        assert!(xi.bound < 1e-13 && xi_bar.bound < 1e-12, "{xi:?}, {xi_bar:?}");
+        for (off, off_bar) in [(1e-6, 0.0), (0.0, 1e-6), (1e-3, -1e-3)] {
+            let mut point = exact;
+            (point.xi, point.xi_bar) = (exact.xi + off, exact.xi_bar + off_bar);
+            let (xi, xi_bar) = parameters(beams, &point).unwrap();
+            assert_eq!((xi.value, xi_bar.value), (point.xi, point.xi_bar));
+            // One parameter's distance bounds the other's too, by the ratio of the half-lengths; twice the step.
+            let (far, far_bar) = (off + off_bar.abs() / 8.0, 8.0 * off + off_bar.abs());
+            assert!(xi.bound >= off && xi.bound < 5.0 * far + 1e-13, "{xi:?}");
+            assert!(xi_bar.bound >= off_bar.abs() && xi_bar.bound < 5.0 * far_bar + 1e-12, "{xi_bar:?}");
+        }
+    }
+}

@@ -199,3 +199,29 @@ fn in_words(compared: u64, apart: u64, left: u64, untrusted: usize) -> Verdict {
     };
     Verdict { exit, name, words: words + &rest }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Exit, in_words};
+
+    #[test]
+    fn one_is_not_said_as_many() {
+        let said = |compared, apart, left, untrusted| {
+            let verdict = in_words(compared, apart, left, untrusted);
+            (verdict.exit, verdict.words.lines().next().unwrap_or_default().to_owned())
+        };
+        for (numbers, exit, words) in [
+            ((1, 0, 0, 0), Exit::Agree, "AGREE: at 1 closest point nothing differs beyond rounding."),
+            ((2, 0, 1, 0), Exit::Agree, "AGREE: at 2 closest points nothing differs beyond rounding."),
+            ((2, 1, 0, 0), Exit::Disagree, "DISAGREE: 1 of 2 closest points differ beyond rounding."),
+            ((0, 0, 1, 0), Exit::Nothing, "NOTHING COMPARED: no closest point could be."),
+            ((2, 1, 0, 1), Exit::Untrusted, "UNTRUSTED: in 1 case the oracles disagree among themselves."),
+            ((2, 2, 0, 2), Exit::Untrusted, "UNTRUSTED: in 2 cases the oracles disagree among themselves."),
+        ] {
+            let (compared, apart, left, untrusted) = numbers;
+            assert_eq!(said(compared, apart, left, untrusted), (exit, words.to_owned()));
+        }
+        assert!(in_words(2, 0, 3, 0).words.ends_with("\nNot compared, and not counted as agreeing: 3."));
+        assert!(!in_words(2, 0, 0, 0).words.contains("Not compared"));
+    }
+}

@@ -126,3 +126,38 @@ fn rows(record: &Sharpness, side: &str) -> Table {
     }
     table
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{human, verdict};
+    use crate::cli::exit::Exit;
+    use beamgap::check::{Selection, sharpness};
+    use beamgap::report::{BrokenBound, Environment, Sharpness};
+
+    #[test]
+    fn a_broken_bound_is_told_with_the_command_that_shows_it() {
+        let none = Selection { regimes: Vec::new(), family: None, cases: 1 };
+        let mut record = Sharpness::new(&sharpness(1, &none), 0xabc, 1, Environment::here("none"));
+        assert_eq!(verdict(&record).0, Exit::Nothing);
+        let regime = beamgap::report::RegimePoints {
+            regime: "generic".into(),
+            measured: 3,
+            not_meaningful: 0,
+            left_out: 0,
+        };
+        record.regimes.push(regime);
+        assert_eq!(verdict(&record).0, Exit::Agree);
+        record.violations.push(BrokenBound {
+            case: 17,
+            side: "AD".into(),
+            quantity: "xi".into(),
+            part: "Delta".into(),
+            bound: Some(1e-16),
+            error: None,
+        });
+        assert_eq!(verdict(&record).0, Exit::Untrusted);
+        let text = human(&record);
+        let told = "  Delta of xi, AD: error not finite, bound 1.000e-16\n    beamgap check --seed 0xabc --case 17\n";
+        assert!(text.ends_with(told), "{text}");
+    }
+}

@@ -54,3 +54,21 @@ impl fmt::Display for Table {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{COLUMNS, Table};
+
+    #[test]
+    fn columns_are_two_apart_as_long_as_the_terminal_holds_them() {
+        let lines = |length: usize| {
+            let mut table = Table::new(&["a", "name"]).left(&[1]);
+            table.row(vec!["1".into(), "x".repeat(length)]);
+            table.to_string().lines().map(str::to_owned).collect::<Vec<_>>()
+        };
+        let widest = COLUMNS - 5;
+        assert_eq!(lines(widest), ["  a  name".to_owned(), format!("  1  {}", "x".repeat(widest))]);
+        assert_eq!(lines(widest + 1), [" a name".to_owned(), format!(" 1 {}", "x".repeat(widest + 1))]);
+        assert_eq!(lines(2), ["  a  name", "  1  xx"]);
+    }
+}

@@ -183,3 +183,24 @@ impl HalfSquare {
         (step[0] / lengths[0], step[1] / lengths[1])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Active, HalfSquare};
+    use crate::curve::Geometry;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn slopes_are_those_of_unit_tangents() {
+        let line = |x: [f64; 3], t: [f64; 3]| Geometry {
+            x: x.into(),
+            t: t.into(),
+            t_xi: Vector3::zeros(),
+            t_xixi: Vector3::zeros(),
+        };
+        let at = HalfSquare::new(&line([3.0, 1.0, 5.0], [4.0, 0.0, 0.0]), &line([0.0; 3], [0.0, 0.25, 0.0]));
+        let [free, held, other] = [(false, false), (true, false), (false, true)]
+            .map(|(xi, xi_bar)| at.slope(Active { xi, xi_bar }));
+        assert_eq!([free, held, other].map(f64::to_bits), [3.0, 1.0, 3.0].map(f64::to_bits));
+    }
+}

@@ -79,3 +79,20 @@ pub(super) fn gather(boxes: Vec<Region>) -> Vec<Region> {
     }
     regions
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Region;
+
+    #[test]
+    fn a_region_contains_its_rim_and_nothing_beyond() {
+        let region =
+            Region { extent: [[-1.0, 0.5], [0.0, 0.25]], boxes: 1, nearest: (0.0, 0.0), distance: 1.0 };
+        for (xi, xi_bar) in [(-1.0, 0.0), (0.5, 0.25), (0.0, 0.125)] {
+            assert!(region.contains(xi, xi_bar), "{xi}, {xi_bar}");
+        }
+        for (xi, xi_bar) in [(-1.1, 0.1), (0.6, 0.1), (0.0, -0.1), (0.0, 0.3)] {
+            assert!(!region.contains(xi, xi_bar), "{xi}, {xi_bar}");
+        }
+    }
+}

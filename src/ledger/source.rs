@@ -98,3 +98,66 @@ fn above<'a>(lines: &[&'a str], at: usize) -> Option<&'a str> {
 fn below<'a>(lines: &[&'a str], at: usize) -> Option<&'a str> {
     lines[at + 1..].iter().find_map(|line| name(line))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{SOURCES, above, below, name, named, places};
+
+    #[test]
+    fn the_first_word_after_what_begins_an_item_is_its_name() {
+        assert_eq!(name("    pub(crate) const fn delta<T>(x: T) -> T {"), Some("delta"));
+        assert_eq!(name("pub struct Closed_Form;"), Some("Closed_Form"));
+        assert_eq!(name("pub(super) trait Terms: Copy {"), Some("Terms"));
+        for line in ["", "    // fn", "let fn_like = 1;", "impl Terms for Sound {", "pub use fnord;"] {
+            assert_eq!(name(line), None, "{line}");
+        }
+    }
+
+    #[test]
+    fn a_comment_belongs_to_the_function_around_it_and_a_tag_to_the_item_below() {
+        let lines = [
+            "fn before() {}",
+            "impl A {",
+            "    fn around() {",
+            "        fn beside() {}",
+            "        // Eq. (1)",
+            "        let a = 1;",
+            "    }",
+            "    fn after() {}",
+        ];
+        assert_eq!(above(&lines, 4), Some("around"));
+        assert_eq!(below(&lines, 4), Some("after"));
+        assert_eq!((above(&lines, 0), below(&lines, 7)), (None, None));
+        assert_eq!(below(&lines, 1), Some("around"));
+    }
+
+    #[test]
+    fn places_are_where_they_are_said_to_be() {
+        let places = places();
+        assert_eq!(places.keys().copied().collect::<Vec<u8>>(), (1..=59).collect::<Vec<u8>>());
+        let mut found = 0;
+        for (number, places) in places {
+            let mut tagged = false;
+            for place in places {
+                let (_, text) = SOURCES.iter().find(|(file, _)| *file == place.file).unwrap();
+                let line = text.lines().nth(place.line - 1).unwrap();
+                assert!(named(line).contains(&number) && text.contains(&place.item), "({number}): {place:?}");
+                // Lines that compute come before items that are tagged.
+                let tag = line.contains("#[doc(alias");
+                assert!(tag || !tagged, "({number}): {place:?}");
+                tagged = tag;
+                found += 1;
+            }
+        }
+        let lines = SOURCES.iter().flat_map(|(_, text)| text.lines());
+        assert_eq!(found, lines.map(|line| named(line).len()).sum::<usize>());
+    }
+
+    #[test]
+    fn lists_and_ranges_are_read() {
+        assert_eq!(named("// Eq. (4)-(7), (9), with (10)"), [4, 5, 6, 7, 9]);
+        assert_eq!(named("// Eq. (37), from (36): and Eq. (38) and (39)"), [37, 36, 38, 39]);
+        assert_eq!(named("// Eq. (2), (5) from (7)"), [2, 5, 7]);
+        assert!(named("// (3), Eq. 3, Eq. (x), Eq. ()").is_empty());
+    }
+}

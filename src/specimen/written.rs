@@ -153,3 +153,6 @@ impl Specimen {
         Box::new(Drawn { curve, q, dq, linear_dq, points: self.family.points() })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,6 @@
 //! Cases as files: read back as they were written, or refused with the place of what is wrong.
 
-use crate::command_line::{command, golden, run};
+use crate::command_line::{command, golden, run, stdout};
 use beamgap::check::{Comparison, Family, Specimen, Trial, Verdict, Written, test_source};
 use beamgap::pair::Contact;
 use serde_json::{Value, json};
@@ -239,4 +239,32 @@ fn a_closest_point_at_the_origin_is_compared() {
         (&found["closest_points"][0]["point"]["xi"], &found["verdict"]),
         (&json!(0.0), &json!("agree"))
     );
+}
+
+/// Reports name cases by their numbers alone: a number must draw the same beams for ever.
+#[test]
+fn a_number_draws_the_case_that_it_always_drew() {
+    let golden = include_str!("../golden/case.txt");
+    let now = stdout(&run(&["check", "--case", "17"]));
+    let dofs = |text: &str| -> Vec<(String, f64)> {
+        let dof = |line: &str| {
+            let (name, number) = line.trim().split_once(" = ")?;
+            name.ends_with(']').then(|| (name.to_owned(), number.parse().unwrap()))
+        };
+        text.lines().filter_map(dof).collect()
+    };
+    let (now, then) = (dofs(&now), dofs(golden));
+    assert_eq!(then.len(), 3 * (6 + 9));
+    for ((name, now), (known, then)) in now.iter().zip(&then) {
+        assert!(name == known && (now - then).abs() <= 1e-9 * then.abs(), "{name} = {now}, {known} = {then}");
+    }
+}
+
+#[test]
+fn what_is_not_compared_is_shown_with_what_was_tried() {
+    let output = run(&["check", "--seed", "7", "--case", "21757"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("\nNot compared: the rounding bound exceeds 1e-3 of a scale\n"), "{text}");
+    let rows = |told: &str| text.lines().filter(|line| line.ends_with(told)).count();
+    assert!(rows(" not meaningful") > 0 && rows(" agrees") > 0 && rows(" DISAGREES") == 0, "{text}");
 }

@@ -90,6 +90,7 @@ fn matrices_agree<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, 
     let ours = [&ours.d, &ours.t, &ours.t_bar, &ours.xi, &ours.xi_bar, &ours.g_t, &ours.g_t_bar];
     let names = ["d", "t", "t_bar", "xi", "xi_bar", "g_T", "g_T_bar"];
     let chord = ad::chord(pair, q, point);
+    let (jet, jet_bar) = closed_form::jets(pair, q, (point.xi, point.xi_bar));
     let by_vector = ad::expand_by_vector_dual::<_, _, N, M, S, 7>(chord, 2, pair, q, point, scalars);
     let by_sweep = ad::expand_by_sweep(Route::Newton, pair, q, point, scalars);
     for (i, name) in names.into_iter().enumerate() {
@@ -98,16 +99,21 @@ fn matrices_agree<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, 
             assert!(flat(ours[i]).iter().flatten().all(|entry| *entry == 0.0));
             continue;
         }
-        // The Hessian of a norm v has terms of the size |grad v|^2 / v, and so has that of a slip, in t; the sum of
-        // them may vanish, as it does for an arc.
+        // The Hessian of a norm v has terms of the size |grad v|^2 / v, and so has that of a slip, in t; that of a tangent's
+        // length has t,xi H_xi. The sum of them may vanish, as it does for an arc.
         let norm = ours[[0, 1, 2, 3, 4, 1, 2][i]];
         let size = flat(norm)[0].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-        let terms = if name.starts_with("xi") { 0.0 } else { size * size / norm.value };
+        let largest = |e: &Expansion<f64, N, M>| flat(e)[1].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let turning = match name {
+            "t" | "g_T" => jet.geometry.t_xi.norm() * largest(ours[3]),
+            "t_bar" | "g_T_bar" => jet_bar.geometry.t_xi.norm() * largest(ours[4]),
+            _ => 0.0,
+        };
+        let terms = if name.starts_with("xi") { 0.0 } else { size * size / norm.value + turning };
         assert_same(name, ours[i], &by_vector[i], terms);
         assert_same(name, ours[i], &by_sweep[i], terms);
     }
 
-    let (jet, jet_bar) = closed_form::jets(pair, q, (point.xi, point.xi_bar));
     let matrices = Matrices::new(&jet, &jet_bar, point.active());
     let all = matrices.all((point.xi, point.xi_bar), &pair.contact);
     let by_vector = ad::expand_by_vector_dual::<_, _, N, M, S, 15>(chord, 2, pair, q, point, |q| {

@@ -203,6 +203,10 @@ fn the_command_prints_all_or_one() {
     }
 
     let one = run(&["--draws", "1", "--equation", "42"]);
+    assert!(
+        one.status.success() && one.stderr.is_empty(),
+        "an equation that is misprinted holds as corrected"
+    );
     let text = String::from_utf8(one.stdout).unwrap();
     for part in [
         r"\frac{1}{t^3}",

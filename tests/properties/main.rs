@@ -24,4 +24,5 @@ mod scalars;
 mod shrinking;
 mod strategies;
 mod symmetry;
+mod threads;
 mod values;

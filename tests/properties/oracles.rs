@@ -16,6 +16,30 @@ fn sharpness_measures_bounds_that_hold() {
 }
 
 #[test]
+fn sharpness_is_shown_side_by_side_and_for_all_regimes() {
+    let arguments = ["sharpness", "--cases", "1", "--family", "segment"];
+    let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
+    let command = document["environment"]["command"].as_str().unwrap();
+    assert_eq!(command, "beamgap sharpness --seed 0x5eed --cases 1 --family segment");
+    assert_eq!(document["regimes"].as_array().unwrap().len(), 9);
+
+    let text = stdout(&run(&arguments));
+    let (_, sides) = text.split_once("\nclosed form: ").unwrap();
+    let (closed_form, ad) = sides.split_once("\nAD: ").unwrap();
+    let (ad, _) = ad.split_once("\n\n").unwrap();
+    for (side, shown) in [("closed form", closed_form), ("AD", ad)] {
+        let rows = document["rows"].as_array().unwrap().iter().filter(|row| row["side"] == side);
+        let told: Vec<_> = shown.lines().skip(2).filter(|line| !line.is_empty()).collect();
+        assert_eq!(told.len(), rows.clone().count(), "{shown}");
+        for (line, row) in told.iter().zip(rows) {
+            let error = row["error"]["max"].as_f64().unwrap();
+            let last: f64 = line.split_whitespace().last().unwrap().parse().unwrap();
+            assert!((last - error).abs() <= 0.06 * error, "{line}: {row}");
+        }
+    }
+}
+
+#[test]
 fn the_third_oracle_is_asked_on_demand() {
     let arguments = ["check", "--cases", "14", "--regime", "nearly-parallel", "--oracle", "all"];
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));

@@ -1,0 +1,144 @@
+//! Who is asked, and what the verdict is then.
+
+use super::{ROUTES, compare, judged};
+use crate::check::arbitration::DIFFERENCES;
+use crate::check::{
+    Case, Compared, Comparison, Inconclusive, Oracles, Order, Specimen, Trial, Verdict, Written,
+};
+use crate::linearization::closed_form::Label;
+use crate::linearization::{COMPONENTS, Quantity};
+use crate::pair::Contact;
+use crate::specimen::Family;
+use crate::subject::{Fault, Kind, SCALARS, Subject};
+
+/// The entries of a pass without the differences: each component by three routes and by symmetry, each matrix.
+const ENTRIES: usize = COMPONENTS * (4 * ROUTES.len() + 1) + SCALARS * 3;
+
+fn asked(entries: &[Comparison]) -> usize {
+    entries.iter().filter(|entry| entry.against == DIFFERENCES).count()
+}
+
+fn found(oracles: Oracles, seed: u64, number: u64) -> Compared {
+    compare(&Trial { oracles, ..Trial::default() }, &Case::draw(seed, number))
+}
+
+/// Two segments between these points.
+fn segments(ends: [[f64; 6]; 2]) -> Compared {
+    let specimens = ends.map(|ends| Specimen {
+        family: Family::Segment,
+        parameters: Vec::new(),
+        q: ends.into(),
+        dq: vec![0.25; 6],
+        linear_dq: vec![0.5; 6],
+    });
+    Written { specimens, contact: Contact::default() }.compare(&Trial::default()).unwrap()
+}
+
+#[test]
+fn every_number_is_compared_with_every_route() {
+    for number in [0, 45, 99] {
+        for (_, verdict) in found(Oracles::Ad, 7, number) {
+            let Verdict::Pass(entries) = verdict else { panic!("{number}: {verdict:?}") };
+            assert_eq!((entries.len(), asked(&entries)), (ENTRIES, 0));
+            for route in ROUTES {
+                assert_eq!(entries.iter().filter(|entry| entry.against == route).count(), 4 * COMPONENTS);
+            }
+            for (order, count) in [(Order::Symmetry, COMPONENTS), (Order::Matrix, 3 * SCALARS)] {
+                assert_eq!(entries.iter().filter(|entry| entry.order == order).count(), count);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_tolerance_holds_the_bounds_of_both_sides() {
+    for (_, verdict) in found(Oracles::All, 7, 0) {
+        for entry in verdict.entries() {
+            assert!(
+                entry.tolerance >= entry.bound && entry.tolerance < 1e-9 * entry.scale.max(1e-3),
+                "{entry:?}"
+            );
+            if entry.order == Order::Symmetry {
+                assert_eq!(entry.tolerance.to_bits(), (2.0 * entry.bound).to_bits());
+            }
+            // Half an ulp for what is shown of the double-double.
+            let rounding = 0.5 * f64::EPSILON * entry.other.abs();
+            assert!(entry.against != DIFFERENCES || entry.tolerance >= entry.bound + rounding, "{entry:?}");
+        }
+        // AD computes a length as the closed form does, and is as uncertain.
+        let value = |entry: &&Comparison| entry.quantity == Quantity::D && entry.order == Order::Value;
+        let own = verdict.entries().iter().filter(value).find(|entry| entry.against == ROUTES[2]).unwrap();
+        assert!(own.tolerance > 1.5 * own.bound, "{own:?}");
+    }
+}
+
+#[test]
+fn differences_are_asked_in_every_case_only_if_all_are_wanted() {
+    for (_, verdict) in found(Oracles::All, 7, 0) {
+        assert!(matches!(verdict, Verdict::Pass(_)));
+        assert_eq!(
+            (verdict.entries().len(), asked(verdict.entries())),
+            (ENTRIES + 4 * COMPONENTS, 4 * COMPONENTS)
+        );
+    }
+    // The ninth case of a regime is in no sample.
+    for (_, verdict) in found(Oracles::Sample, 7, 72) {
+        assert_eq!(asked(verdict.entries()), 0);
+    }
+}
+
+#[test]
+fn differences_decide_what_ad_cannot() {
+    let decided = |oracles| {
+        let found = found(oracles, 7, 21757);
+        found.into_iter().map(|(_, verdict)| (asked(verdict.entries()), verdict)).next().unwrap()
+    };
+    let (told, verdict) = decided(Oracles::Ad);
+    assert!(told == 0 && matches!(verdict, Verdict::Inconclusive(Inconclusive::NotMeaningful, _)));
+    let (told, verdict) = decided(Oracles::Sample);
+    assert!(told > 0 && matches!(verdict, Verdict::Pass(_)));
+}
+
+#[test]
+fn a_fault_is_a_mismatch_and_the_differences_are_asked() {
+    let fault = Fault { label: Label::new("Dd d: Dd x"), kind: Kind::Dropped };
+    let trial = Trial { subject: Subject::Faulty(vec![fault]), oracles: Oracles::Ad };
+    let mismatch = (0..9).flat_map(|number| compare(&trial, &Case::draw(7, number)));
+    let mut mismatches = mismatch.filter(|(_, verdict)| matches!(verdict, Verdict::Mismatch(_))).peekable();
+    assert!(mismatches.peek().is_some(), "{fault}");
+    assert!(mismatches.all(|(_, verdict)| asked(verdict.entries()) == 4 * COMPONENTS));
+}
+
+#[test]
+fn a_case_that_cannot_be_compared_has_a_reason() {
+    let reasons = |found: Compared| -> Vec<_> {
+        let reason = |(point, verdict): (Option<_>, Verdict)| match verdict {
+            Verdict::Inconclusive(reason, _) if point.is_none() => Some(reason),
+            _ => None,
+        };
+        found.into_iter().filter_map(reason).collect()
+    };
+    let along = |y: f64, end: f64| [-end, y, 0.0, end, y, 0.0];
+    assert_eq!(reasons(segments([along(0.0, 1.0), [0.0, -1.0, 1.0, 0.5, 1.0, 1.0]])), []);
+    assert_eq!(reasons(segments([along(0.0, 1.0), along(0.0, 0.0)])), [Inconclusive::ZeroTangent]);
+    assert_eq!(reasons(segments([along(0.0, 1e300), along(1.0, 1.0)])), [Inconclusive::SearchFailed]);
+    assert_eq!(reasons(segments([along(0.0, 1.0), along(1.0, 1.0)])), [Inconclusive::Unresolved]);
+}
+
+#[test]
+fn a_verdict_needs_every_number_and_one_mismatch() {
+    let Verdict::Pass(entries) = found(Oracles::Ad, 7, 0).remove(0).1 else { panic!("case 0 passes") };
+    assert!(matches!(judged(entries.clone()), Verdict::Pass(_)));
+    let with = |change: &dyn Fn(&mut Comparison)| {
+        let mut entries = entries.clone();
+        let number = (entries[0].part, entries[0].quantity, entries[0].axis);
+        let same = |entry: &&mut Comparison| (entry.part, entry.quantity, entry.axis) == number;
+        entries.iter_mut().filter(same).for_each(change);
+        judged(entries)
+    };
+    assert!(matches!(with(&|entry| entry.closed += 2.0 * entry.tolerance), Verdict::Mismatch(_)));
+    let unknown = with(&|entry| entry.tolerance = 1e9);
+    assert!(matches!(unknown, Verdict::Inconclusive(Inconclusive::NotMeaningful, _)));
+    let far_but_unknown = with(&|entry| (entry.closed, entry.tolerance) = (1e10, 1e9));
+    assert!(matches!(far_but_unknown, Verdict::Inconclusive(Inconclusive::NotMeaningful, _)));
+}

@@ -1,0 +1,172 @@
+//! What becomes of verdicts: counts that add up, and worst errors whose case can be found again.
+
+use super::{Cell, Differences, Summary, Tally};
+use crate::check::arbitration::DIFFERENCES;
+use crate::check::{
+    Arbitration, Case, Compared, Comparison, Inconclusive, Order, Regime, Trial, Verdict, compare,
+};
+use crate::closest_point::ClosestPoint;
+use crate::linearization::Quantity;
+
+/// Off by so much, of a scale of 1 and a tolerance of 1e-3; more is a mismatch.
+fn off(by: f64) -> Comparison {
+    Comparison {
+        quantity: Quantity::D,
+        axis: None,
+        order: Order::Second,
+        part: "Delta-delta",
+        against: "AD",
+        closed: by,
+        other: 0.0,
+        scale: 1.0,
+        bound: 0.0,
+        tolerance: 1e-3,
+    }
+}
+
+/// A tolerance that means nothing.
+fn unclear() -> Comparison {
+    Comparison { tolerance: 1.0, ..off(0.5) }
+}
+
+/// A case of the regime of metres, with a closest point inside and one at an end.
+fn case() -> (Case, [ClosestPoint; 2]) {
+    let metres = |&number: &u64| number % 9 == Regime::Metres as u64;
+    let points = |case: &Case| -> Vec<ClosestPoint> {
+        compare(&Trial::default(), case).into_iter().filter_map(|(point, _)| point).collect()
+    };
+    let cases = || (0..2000).filter(metres).map(|number| Case::draw(7, number));
+    let at_end = cases().flat_map(|case| points(&case)).find(|point| !point.is_interior()).unwrap();
+    let (case, inside) = cases()
+        .map(|case| {
+            let inside = points(&case).into_iter().find(ClosestPoint::is_interior);
+            (case, inside)
+        })
+        .find(|(_, inside)| inside.is_some())
+        .unwrap();
+    (case, [inside.unwrap(), at_end])
+}
+
+#[test]
+fn points_are_counted_where_they_belong() {
+    let (case, [inside, at_end]) = case();
+    let pass = || Verdict::Pass(vec![off(1e-4), off(2e-4), unclear()]);
+    let not = |reason| (None, Verdict::Inconclusive(reason, vec![off(0.5)]));
+    let verdicts: Compared = vec![
+        (Some(inside), pass()),
+        (Some(inside), pass()),
+        (Some(at_end), pass()),
+        not(Inconclusive::Unresolved),
+        not(Inconclusive::Unresolved),
+        not(Inconclusive::Crossing),
+    ];
+    let summary = Summary::of(&case, &verdicts);
+    let worst = Cell { scaled_error: 2e-4, case: case.number, over_tolerance: 0.2, entries: 6 };
+    let tally = Tally {
+        cases: 1,
+        interior: 2,
+        at_end: 1,
+        mismatches: 0,
+        worst,
+        inconclusive: [
+            (Inconclusive::Unresolved, (2, case.number)),
+            (Inconclusive::Crossing, (1, case.number)),
+        ]
+        .into(),
+    };
+    assert_eq!(summary.regimes, [(Regime::Metres, tally)].into());
+    assert_eq!(summary.cells, [((Quantity::D, Order::Second), worst)].into());
+    assert_eq!(summary.pairs, [((case.families[0], case.families[1]), 3)].into());
+    assert_eq!(summary.families.values().sum::<u64>(), 6);
+    assert_eq!(summary.compared(), 3);
+    assert!(summary.mismatches.is_empty() && summary.arbitrations.is_empty());
+}
+
+#[test]
+fn of_mismatches_the_furthest_off_is_kept_and_all_are_arbitrated() {
+    let (case, [inside, at_end]) = case();
+    let agreeing = Comparison { against: DIFFERENCES, other: 0.25, ..off(0.25) };
+    let ad_is_wrong = Verdict::Mismatch(vec![off(0.25), agreeing]);
+    let nobody_knows = Verdict::Mismatch(vec![off(0.125), unclear()]);
+    let far = Verdict::Mismatch(vec![off(0.5), off(0.0)]);
+    let verdicts = vec![(Some(inside), ad_is_wrong), (Some(inside), far), (Some(at_end), nobody_knows)];
+    let summary = Summary::of(&case, &verdicts);
+    assert_eq!(summary.mismatches, [(case.number, off(0.5))].into());
+    assert_eq!(summary.arbitrations, [(case.number, Arbitration::Ad)].into());
+    let tally = &summary.regimes[&Regime::Metres];
+    assert_eq!((tally.mismatches, tally.interior, tally.at_end), (3, 2, 1));
+}
+
+#[test]
+fn differences_count_what_they_decide() {
+    let (case, [inside, _]) = case();
+    let told = Comparison { against: DIFFERENCES, ..off(0.0) };
+    let not = |entries| Verdict::Inconclusive(Inconclusive::NotMeaningful, entries);
+    let verdicts: Compared = [
+        Verdict::Pass(vec![off(0.0)]),
+        Verdict::Pass(vec![off(0.0), told]),
+        Verdict::Pass(vec![unclear(), told]),
+        Verdict::Mismatch(vec![unclear(), Comparison { closed: 0.5, ..told }]),
+        not(vec![unclear(), Comparison { against: DIFFERENCES, ..unclear() }]),
+        not(vec![unclear()]),
+    ]
+    .map(|verdict| (Some(inside), verdict))
+    .into();
+    let summary = Summary::of(&case, &verdicts);
+    assert_eq!(summary.differences, Differences { points: 4, unclear: 3, decided: 2 });
+}
+
+#[test]
+fn two_summaries_add_up_in_any_order() {
+    let (case, [inside, at_end]) = case();
+    let of = |number: u64, verdicts: &[(Option<ClosestPoint>, Verdict)]| {
+        let mut other = Case::draw(7, case.number);
+        other.number = number;
+        Summary::of(&other, verdicts)
+    };
+    let told = Comparison { against: DIFFERENCES, ..off(0.0) };
+    let unresolved = (None, Verdict::Inconclusive(Inconclusive::Unresolved, Vec::new()));
+    let one = of(
+        30,
+        &[
+            (Some(inside), Verdict::Pass(vec![off(2e-4), told])),
+            unresolved.clone(),
+            (Some(at_end), Verdict::Mismatch(vec![off(0.25)])),
+        ],
+    );
+    let two = of(
+        20,
+        &[
+            (Some(inside), Verdict::Pass(vec![Comparison { tolerance: 5e-4, ..off(0.25) }, unclear(), told])),
+            unresolved.clone(),
+            unresolved,
+        ],
+    );
+    let both = one.clone().merge(two.clone());
+    assert_eq!(both, two.clone().merge(one.clone()));
+    assert_eq!(both, Summary::default().merge(one.clone()).merge(two));
+    // Of equal errors the smaller number, of two tolerances the smaller.
+    let worst = Cell { scaled_error: 0.25, case: 20, over_tolerance: 500.0, entries: 5 };
+    let tally = Tally {
+        cases: 2,
+        interior: 2,
+        at_end: 1,
+        mismatches: 1,
+        worst,
+        inconclusive: [(Inconclusive::Unresolved, (3, 20))].into(),
+    };
+    assert_eq!(both.regimes, [(Regime::Metres, tally)].into());
+    assert_eq!(both.cells[&(Quantity::D, Order::Second)], worst);
+    assert_eq!((both.compared(), both.pairs.values().sum::<u64>()), (3, 3));
+    assert_eq!(both.families.values().sum::<u64>(), 6);
+    assert_eq!(both.mismatches.keys().collect::<Vec<_>>(), [&30]);
+    assert_eq!(both.arbitrations, one.arbitrations);
+    assert_eq!(both.differences, Differences { points: 2, ..Differences::default() });
+}
+
+#[test]
+fn differences_add_up() {
+    let mut one = Differences { points: 5, unclear: 3, decided: 2 };
+    one.merge(Differences { points: 50, unclear: 30, decided: 20 });
+    assert_eq!(one, Differences { points: 55, unclear: 33, decided: 22 });
+}
