@@ -35,7 +35,7 @@ impl Report {
         let sharp = sharpness(&self.to, SEED, sharpness_cases, &command)?;
         let equations = ledger::ledger(SEED, ledger::DRAWS, ledger::CASES, LEDGER);
         report::ledger(&self.to, &equations)?;
-        let teeth = teeth::record(SEED, &[]);
+        let teeth = teeth::record(SEED, &[], &command);
         report::teeth(&self.to, &teeth)?;
         benchmark(&self.to, &criterion_directory())?;
         println!("Wrote crosscheck, sharpness, ledger, teeth and benchmark to {}.", self.to.display());

@@ -50,7 +50,7 @@ impl Bites {
             output.write(&(names.join("\n") + "\n"), "")?;
             return Ok(Exit::Agree);
         }
-        let record = record(self.seed, &self.regime);
+        let record = record(self.seed, &self.regime, &self.command());
         if let Some(to) = &self.to {
             report::teeth(to, &record)?;
         }
@@ -62,21 +62,28 @@ impl Bites {
         output.write(&document, &format!("{words}\n"))?;
         Ok(if record.holds { Exit::Agree } else { Exit::Untrusted })
     }
+
+    fn command(&self) -> String {
+        let mut command = String::from("cargo run --release -- teeth");
+        if self.seed != report::SEED {
+            let _ = write!(command, " --seed {:#x}", self.seed);
+        }
+        for regime in &self.regime {
+            let _ = write!(command, " --regime {}", regime.name());
+        }
+        if let Some(to) = &self.to {
+            let _ = write!(command, " --to {}", to.display());
+        }
+        command
+    }
 }
 
-/// The record of these regimes, or of all if none is named.
-pub(super) fn record(seed: u64, named: &[Regime]) -> Teeth {
-    let mut command = String::from("beamgap teeth");
-    if seed != report::SEED {
-        let _ = write!(command, " --seed {seed:#x}");
-    }
-    for regime in named {
-        let _ = write!(command, " --regime {}", regime.name());
-    }
+/// The record of these regimes, or of all if none is named, as `command` made it.
+pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Teeth {
     let asked = |regime: &Regime| named.is_empty() || named.contains(regime);
     let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
     let found = teeth(seed, &regimes);
-    Teeth::new(&found, &limits(seed, &regimes), seed, Environment::here(&command))
+    Teeth::new(&found, &limits(seed, &regimes), seed, Environment::here(command))
 }
 
 fn verdict(record: &Teeth) -> String {

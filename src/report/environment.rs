@@ -18,7 +18,7 @@ pub struct Environment {
     pub rustc: String,
     /// The profile and RUSTFLAGS.
     pub flags: String,
-    /// The commit, with `-dirty` if there were changes on top of it.
+    /// The commit, with `-dirty` if there were changes on top of it, other than of reports.
     pub commit: String,
     /// The day, in UTC.
     pub date: String,
@@ -33,6 +33,13 @@ impl Environment {
         let run = |program: &str, arguments: &[&str]| {
             let output = Command::new(program).args(arguments).output().ok()?;
             output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+        };
+        let commit = || {
+            let commit = run("git", &["rev-parse", "--short", "HEAD"])?;
+            let changes =
+                ["status", "--porcelain", "--untracked-files=no", "--", ":/", ":(top,exclude)reports"];
+            let dirty = if run("git", &changes)?.is_empty() { "" } else { "-dirty" };
+            Some(commit + dirty)
         };
         let cpu = || {
             let info = fs::read_to_string("/proc/cpuinfo").ok()?;
@@ -50,8 +57,7 @@ impl Environment {
                 "{profile} profile, RUSTFLAGS {}",
                 if flags.is_empty() { "empty" } else { &flags }
             ),
-            commit: run("git", &["describe", "--always", "--dirty", "--exclude", "*"])
-                .unwrap_or_else(unknown),
+            commit: commit().unwrap_or_else(unknown),
             date: today(),
             command: command.to_owned(),
         }
