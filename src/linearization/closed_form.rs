@@ -15,6 +15,7 @@ use crate::linearization::{Linearization, Quantities, Varied};
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 
+pub mod blocks;
 mod frozen;
 mod jets;
 mod matrices;
