@@ -109,6 +109,13 @@ impl Form {
         }
     }
 
+    /// Whether [`Form::at`] is sure to be the paper's, by t·t, t̄·t̄, t·t̄ and d·d alone: true at wide angles and gaps.
+    #[inline(always)]
+    pub fn is_plain([t2, t_bar2, b, d2]: [f64; 4]) -> bool {
+        let c2 = t2 * t_bar2 - b * b;
+        c2 > 1.01 * WIDE * t2 * t_bar2 && d2 * t2 > 1.01 * NEAR * NEAR * c2
+    }
+
     /// Whether no parameter is held.
     const fn is_inside(self) -> bool {
         !self.active.xi && !self.active.xi_bar
