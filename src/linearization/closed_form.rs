@@ -7,7 +7,9 @@
 //! and for no other), and closest points at an end of a beam, where the parameter is held.
 //!
 //! [`variations`] is the framework of sections 2-5 of the paper, in two directions; [`Matrices`] is the step its
-//! section 6 leaves to the reader, gradients and Hessians in all dofs. Contracting the one gives the other.
+//! section 6 leaves to the reader, gradients and Hessians in all dofs. Contracting the one gives the other. Both have the
+//! variations of d and the solution of the two-by-two system in two forms, the paper's and one that keeps its digits at
+//! small gaps and angles: see [`Form`].
 
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet};
@@ -32,11 +34,16 @@ pub use frozen::Frozen;
 pub use jets::{Jets, MatrixTerms};
 pub use matrices::{Matrices, VectorQuantity};
 pub use operands::{Between, First, Operands, Second, Side};
-pub use projection::{Points, Projection, System};
+pub use projection::{Crossed, Points, Projection, System};
 pub use terms::{Label, Sound, Terms};
 pub use variations::{variations, variations_with};
 
-/// All scalar quantities with gradients and Hessians, at a closest point of the pair.
+/// All scalar quantities with gradients and Hessians, at a closest point of the pair, by the formulas that lose the
+/// fewest digits there ([`Form::at`]).
+///
+/// Where the centroids cross inside both beams, d = 0 and d as a length has no derivatives. What is returned there are
+/// those of the signed distance along n = t × t_bar/|t × t_bar|; its sign, and that of n, is a choice. Elsewhere n points
+/// from the bar beam to the beam, and d is positive.
 ///
 /// # Example
 /// See the crate's front page.
@@ -46,10 +53,12 @@ pub fn linearize<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     point: &ClosestPoint,
 ) -> Linearization<f64, N, M> {
     let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
-    Matrices::new(&jet, &jet_bar, point.active()).all((point.xi, point.xi_bar), &pair.contact)
+    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+    Matrices::with(Sound, &jet, &jet_bar, form).all((point.xi, point.xi_bar), &pair.contact)
 }
 
-/// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair.
+/// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair, by
+/// the formulas that [`linearize`] takes.
 pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<f64, N, M>,
@@ -61,7 +70,8 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     let (jet, jet_bar) = jets(pair, q, at);
     let beam = Frozen::new(&jet, &dq.beam, &linear_dq.beam);
     let bar = Frozen::new(&jet_bar, &dq.bar, &linear_dq.bar);
-    variations(&beam, &bar, at, point.active(), &pair.contact)
+    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+    variations_with(&Sound, &beam, &bar, at, form, &pair.contact)
 }
 
 /// The jets of both curves.

@@ -38,6 +38,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
             b: f.dot(beam.t, bar.t),
             a_bar: f.dot(d, bar.t_xi) - f.dot(bar.t, bar.t),
             active,
+            crossed: None,
         };
         let [p, q, q_bar] = inverse(&projection);
         let distance = f.dot(d, d).sqrt();
@@ -59,7 +60,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
 /// p, q and q_bar.
 #[inline(always)]
 fn inverse<T: Real>(projection: &Projection<T>) -> [T; 3] {
-    let Projection { a, b, a_bar, active } = *projection;
+    let Projection { a, b, a_bar, active, .. } = *projection;
     let (zero, one) = (T::zero(), T::one());
     match (active.xi, active.xi_bar) {
         // Eq. (52): [[p, q], [−q, q̄]] = [[ā, b], [−b, a]]/D, with one division.
