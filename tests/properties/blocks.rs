@@ -4,9 +4,9 @@ use crate::pairs::{Contacting, Movable, any_arc, contacting, hermite, quadratic}
 use beamgap::closest_point::Active;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
 use beamgap::linearization::closed_form::blocks::{
-    Full, Gradient, Packed, Targets, write_all, write_all_in_form, write_d,
+    Full, Gradient, Packed, Targets, write_all, write_all_over, write_d,
 };
-use beamgap::linearization::closed_form::{Form, Matrices, Projection, jets};
+use beamgap::linearization::closed_form::{Matrices, Projection, jets};
 use beamgap::linearization::{Expansion, Linearization};
 use beamgap::number::{Bounded, Real, Residue};
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -35,7 +35,7 @@ fn in_form<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usize
     active: Active,
 ) -> [Vec<T>; 5] {
     let mut full = [Full::<T, S>::zeros(); 5];
-    assert!(write_all_in_form(pair, q, at, Form::paper(active), &mut targets(&mut full)));
+    assert!(write_all_over(pair, q, at, active, &mut targets(&mut full)));
     full.each_ref().map(flat)
 }
 

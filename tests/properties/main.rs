@@ -8,6 +8,7 @@ mod centroids;
 mod closed_form_equals_ad;
 mod closest_points;
 mod command_line;
+mod conditioning;
 mod degenerate;
 mod every_minimum;
 mod families;

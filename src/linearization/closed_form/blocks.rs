@@ -25,15 +25,15 @@ mod target;
 
 pub use target::{Full, Gradient, Packed, Target};
 
-use super::{Form, Matrices, jets};
-use crate::closest_point::ClosestPoint;
+use super::{Form, Matrices, Points, Sound, jets};
+use crate::closest_point::{Active, ClosestPoint};
 use crate::curve::Curve;
-use crate::linearization::{Expansion, Linearization};
+use crate::linearization::Linearization;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 use arithmetic::{Arithmetic, ByFour, ByOne, Separate};
 use fearless_simd::{Level, Simd};
-use frame::{Choice, Fitting, Frame, Given, Plain};
+use frame::Frame;
 use side::Side;
 
 /// Memory for all scalar quantities of a pair but the slips.
@@ -74,8 +74,8 @@ pub fn write_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     point: &ClosestPoint,
     to: &mut impl Target<f64, N, M>,
 ) {
-    if !write_plain_d(pair, q, point, to) {
-        target::fill(&rarer_d(pair, q, point), to);
+    if !is_done(fast_d(pair, q, point, to)) {
+        target::fill(&rarer(pair, q, point).d, to);
     }
 }
 
@@ -86,8 +86,8 @@ pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     point: &ClosestPoint,
     to: &mut Targets<'_, impl Target<f64, N, M>>,
 ) {
-    if !write_plain_all(pair, q, point, to) {
-        let Linearization { d, xi, xi_bar, t, t_bar, .. } = rarer_all(pair, q, point);
+    if !is_done(fast_all(pair, q, point, to)) {
+        let Linearization { d, xi, xi_bar, t, t_bar, .. } = rarer(pair, q, point);
         target::fill(&d, to.d);
         target::fill(&xi, to.xi);
         target::fill(&xi_bar, to.xi_bar);
@@ -96,88 +96,74 @@ pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     }
 }
 
-/// [`write_all`] over any scalar, in a form that is given; `false`, and nothing written, if a curve has no shape functions.
+/// [`write_all`] over any scalar, in the paper's form; `false`, and nothing written, if a curve has no shape functions.
 ///
-/// For those who check: in `f64` [`write_all`] is this with fused products and sums.
-pub fn write_all_in_form<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+/// For those who check: [`write_all`] does the same, with fused products and sums.
+pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    active: Active,
     to: &mut Targets<'_, impl Target<T, N, M>>,
 ) -> bool {
-    all(ByOne(Separate), pair, q, at, Given(form), to)
+    all(ByOne(Separate), pair, q, at, active, to).is_some()
 }
 
+/// Whether the paper's form was evaluated, at a point where no other keeps more digits.
 #[inline]
-fn write_plain_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    to: &mut impl Target<f64, N, M>,
-) -> bool {
-    let (at, choice) = ((point.xi, point.xi_bar), Plain(point.active()));
-    with_the_fastest!(f => d(f, pair, q, at, choice, to))
-}
-
-#[inline]
-fn write_plain_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    to: &mut Targets<'_, impl Target<f64, N, M>>,
-) -> bool {
-    let (at, choice) = ((point.xi, point.xi_bar), Plain(point.active()));
-    with_the_fastest!(f => all(f, pair, q, at, choice, to))
+fn is_done(squares: Option<[f64; 4]>) -> bool {
+    squares.is_some_and(Form::is_plain)
 }
 
 /// At small angles and gaps, and of curves without shape functions.
 #[cold]
 #[inline(never)]
-fn rarer_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-) -> Expansion<f64, N, M> {
-    let (at, mut to) = ((point.xi, point.xi_bar), Expansion::zero());
-    if !d(ByOne(Separate), pair, q, at, Fitting(point.active()), &mut to) {
-        let (jet, jet_bar) = jets(pair, q, at);
-        to = Matrices::new(&jet, &jet_bar, point.active()).d();
-    }
-    to
-}
-
-/// The same of all quantities.
-#[cold]
-#[inline(never)]
-fn rarer_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+fn rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
 ) -> Linearization<f64, N, M> {
-    let (at, mut to) = ((point.xi, point.xi_bar), Linearization::zeros());
-    let Linearization { d, xi, xi_bar, t, t_bar, .. } = &mut to;
-    let mut targets = Targets { d, xi, xi_bar, t, t_bar };
-    if !all(ByOne(Separate), pair, q, at, Fitting(point.active()), &mut targets) {
-        let (jet, jet_bar) = jets(pair, q, at);
-        to = Matrices::new(&jet, &jet_bar, point.active()).all(at, &pair.contact);
-    }
-    to
+    let at = (point.xi, point.xi_bar);
+    let (jet, jet_bar) = jets(pair, q, at);
+    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+    Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact)
 }
 
-/// `false`, and nothing written, if a curve has no shape functions or the choice refuses.
+#[inline]
+fn fast_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+    to: &mut impl Target<f64, N, M>,
+) -> Option<[f64; 4]> {
+    let (at, active) = ((point.xi, point.xi_bar), point.active());
+    with_the_fastest!(f => d(f, pair, q, at, active, to))
+}
+
+#[inline]
+fn fast_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+    to: &mut Targets<'_, impl Target<f64, N, M>>,
+) -> Option<[f64; 4]> {
+    let (at, active) = ((point.xi, point.xi_bar), point.active());
+    with_the_fastest!(f => all(f, pair, q, at, active, to))
+}
+
+/// t·t, t̄·t̄, t·t̄ and d·d of what was written; nothing if a curve has no shape functions.
 #[inline(always)]
 fn d<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     f: impl Arithmetic<T>,
     pair: &Pair<A, B>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    choice: impl Choice<T>,
+    active: Active,
     to: &mut impl Target<T, N, M>,
-) -> bool {
-    let Some(frame) = frame(f, pair, q, at, choice) else { return false };
+) -> Option<[T; 4]> {
+    let frame = frame(f, pair, q, at, active)?;
     frame.write_d(f, to);
-    frame.is_fitting
+    Some(frame.squares)
 }
 
 /// The same of all quantities.
@@ -187,14 +173,14 @@ fn all<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    choice: impl Choice<T>,
+    active: Active,
     to: &mut Targets<'_, impl Target<T, N, M>>,
-) -> bool {
-    let Some(frame) = frame(f, pair, q, at, choice) else { return false };
+) -> Option<[T; 4]> {
+    let frame = frame(f, pair, q, at, active)?;
     frame.write_d(f, to.d);
     frame.write_xi(f, at.0, to.xi, to.t);
     frame.write_xi_bar(f, at.1, to.xi_bar, to.t_bar);
-    frame.is_fitting
+    Some(frame.squares)
 }
 
 /// The pair at its closest point.
@@ -204,9 +190,9 @@ fn frame<T: Real, A: Curve<N>, B: Curve<M>, F: Arithmetic<T>, const N: usize, co
     pair: &Pair<A, B>,
     q: &DofVector<T, N, M>,
     (xi, xi_bar): (T, T),
-    choice: impl Choice<T>,
+    active: Active,
 ) -> Option<Frame<T, F::Vector, N, M>> {
     let beam = Side::new(f, &pair.curve.jet(&q.beam, xi).dofs, &q.beam, T::one())?;
     let bar = Side::new(f, &pair.curve_bar.jet(&q.bar, xi_bar).dofs, &q.bar, -T::one())?;
-    Some(Frame::new(f, beam, bar, choice))
+    Some(Frame::new(f, beam, bar, active))
 }

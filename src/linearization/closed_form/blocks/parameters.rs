@@ -81,22 +81,8 @@ impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
         ];
         let combined = [w, w_bar, v, v_bar];
         Self {
-            beam: Rows::new(
-                f,
-                frame,
-                ([x, y], -x),
-                beam,
-                &combined,
-                (1, &bend, [T::one(), T::zero(), -p, -q]),
-            ),
-            bar: Rows::new(
-                f,
-                frame,
-                ([x, y], -y),
-                bar,
-                &combined,
-                (2, &bend_bar, [T::zero(), T::one(), q, -q_bar]),
-            ),
+            beam: Rows::new(f, frame, ([x, y], -x), beam, &combined, (1, &bend, [-p, -q])),
+            bar: Rows::new(f, frame, ([x, y], -y), bar, &combined, (2, &bend_bar, [q, -q_bar])),
             bend,
             bend_bar,
         }
@@ -106,7 +92,7 @@ impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
 impl<T: Real, const L: usize> Rows<T, L> {
     /// `along_tangent` is what couples u_hat and the first derivatives of this side in C and C_bar. Then come w, w_bar, v and
     /// v_bar along the variations of the jets, which of these the first derivatives of this side are, and the second with
-    /// their multiples in the four.
+    /// their multiples in v and v_bar.
     #[inline(always)]
     fn new<V: Copy, A: Arithmetic<T, Vector = V>, const N: usize, const M: usize>(
         f: A,
@@ -114,7 +100,7 @@ impl<T: Real, const L: usize> Rows<T, L> {
         ([x, y], along_tangent): ([T; 2], T),
         side: &Side<T, V, L>,
         [w, w_bar, v, v_bar]: &[Along<V>; 4],
-        (first, bend, [in_w, in_w_bar, in_v, in_v_bar]): (usize, &[T; L], [T; 4]),
+        (first, bend, [in_v, in_v_bar]): (usize, &[T; L], [T; 2]),
     ) -> Self {
         let Side { shapes: [s, s_xi, _], g, g_bar, .. } = side;
         let (d, t, t_bar) = (f.components(frame.d), f.components(frame.beam.t), f.components(frame.bar.t));
@@ -123,33 +109,15 @@ impl<T: Real, const L: usize> Rows<T, L> {
             (f.components(w_bar[0]), f.components(w_bar[1]), f.components(w_bar[2]));
         let of_v = side.along(f, [v[0], v[first]], (in_v, bend));
         let of_v_bar = side.along(f, [v_bar[0], v_bar[first]], (in_v_bar, bend));
-        let with_g = |i: usize| [(w_0[i], &g[..]), (w_bar_0[i], &g_bar[..])];
-        let hat = if frame.form.is_crossed() {
-            // Near parallel tangents v and v̄ cancel in the other sum; u and ū do not.
-            let (u, minus_u_bar) = (f.components(frame.u), f.components(f.times(-T::one(), frame.u_bar)));
-            let of_w = side.along(f, [w[0], w[first]], (in_w, bend));
-            let of_w_bar = side.along(f, [w_bar[0], w_bar[first]], (in_w_bar, bend));
-            by_axis(
-                #[inline(always)]
-                |i| {
-                    let [with_g, with_g_bar] = with_g(i);
-                    let sum = [(u[i], &of_w[..]), (minus_u_bar[i], &of_w_bar), with_g, with_g_bar];
-                    f.dofs([(s_xi, f.tile_along(i, along_tangent))], sum)
-                },
-            )
-        } else {
-            // u w − ū w̄ = t v + t̄ v̄
-            by_axis(
-                #[inline(always)]
-                |i| {
-                    let [with_g, with_g_bar] = with_g(i);
-                    let sum = [(t[i], &of_v[..]), (t_bar[i], &of_v_bar), with_g, with_g_bar];
-                    f.dofs([(s_xi, f.tile_along(i, along_tangent))], sum)
-                },
-            )
-        };
         Self {
-            hat,
+            hat: by_axis(
+                #[inline(always)]
+                |i| {
+                    // u w − ū w̄ = t v + t̄ v̄
+                    let sum = [(t[i], &of_v[..]), (t_bar[i], &of_v_bar), (w_0[i], g), (w_bar_0[i], g_bar)];
+                    f.dofs([(s_xi, f.tile_along(i, along_tangent))], sum)
+                },
+            ),
             xi: by_axis(
                 #[inline(always)]
                 |i| {
