@@ -11,6 +11,7 @@ mod double_double;
 mod dual;
 mod extension;
 mod hyper_dual;
+mod lanes;
 mod magnitude;
 mod prime;
 
@@ -20,6 +21,7 @@ pub use double_double::DoubleDouble;
 pub use dual::{Differentiable, Dual};
 pub use extension::Extends;
 pub use hyper_dual::HyperDual;
+pub use lanes::Lanes;
 pub use magnitude::Magnitude;
 pub use prime::Residue;
 

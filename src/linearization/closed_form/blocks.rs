@@ -14,7 +14,25 @@
 //! Where the machine has AVX2 and fused products and sums they are used, whatever the build was made for. The two ways
 //! round differently, no more.
 
+/// Evaluates a kernel with the arithmetic of the machine's vector units, if it has any that are known here.
+macro_rules! with_the_fastest {
+    ($f:ident: $with:expr, $without:expr => $kernel:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx2) = fearless_simd::Level::new().as_avx2() {
+            let $f = $with(avx2);
+            return fearless_simd::Simd::vectorize(
+                avx2,
+                #[inline(always)]
+                || $kernel,
+            );
+        }
+        let $f = $without;
+        $kernel
+    }};
+}
+
 mod arithmetic;
+mod batch;
 mod distance;
 mod frame;
 mod lengths;
@@ -23,6 +41,7 @@ mod second_order;
 mod side;
 mod target;
 
+pub use batch::write_d_batch;
 pub use target::{Full, Gradient, Packed, Target};
 
 use super::{Form, Matrices, Points, Sound, jets};
@@ -32,7 +51,6 @@ use crate::linearization::Linearization;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 use arithmetic::{Arithmetic, ByFour, ByOne, Separate};
-use fearless_simd::{Level, Simd};
 use frame::Frame;
 use side::Side;
 
@@ -51,22 +69,6 @@ pub struct Targets<'a, W> {
     pub t_bar: &'a mut W,
 }
 
-/// Evaluates a kernel with the fastest arithmetic of the machine.
-macro_rules! with_the_fastest {
-    ($f:ident => $kernel:expr) => {{
-        #[cfg(target_arch = "x86_64")]
-        if let Some(avx2) = Level::new().as_avx2() {
-            let $f = ByFour(avx2);
-            return avx2.vectorize(
-                #[inline(always)]
-                || $kernel,
-            );
-        }
-        let $f = ByOne(Separate);
-        $kernel
-    }};
-}
-
 /// d with its derivatives, at a closest point of the pair, written over `to`.
 pub fn write_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
@@ -75,7 +77,7 @@ pub fn write_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     to: &mut impl Target<f64, N, M>,
 ) {
     if !is_done(fast_d(pair, q, point, to)) {
-        target::fill(&rarer(pair, q, point).d, to);
+        target::fill(&rarer(pair, q, point).d, to, |to, from| *to = from);
     }
 }
 
@@ -88,11 +90,11 @@ pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 ) {
     if !is_done(fast_all(pair, q, point, to)) {
         let Linearization { d, xi, xi_bar, t, t_bar, .. } = rarer(pair, q, point);
-        target::fill(&d, to.d);
-        target::fill(&xi, to.xi);
-        target::fill(&xi_bar, to.xi_bar);
-        target::fill(&t, to.t);
-        target::fill(&t_bar, to.t_bar);
+        target::fill(&d, to.d, |to, from| *to = from);
+        target::fill(&xi, to.xi, |to, from| *to = from);
+        target::fill(&xi_bar, to.xi_bar, |to, from| *to = from);
+        target::fill(&t, to.t, |to, from| *to = from);
+        target::fill(&t_bar, to.t_bar, |to, from| *to = from);
     }
 }
 
@@ -137,7 +139,7 @@ fn fast_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     to: &mut impl Target<f64, N, M>,
 ) -> Option<[f64; 4]> {
     let (at, active) = ((point.xi, point.xi_bar), point.active());
-    with_the_fastest!(f => d(f, pair, q, at, active, to))
+    with_the_fastest!(f: ByFour, ByOne(Separate) => d(f, pair, q, at, active, to))
 }
 
 #[inline]
@@ -148,7 +150,7 @@ fn fast_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     to: &mut Targets<'_, impl Target<f64, N, M>>,
 ) -> Option<[f64; 4]> {
     let (at, active) = ((point.xi, point.xi_bar), point.active());
-    with_the_fastest!(f => all(f, pair, q, at, active, to))
+    with_the_fastest!(f: ByFour, ByOne(Separate) => all(f, pair, q, at, active, to))
 }
 
 /// t·t, t̄·t̄, t·t̄ and d·d of what was written; nothing if a curve has no shape functions.

@@ -1,6 +1,6 @@
 //! How sums of products are computed: the one place where the vector units of a machine show.
 
-use crate::number::Real;
+use crate::number::{Lanes, Real};
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x4, x86::Avx2};
 
@@ -128,6 +128,17 @@ impl<T: Real> MulAdd<T> for Separate {
     #[inline(always)]
     fn mul_add(self, a: T, b: T, c: T) -> T {
         a * b + c
+    }
+}
+
+/// A product and a sum with one rounding, of each lane.
+#[derive(Clone, Copy)]
+pub(super) struct Fused;
+
+impl MulAdd<Lanes> for Fused {
+    #[inline(always)]
+    fn mul_add(self, a: Lanes, b: Lanes, c: Lanes) -> Lanes {
+        a.mul_add(b, c)
     }
 }
 

@@ -198,22 +198,24 @@ impl<T: Real, const N: usize, const M: usize, const S: usize> Target<T, N, M> fo
     }
 }
 
-/// Copies a quantity into another layout.
-pub(super) fn fill<T: Real, const N: usize, const M: usize>(
+/// Copies a quantity into another layout, one number into each by `set`.
+pub(super) fn fill<T: Real, W: Real, const N: usize, const M: usize>(
     from: &Expansion<T, N, M>,
-    to: &mut impl Target<T, N, M>,
+    to: &mut impl Target<W, N, M>,
+    set: impl Fn(&mut W, T),
 ) {
-    *to.value() = from.value;
+    set(to.value(), from.value);
+    let copy = |to: &mut [W], from: &dyn Fn(usize) -> T| {
+        for (i, to) in to.iter_mut().enumerate() {
+            set(to, from(i));
+        }
+    };
     let (gradient, gradient_bar) = to.gradient();
-    gradient.copy_from_slice(from.gradient.beam.as_slice());
-    gradient_bar.copy_from_slice(from.gradient.bar.as_slice());
-    let row = |i: usize, (row, row_bar): (&mut [T], &mut [T])| {
-        for (j, to) in row.iter_mut().enumerate() {
-            *to = from.hessian.entry(i, j);
-        }
-        for (j, to) in row_bar.iter_mut().enumerate() {
-            *to = from.hessian.entry(i, N + j);
-        }
+    copy(gradient, &|i| from.gradient.beam[i]);
+    copy(gradient_bar, &|i| from.gradient.bar[i]);
+    let row = |i: usize, (row, row_bar): (&mut [W], &mut [W])| {
+        copy(row, &|j| from.hessian.entry(i, j));
+        copy(row_bar, &|j| from.hessian.entry(i, N + j));
     };
     for i in 0..N {
         row(i, to.row(i));
