@@ -1,26 +1,29 @@
 //! The distance, its gradient and its Hessian.
 
 use super::arithmetic::{Arithmetic, by_axis};
-use super::frame::Frame;
+use super::frame::{Frame, points};
 use super::target::Target;
+use crate::linearization::closed_form::form;
 use crate::number::Real;
 
 impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
     /// d.
     #[inline(always)]
-    pub(super) fn write_d<A: Arithmetic<T, Vector = V>>(&self, f: A, to: &mut impl Target<T, N, M>) {
-        let Self { beam, bar, n, u, u_bar, curvature, .. } = self;
+    pub(super) fn write_d<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(&self, f: A, to: &mut W) {
+        let Self { beam, bar, u, u_bar, .. } = self;
+        let Metric { distance, n, curvature, k_t, k_t_bar } = self.metric(f);
         // Eq. (4), (37): δd = n·δᵤû
-        *to.value() = self.distance;
-        let tile = f.tile(*n);
+        *to.value() = distance;
+        let tile = f.tile(n);
         let (gradient, gradient_bar) = to.gradient();
         f.set(gradient, [(&beam.shapes[0], tile)], []);
         f.set(gradient_bar, [(&bar.shapes[0], tile)], []);
+        if !W::SECOND {
+            return;
+        }
         // Eq. (40), (51): Δδd = δᵤû·K Δᵤû + (δᵤû·u)(n·Δᵤu,ξ) + (δᵤû·ū)(n·Δᵤū,ξ̄) + n·δᵤu,ξ Δξ − n·δᵤū,ξ̄ Δξ̄
-        // with K = (I − nnᵀ + t uᵀ + t̄ ūᵀ)/d
-        let minus_n = f.times(-*curvature, *n);
-        let (by_t, by_t_bar) = (f.times(*curvature, beam.t), f.times(*curvature, bar.t));
-        let (minus_n, by_t, by_t_bar) = (f.components(minus_n), f.components(by_t), f.components(by_t_bar));
+        let (minus_n, t, t_bar) =
+            (f.components(f.times(-curvature, n)), f.components(beam.t), f.components(bar.t));
         let (u_i, u_bar_i) = (f.components(*u), f.components(*u_bar));
         // n·δᵤu,ξ and n·δᵤū,ξ̄
         let by_n: [T; N] = f.dofs([(&beam.shapes[1], tile)], []);
@@ -28,8 +31,8 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         let k = by_axis(
             #[inline(always)]
             |i| {
-                let k = f.times_plus(minus_n[i], *n, f.along(i, *curvature));
-                f.tile(f.times_plus(by_t_bar[i], *u_bar, f.times_plus(by_t[i], *u, k)))
+                let k = f.times_plus(minus_n[i], n, f.along(i, curvature));
+                f.tile(f.times_plus(t_bar[i], k_t_bar, f.times_plus(t[i], k_t, k)))
             },
         );
         let rows: [[T; N]; 3] = by_axis(
@@ -59,4 +62,39 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
             }
         }
     }
+    /// The distance and what does not depend on the dofs in its variations.
+    #[inline(always)]
+    fn metric<A: Arithmetic<T, Vector = V>>(&self, f: A) -> Metric<T, V> {
+        let Self { beam, bar, d, u, u_bar, .. } = self;
+        if let Some(sign) = self.form.sign() {
+            // K = T W Tᵀ with T = [t, −t̄]
+            let points = points(f, beam, bar, *d);
+            let c = points.beam.t.cross(&points.bar.t) * <T as From<f64>>::from(sign);
+            let n = form::unit_normal(&c);
+            // det H = 1/(p q̄ + q²) up to its sign
+            let [p, q, q_bar] = self.inverse;
+            let [w, w_mixed, w_bar] = form::weights(&points, &n, -T::one() / (p * q_bar + q * q));
+            return Metric {
+                distance: n.dot(&points.d),
+                n: f.vector(n.data.0[0]),
+                curvature: T::zero(),
+                k_t: f.combined([(w, beam.t), (-w_mixed, bar.t)]),
+                k_t_bar: f.combined([(w_bar, bar.t), (-w_mixed, beam.t)]),
+            };
+        }
+        // K = (I − nnᵀ + t uᵀ + t̄ ūᵀ)/d
+        let distance = self.d2.sqrt();
+        let curvature = T::one() / distance;
+        let n = f.times(curvature, *d);
+        Metric { distance, n, curvature, k_t: f.times(curvature, *u), k_t_bar: f.times(curvature, *u_bar) }
+    }
+}
+
+/// The distance, n, and K = `curvature` (I − nnᵀ) + t `k_t`ᵀ + t̄ `k_t_bar`ᵀ.
+struct Metric<T, V> {
+    distance: T,
+    n: V,
+    curvature: T,
+    k_t: V,
+    k_t_bar: V,
 }
