@@ -7,7 +7,7 @@ use beamgap::linearization::closed_form::blocks::{
     Full, Gradient, Packed, Targets, write_all, write_all_in_form, write_d,
 };
 use beamgap::linearization::closed_form::form::{Distance, Elimination};
-use beamgap::linearization::closed_form::{Form, Matrices, Projection, Sound, jets};
+use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, Sound, jets};
 use beamgap::linearization::{Expansion, Linearization};
 use beamgap::number::{Bounded, Real, Residue};
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -207,7 +207,10 @@ proptest! {
         let Contacting { pair, q, point, .. } = &case;
         let mut full = [Full::<f64, 21>::zeros(); 5];
         write_all(pair, q, point, &mut targets(&mut full));
-        let by_matrices = by_matrices(pair, q, (point.xi, point.xi_bar), point.active());
+        let at = (point.xi, point.xi_bar);
+        let (jet, jet_bar) = jets(pair, q, at);
+        let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+        let by_matrices = by_matrices(pair, q, at, form);
         prop_assert_eq!(full.each_ref().map(flat), by_matrices);
     }
 }
