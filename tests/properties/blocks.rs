@@ -4,11 +4,11 @@ use crate::pairs::{Contacting, Movable, any_arc, contacting, hermite, quadratic}
 use beamgap::closest_point::Active;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
 use beamgap::linearization::closed_form::blocks::{
-    Full, Gradient, Packed, Targets, write_all, write_all_over, write_d,
+    Full, Gradient, Packed, Targets, write_all, write_all_over, write_d, write_d_batch,
 };
-use beamgap::linearization::closed_form::{Matrices, Projection, jets};
+use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, Sound, jets};
 use beamgap::linearization::{Expansion, Linearization};
-use beamgap::number::{Bounded, Real, Residue};
+use beamgap::number::{Bounded, Lanes, Real, Residue};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
@@ -49,13 +49,16 @@ fn by_matrices<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: u
     let (jet, jet_bar) = jets(pair, q, at);
     let Linearization { d, xi, xi_bar, t, t_bar, .. } =
         Matrices::new(&jet, &jet_bar, active).all(at, &pair.contact);
-    [d, xi, xi_bar, t, t_bar].map(|quantity| {
-        let mut all = vec![quantity.value];
-        all.extend((0..N + M).map(|i| quantity.gradient.entry(i)));
-        let entries = |i| (0..N + M).map(move |j| (i, j));
-        all.extend((0..N + M).flat_map(entries).map(|(i, j)| quantity.hessian.entry(i, j)));
-        all
-    })
+    [d, xi, xi_bar, t, t_bar].map(flat_expansion)
+}
+
+/// The same of blocks.
+fn flat_expansion<T: Real, const N: usize, const M: usize>(quantity: Expansion<T, N, M>) -> Vec<T> {
+    let mut all = vec![quantity.value];
+    all.extend((0..N + M).map(|i| quantity.gradient.entry(i)));
+    let entries = |i| (0..N + M).map(move |j| (i, j));
+    all.extend((0..N + M).flat_map(entries).map(|(i, j)| quantity.hessian.entry(i, j)));
+    all
 }
 
 /// Whatever the dofs, once the bar beam is moved to where the point is stationary.
@@ -199,13 +202,39 @@ proptest! {
         prop_assert!(d == full[0], "d alone is d");
     }
 
+    /// Each lane is its pair, the last four and those at an end of a beam among them; whatever is too long is left.
+    #[test]
+    fn batches(cases in proptest::collection::vec(contacting(hermite(), hermite()), 1..=6)) {
+        let pair = &cases[0].pair;
+        let (q, points): (Vec<_>, Vec<_>) = cases.iter().map(|case| (case.q, case.point)).unzip();
+        let mut lanes = [Packed::<Lanes, 24, 300>::zeros(); 2];
+        prop_assert_eq!(write_d_batch(pair, &q, &points, &mut lanes), cases.len());
+        prop_assert_eq!(write_d_batch(pair, &q, &points, &mut lanes[..1]), cases.len().min(4));
+        for (i, case) in cases.iter().enumerate() {
+            let (of_four, lane) = (&lanes[i / 4], i % 4);
+            let mut one = Packed::<f64, 24, 300>::zeros();
+            write_d(pair, &case.q, &case.point, &mut one);
+            let largest = one.hessian.iter().fold(one.value, |largest, x| largest.max(x.abs()));
+            let both = [(of_four.value, one.value)].into_iter()
+                .chain(of_four.gradient.into_iter().zip(one.gradient))
+                .chain(of_four.hessian.into_iter().zip(one.hessian));
+            for (four, one) in both {
+                prop_assert!((four.0[lane] - one).abs() <= 1e-12 * largest, "{:e}, {:e} of {:e}", four.0[lane], one, largest);
+            }
+        }
+    }
+
     /// Curves without shape functions are linearized all the same.
     #[test]
     fn curves_without_shape_functions(case in contacting(hermite(), any_arc())) {
         let Contacting { pair, q, point, .. } = &case;
         let mut full = [Full::<f64, 21>::zeros(); 5];
         write_all(pair, q, point, &mut targets(&mut full));
-        let by_matrices = by_matrices(pair, q, (point.xi, point.xi_bar), point.active());
-        prop_assert_eq!(full.each_ref().map(flat), by_matrices);
+        let at = (point.xi, point.xi_bar);
+        let (jet, jet_bar) = jets(pair, q, at);
+        let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+        let Linearization { d, xi, xi_bar, t, t_bar, .. } =
+            Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact);
+        prop_assert_eq!(full.each_ref().map(flat), [d, xi, xi_bar, t, t_bar].map(flat_expansion));
     }
 }
