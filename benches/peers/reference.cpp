@@ -175,12 +175,10 @@ template <bool FULL> inline void write_d(const double *dofs, double xi, double x
 #endif
 }
 
-inline Columns axis(int i, const Columns &x) {
-    static const double mask[3][12] = {{1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0},
-                                       {0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0},
-                                       {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}};
-    return x * Columns{{load(mask[i]), load(mask[i] + 4), load(mask[i] + 8)}};
-}
+/// 1 in the columns (a, i).
+alignas(32) const double AXIS[3][12] = {{1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0},
+                                        {0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0},
+                                        {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}};
 
 /// A vector of space whose components are wanted one at a time, in all lanes.
 struct Components {
@@ -219,11 +217,6 @@ struct Parameter {
         along = {o.q * with_bar.beam - o.p * with.beam, o.q * with_bar.bar - o.p * with.bar};
         along_bar.bar = (V{} - o.q) * with.bar - o.r * with_bar.bar;
     }
-};
-
-/// K_i and L_i of a parameter; of the bar beam's rows its own columns alone.
-struct Rows {
-    Columns hat, hat_bar, row, row_bar, bar_row;
 };
 
 /// The length of a tangent: H = kappa H_xi + g M' + M g' + s'_a Q_i with M = turn on its own beam plus mu g.
@@ -281,69 +274,102 @@ template <bool FULL> inline void write_all(const double *dofs, double xi, double
     gradient(to_xi_bar, o.h.beam, o.h.bar);
     gradient(to_t, t.slope + t.kappa * o.g.beam, t.kappa * o.g.bar);
     gradient(to_t_bar, t_bar.kappa * o.h.beam, t_bar.slope + t_bar.kappa * o.h.bar);
-    // Single entries of gradients, by row.
-    const double *const g = to_xi + PEER_GRADIENT, *const h = to_xi_bar + PEER_GRADIENT;
-    alignas(32) double own[12], own_bar[12];
-    store(own, t.own), store(own_bar, t_bar.own);
-
+    // Single entries, by row: of g, of h, of turn + 2 mu g and its twin.
+    V g[24], h[24], own[12], own_bar[12];
+    {
+        alignas(32) double number[24];
+        const auto spread = [&](V *to, const Columns &from) {
+            store(number, from);
+            for (int r = 0; r < 12; r++) to[r] = at(number + r);
+        };
+        spread(g, o.g.beam), spread(g + 12, o.g.bar), spread(h, o.h.beam), spread(h + 12, o.h.bar);
+        spread(own, t.own), spread(own_bar, t_bar.own);
+    }
     static const double unit[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
     const Components d_(d), n_(n), u_(o.u), v_(o.v), x_t(x.t), y_t(y.t);
     const V u_over_d = o.u * inverse, v_over_d = o.v * inverse, n_over_d = n * inverse;
     const V w_over_t = load(t.w.c) * t.inverse, w_over_t_bar = load(t_bar.w.c) * t_bar.inverse;
 #pragma GCC unroll 1
     for (int i = 0; i < 3; i++) {
-        const Columns of_k =
-            by_axis(load(unit[i]) * inverse - n_[i] * n_over_d + x_t[i] * u_over_d + y_t[i] * v_over_d);
-        const Columns row = x.e[0] * of_k + u_[i] * slope, row_bar = y.e[0] * of_k + v_[i] * slope_bar;
-        const Columns n_g = n_[i] * o.g.beam, n_g_bar = n_[i] * o.g.bar, n_h_bar = n_[i] * o.h.bar;
-        const Columns q = x.e[1] * by_axis(load(unit[i]) * t.inverse - t.w[i] * w_over_t);
-        const Columns q_bar = y.e[1] * by_axis(load(unit[i]) * t_bar.inverse - t_bar.w[i] * w_over_t_bar);
-        const Columns s0 = axis(i, x.e[0]), s1 = axis(i, x.e[1]), s0_bar = axis(i, y.e[0]), s1_bar = axis(i, y.e[1]);
-        const auto rows = [&](const Parameter &k) -> Rows {
-            const V u = u_[i], v = v_[i], d = d_[i];
-            return {u * k.with.beam - v * k.with_bar.beam + k.w0[i] * o.g.beam + k.w0_bar[i] * o.h.beam - k.X * s1,
-                    u * k.with.bar - v * k.with_bar.bar + k.w0[i] * o.g.bar + k.w0_bar[i] * o.h.bar - k.Y * s1_bar,
-                    d * k.along.beam + k.w1[i] * o.g.beam + k.w1_bar[i] * o.h.beam - k.X * s0,
-                    d * k.along.bar + k.w1[i] * o.g.bar + k.w1_bar[i] * o.h.bar - k.X * s0_bar,
-                    d * k.along_bar.bar + k.w2[i] * o.g.bar + k.w2_bar[i] * o.h.bar - k.Y * s0_bar};
-        };
-        const Rows f = rows(xi_), f_bar = rows(xi_bar);
-        const V x_d = xi_.X * d_[i], y_d = xi_.Y * d_[i], x_d_bar = xi_bar.X * d_[i], y_d_bar = xi_bar.Y * d_[i];
-#pragma GCC unroll 1
-        for (int j = 0; j < 4; j++) {
-            const int r = 3 * j + i;
-            const V s = x.s[0][j], s1 = x.s[1][j], s2 = x.s[2][j];
-            const V z = y.s[0][j], z1 = y.s[1][j], z2 = y.s[2][j];
-            const V g_r = at(g + r), h_r = at(h + r), own_r = at(own + r);
-            const V x_s2 = x_d * s2, x_s2_bar = x_d_bar * s2;
-            store(To::beam(to_d, r), s * row + s1 * n_g);
-            store(To::mixed(to_d, r), s * row_bar + s1 * n_g_bar);
-            store(To::bar(to_d, r), z * row_bar - z1 * n_h_bar);
+        const V n_i = n_[i], d_i = d_[i], u = u_[i], v = v_[i];
+        const Columns of_k = by_axis(load(unit[i]) * inverse - n_i * n_over_d + x_t[i] * u_over_d + y_t[i] * v_over_d);
+        const Columns of_q = by_axis(load(unit[i]) * t.inverse - t.w[i] * w_over_t);
+        const Columns of_q_bar = by_axis(load(unit[i]) * t_bar.inverse - t_bar.w[i] * w_over_t_bar);
+#pragma GCC unroll 3
+        for (int c = 0; c < 3; c++) {
+            const V axis = load(AXIS[i] + 4 * c);
             {
-                const Columns of_xi = s * f.hat + s1 * f.row - x_s2 * o.g.beam;
-                const Columns of_xi_bar = s * f_bar.hat + s1 * f_bar.row - x_s2_bar * o.g.beam;
-                store(To::beam(to_xi, r), of_xi);
-                store(To::beam(to_xi_bar, r), of_xi_bar);
-                store(To::beam(to_t, r), t.kappa * of_xi + g_r * t.turn + own_r * o.g.beam + s1 * q);
-                store(To::beam(to_t_bar, r), t_bar.kappa * of_xi_bar + h_r * t_bar.other);
+                const V row = x.e[0].v[c] * of_k.v[c] + u * slope.v[c], n_g = n_i * o.g.beam.v[c];
+                const V g_c = o.g.beam.v[c], h_c = o.h.beam.v[c], q = x.e[1].v[c] * of_q.v[c];
+                const V s0 = axis * x.e[0].v[c], s1 = axis * x.e[1].v[c];
+                const auto hat = [&](const Parameter &k) {
+                    return u * k.with.beam.v[c] - v * k.with_bar.beam.v[c] + k.w0[i] * g_c + k.w0_bar[i] * h_c - k.X * s1;
+                };
+                const auto along = [&](const Parameter &k) {
+                    return d_i * k.along.beam.v[c] + k.w1[i] * g_c + k.w1_bar[i] * h_c - k.X * s0;
+                };
+                const V hat_xi = hat(xi_), along_xi = along(xi_), along2_xi = xi_.X * d_i * g_c;
+                const V hat_bar = hat(xi_bar), along_bar = along(xi_bar), along2_bar = xi_bar.X * d_i * g_c;
+#pragma GCC unroll 4
+                for (int j = 0; j < 4; j++) {
+                    const V s = x.s[0][j], s1 = x.s[1][j], s2 = x.s[2][j];
+                    const int r = 3 * j + i;
+                    store(To::beam(to_d, r) + 4 * c, s * row + s1 * n_g);
+                    const V of_xi = s * hat_xi + s1 * along_xi - s2 * along2_xi;
+                    const V of_bar = s * hat_bar + s1 * along_bar - s2 * along2_bar;
+                    store(To::beam(to_xi, r) + 4 * c, of_xi);
+                    store(To::beam(to_xi_bar, r) + 4 * c, of_bar);
+                    store(To::beam(to_t, r) + 4 * c, t.kappa * of_xi + g[r] * t.turn.v[c] + own[r] * g_c + s1 * q);
+                    store(To::beam(to_t_bar, r) + 4 * c, t_bar.kappa * of_bar + h[r] * t_bar.other.v[c]);
+                }
             }
             {
-                const Columns of_xi = s * f.hat_bar + s1 * f.row_bar - x_s2 * o.g.bar;
-                const Columns of_xi_bar = s * f_bar.hat_bar + s1 * f_bar.row_bar - x_s2_bar * o.g.bar;
-                store(To::mixed(to_xi, r), of_xi);
-                store(To::mixed(to_xi_bar, r), of_xi_bar);
-                store(To::mixed(to_t, r), t.kappa * of_xi + own_r * o.g.bar);
-                store(To::mixed(to_t_bar, r), t_bar.kappa * of_xi_bar + h_r * t_bar.own);
-            }
-            {
-                const V g_r = at(g + 12 + r), h_r = at(h + 12 + r), own_r = at(own_bar + r);
-                const V y_z2 = y_d * z2, y_z2_bar = y_d_bar * z2;
-                const Columns of_xi = z * f.hat_bar + z1 * f.bar_row - y_z2 * o.h.bar;
-                const Columns of_xi_bar = z * f_bar.hat_bar + z1 * f_bar.bar_row - y_z2_bar * o.h.bar;
-                store(To::bar(to_xi, r), of_xi);
-                store(To::bar(to_xi_bar, r), of_xi_bar);
-                store(To::bar(to_t, r), t.kappa * of_xi + g_r * t.other);
-                store(To::bar(to_t_bar, r), t_bar.kappa * of_xi_bar + h_r * t_bar.turn + own_r * o.h.bar + z1 * q_bar);
+                const V row = y.e[0].v[c] * of_k.v[c] + v * slope_bar.v[c];
+                const V g_c = o.g.bar.v[c], h_c = o.h.bar.v[c], n_g = n_i * g_c, n_h = n_i * h_c;
+                const V s0 = axis * y.e[0].v[c], s1 = axis * y.e[1].v[c], q = y.e[1].v[c] * of_q_bar.v[c];
+                const auto hat = [&](const Parameter &k) {
+                    return u * k.with.bar.v[c] - v * k.with_bar.bar.v[c] + k.w0[i] * g_c + k.w0_bar[i] * h_c - k.Y * s1;
+                };
+                const auto along = [&](const Parameter &k) {
+                    return d_i * k.along.bar.v[c] + k.w1[i] * g_c + k.w1_bar[i] * h_c - k.X * s0;
+                };
+                const auto across = [&](const Parameter &k) {
+                    return d_i * k.along_bar.bar.v[c] + k.w2[i] * g_c + k.w2_bar[i] * h_c - k.Y * s0;
+                };
+                const V hat_xi = hat(xi_), hat_bar = hat(xi_bar);
+                {
+                    const V along_xi = along(xi_), along2_xi = xi_.X * d_i * g_c;
+                    const V along_bar = along(xi_bar), along2_bar = xi_bar.X * d_i * g_c;
+#pragma GCC unroll 4
+                    for (int j = 0; j < 4; j++) {
+                        const V s = x.s[0][j], s1 = x.s[1][j], s2 = x.s[2][j];
+                        const int r = 3 * j + i;
+                        store(To::mixed(to_d, r) + 4 * c, s * row + s1 * n_g);
+                        const V of_xi = s * hat_xi + s1 * along_xi - s2 * along2_xi;
+                        const V of_bar = s * hat_bar + s1 * along_bar - s2 * along2_bar;
+                        store(To::mixed(to_xi, r) + 4 * c, of_xi);
+                        store(To::mixed(to_xi_bar, r) + 4 * c, of_bar);
+                        store(To::mixed(to_t, r) + 4 * c, t.kappa * of_xi + own[r] * g_c);
+                        store(To::mixed(to_t_bar, r) + 4 * c, t_bar.kappa * of_bar + h[r] * t_bar.own.v[c]);
+                    }
+                }
+                {
+                    const V across_xi = across(xi_), across2_xi = xi_.Y * d_i * h_c;
+                    const V across_bar = across(xi_bar), across2_bar = xi_bar.Y * d_i * h_c;
+#pragma GCC unroll 4
+                    for (int j = 0; j < 4; j++) {
+                        const V s = y.s[0][j], s1 = y.s[1][j], s2 = y.s[2][j];
+                        const int r = 3 * j + i;
+                        store(To::bar(to_d, r) + 4 * c, s * row - s1 * n_h);
+                        const V of_xi = s * hat_xi + s1 * across_xi - s2 * across2_xi;
+                        const V of_bar = s * hat_bar + s1 * across_bar - s2 * across2_bar;
+                        store(To::bar(to_xi, r) + 4 * c, of_xi);
+                        store(To::bar(to_xi_bar, r) + 4 * c, of_bar);
+                        store(To::bar(to_t, r) + 4 * c, t.kappa * of_xi + g[12 + r] * t.other.v[c]);
+                        store(To::bar(to_t_bar, r) + 4 * c,
+                              t_bar.kappa * of_bar + h[12 + r] * t_bar.turn.v[c] + own_bar[r] * h_c + s1 * q);
+                    }
+                }
             }
         }
     }
