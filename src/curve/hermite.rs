@@ -59,6 +59,7 @@ impl Curve<12> for Hermite {
         x1 * v + x2 * u + ((t1 * c - chord) * v - (t2 * c - chord) * u) * ((u + u) * v)
     }
 
+    #[inline(always)]
     fn jet<T: Real>(&self, q: &SVector<T, 12>, xi: T) -> Jet<T, Shapes<T, 4>> {
         let c = T::from(self.c);
         let [one, two, three] = [1.0, 2.0, 3.0].map(T::from);

@@ -4,31 +4,31 @@ use super::{DofDerivatives, Geometry, Jet};
 use crate::number::Real;
 use nalgebra::{SMatrix, SVector, Vector3};
 
-/// The values and first two derivatives of `P` shape functions at one parameter.
+/// The values and first three derivatives of `P` shape functions at one parameter.
 ///
 /// The dofs are node-major: control vector i (a point, or a nodal tangent) is `q[3i]`, `q[3i+1]`, `q[3i+2]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shapes<T, const P: usize> {
     /// `derivatives[k][i]`: the k-th derivative of shape function i.
-    pub derivatives: [[T; P]; 3],
+    pub derivatives: [[T; P]; 4],
 }
 
 impl<T: Real, const P: usize> Shapes<T, P> {
     /// The jet of x = sum N_i q_i, from the shape functions (`n[0]`) and their first three derivatives.
+    #[inline(always)]
     pub fn jet<const N: usize>(n: [[T; P]; 4], q: &SVector<T, N>) -> Jet<T, Self> {
-        let [n0, n1, n2, n3] = n;
         let geometry = Geometry {
-            x: combine(&n0, q),
-            t: combine(&n1, q),
-            t_xi: combine(&n2, q),
-            t_xixi: combine(&n3, q),
+            x: combine(&n[0], q),
+            t: combine(&n[1], q),
+            t_xi: combine(&n[2], q),
+            t_xixi: combine(&n[3], q),
         };
-        Jet { geometry, dofs: Self { derivatives: [n0, n1, n2] } }
+        Jet { geometry, dofs: Self { derivatives: n } }
     }
 }
 
 /// The sum of the control vectors in `q`, each times its number in `n`.
-#[inline]
+#[inline(always)]
 pub(super) fn combine<T: Real, const P: usize, const N: usize>(n: &[T; P], q: &SVector<T, N>) -> Vector3<T> {
     const { assert!(N == 3 * P, "a curve of P control vectors has 3 P dofs") };
     let mut sum = Vector3::zeros();

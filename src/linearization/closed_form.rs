@@ -15,6 +15,8 @@ use crate::linearization::{Linearization, Quantities, Varied};
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 
+pub mod blocks;
+pub mod form;
 mod frozen;
 mod jets;
 mod matrices;
@@ -25,6 +27,7 @@ mod sums;
 mod terms;
 mod variations;
 
+pub use form::Form;
 pub use frozen::Frozen;
 pub use jets::{Jets, MatrixTerms};
 pub use matrices::{Matrices, VectorQuantity};

@@ -8,6 +8,7 @@ use nalgebra::{SMatrix, SVector};
 ///
 /// The block below the diagonal is the transpose of `mixed`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct DofMatrix<T, const N: usize, const M: usize> {
     /// Beam against beam.
     pub beam: SMatrix<T, N, N>,
@@ -105,14 +106,17 @@ fn set_block<T: Real, const N: usize, const M: usize, const L: usize, const K: u
 }
 
 /// A quantity to second order in the dofs: value, gradient and Hessian.
+///
+/// It starts on a cache line, so that the vectors of a machine that write it cross none.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
 pub struct Expansion<T, const N: usize, const M: usize> {
-    /// The value.
-    pub value: T,
-    /// The gradient.
-    pub gradient: DofVector<T, N, M>,
     /// The Hessian.
     pub hessian: DofMatrix<T, N, M>,
+    /// The gradient.
+    pub gradient: DofVector<T, N, M>,
+    /// The value.
+    pub value: T,
 }
 
 impl<T: Real, const N: usize, const M: usize> Expansion<T, N, M> {
