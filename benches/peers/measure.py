@@ -7,6 +7,7 @@ import importlib.metadata
 import json
 import os
 import platform
+import random
 import re
 import subprocess
 import sys
@@ -20,7 +21,7 @@ TASK = {"A": "d", "B": "all"}
 # A way that is off by more than this, relative to the largest entry, is no peer.
 EXACT, DIFFERENCES = 1e-9, 1e-2
 # What a round spends on a way, in nanoseconds, and what a check does.
-ROUND, CHECK = 2e6, 1e9
+ROUND, CHECK = 3e5, 1e9
 
 Way = collections.namedtuple("Way", "task method version how layout note function read four tolerance")
 
@@ -251,10 +252,9 @@ def check(way, pairs, right, crate):
 
 
 def timed_warm(pairs, way, first, count):
-    """Nanoseconds a pair, after a tenth of the pairs untimed."""
-    warm = count // 10
-    if warm >= 4 and not callable(way.function):
-        pairs.run(way, first, warm - warm % 4)
+    """Nanoseconds a pair, after the same untimed unless that takes long."""
+    if count > 8 and not callable(way.function):
+        pairs.run(way, first, count)
     return pairs.run(way, first, count)
 
 
@@ -289,13 +289,14 @@ def main(given, here, root, build, flags, debian):
         if way.tolerance is not None and not error <= way.tolerance:
             workshop.left_out.append({"method": f"{way.method}, task {way.task}", "reason": f"off by {error:.1e}"})
             continue
-        if cost < ROUND / 64 and not callable(way.function):
+        if cost < ROUND / 16 and not callable(way.function):
             cost = pairs.run(way, 0, 64)
         count = int(np.clip(ROUND / cost, 4 if way.four else 1, pairs.count))
         timed.append((way, error, count - count % 4 if way.four else count, [], []))
-    # In turn, each right after the reference on as many pairs as take a while; both in warm caches.
+    # In turn, in another order each time, each right after the reference on as many pairs as take a while; both in warm caches.
+    order = random.Random(given.seed)
     for turn in range(given.rounds):
-        for way, _, count, times, ratios in timed:
+        for way, _, count, times, ratios in order.sample(timed, len(timed)):
             first = (turn * count) % (pairs.count - count + 1)
             first -= first % 4
             reference = timed_warm(pairs, references[way.task], first, min(max(count, 200), pairs.count - first))
@@ -314,10 +315,10 @@ def main(given, here, root, build, flags, debian):
         "schema": "beamgap-peers/1",
         "machine": f"{cpu_name()}, {platform.system()} {platform.release()}",
         "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
-        "command": " ".join(["benches/peers/run", *(a for a in sys.argv[1:] if a != "--prepared")]),
+        "command": " ".join(["benches/peers/run", *sys.argv[1:]]),
         "commit": commit(root),
         "pairs": given.pairs, "rounds": given.rounds,
-        "what": "nanoseconds a pair, median and quartiles over the rounds; ratio is the median over the rounds of the ratio to "
+        "what": "nanoseconds of the processor a pair, median and quartiles over the rounds; ratio is the median over the rounds of the ratio to "
                 "the reference, C++ with AVX2, full matrices, run just before; error is the largest in a gradient or Hessian, "
                 "relative to its largest entry, against double-double",
         "rows": rows, "left_out": workshop.left_out,
