@@ -127,7 +127,10 @@ template <bool FULL> struct Layout {
     }
 };
 
-template <bool FULL> inline void write_d(const double *dofs, double xi, double xib, double *out) {
+// One pair is mostly waiting for the chain from the dofs to u and v: instructions are sorted by it before there are too few
+// registers to do so. In write_all, which has enough to do, that costs more than it gains.
+template <bool FULL>
+__attribute__((optimize("schedule-insns,sched-pressure"))) inline void write_d(const double *dofs, double xi, double xib, double *out) {
     using To = Layout<FULL>;
     const Curve x = curve<1>(dofs, xi), y = curve<-1>(dofs + 12, xib);
     const V d = x.x + y.x;
@@ -165,14 +168,9 @@ template <bool FULL> inline void write_d(const double *dofs, double xi, double x
             store(To::beam(out, 3 * j + i), x.s[0][j] * row + x.s[1][j] * n_g);
             store(To::mixed(out, 3 * j + i), x.s[0][j] * row_bar + x.s[1][j] * n_g_bar);
             store(To::bar(out, 3 * j + i), y.s[0][j] * row_bar - y.s[1][j] * n_h_bar);
-#ifdef DIRECT
-            if (FULL) store(out + PEER_HESSIAN + 24 * (12 + 3 * j + i), y.s[0][j] * row - y.s[1][j] * (n_i[i] * h.beam));
-#endif
         }
     }
-#ifndef DIRECT
     if (FULL) mirror(out + PEER_HESSIAN);
-#endif
 }
 
 /// 1 in the columns (a, i).
