@@ -15,7 +15,8 @@ import time
 
 import numpy as np
 
-FULL, UPPER = 608, 464
+FULL, UPPER, HALF = 608, 464, 332
+TRIANGLE = np.triu_indices(24)
 QUANTITIES = {"A": 1, "B": 5}
 TASK = {"A": "d", "B": "all"}
 # A way that is off by more than this, relative to the largest entry, is no peer.
@@ -112,6 +113,9 @@ def ways(workshop, crate, root, debian):
     reference = workshop.compiled("C++ with AVX2, by hand", here / "reference.cpp", "reference")
     for layout in ["full", "upper"]:
         both("C++ with AVX2, by hand", gcc, cxx, reference, "ref", layout, "the reference" if layout == "full" else "")
+    lanes = workshop.compiled("C++ with AVX2, by hand, four pairs in lanes", here / "lanes.cpp", "lanes")
+    for task in "A" if lanes else "":
+        add(task, "C++ with AVX2, by hand, four pairs in lanes", gcc, cxx, "four lanes, half", lanes[f"lanes_{TASK[task]}_half"], four=True)
     text = workshop.compiled("plain C, textbook form", here / "textbook.c", "textbook", flags=["-O3", "-march=native", "-fno-math-errno", "-fPIC", "-shared"])
     both("plain C, textbook form", gcc, f"gcc {gcc} -O3 -march=native -fno-math-errno", text, "text")
 
@@ -185,9 +189,16 @@ def blocks(raw, task, way, crate):
         full = np.zeros(5 * FULL)
         ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)(way.read.value)(raw.ctypes.data, full.ctypes.data)
         return [full[: count * FULL].reshape(count, FULL)]
-    if way.four:
+    if way.layout == "four lanes":
         of = raw[: 4 * count * FULL].reshape(count, FULL, 4)
         return [of[:, :, k] for k in range(4)]
+    if way.layout == "four lanes, half":
+        of, full = raw[: 4 * count * HALF].reshape(count, HALF, 4), np.zeros((4, count, FULL))
+        full[:, :, :32] = of[:, :32].transpose(2, 0, 1)
+        h = full[:, :, 32:].reshape(4, count, 24, 24)
+        h[:, :, *TRIANGLE] = of[:, 32:].transpose(2, 0, 1)
+        h[:, :, *TRIANGLE[::-1]] = h[:, :, *TRIANGLE]
+        return list(full)
     if way.layout == "full":
         return [raw[: count * FULL].reshape(count, FULL)]
     of, full = raw[: count * UPPER].reshape(count, UPPER), np.zeros((count, FULL))
