@@ -108,6 +108,147 @@ inline void write_d(const First &o, double *out) {
         }
     }
 }
+
+/// The Hessian X P + Y P_bar: of xi with X = p and Y = q, of xi_bar with X = -q and Y = r. As in reference.cpp.
+struct Parameter {
+    V X, Y;
+    Vector w0, w0_bar, w1, w1_bar, w2, w2_bar;
+    V with[24], with_bar[24], along[24], along_bar[12];
+    V hat[24], row[24], bar_row[12]; // K_i, and L_i of either beam's rows
+
+    Parameter(const First &o, V X, V Y) : X(X), Y(Y) {
+        const Curve &x = o.x, &y = o.y;
+        const V b1 = dot(y.t, x.t1), b2 = dot(x.t, y.t1);
+        const V in_g = -X * (1.5 * dot(x.t, x.t1) + .5 * dot(o.d, x.t2)) - .5 * Y * b1, in_h = X * b1;
+        const V bar_in_g = -Y * b2, bar_in_h = .5 * X * b2 - Y * (.5 * dot(o.d, y.t2) - 1.5 * dot(y.t, y.t1));
+        w0 = in_g * o.u - X * x.t1 - in_h * o.v;
+        w0_bar = bar_in_g * o.u - Y * y.t1 - bar_in_h * o.v;
+        w1 = (in_h * o.q - in_g * o.p) * o.d - 2 * X * x.t - Y * y.t;
+        w1_bar = (bar_in_h * o.q - bar_in_g * o.p) * o.d + X * y.t;
+        w2 = (-in_g * o.q - in_h * o.r) * o.d - Y * x.t;
+        w2_bar = (-bar_in_g * o.q - bar_in_h * o.r) * o.d + 2 * Y * y.t + X * x.t;
+        spread(with, x, y, w0, w1, w2);
+        spread(with_bar, x, y, w0_bar, w1_bar, w2_bar);
+        const Vector x_d = X * o.d, y_d = Y * o.d;
+        for (int a = 0; a < 4; a++)
+            for (int i = 0; i < 3; i++) {
+                with[3 * a + i] -= x.s[2][a] * x_d[i];
+                with_bar[12 + 3 * a + i] -= y.s[2][a] * y_d[i];
+            }
+#pragma GCC unroll 1
+        for (int c = 0; c < 24; c++) along[c] = o.q * with_bar[c] - o.p * with[c];
+#pragma GCC unroll 1
+        for (int c = 0; c < 12; c++) along_bar[c] = -o.q * with[12 + c] - o.r * with_bar[12 + c];
+    }
+
+    /// Sets K_i and L_i.
+    void set_rows(const First &o, int i) {
+        const Curve &x = o.x, &y = o.y;
+#pragma GCC unroll 1
+        for (int c = 0; c < 24; c++) {
+            hat[c] = o.u[i] * with[c] - o.v[i] * with_bar[c] + w0[i] * o.g[c] + w0_bar[i] * o.h[c];
+            row[c] = o.d[i] * along[c] + w1[i] * o.g[c] + w1_bar[i] * o.h[c];
+        }
+#pragma GCC unroll 1
+        for (int c = 0; c < 12; c++)
+            bar_row[c] = o.d[i] * along_bar[c] + w2[i] * o.g[12 + c] + w2_bar[i] * o.h[12 + c];
+        for (int a = 0; a < 4; a++) {
+            hat[3 * a + i] -= X * x.s[1][a], hat[12 + 3 * a + i] -= Y * y.s[1][a];
+            row[3 * a + i] -= X * x.s[0][a], row[12 + 3 * a + i] -= X * y.s[0][a];
+            bar_row[3 * a + i] -= Y * y.s[0][a];
+        }
+    }
+};
+
+/// The length of a tangent, as in reference.cpp: own and other columns of g follow each other.
+struct Length {
+    V length, inverse, kappa, turn[12], own[12], other[12], q[12];
+    Vector w;
+
+    Length(const Curve &x, const V *g_own, const V *g_other) {
+        length = _mm256_sqrt_pd(dot(x.t, x.t)), inverse = 1 / length, w = inverse * x.t, kappa = dot(w, x.t1);
+        const V twice_mu = dot(w, x.t2) + (dot(x.t1, x.t1) - kappa * kappa) * inverse;
+        const Vector change = inverse * (x.t1 - kappa * w);
+        for (int a = 0; a < 4; a++)
+            for (int i = 0; i < 3; i++) turn[3 * a + i] = x.s[2][a] * w[i] + x.s[1][a] * change[i];
+        for (int c = 0; c < 12; c++) own[c] = turn[c] + twice_mu * g_own[c], other[c] = twice_mu * g_other[c];
+    }
+
+    void write_gradient(double *to, double *to_other, const Curve &x, const V *g_own, const V *g_other) const {
+        for (int c = 0; c < 12; c++) {
+            store(to + 4 * c, x.s[1][c / 3] * w[c % 3] + kappa * g_own[c]);
+            store(to_other + 4 * c, kappa * g_other[c]);
+        }
+    }
+
+    void set_rows(const Curve &x, int i) {
+        Vector k = (-inverse * w[i]) * w;
+        k.c[i] += inverse;
+        for (int c = 0; c < 12; c++) q[c] = x.s[1][c / 3] * k[c % 3];
+    }
+};
+
+void write_all(const double *const q[4], double *out) {
+    constexpr int BLOCK = 4 * PEER_HALF;
+    const First o(q);
+    const Curve &x = o.x, &y = o.y;
+    write_d(o, out);
+    Parameter f(o, o.p, o.q), f_bar(o, -o.q, o.r);
+    Length t(x, o.g, o.g + 12), t_bar(y, o.h + 12, o.h);
+    const V values[4] = {V{q[0][24], q[1][24], q[2][24], q[3][24]}, V{q[0][25], q[1][25], q[2][25], q[3][25]}, t.length,
+                         t_bar.length};
+    for (int k = 0; k < 4; k++) store(out + (1 + k) * BLOCK, values[k]);
+    double *const gradient = out + 4 * 8;
+    for (int c = 0; c < 24; c++) store(gradient + BLOCK + 4 * c, o.g[c]), store(gradient + 2 * BLOCK + 4 * c, o.h[c]);
+    t.write_gradient(gradient + 3 * BLOCK, gradient + 3 * BLOCK + 48, x, o.g, o.g + 12);
+    t_bar.write_gradient(gradient + 4 * BLOCK + 48, gradient + 4 * BLOCK, y, o.h + 12, o.h);
+#pragma GCC unroll 1
+    for (int i = 0; i < 3; i++) {
+        f.set_rows(o, i), f_bar.set_rows(o, i), t.set_rows(x, i), t_bar.set_rows(y, i);
+        const V x_d = f.X * o.d[i], y_d = f.Y * o.d[i], x_d_bar = f_bar.X * o.d[i], y_d_bar = f_bar.Y * o.d[i];
+#pragma GCC unroll 1
+        for (int a = 0; a < 4; a++) {
+            const int r = 3 * a + i;
+            {
+                double *const to = row(out + BLOCK, r);
+                const V s = x.s[0][a], s1 = x.s[1][a], s2 = x_d * x.s[2][a], s2_bar = x_d_bar * x.s[2][a];
+                const V g_r = o.g[r], h_r = o.h[r], own_r = t.own[r];
+#pragma GCC unroll 1
+                for (int c = r; c < 12; c++) {
+                    const V of_xi = s * f.hat[c] + s1 * f.row[c] - s2 * o.g[c];
+                    const V of_bar = s * f_bar.hat[c] + s1 * f_bar.row[c] - s2_bar * o.g[c];
+                    store(to + 4 * c, of_xi);
+                    store(to + 4 * c + BLOCK, of_bar);
+                    store(to + 4 * c + 2 * BLOCK, t.kappa * of_xi + g_r * t.turn[c] + own_r * o.g[c] + s1 * t.q[c]);
+                    store(to + 4 * c + 3 * BLOCK, t_bar.kappa * of_bar + h_r * t_bar.other[c]);
+                }
+#pragma GCC unroll 1
+                for (int c = 12; c < 24; c++) {
+                    const V of_xi = s * f.hat[c] + s1 * f.row[c] - s2 * o.g[c];
+                    const V of_bar = s * f_bar.hat[c] + s1 * f_bar.row[c] - s2_bar * o.g[c];
+                    store(to + 4 * c, of_xi);
+                    store(to + 4 * c + BLOCK, of_bar);
+                    store(to + 4 * c + 2 * BLOCK, t.kappa * of_xi + own_r * o.g[c]);
+                    store(to + 4 * c + 3 * BLOCK, t_bar.kappa * of_bar + h_r * t_bar.own[c - 12]);
+                }
+            }
+            double *const to = row(out + BLOCK, 12 + r) + 48;
+            const V *const g = o.g + 12, *const h = o.h + 12, *const hat = f.hat + 12, *const hat_bar = f_bar.hat + 12;
+            const V s = y.s[0][a], s1 = y.s[1][a], s2 = y_d * y.s[2][a], s2_bar = y_d_bar * y.s[2][a];
+            const V g_r = g[r], h_r = h[r], own_r = t_bar.own[r];
+#pragma GCC unroll 1
+            for (int c = r; c < 12; c++) {
+                const V of_xi = s * hat[c] + s1 * f.bar_row[c] - s2 * h[c];
+                const V of_bar = s * hat_bar[c] + s1 * f_bar.bar_row[c] - s2_bar * h[c];
+                store(to + 4 * c, of_xi);
+                store(to + 4 * c + BLOCK, of_bar);
+                store(to + 4 * c + 2 * BLOCK, t.kappa * of_xi + g_r * t.other[c]);
+                store(to + 4 * c + 3 * BLOCK, t_bar.kappa * of_bar + h_r * t_bar.turn[c] + own_r * h[c] + s1 * t_bar.q[c]);
+            }
+        }
+    }
+}
 } // namespace
 
 extern "C" void lanes_d_half(const double *const q[4], double *out) { write_d(First(q), out); }
+extern "C" void lanes_all_half(const double *const q[4], double *out) { write_all(q, out); }

@@ -114,7 +114,7 @@ def ways(workshop, crate, root, debian):
     for layout in ["full", "upper"]:
         both("C++ with AVX2, by hand", gcc, cxx, reference, "ref", layout, "the reference" if layout == "full" else "")
     lanes = workshop.compiled("C++ with AVX2, by hand, four pairs in lanes", here / "lanes.cpp", "lanes")
-    for task in "A" if lanes else "":
+    for task in "AB" if lanes else "":
         add(task, "C++ with AVX2, by hand, four pairs in lanes", gcc, cxx, "four lanes, half", lanes[f"lanes_{TASK[task]}_half"], four=True)
     text = workshop.compiled("plain C, textbook form", here / "textbook.c", "textbook", flags=["-O3", "-march=native", "-fno-math-errno", "-fPIC", "-shared"])
     both("plain C, textbook form", gcc, f"gcc {gcc} -O3 -march=native -fno-math-errno", text, "text")
