@@ -5,7 +5,7 @@
 #include <time.h>
 
 typedef void way(const double *q, double xi, double xib, double *out);
-typedef void way_of_four(const double *const q[4], double *out);
+typedef void way_of_many(const double *const *q, double *out);
 
 static double now(void) {
     struct timespec t;
@@ -27,12 +27,12 @@ double run(way *f, const double *first, size_t stride, size_t count, double *out
     return now() - start;
 }
 
-/* The same, four at a time; `count` is a multiple of four. */
-double run_by_four(way_of_four *f, const double *first, size_t stride, size_t count, double *out) {
+/* The same, `together` of at most 64 at a time; `count` is a multiple of it. */
+double run_together(way_of_many *f, size_t together, const double *first, size_t stride, size_t count, double *out) {
     const double start = now();
-    for (size_t i = 0; i < count; i += 4) {
-        const double *q[4];
-        for (size_t k = 0; k < 4; k++) q[k] = pair(first, stride, i + k);
+    for (size_t i = 0; i < count; i += together) {
+        const double *q[64];
+        for (size_t k = 0; k < together; k++) q[k] = pair(first, stride, i + k);
         f(q, out);
     }
     return now() - start;

@@ -24,7 +24,7 @@ EXACT, DIFFERENCES = 1e-9, 1e-2
 # What a round spends on a way, in nanoseconds, and what a check does.
 ROUND, CHECK = 3e5, 1e9
 
-Way = collections.namedtuple("Way", "task method version how layout note function read four tolerance")
+Way = collections.namedtuple("Way", "task method version how layout note function read together tolerance")
 
 
 class Library:
@@ -94,20 +94,19 @@ def ways(workshop, crate, root, debian):
     beamgap = re.search(r'^version = "(.*)"', (root / "Cargo.toml").read_text(), re.M)[1]
     all_ways = []
 
-    def add(task, method, version, how, layout, function, note="", read=None, four=False, tolerance=EXACT):
-        all_ways.append(Way(task, method, version, how, layout, note, function, read, four, tolerance))
+    def add(task, method, version, how, layout, function, note="", read=None, together=1, tolerance=EXACT):
+        all_ways.append(Way(task, method, version, how, layout, note, function, read, together, tolerance))
 
-    def both(method, version, how, library, name, layout="full", note="", four=False):
+    def both(method, version, how, library, name, layout="full", note=""):
         for task in "AB":
             if library:
-                suffix = "lanes" if four else layout
-                add(task, method, version, how, "four lanes" if four else layout, library[f"{name}_{TASK[task]}_{suffix}"], note, four=four)
+                add(task, method, version, how, layout, library[f"{name}_{TASK[task]}_{layout}"], note)
 
-    def ours(method, how, name, layouts=None, note="", tasks="AB", tolerance=EXACT):
-        for task in tasks:
+    def ours(method, how, name, layouts=None, note="", together=1, tolerance=EXACT):
+        for task in "AB":
             for layout in layouts or [None]:
                 function = f"{name}_{TASK[task]}" + (f"_{layout}" if layout else "")
-                add(task, method, beamgap, how, layout or "upper", crate[function], note, crate[f"{function}_read"], tolerance=tolerance)
+                add(task, method, beamgap, how, layout or "upper", crate[function], note, crate[f"{function}_read"], together, tolerance)
 
     cxx = f"g++ {gcc} {flags}"
     reference = workshop.compiled("C++ with AVX2, by hand", here / "reference.cpp", "reference")
@@ -115,7 +114,7 @@ def ways(workshop, crate, root, debian):
         both("C++ with AVX2, by hand", gcc, cxx, reference, "ref", layout, "the reference" if layout == "full" else "")
     lanes = workshop.compiled("C++ with AVX2, by hand, four pairs in lanes", here / "lanes.cpp", "lanes")
     for task in "AB" if lanes else "":
-        add(task, "C++ with AVX2, by hand, four pairs in lanes", gcc, cxx, "four lanes, half", lanes[f"lanes_{TASK[task]}_half"], four=True)
+        add(task, "C++ with AVX2, by hand, four pairs in lanes", gcc, cxx, "four lanes, half", lanes[f"lanes_{TASK[task]}_half"], together=4)
     text = workshop.compiled("plain C, textbook form", here / "textbook.c", "textbook", flags=["-O3", "-march=native", "-fno-math-errno", "-fPIC", "-shared"])
     both("plain C, textbook form", gcc, f"gcc {gcc} -O3 -march=native -fno-math-errno", text, "text")
 
@@ -141,7 +140,7 @@ def ways(workshop, crate, root, debian):
                 add(task, method, casadi, f"generated C, cse; gcc {gcc} {flags}", "full", library[f"{function}_full"])
             lanes = workshop.compiled(f"{method}, four pairs in lanes", here / "casadi_lanes.cpp", f"{function}_lanes", [*defines, "-w"], generated=[generated])
             if lanes:
-                add(task, f"{method}, four pairs in lanes", casadi, f"the same over four lanes; {cxx}", "four lanes", lanes[f"{function}_lanes"], four=True)
+                add(task, f"{method}, four pairs in lanes", casadi, f"the same over four lanes; {cxx}", "four lanes", lanes[f"{function}_lanes"], together=4)
     for task in "AB":
         source = build / f"sympy_{TASK[task]}.c"
         if source.exists():
@@ -186,9 +185,11 @@ def blocks(raw, task, way, crate):
     """What a way wrote, one array a pair and quantity in the full layout."""
     count = QUANTITIES[task]
     if way.read:
-        full = np.zeros(5 * FULL)
-        ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)(way.read.value)(raw.ctypes.data, full.ctypes.data)
-        return [full[: count * FULL].reshape(count, FULL)]
+        full = np.zeros((way.together, 5, FULL))
+        read = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p)(way.read.value)
+        for k in range(way.together):
+            read(raw.ctypes.data, k, full[k].ctypes.data)
+        return list(full[:, :count])
     if way.layout == "four lanes":
         of = raw[: 4 * count * FULL].reshape(count, FULL, 4)
         return [of[:, :, k] for k in range(4)]
@@ -230,15 +231,17 @@ class Pairs:
         memory = np.zeros(1 << 18)
         skip = (-memory.ctypes.data % 64) // 8
         self.out = memory[skip:]
-        prototype = ctypes.CFUNCTYPE(ctypes.c_double, *[ctypes.c_void_p] * 2, *[ctypes.c_size_t] * 2, ctypes.c_void_p)
-        self.one, self.four = (prototype(driver[name].value) for name in ["run", "run_by_four"])
+        of_one = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_size_t, ctypes.c_void_p]
+        self.one = ctypes.CFUNCTYPE(ctypes.c_double, *of_one)(driver["run"].value)
+        self.many = ctypes.CFUNCTYPE(ctypes.c_double, of_one[0], ctypes.c_size_t, *of_one[1:])(driver["run_together"].value)
 
     def run(self, way, first, count):
         """Nanoseconds a pair."""
         if callable(way.function):
             return way.function(self.count) / self.count
-        f = self.four if way.four else self.one
-        return f(way.function, self.first + self.stride * first, self.stride, count, self.out.ctypes.data) / count
+        pairs = [self.first + self.stride * first, self.stride, count, self.out.ctypes.data]
+        ns = self.one(way.function, *pairs) if way.together == 1 else self.many(way.function, way.together, *pairs)
+        return ns / count
 
     def dofs(self):
         raw = (ctypes.c_char * (self.stride * self.count)).from_address(self.first)
@@ -247,7 +250,7 @@ class Pairs:
 
 def check(way, pairs, right, crate):
     """The worst error over as many pairs as there is time for, and nanoseconds a pair."""
-    step, worst, first, spent = 4 if way.four else 1, 0.0, 0, 0.0
+    step, worst, first, spent = way.together, 0.0, 0, 0.0
     if callable(way.function):
         spent = way.function(pairs.count)
         got = np.asarray(way.function.result())
@@ -302,14 +305,13 @@ def main(given, here, root, build, flags, debian):
             continue
         if cost < ROUND / 16 and not callable(way.function):
             cost = pairs.run(way, 0, 64)
-        count = int(np.clip(ROUND / cost, 4 if way.four else 1, pairs.count))
-        timed.append((way, error, count - count % 4 if way.four else count, [], []))
+        count = int(np.clip(ROUND / cost, way.together, pairs.count))
+        timed.append((way, error, count - count % way.together, [], []))
     # In turn, in another order each time, each right after the reference on as many pairs as take a while; both in warm caches.
     order = random.Random(given.seed)
     for turn in range(given.rounds):
         for way, _, count, times, ratios in order.sample(timed, len(timed)):
             first = (turn * count) % (pairs.count - count + 1)
-            first -= first % 4
             reference = timed_warm(pairs, references[way.task], first, min(max(count, 200), pairs.count - first))
             times.append(timed_warm(pairs, way, first, count))
             ratios.append(times[-1] / reference)
@@ -354,4 +356,4 @@ def jax_ways(workshop, here, pairs):
         workshop.left_out.append({"method": "JAX", "reason": str(error)})
         return []
     return [Way(task, "JAX, jit(vmap)", jax_peer.VERSION, "AD of the explicit parts; XLA on one core, all pairs at once", "full", "",
-                jax_peer.Task(task, pairs.dofs()), None, False, EXACT) for task in "AB"]
+                jax_peer.Task(task, pairs.dofs()), None, 1, EXACT) for task in "AB"]

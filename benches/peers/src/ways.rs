@@ -33,7 +33,7 @@ macro_rules! way {
         /// # Safety
         /// `out` is what the way wrote, `full` has room for its quantities.
         #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn $read(out: *const f64, full: *mut f64) {
+        pub unsafe extern "C" fn $read(out: *const f64, _pair: usize, full: *mut f64) {
             // SAFETY: the caller's promise.
             let (result, full) = unsafe { (&*out.cast::<$result>(), std::slice::from_raw_parts_mut(full, 5 * FULL)) };
             let write: fn(&$result, &mut [f64]) = $write;
