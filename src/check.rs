@@ -1,8 +1,9 @@
 //! The gate: random pairs of beams, in regimes that are known to hide faults, through both linearizations.
 //!
 //! A case is drawn from its number alone, its closest points are searched for, and at each of them the closed form is
-//! compared with automatic differentiation: every quantity's value, first and second variations, the symmetry of the
-//! second, and the matrices contracted with the same directions.
+//! compared with automatic differentiation, in the [`Form`](crate::linearization::closed_form::Form) that the library takes
+//! there: every quantity's value, first and second variations, the symmetry of the second, and the matrices contracted with
+//! the same directions.
 //!
 //! # The tolerance
 //! Both sides are also run over [`Bounded`](crate::number::Bounded), which yields for every number a bound on its
@@ -33,6 +34,7 @@
 //! A mismatch is named by its first wrong number ([`Diagnosis`]), made small while it keeps that name ([`shrink`]), and
 //! written as a test ([`test_source`]) or as numbers ([`Written`]).
 
+mod accuracy;
 mod arbitration;
 mod compare;
 mod diagnosis;
@@ -51,6 +53,7 @@ mod verdict;
 mod witness;
 mod written;
 
+pub use accuracy::{Accuracy, Errors, Level, accuracy};
 pub use arbitration::Arbitration;
 pub(crate) use compare::{Closed, References, judged};
 pub use compare::{Compared, compare};

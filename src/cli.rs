@@ -1,5 +1,6 @@
 //! Arguments in, exit code out; each subcommand is a module.
 
+mod accuracy;
 mod arguments;
 mod case;
 mod case_file;
@@ -39,6 +40,8 @@ enum Command {
     Prove(prove::Prove),
     /// Measure how far the tolerances are above the rounding, by double-double.
     Sharpness(sharpness::Sharpen),
+    /// Measure how many digits each form of the closed form keeps, by double-double.
+    Accuracy(accuracy::Accurate),
     /// Plant faults in the closed form, and see which checks notice.
     Teeth(teeth::Bites),
     /// Run every equation of the paper, as printed and as corrected.
@@ -65,6 +68,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Check(check) => check.run(),
         Command::Prove(prove) => prove.run(),
         Command::Sharpness(sharpen) => sharpen.run(),
+        Command::Accuracy(accurate) => accurate.run(),
         Command::Teeth(teeth) => teeth.run(),
         Command::Ledger(ledger) => ledger.run(),
         Command::Report(report) => report.run(),

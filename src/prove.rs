@@ -5,7 +5,8 @@
 //! construction; draws whose d, t or t_bar have no square root in the field are drawn again. The orthogonality
 //! conditions are then lifted by two chord steps in hyper-dual arithmetic, which is exact since the parts are nilpotent,
 //! and every value, first and second variation of the closed form must be equal to that of AD; so must gradients and
-//! Hessians, contracted with the same directions. Ends of the beams are active in turn.
+//! Hessians, contracted with the same directions. Ends of the beams are active in turn, and every other
+//! draw is by the formulas of the [`Form`] that is not the paper's.
 //!
 //! # What equality proves
 //! The difference of the two sides is a function of the drawn numbers, rational but for three square roots. If it is
@@ -23,8 +24,8 @@ pub use draw::Draw;
 pub use entry::{Entry, Layer};
 pub use run::{Proof, Row, prove};
 
-use crate::closest_point::Active;
 use crate::linearization::ad::{Chord, evaluate};
+use crate::linearization::closed_form::Form;
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Differentiable, Dual, HyperDual};
 use crate::pair::Contact;
@@ -47,7 +48,7 @@ fn sides<T>(
     subject: &Subject,
     [beam, bar]: [&dyn ExactBeam<T>; 2],
     at: (T, T),
-    active: Active,
+    form: Form,
     contact: &Contact,
     with_matrices: bool,
 ) -> Sides<T>
@@ -55,13 +56,13 @@ where
     T: Differentiable<Dual = Dual<T>>,
 {
     let frozen = |at: (T, T)| [beam.frozen(at.0), bar.frozen(at.1)];
-    let closed = subject.variations(&frozen(at), || frozen(before(at)), at, active, contact);
+    let closed = subject.variations(&frozen(at), || frozen(before(at)), at, form, contact);
 
-    let lifted = Chord::<T>::new(beam, bar, at, active).lift::<HyperDual<T>, _, _>(beam, bar, at, 2);
+    let lifted = Chord::<T>::new(beam, bar, at, form.active).lift::<HyperDual<T>, _, _>(beam, bar, at, 2);
     let ad = evaluate::<HyperDual<T>>(beam, bar, lifted, contact).map(Varied::from).components();
 
     let padded = |at: (T, T)| [beam.padded(at.0), bar.padded(at.1)];
     let matrices =
-        with_matrices.then(|| subject.matrices(&padded(at), || padded(before(at)), at, active, contact));
+        with_matrices.then(|| subject.matrices(&padded(at), || padded(before(at)), at, form, contact));
     Sides { closed, ad, matrices }
 }

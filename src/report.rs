@@ -1,9 +1,13 @@
 //! The reports, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`], [`Sharpness`], [`Teeth`], [`Ledger`] and [`Benchmark`] are the records: what the gate found, how sharp
-//! its tolerances are, what it made of planted faults, what became of each equation, and what criterion measured. Markdown and SVG are pure functions of what
+//! [`Crosscheck`], [`Sharpness`], [`Accuracy`], [`Teeth`], [`Ledger`] and [`Benchmark`] are the records: what the gate found,
+//! how sharp its tolerances are, how many digits each form keeps, what it made of planted faults, what became of each
+//! equation, and what criterion measured. Markdown and SVG are pure functions of what
 //! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
 
+mod accuracy;
+mod accuracy_page;
+mod accuracy_plot;
 mod benchmark;
 mod benchmark_page;
 mod criterion;
@@ -22,6 +26,7 @@ mod sharpness_page;
 mod teeth;
 mod teeth_page;
 
+pub use accuracy::{Accuracy, AccuracyRow, Losses};
 pub use benchmark::{Benchmark, Measured, Ratio};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
@@ -43,6 +48,8 @@ pub const SEED: u64 = 0x5eed;
 pub const CASES: u64 = 10_000;
 /// The cases of each regime that the bounds on rounding are measured with: 100,008 in all.
 pub const SHARPNESS_CASES: u64 = 11_112;
+/// The pairs at each gap and angle that the accuracy of each form is measured with: all pairs of families, eight times.
+pub const ACCURACY_PAIRS: u32 = 968;
 
 /// Runs the gate over `cases` cases of each regime and writes `crosscheck.json` and `crosscheck.md` into the directory
 /// `to`; `done` is called after each case.
@@ -77,6 +84,23 @@ pub fn sharpness(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Shar
     let record = Sharpness::from_json(&json)?;
     write(to, "sharpness.json", &json)?;
     write(to, "sharpness.md", &record.to_markdown())?;
+    Ok(record)
+}
+
+/// Measures how many digits each form keeps and writes `accuracy.json`, `accuracy.md` and two pictures into the directory
+/// `to`.
+///
+/// # Errors
+/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Draw`] if a picture cannot be drawn.
+pub fn accuracy(to: &Path, seed: u64, command: &str) -> Result<Accuracy, ReportError> {
+    let pairs = ACCURACY_PAIRS as usize;
+    let found = check::accuracy(seed, pairs);
+    let json = Accuracy::new(&found, seed, pairs, Environment::here(command)).to_json()?;
+    let record = Accuracy::from_json(&json)?;
+    write(to, "accuracy.json", &json)?;
+    write(to, "accuracy.md", &record.to_markdown())?;
+    write(to, "accuracy-gap.svg", &record.gap_to_svg()?)?;
+    write(to, "accuracy-angle.svg", &record.angle_to_svg()?)?;
     Ok(record)
 }
 

@@ -15,5 +15,5 @@ pub(crate) use draw::Target;
 pub(crate) use exact::ExactBeam;
 pub use family::{Family, Unit};
 pub(crate) use padded::{Padded, PaddedBeam};
-pub(crate) use stationary::stationary;
+pub(crate) use stationary::{apart, stationary};
 pub use written::{Specimen, SpecimenError};

@@ -21,8 +21,7 @@ pub(crate) use point::{CONTACT, Point};
 
 use planted::{Change, Planted, Stale};
 
-use crate::closest_point::Active;
-use crate::linearization::closed_form::{Frozen, Label, Matrices, variations, variations_with};
+use crate::linearization::closed_form::{self, Form, Frozen, Label, Matrices, variations_with};
 use crate::linearization::{COMPONENTS, Quantities, Varied};
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
@@ -58,23 +57,23 @@ impl Subject {
         [beam, bar]: &[Frozen<T>; 2],
         before: impl FnOnce() -> [Frozen<T>; 2],
         at: (T, T),
-        active: Active,
+        form: Form,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
         match self {
-            Self::Sound => variations(beam, bar, at, active, contact),
+            Self::Sound => variations_with(&closed_form::Sound, beam, bar, at, form, contact),
             Self::Faulty(faults) => {
                 let stale = is_stale(faults).then(before);
                 let stale = stale.as_ref().map_or(Stale::Unused, Stale::Frozen);
                 let planted = Planted { changes: &Change::of(faults), stale };
-                variations_with(&planted, beam, bar, at, active, contact)
+                variations_with(&planted, beam, bar, at, form, contact)
             }
             Self::Weighted(label, factor) => {
                 let changes = [(*label, Change::Factor(T::from(*factor)))];
                 let planted = Planted { changes: &changes, stale: Stale::Unused };
-                variations_with(&planted, beam, bar, at, active, contact)
+                variations_with(&planted, beam, bar, at, form, contact)
             }
-            Self::Rewritten(rewrite) => rewrite.variations([beam, bar], at, active, contact),
+            Self::Rewritten(rewrite) => rewrite.variations([beam, bar], at, form, contact),
         }
     }
 
@@ -84,10 +83,10 @@ impl Subject {
         frozen: &[Frozen<T>; 2],
         before: impl FnOnce() -> [Frozen<T>; 2],
         at: (T, T),
-        active: Active,
+        form: Form,
         contact: &Contact,
     ) -> [Varied<T>; COMPONENTS] {
-        self.quantities(frozen, before, at, active, contact).components()
+        self.quantities(frozen, before, at, form, contact).components()
     }
 
     /// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up.
@@ -96,21 +95,23 @@ impl Subject {
         [(jet, [dq, linear_dq]), (jet_bar, [dq_bar, linear_dq_bar])]: &[PaddedBeam<T>; 2],
         before: impl FnOnce() -> [PaddedBeam<T>; 2],
         at: (T, T),
-        active: Active,
+        form: Form,
         contact: &Contact,
     ) -> [[T; 3]; SCALARS] {
         let all = match self {
-            Self::Sound | Self::Rewritten(_) => Matrices::new(jet, jet_bar, active).all(at, contact),
+            Self::Sound | Self::Rewritten(_) => {
+                Matrices::with(closed_form::Sound, jet, jet_bar, form).all(at, contact)
+            }
             Self::Faulty(faults) => {
                 let stale = is_stale(faults).then(|| before().map(|(jet, _)| jet));
                 let stale = stale.as_ref().map_or(Stale::Unused, Stale::Jets);
                 let planted = Planted { changes: &Change::of(faults), stale };
-                Matrices::with(planted, jet, jet_bar, active).all(at, contact)
+                Matrices::with(planted, jet, jet_bar, form).all(at, contact)
             }
             Self::Weighted(label, factor) => {
                 let changes = [(*label, Change::Factor(T::from(*factor)))];
                 let planted = Planted { changes: &changes, stale: Stale::Unused };
-                Matrices::with(planted, jet, jet_bar, active).all(at, contact)
+                Matrices::with(planted, jet, jet_bar, form).all(at, contact)
             }
         };
         let dq = DofVector { beam: *dq, bar: *dq_bar };

@@ -1,6 +1,6 @@
 //! From the number of a case to the case: a counter-based generator, so that shards, threads and reruns agree.
 
-use super::regime::Regime;
+use super::regime::{Draw, Regime};
 use super::written::Written;
 use crate::number::Bounded;
 use crate::pair::Contact;
@@ -82,40 +82,14 @@ impl Case {
 
     /// Draws the case with this number.
     ///
-    /// The two beams cross under the angle, at the gap and at the parameters that the regime draws: d is normal to both
-    /// tangents there, so that the crossing is a stationary point. Whether it is the minimum, the search will tell.
+    /// Where the two beams cross is a stationary point. Whether it is the minimum, the search will tell.
     pub fn draw(seed: u64, number: u64) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream(number);
         let (regime, families) = (regime(number), families(number));
         let draw = regime.draw(&mut rng);
 
-        // The tangents span a plane with d normal to it; beams bend in any direction.
-        let frame = orthonormal(&mut rng);
-        let [normal, t] = [frame.column(0), frame.column(1)].map(Vector3::from);
-        let (sin, cos) = draw.angle.sin_cos();
-        let tangents = [t, t * cos + normal.cross(&t) * sin];
-        let origin = Vector3::from_fn(|_, _| rng.random_range(-2.0..2.0)) * draw.length;
-        let mut beam = |i: usize| {
-            let turn: f64 = rng.random_range(0.0..std::f64::consts::TAU);
-            let across = normal.cross(&tangents[i]);
-            let bending = normal * turn.cos() + across * turn.sin();
-            let target = Target {
-                point: origin,
-                frame: Matrix3::from_columns(&[tangents[i], bending, tangents[i].cross(&bending)]),
-                length: draw.length * rng.random_range(0.8..1.25),
-                bend: draw.bend[i],
-                xi: draw.at[i],
-            };
-            families[i].draw(&target, &mut rng)
-        };
-        let mut specimens = [beam(0), beam(1)];
-        // What was drawn passes near its target only: measure, and move the first beam to where it belongs.
-        let [x, x_bar] = [0, 1].map(|i| specimens[i].drawn().geometry_at(Bounded::from(draw.at[i])));
-        let [x, t, x_bar, t_bar] = [x.x, x.t, x_bar.x, x_bar.t].map(|v| v.map(|c| c.value));
-        let across = t.cross(&t_bar).normalize();
-        specimens[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));
-
+        let specimens = crossing(families, &draw, &mut rng);
         let contact = Contact {
             radius: 0.05 * draw.length * rng.random_range(0.1..1.0),
             radius_bar: 0.05 * draw.length * rng.random_range(0.1..1.0),
@@ -125,6 +99,37 @@ impl Case {
         let beams = specimens.each_ref().map(Specimen::drawn);
         Self { number, regime, families, contact, specimens, beams }
     }
+}
+
+/// Two beams that cross under the angle, at the gap and at the parameters that were drawn: d is normal to both tangents
+/// there.
+pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng) -> [Specimen; 2] {
+    // The tangents span a plane with d normal to it; beams bend in any direction.
+    let frame = orthonormal(rng);
+    let [normal, t] = [frame.column(0), frame.column(1)].map(Vector3::from);
+    let (sin, cos) = draw.angle.sin_cos();
+    let tangents = [t, t * cos + normal.cross(&t) * sin];
+    let origin = Vector3::from_fn(|_, _| rng.random_range(-2.0..2.0)) * draw.length;
+    let mut beam = |i: usize| {
+        let turn: f64 = rng.random_range(0.0..std::f64::consts::TAU);
+        let across = normal.cross(&tangents[i]);
+        let bending = normal * turn.cos() + across * turn.sin();
+        let target = Target {
+            point: origin,
+            frame: Matrix3::from_columns(&[tangents[i], bending, tangents[i].cross(&bending)]),
+            length: draw.length * rng.random_range(0.8..1.25),
+            bend: draw.bend[i],
+            xi: draw.at[i],
+        };
+        families[i].draw(&target, rng)
+    };
+    let mut specimens = [beam(0), beam(1)];
+    // What was drawn passes near its target only: measure, and move the first beam to where it belongs.
+    let [x, x_bar] = [0, 1].map(|i| specimens[i].drawn().geometry_at(Bounded::from(draw.at[i])));
+    let [x, t, x_bar, t_bar] = [x.x, x.t, x_bar.x, x_bar.t].map(|v| v.map(|c| c.value));
+    let across = t.cross(&t_bar).normalize();
+    specimens[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));
+    specimens
 }
 
 /// A random orthonormal frame, right-handed.

@@ -4,7 +4,7 @@ use super::verdict::Inconclusive;
 use super::witness;
 use crate::closest_point::{Active, ClosestPoint, Degeneracy};
 use crate::linearization::ad::{Chord, evaluate};
-use crate::linearization::closed_form::{Frozen, Projection, variations};
+use crate::linearization::closed_form::{Form, Frozen, Points, Projection, Sound, variations_with};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Bounded, DoubleDouble, HyperDual, Magnitude, Real};
 use crate::pair::Contact;
@@ -18,6 +18,8 @@ pub(crate) struct Site<'a> {
     pub(crate) beams: [&'a dyn AnyBeam; 2],
     pub(crate) contact: &'a Contact,
     pub(crate) active: Active,
+    /// The formulas under check: those that the library takes here, unless it is told others.
+    pub(crate) form: Form,
     /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
     /// point.
     pub(crate) at: (Bounded, Bounded),
@@ -60,15 +62,39 @@ impl<'a> Site<'a> {
             Some(_) => return Err(Inconclusive::Singular),
         }
         let at = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
-        let site =
-            Self { beams, contact, active: point.active(), at, loose: at, moments: Default::default() };
-        let Some(refined) = site.refined() else { return Ok(site) };
+        let site = Self {
+            beams,
+            contact,
+            active: point.active(),
+            form: Form::default(),
+            at,
+            loose: at,
+            moments: Default::default(),
+        };
+        let Some(refined) = site.refined() else { return Ok(site.formed()) };
         let at = refined.map(Refined::rounded);
         let loose = [0, 1].map(|i| {
             let was = refined[i].within;
             Bounded::new(at[i].value, was.bound + (at[i].value - was.value).abs() * (1.0 + f64::EPSILON))
         });
-        Ok(Self { at: at.into(), loose: loose.into(), ..site })
+        Ok(Self { at: at.into(), loose: loose.into(), ..site }.formed())
+    }
+
+    /// With the formulas that the library takes here.
+    fn formed(self) -> Self {
+        let form = Form::at(&self.points(), self.active);
+        self.in_form(form)
+    }
+
+    /// With these formulas.
+    pub(crate) fn in_form(self, form: Form) -> Self {
+        Self { form, ..self }
+    }
+
+    /// The points of both beams.
+    pub(crate) fn points(&self) -> Points<f64> {
+        let [beam, bar] = self.frozen(When::Now);
+        Points::new(&beam.geometry, &bar.geometry)
     }
 
     pub(crate) fn parameters(&self, when: When) -> (Bounded, Bounded) {
@@ -138,13 +164,13 @@ impl<'a> Site<'a> {
         [now, before]: [[Frozen<T>; 2]; 2],
         at: (T, T),
     ) -> [Varied<T>; COMPONENTS] {
-        subject.variations(&now, || before, at, self.active, self.contact)
+        subject.variations(&now, || before, at, self.form, self.contact)
     }
 
     /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors.
     pub(super) fn matrices(&self, subject: &Subject) -> [[Bounded; 3]; SCALARS] {
         let before = || self.padded(When::Before).clone();
-        subject.matrices(self.padded(When::Now), before, self.at, self.active, self.contact)
+        subject.matrices(self.padded(When::Now), before, self.at, self.form, self.contact)
     }
 
     /// Automatic differentiation in our own hyper-dual numbers, with a bound on its error.
@@ -160,10 +186,10 @@ impl<'a> Site<'a> {
     ///
     /// Nothing if Newton's method does not settle within the bounds of the parameters.
     pub(super) fn precise(&self) -> Option<[Varied<DoubleDouble>; COMPONENTS]> {
-        let Self { beams: [beam, bar], contact, active, .. } = *self;
+        let Self { beams: [beam, bar], contact, form, .. } = *self;
         let [xi, xi_bar] = self.refined()?.map(|refined| refined.value);
         let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
-        Some(variations(&frozen[0], &frozen[1], (xi, xi_bar), active, contact).components())
+        Some(variations_with(&Sound, &frozen[0], &frozen[1], (xi, xi_bar), form, contact).components())
     }
 
     /// The parameters in double-double, by Newton's method; nothing if it does not settle.

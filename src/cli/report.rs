@@ -1,11 +1,12 @@
 //! `beamgap report`: the reports, written anew.
 
+use super::accuracy::verdict;
 use super::exit::Exit;
 use super::ledger::LEDGER;
 use super::teeth;
 use beamgap::ledger;
 use beamgap::report::{
-    self, CASES, SEED, SHARPNESS_CASES, benchmark, criterion_directory, crosscheck, sharpness,
+    self, CASES, SEED, SHARPNESS_CASES, accuracy, benchmark, criterion_directory, crosscheck, sharpness,
 };
 use clap::{Args, value_parser};
 use std::path::PathBuf;
@@ -25,7 +26,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes the pages and records of crosscheck, sharpness, ledger and teeth, then those of the benchmark.
+    /// Writes the pages and records of crosscheck, sharpness, accuracy, ledger and teeth, then those of the benchmark.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let (command, sharpness_cases) = match self.cases {
             CASES => ("cargo run --release -- report".into(), SHARPNESS_CASES),
@@ -33,13 +34,17 @@ impl Report {
         };
         let found = crosscheck(&self.to, SEED, self.cases, &command, || ())?;
         let sharp = sharpness(&self.to, SEED, sharpness_cases, &command)?;
+        let chosen = verdict(&accuracy(&self.to, SEED, &command)?).0 == Exit::Agree;
         let equations = ledger::ledger(SEED, ledger::DRAWS, ledger::CASES, LEDGER);
         report::ledger(&self.to, &equations)?;
         let teeth = teeth::record(SEED, &[], &command);
         report::teeth(&self.to, &teeth)?;
         benchmark(&self.to, &criterion_directory())?;
-        println!("Wrote crosscheck, sharpness, ledger, teeth and benchmark to {}.", self.to.display());
-        let agrees = found.mismatches.is_empty() && equations.holds();
+        println!(
+            "Wrote crosscheck, sharpness, accuracy, ledger, teeth and benchmark to {}.",
+            self.to.display()
+        );
+        let agrees = found.mismatches.is_empty() && chosen && equations.holds();
         Ok(match (sharp.violations.is_empty() && teeth.holds, agrees) {
             (false, _) => Exit::Untrusted,
             (true, false) => Exit::Disagree,

@@ -26,6 +26,7 @@ sources![
     "linearization/closed_form/norms.rs",
     "linearization/closed_form/projection.rs",
     "linearization/closed_form/matrices.rs",
+    "linearization/closed_form/matrices/distance.rs",
     "linearization/closed_form/matrices/parameters.rs",
     "linearization/closed_form/matrices/vector.rs",
     "linearization/closed_form/sums.rs",

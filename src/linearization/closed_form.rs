@@ -7,13 +7,15 @@
 //! and for no other), and closest points at an end of a beam, where the parameter is held.
 //!
 //! [`variations`] is the framework of sections 2-5 of the paper, in two directions; [`Matrices`] is the step its
-//! section 6 leaves to the reader, gradients and Hessians in all dofs. Contracting the one gives the other.
+//! section 6 leaves to the reader, gradients and Hessians in all dofs. Contracting the one gives the other. Both have the
+//! variations of d and the solution of the two-by-two system in two forms, the paper's and one that keeps its digits at
+//! small gaps and angles: see [`Form`].
 
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet};
 use crate::linearization::{Linearization, Quantities, Varied};
 use crate::number::Real;
-use crate::pair::{DofVector, Pair};
+use crate::pair::{Contact, DofVector, Pair};
 
 pub mod blocks;
 pub mod form;
@@ -32,11 +34,16 @@ pub use frozen::Frozen;
 pub use jets::{Jets, MatrixTerms};
 pub use matrices::{Matrices, VectorQuantity};
 pub use operands::{Between, First, Operands, Second, Side};
-pub use projection::{Points, Projection, System};
+pub use projection::{Crossed, Points, Projection, System};
 pub use terms::{Label, Sound, Terms};
 pub use variations::{variations, variations_with};
 
-/// All scalar quantities with gradients and Hessians, at a closest point of the pair.
+/// All scalar quantities with gradients and Hessians, at a closest point of the pair, by the formulas that lose the
+/// fewest digits there ([`Form::at`]).
+///
+/// Where the centroids cross inside both beams, d = 0 and d as a length has no derivatives. What is returned there are
+/// those of the signed distance along n = t × t_bar/|t × t_bar|; its sign, and that of n, is a choice. Elsewhere n points
+/// from the bar beam to the beam, and d is positive.
 ///
 /// # Example
 /// See the crate's front page.
@@ -45,11 +52,17 @@ pub fn linearize<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
 ) -> Linearization<f64, N, M> {
-    let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
-    Matrices::new(&jet, &jet_bar, point.active()).all((point.xi, point.xi_bar), &pair.contact)
+    let mut all = Linearization::zeros();
+    let Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar } = &mut all;
+    let Contact { xi_0, xi_bar_0, .. } = pair.contact;
+    blocks::write_all(pair, q, point, &mut blocks::Targets { d, xi, xi_bar, t, t_bar });
+    sums::write_slip((&Sound, false), t, xi, xi_0, g_t);
+    sums::write_slip((&Sound, true), t_bar, xi_bar, xi_bar_0, g_t_bar);
+    all
 }
 
-/// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair.
+/// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair, by
+/// the formulas that [`linearize`] takes.
 pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<f64, N, M>,
@@ -61,7 +74,8 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     let (jet, jet_bar) = jets(pair, q, at);
     let beam = Frozen::new(&jet, &dq.beam, &linear_dq.beam);
     let bar = Frozen::new(&jet_bar, &dq.bar, &linear_dq.bar);
-    variations(&beam, &bar, at, point.active(), &pair.contact)
+    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+    variations_with(&Sound, &beam, &bar, at, form, &pair.contact)
 }
 
 /// The jets of both curves.

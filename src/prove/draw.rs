@@ -3,8 +3,9 @@
 use super::entry::{Entry, entries};
 use super::{CONTACT, sides};
 use crate::closest_point::Active;
+use crate::linearization::closed_form::Form;
 use crate::number::Residue;
-use crate::specimen::{Family, stationary};
+use crate::specimen::{Family, apart, stationary};
 use crate::subject::Subject;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -34,8 +35,9 @@ impl Draw {
         let active = Active { xi: number % 8 == 5 || number % 8 == 7, xi_bar: number % 8 >= 6 };
         let models = families.map(|family| family.model(&mut rng));
         let (beams, at) = stationary(&models, active, &mut rng);
+        let form = if number % 2 == 1 { apart(&beams, at, active) } else { Form::paper(active) };
         let with_matrices = (number / 8).is_multiple_of(MATRICES_EVERY);
-        let results = sides(subject, [&*beams[0], &*beams[1]], at, active, &CONTACT, with_matrices);
+        let results = sides(subject, [&*beams[0], &*beams[1]], at, form, &CONTACT, with_matrices);
         Self { families, number, active, entries: entries(&results) }
     }
 

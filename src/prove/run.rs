@@ -3,6 +3,8 @@
 use super::entry::{Entry, Layer, entries};
 use super::{CONTACT, Draw, sides};
 use crate::closest_point::Active;
+use crate::linearization::closed_form::Form;
+use crate::linearization::closed_form::form::{Distance, Elimination};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::Degree;
 use crate::specimen::Family;
@@ -104,10 +106,15 @@ fn degrees(families: [Family; 2]) -> [[f64; 4]; COMPONENTS] {
     let beams = families.map(|family| family.model(&mut rng).degrees());
     let at = (Degree::VARIABLE, Degree::VARIABLE);
     let mut degrees = [[0.0_f64; 4]; COMPONENTS];
-    let results = sides(&Subject::Sound, [&*beams[0], &*beams[1]], at, Active::default(), &CONTACT, true);
-    for Entry { component, layer, closed, ad, .. } in entries(&results) {
-        let degree = &mut degrees[component][layer as usize];
-        *degree = degree.max(closed.of_difference(ad));
+    let active = Active::default();
+    let apart =
+        Form { active, distance: Distance::Normal { reversed: false }, system: Elimination::CrossProducts };
+    for form in [Form::paper(active), apart] {
+        let results = sides(&Subject::Sound, [&*beams[0], &*beams[1]], at, form, &CONTACT, true);
+        for Entry { component, layer, closed, ad, .. } in entries(&results) {
+            let degree = &mut degrees[component][layer as usize];
+            *degree = degree.max(closed.of_difference(ad));
+        }
     }
     degrees
 }

@@ -2,7 +2,9 @@
 
 use super::{AnyBeam, ExactBeam};
 use crate::closest_point::Active;
-use crate::number::Residue;
+use crate::linearization::closed_form::form::{Distance, Elimination, unit_normal};
+use crate::linearization::closed_form::{Form, Points};
+use crate::number::{Real, Residue};
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use rand::RngExt;
@@ -38,4 +40,16 @@ pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], active: Active, rng: &m
             return (beams, at);
         }
     }
+}
+
+/// The form that is not the paper's: n has the sign with which n·d is the root that the field takes of d·d.
+pub(crate) fn apart(
+    beams: &[Box<dyn ExactBeam<Residue>>; 2],
+    (xi, xi_bar): (Residue, Residue),
+    active: Active,
+) -> Form {
+    let points = Points::new(&beams[0].geometry(xi), &beams[1].geometry(xi_bar));
+    let along = unit_normal(&points.cross()).dot(&points.d);
+    let reversed = along != points.d.dot(&points.d).sqrt();
+    Form { active, distance: Distance::Normal { reversed }, system: Elimination::CrossProducts }
 }

@@ -58,9 +58,9 @@ pub(crate) fn terms() -> [Vec<Label>; 2] {
 
 fn labels(points: &[Point]) -> [Vec<Label>; 2] {
     let (varied, expanded) = (Recorder::default(), Recorder::default());
-    for Point { at, active, frozen: [[beam, bar], _], padded: [[(jet, _), (jet_bar, _)], _], .. } in points {
-        variations_with(&&varied, beam, bar, *at, *active, &CONTACT);
-        Matrices::with(&expanded, jet, jet_bar, *active).all(*at, &CONTACT);
+    for Point { at, form, frozen: [[beam, bar], _], padded: [[(jet, _), (jet_bar, _)], _], .. } in points {
+        variations_with(&&varied, beam, bar, *at, *form, &CONTACT);
+        Matrices::with(&expanded, jet, jet_bar, *form).all(*at, &CONTACT);
     }
     [varied, expanded].map(|recorder| recorder.labels.into_inner())
 }

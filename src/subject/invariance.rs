@@ -4,7 +4,7 @@ use super::Rewrite;
 use super::rewrites::parts;
 use crate::closest_point::Active;
 use crate::curve::Geometry;
-use crate::linearization::closed_form::Frozen;
+use crate::linearization::closed_form::{Form, Frozen};
 use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use crate::pair::Contact;
@@ -13,14 +13,14 @@ use nalgebra::{Matrix3, Vector3};
 /// The variations of other beams, from which those of these follow.
 pub(crate) fn by_invariance<T: Real>(
     rewrite: Rewrite,
-    variations: impl Fn([Frozen<T>; 2], (T, T), Active, &Contact) -> Quantities<Varied<T>>,
+    variations: impl Fn([Frozen<T>; 2], (T, T), Form, &Contact) -> Quantities<Varied<T>>,
     [beam, bar]: [&Frozen<T>; 2],
     (xi, xi_bar): (T, T),
-    active: Active,
+    form: Form,
     contact: &Contact,
 ) -> Option<Quantities<Varied<T>>> {
     let (three, nine) = (T::from(3.0), T::from(9.0));
-    let of = |beam: Frozen<T>, bar: Frozen<T>| variations([beam, bar], (xi, xi_bar), active, contact);
+    let of = |beam: Frozen<T>, bar: Frozen<T>| variations([beam, bar], (xi, xi_bar), form, contact);
     Some(match rewrite {
         Rewrite::DirectionsExchanged => of(beam.exchanged(), bar.exchanged()).map(exchanged),
         Rewrite::Symmetrized => {
@@ -39,8 +39,9 @@ pub(crate) fn by_invariance<T: Real>(
                 xi_0: contact.xi_bar_0,
                 xi_bar_0: contact.xi_0,
             };
-            let active = Active { xi: active.xi_bar, xi_bar: active.xi };
-            let other = variations([*bar, *beam], (xi_bar, xi), active, &contact);
+            // Both d and t × t̄ change their sign, and so does n.
+            let active = Active { xi: form.active.xi_bar, xi_bar: form.active.xi };
+            let other = variations([*bar, *beam], (xi_bar, xi), Form { active, ..form }, &contact);
             Quantities {
                 x: other.x_bar,
                 x_bar: other.x,
@@ -60,7 +61,7 @@ pub(crate) fn by_invariance<T: Real>(
             let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| v * nine));
             let contact =
                 Contact { radius: 9.0 * contact.radius, radius_bar: 9.0 * contact.radius_bar, ..*contact };
-            let other = variations([beam, bar], (xi, xi_bar), active, &contact);
+            let other = variations([beam, bar], (xi, xi_bar), form, &contact);
             let ninth = T::one() / nine;
             Quantities { xi: other.xi, xi_bar: other.xi_bar, ..other.map(|v| times(v, ninth)) }
         }
@@ -98,8 +99,8 @@ pub(crate) fn by_invariance<T: Real>(
                 ..other
             }
         }
-        Rewrite::Reversed => stretched(-1.0, variations, [beam, bar], (xi, xi_bar), active, contact),
-        Rewrite::Reparametrized => stretched(0.5, variations, [beam, bar], (xi, xi_bar), active, contact),
+        Rewrite::Reversed => stretched(-1.0, variations, [beam, bar], (xi, xi_bar), form, contact),
+        Rewrite::Reparametrized => stretched(0.5, variations, [beam, bar], (xi, xi_bar), form, contact),
         Rewrite::LongDirections => {
             let long = |frozen: &Frozen<T>| Frozen {
                 delta_u: frozen.delta_u.map(|v| v * three),
@@ -119,10 +120,10 @@ pub(crate) fn by_invariance<T: Real>(
 /// With the beam's parameter in another unit, xi = factor * other: signs and lengths of tangents change, no more.
 fn stretched<T: Real>(
     unit: f64,
-    variations: impl Fn([Frozen<T>; 2], (T, T), Active, &Contact) -> Quantities<Varied<T>>,
+    variations: impl Fn([Frozen<T>; 2], (T, T), Form, &Contact) -> Quantities<Varied<T>>,
     [beam, bar]: [&Frozen<T>; 2],
     (xi, xi_bar): (T, T),
-    active: Active,
+    form: Form,
     contact: &Contact,
 ) -> Quantities<Varied<T>> {
     let factor = T::from(unit);
@@ -137,7 +138,8 @@ fn stretched<T: Real>(
         second_u: [beam.second_u[0], beam.second_u[1] * factor],
     };
     let contact = Contact { xi_0: contact.xi_0 / unit, ..*contact };
-    let other = variations([other, *bar], (xi / factor, xi_bar), active, &contact);
+    let form = if unit < 0.0 { form.reversed() } else { form };
+    let other = variations([other, *bar], (xi / factor, xi_bar), form, &contact);
     let (back, size) = (T::one() / factor, T::one() / T::from(unit.abs()));
     Quantities {
         t_vector: other.t_vector.map(|v| times(v, back)),

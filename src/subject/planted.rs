@@ -126,7 +126,7 @@ impl<'a, T: Real> Substitute<'a, T> for Points<T> {
         match kind {
             Kind::Swapped => Self { beam: self.bar, bar: self.beam, ..self },
             Kind::BarForgotten => Self { bar: self.beam, ..self },
-            Kind::Stale => stale.geometry().map_or(self, |[beam, bar]| Self { beam, bar, d: beam.x - bar.x }),
+            Kind::Stale => stale.geometry().map_or(self, |[beam, bar]| Self::new(&beam, &bar)),
             _ => self,
         }
     }

@@ -2,8 +2,7 @@
 
 use super::invariance::by_invariance;
 use super::rewrites::by_term;
-use crate::closest_point::Active;
-use crate::linearization::closed_form::{Frozen, variations};
+use crate::linearization::closed_form::{Form, Frozen, Sound, variations_with};
 use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use crate::pair::Contact;
@@ -133,14 +132,14 @@ impl Rewrite {
         self,
         beams: [&Frozen<T>; 2],
         at: (T, T),
-        active: Active,
+        form: Form,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
-        let sound = |[beam, bar]: [Frozen<T>; 2], at, active, contact: &Contact| {
-            variations(&beam, &bar, at, active, contact)
+        let sound = |[beam, bar]: [Frozen<T>; 2], at, form, contact: &Contact| {
+            variations_with(&Sound, &beam, &bar, at, form, contact)
         };
-        by_invariance(self, sound, beams, at, active, contact).unwrap_or_else(|| {
-            by_term(self, beams, active, sound(beams.map(|beam| *beam), at, active, contact))
+        by_invariance(self, sound, beams, at, form, contact).unwrap_or_else(|| {
+            by_term(self, beams, form.active, sound(beams.map(|beam| *beam), at, form, contact))
         })
     }
 }

@@ -72,8 +72,8 @@ pub(super) fn by_term<T: Real>(
         }),
         Rewrite::UnitTangents => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
             let (s, s_bar) = (one / sound.t.value, one / sound.t_bar.value);
-            let unit =
-                Projection { a: p.a * s * s, b: p.b * s * s_bar, a_bar: p.a_bar * s_bar * s_bar, active };
+            let (a, b, a_bar) = (p.a * s * s, p.b * s * s_bar, p.a_bar * s_bar * s_bar);
+            let unit = Projection { a, b, a_bar, active, crossed: None };
             let (xi, xi_bar) = unit.solve(r * s, r_bar * s_bar);
             (xi * s, xi_bar * s_bar)
         }),

@@ -3,7 +3,7 @@
 use super::differences::{Differences, Rule};
 use super::panel::Sample;
 use crate::check::{Site, Verdict, When, judged};
-use crate::linearization::closed_form::variations;
+use crate::linearization::closed_form::{Sound, variations_with};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::Bounded;
 use crate::subject::{Rewrite, Subject, by_invariance};
@@ -87,21 +87,21 @@ fn is_violated(
     sample: &Sample,
     closed: &[Varied<Bounded>; COMPONENTS],
 ) -> bool {
-    let Site { at, active, contact, .. } = sample.site;
+    let Site { at, form, contact, .. } = sample.site;
     // The beams of the step before, moved alike.
     let moved = Cell::new(sample.site.bounded(When::Before));
     let [beam, bar] = &sample.site.bounded(When::Before);
-    let keep = |frozen: [_; 2], at, active, contact: &_| {
+    let keep = |frozen: [_; 2], at, form, contact: &_| {
         moved.set(frozen);
-        variations(&frozen[0], &frozen[1], at, active, contact)
+        variations_with(&Sound, &frozen[0], &frozen[1], at, form, contact)
     };
-    by_invariance(rewrite, keep, [beam, bar], at, active, contact);
+    by_invariance(rewrite, keep, [beam, bar], at, form, contact);
 
     let [beam, bar] = &sample.site.bounded(When::Now);
-    let of = |frozen: [_; 2], at, active, contact: &_| {
-        subject.quantities(&frozen, || moved.get(), at, active, contact)
+    let of = |frozen: [_; 2], at, form, contact: &_| {
+        subject.quantities(&frozen, || moved.get(), at, form, contact)
     };
-    let Some(other) = by_invariance(rewrite, of, [beam, bar], at, active, contact) else { return false };
+    let Some(other) = by_invariance(rewrite, of, [beam, bar], at, form, contact) else { return false };
     let differ = |x: Bounded, y: Bounded| {
         let difference = (x.value - y.value).abs();
         difference > x.bound + y.bound || difference.is_nan()

@@ -143,7 +143,7 @@ impl<'a> Differences<'a> {
     fn at(&self, moved: &Moved) -> Option<[Varied<f64>; COMPONENTS]> {
         let (at, [now, before]) = moved.as_ref()?;
         let site = &self.sample.site;
-        Some(self.subject.variations(now, || *before, *at, site.active, site.contact))
+        Some(self.subject.variations(now, || *before, *at, site.form, site.contact))
     }
 
     fn passes(&self, [ahead, behind]: [usize; 2], near: impl Fn(f64, f64) -> bool) -> Option<bool> {

@@ -29,9 +29,9 @@ impl Exact {
     }
 }
 
-fn differentiated(Point { beams: [beam, bar], at, active, .. }: &Point) -> [Varied<Residue>; COMPONENTS] {
+fn differentiated(Point { beams: [beam, bar], at, form, .. }: &Point) -> [Varied<Residue>; COMPONENTS] {
     let (beam, bar) = (&**beam, &**bar);
-    let lifted =
-        Chord::<Residue>::new(beam, bar, *at, *active).lift::<HyperDual<Residue>, _, _>(beam, bar, *at, 2);
+    let lifted = Chord::<Residue>::new(beam, bar, *at, form.active)
+        .lift::<HyperDual<Residue>, _, _>(beam, bar, *at, 2);
     evaluate::<HyperDual<Residue>>(beam, bar, lifted, &CONTACT).map(Varied::from).components()
 }

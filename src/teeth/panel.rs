@@ -3,6 +3,7 @@
 use super::differences::Steps;
 use crate::check::{Case, Closed, Comparison, References, Regime, Selection, Site, Verdict, judged};
 use crate::closest_point::{Active, ClosestPoint, Search, closest_points};
+use crate::linearization::closed_form::Form;
 use crate::specimen::Family;
 use crate::subject::Subject;
 use std::collections::BTreeMap;
@@ -22,12 +23,23 @@ pub(super) struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    /// Evaluates the references; none if the point has no derivatives that can be compared.
-    pub(super) fn new(case: &'a Case, point: &ClosestPoint) -> Option<Self> {
-        let site = Site::new(case.beams(), &case.contact, point).ok()?;
+    /// In the paper's form and, inside both beams, in the other one; none if the point has no derivatives that can be
+    /// compared.
+    pub(super) fn in_both_forms(case: &'a Case, point: &ClosestPoint) -> Vec<Self> {
+        let site = || Site::new(case.beams(), &case.contact, point).ok();
+        let paper = site().map(|site| Self::new(case, point, site.in_form(Form::paper(point.active()))));
+        let apart = site().filter(|_| point.is_interior()).map(|site| {
+            let form = Form::apart(&site.points(), point.active());
+            Self::new(case, point, site.in_form(form))
+        });
+        paper.into_iter().chain(apart).collect()
+    }
+
+    /// Evaluates the references.
+    fn new(case: &'a Case, point: &ClosestPoint, site: Site<'a>) -> Self {
         let references = References::new(&site);
         let steps = Steps::new(&case.specimens, point);
-        Some(Self { site, references, steps })
+        Self { site, references, steps }
     }
 
     /// What the gate compares.
@@ -72,7 +84,7 @@ fn best(case: &Case, wanted: &BTreeMap<Key, usize>) -> Option<(Key, ClosestPoint
         let key = (xi, xi_bar, linear);
         let is_wanted = wanted.get(&key).is_some_and(|&count| count > 0);
         let passes = |sample: &Sample| matches!(judged(sample.compared(&Subject::Sound)), Verdict::Pass(_));
-        let sample = if is_wanted { Sample::new(case, &point) } else { None };
-        sample.as_ref().is_some_and(passes).then_some((key, point))
+        let samples = if is_wanted { Sample::in_both_forms(case, &point) } else { Vec::new() };
+        (!samples.is_empty() && samples.iter().all(passes)).then_some((key, point))
     })
 }

@@ -1,12 +1,14 @@
 //! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
 
 mod allocation;
+mod blocks;
 mod bounds;
 mod case_files;
 mod centroids;
 mod closed_form_equals_ad;
 mod closest_points;
 mod command_line;
+mod conditioning;
 mod degenerate;
 mod every_minimum;
 mod families;

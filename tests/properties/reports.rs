@@ -3,8 +3,8 @@
 use beamgap::check::{self, Regime, Selection, Trial};
 use beamgap::prove::prove;
 use beamgap::report::{
-    Benchmark, Crosscheck, Environment, Measured, Record, ReportError, Sharpness, VERDICTS, Verdict,
-    Verdicts, median_interval, spread,
+    Accuracy, Benchmark, Crosscheck, Environment, Measured, Record, ReportError, Sharpness, VERDICTS,
+    Verdict, Verdicts, median_interval, spread,
 };
 use beamgap::specimen::Family;
 use beamgap::subject::Subject;
@@ -22,6 +22,13 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     assert!(crosscheck.to_markdown() == committed("crosscheck.md"), "crosscheck.md is stale");
     let sharpness = Sharpness::from_json(&committed("sharpness.json")).unwrap();
     assert!(sharpness.to_markdown() == committed("sharpness.md"), "sharpness.md is stale");
+    let accuracy = Accuracy::from_json(&committed("accuracy.json")).unwrap();
+    assert!(accuracy.to_markdown() == committed("accuracy.md"), "accuracy.md is stale");
+    assert!(accuracy.gap_to_svg().unwrap() == committed("accuracy-gap.svg"), "accuracy-gap.svg is stale");
+    assert!(
+        accuracy.angle_to_svg().unwrap() == committed("accuracy-angle.svg"),
+        "accuracy-angle.svg is stale"
+    );
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
     assert!(benchmark.to_markdown() == committed("benchmark.md"), "benchmark.md is stale");
     assert!(benchmark.to_svg().unwrap() == committed("benchmark.svg"), "benchmark.svg is stale");
@@ -33,6 +40,8 @@ fn committed_records_are_written_again_as_they_are() {
     assert!(Crosscheck::from_json(&json).unwrap().to_json().unwrap() == json);
     let json = committed("sharpness.json");
     assert!(Sharpness::from_json(&json).unwrap().to_json().unwrap() == json);
+    let json = committed("accuracy.json");
+    assert!(Accuracy::from_json(&json).unwrap().to_json().unwrap() == json);
     let json = committed("benchmark.json");
     assert!(Benchmark::from_json(&json).unwrap().to_json().unwrap() == json);
     assert!(json.len() < 300_000, "{} bytes", json.len());

@@ -11,19 +11,28 @@
 //! ```
 //!
 //! The first two terms are n·Δδd of the vector, as n is normal to what Δδξ and Δδξ̄ multiply; the last is what n itself
-//! varies by. In (40) a bracket of size d, made of numbers of size 1, is divided by d instead: its error is about
-//! u (t/d)² of the result, with u the rounding unit, and no digit is left at d = 1e-8 t.
+//! varies by. In (40) a bracket of size d, made of numbers of size 1, is divided by d instead.
 //!
 //! # The system by cross products
-//! Near parallel tangents D = a a_bar + b² loses what t²t_bar² − (t·t_bar)² cancels, about u/sin²θ at the angle θ, and the
-//! numerators of (59) do as well. With c = t × t_bar nothing of that size is subtracted, and u/sin θ is lost, which is what
-//! a change of the dofs in their last digit makes of the result:
+//! Near parallel tangents D = a a_bar + b² loses what t²t_bar² − (t·t_bar)² cancels, and so do the numerators of (59). With
+//! c = t × t_bar nothing of that size is subtracted:
 //!
 //! ```text
 //! D = −c·c + (d·t,ξ) ā + (d·t̄,ξ̄) t·t
 //! (ā R + b R̄)/D = (−ā e − b ē)/D + u·w      u = [t̄ × c − (d·t̄,ξ̄) t]/D      for R = −t·w − e,  R̄ = −t̄·w − ē
 //! (−b R + a R̄)/D = (b e − a ē)/D + ū·w      ū = [t × c − (d·t,ξ) t̄]/D
 //! ```
+//!
+//! # What is lost
+//! Relative errors in units of the rounding unit u, at the angle θ, measured against double-double:
+//!
+//! | | paper | here |
+//! |---|---|---|
+//! | H_d | (t/d)² + 1/sin²θ | 1/sin θ + k/sin²θ with k = abs(d·t,ξ)/t², the gap over the radius of curvature |
+//! | H_ξ, straight beams | 1/sin²θ | 1/sin θ, as for a change of the dofs in their last digits |
+//!
+//! So the normal is better at small d and for straight beams, and the paper's (40) where curvature alone keeps nearly parallel
+//! beams apart, or where a tangent is short next to d; the cross products are never worse.
 
 use super::Points;
 use crate::closest_point::Active;
@@ -31,10 +40,14 @@ use crate::curve::Geometry;
 use crate::number::Real;
 use nalgebra::Vector3;
 
-/// The gap, in lengths of the tangents, from which on (40) is as good as the normal.
-const NEAR: f64 = 0.125;
-/// The squared sine of the angle from which on (52) is as good as the cross product.
-const WIDE: f64 = 0.0625;
+/// The gap, in lengths of a tangent, from which on (40) loses next to nothing at a wide angle.
+const NEAR: f64 = 1.0 / 8.0;
+/// The gap from which on it loses no more than the normal at any.
+const FAR: f64 = 1.0 / 2.0;
+/// k/sin θ from which on it loses no more than the normal.
+const CURVED: f64 = 1.0 / 8.0;
+/// The squared sine of the angle from which on (52) loses next to nothing.
+const WIDE: f64 = 1.0 / 16.0;
 
 /// Which parameters are held at a point, and by which formulas the rest is linearized there.
 ///
@@ -81,31 +94,51 @@ impl Form {
 
     /// The formulas that keep their digits at small d and at small angles; n has the sign with n·d >= 0.
     pub fn apart(points: &Points<f64>, active: Active) -> Self {
-        let reversed = points.beam.t.cross(&points.bar.t).dot(&points.d) < 0.0;
+        let reversed = points.cross().dot(&points.d) < 0.0;
         Self { active, distance: Distance::Normal { reversed }, system: Elimination::CrossProducts }
     }
 
-    /// The formulas that lose the fewest digits at a point; the choice depends on ratios of lengths alone.
+    /// The formulas that lose the fewest digits at a point, up to a small factor.
     ///
-    /// The cross products are never worse; the paper's system is taken where it loses next to nothing. The normal is: it
-    /// loses u/sin²θ, and u (t,xi/t) more where the parametrization is slow, as t,xi is then nearly along t. Against the
-    /// u (t/d)² of the paper's form it is taken where d² (1 + |t,xi|²/t²)^½ < (t sin θ)²/64 for the shorter of the tangents.
+    /// The cross products where sin θ < 1/4; the normal where k < sin θ/8 and d < t/8, or where d < t/2 will do as
+    /// sin θ < 1/4, for both beams; those of the paper elsewhere.
+    ///
+    /// The choice depends on ratios of lengths alone. Next to it the two forms agree within what either loses.
     #[inline]
     pub fn at(points: &Points<f64>, active: Active) -> Self {
         let Points { beam, bar, d } = points;
         let apart = Self::apart(points, active);
-        let c = beam.t.cross(&bar.t);
+        let c = points.cross();
         let (c2, [t2, t_bar2]) = (c.dot(&c), [beam, bar].map(|x| x.t.dot(&x.t)));
-        // d²/(t sin θ)², squared
+        // sin²θ = c·c/(t²t̄²)
+        let narrow = c2 < WIDE * t2 * t_bar2;
+        let near = if narrow { FAR } else { NEAR };
         let is_near = |x: &Geometry<f64>, t2: f64, other: f64| {
-            let ratio = d.dot(d) / c2 * other;
-            ratio * ratio * (t2 + x.t_xi.dot(&x.t_xi)) < NEAR.powi(4) * t2
+            let turn = d.dot(&x.t_xi);
+            d.dot(d) < near * near * t2 && turn * turn * other < CURVED * CURVED * c2 * t2
         };
         let near = is_near(beam, t2, t_bar2) && is_near(bar, t_bar2, t2);
         Self {
             active,
             distance: if near { apart.distance } else { Distance::Length },
-            system: if c2 < WIDE * t2 * t_bar2 { apart.system } else { Elimination::Products },
+            system: if narrow { apart.system } else { Elimination::Products },
+        }
+    }
+
+    /// Whether [`Form::at`] is sure to be the paper's, by t·t, t̄·t̄, t·t̄ and d·d alone: true at wide angles and gaps.
+    #[inline(always)]
+    pub fn is_plain([t2, t_bar2, b, d2]: [f64; 4]) -> bool {
+        t2 * t_bar2 - b * b > 1.01 * WIDE * t2 * t_bar2 && d2 >= NEAR * NEAR * t2.min(t_bar2)
+    }
+
+    /// The form with n the other way round.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        match self.distance {
+            Distance::Length => self,
+            Distance::Normal { reversed } => {
+                Self { distance: Distance::Normal { reversed: !reversed }, ..self }
+            }
         }
     }
 
@@ -231,15 +264,25 @@ mod tests {
         let normal = |reversed| Distance::Normal { reversed };
         let (products, crossed) = (Elimination::Products, Elimination::CrossProducts);
         assert_eq!(at(1.5, 0.5), (Distance::Length, products));
-        assert_eq!(at(1.5, 1e-3), (normal(false), products));
-        assert_eq!(at(1.5, -1e-3), (normal(true), products));
+        assert_eq!(at(1.5, 1e-2), (normal(false), products));
+        assert_eq!(at(1.5, -1e-2), (normal(true), products));
         assert_eq!(at(1.5, 0.0), (normal(false), products));
-        assert_eq!(at(1e-2, 0.5), (Distance::Length, crossed));
-        assert_eq!(at(1e-2, 1e-3), (Distance::Length, crossed));
-        assert_eq!(at(1e-2, 1e-5), (normal(false), crossed));
+        assert_eq!(at(1e-2, 1e-2), (Distance::Length, crossed));
+        assert_eq!(at(1e-2, 1e-4), (normal(false), crossed));
         // Parallel tangents have no common normal, not even where the centroids cross.
         assert_eq!(at(0.0, 1e-9), (Distance::Length, crossed));
         assert_eq!(at(0.0, 0.0), (Distance::Length, crossed));
+        // Nor do straight ones lose anything by theirs.
+        let mut straight = points(1e-5, 0.25);
+        (straight.beam.t_xi, straight.bar.t_xi) = (Vector3::zeros(), Vector3::zeros());
+        assert_eq!(Form::at(&straight, Active::default()).distance, normal(false));
+        // A slow parametrization: the tangent is short, and its change nearly along it.
+        let mut slow = points(1.5, 1e-2);
+        slow.beam.t *= 1e-3;
+        assert_eq!(Form::at(&slow, Active::default()).distance, Distance::Length);
+        assert!(Form::is_plain([1.5 * 1.5, 0.75 * 0.75, 0.01, 0.25]));
+        assert!(!Form::is_plain([1.5 * 1.5, 0.75 * 0.75, 0.01, 0.005]));
+        assert!(!Form::is_plain([1.5 * 1.5, 0.75 * 0.75, 1.5 * 0.75, 0.25]));
         let held = Form::at(&points(1e-2, 1e-5), Active { xi: true, xi_bar: false });
         assert_eq!((held.sign(), held.is_crossed()), (None, false));
     }

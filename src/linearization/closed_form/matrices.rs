@@ -19,7 +19,7 @@
 use super::jets::{Jets, MatrixTerms};
 use super::sums::{add_product, write_length, write_slip};
 use super::terms::{Label, Sound};
-use super::{Points, Projection};
+use super::{Form, Points, Projection};
 use crate::closest_point::Active;
 use crate::curve::{DofDerivatives, Jet};
 use crate::linearization::{Expansion, Linearization};
@@ -28,6 +28,7 @@ use crate::pair::{Contact, DofVector};
 use nalgebra::Vector3;
 use std::ops::Mul;
 
+mod distance;
 mod parameters;
 mod vector;
 
@@ -40,6 +41,7 @@ pub use vector::VectorQuantity;
 pub struct Matrices<'a, T, U, V, const N: usize, const M: usize, F = Sound> {
     at: Jets<'a, T, U, V, N, M>,
     projection: Projection<T>,
+    form: Form,
     terms: F,
 }
 
@@ -50,10 +52,12 @@ where
     V: DofDerivatives<T, M>,
 {
     /// The first order: gradients of xi and xi_bar, from the jets of both curves at the closest point.
+    ///
+    /// All formulas are the paper's; [`Matrices::with`] takes those of any [`Form`].
     #[doc(alias = "compute_lin_xi_and_lin_eta")]
     #[inline]
     pub fn new(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, active: Active) -> Self {
-        Self::with(Sound, jet, jet_bar, active)
+        Self::with(Sound, jet, jet_bar, Form::paper(active))
     }
 }
 
@@ -64,31 +68,30 @@ where
     V: DofDerivatives<T, M>,
     F: MatrixTerms<'a, T, U, V, N, M>,
 {
-    /// [`Matrices::new`] through [`Terms`](super::Terms).
+    /// [`Matrices::new`] through [`Terms`](super::Terms), in the form asked for.
     #[inline]
-    pub fn with(terms: F, jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, active: Active) -> Self {
-        let (beam, bar) = (jet.geometry, jet_bar.geometry);
-        let d = beam.x - bar.x;
-        let projection = Projection::with(&terms, &Points { beam, bar, d }, active);
+    pub fn with(terms: F, jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Form) -> Self {
+        let points = Points::new(&jet.geometry, &jet_bar.geometry);
+        let projection = Projection::with(&terms, &points, form);
         let Projection { a, b, a_bar, .. } = projection;
-        let at =
-            Jets { jet, jet_bar, d, matrix: [a, b, a_bar], g: DofVector::zeros(), g_bar: DofVector::zeros() };
-        let mut matrices = Self { at, projection, terms };
-        // Eq. (50): r = −(Gᵀt + A₁ᵀd)   r̄ = −(Gᵀt̄ + B₁ᵀd)
-        let r = DofVector {
-            beam: -(matrices.term("grad R: A0't", |o| o.jet.dofs.gradient(0, &o.jet.geometry.t))
-                + matrices.term("grad R: A1'd", |o| o.jet.dofs.gradient(1, &o.d))),
-            bar: matrices.term("grad R: B0't", |o| o.jet_bar.dofs.gradient(0, &o.jet.geometry.t)),
+        let (matrix, zeros) = ([a, b, a_bar], DofVector::zeros());
+        let at = Jets { jet, jet_bar, d: points.d, matrix, g: zeros, g_bar: zeros };
+        let mut matrices = Self { at, projection, form, terms };
+        // Eq. (50), (52): g = p r + q r̄ with r = −(Gᵀt + A₁ᵀd), r̄ = −(Gᵀt̄ + B₁ᵀd), and ḡ by the other row: with the row's
+        // m = p t + q t̄ it is −[Gᵀm + p A₁ᵀd + q B₁ᵀd]
+        let inverse = projection.inverse_with(&matrices.terms);
+        let turned = DofVector {
+            beam: matrices.term("grad R: A1'd", |o| o.jet.dofs.gradient(1, &o.d)),
+            bar: matrices.term("grad R_bar: B1'd", |o| o.jet_bar.dofs.gradient(1, &o.d)),
         };
-        let r_bar = DofVector {
-            beam: -matrices.term("grad R_bar: A0't_bar", |o| o.jet.dofs.gradient(0, &o.jet_bar.geometry.t)),
-            bar: matrices.term("grad R_bar: B0't_bar", |o| o.jet_bar.dofs.gradient(0, &o.jet_bar.geometry.t))
-                - matrices.term("grad R_bar: B1'd", |o| o.jet_bar.dofs.gradient(1, &o.d)),
-        };
-        // Eq. (52): g = (ā r + b r̄)/D   ḡ = (−b r + a r̄)/D
-        let [[p, q], [p_bar, q_bar]] = projection.inverse_with(&matrices.terms);
-        matrices.at.g = r.times(p).plus(q, &r_bar);
-        matrices.at.g_bar = r.times(p_bar).plus(q_bar, &r_bar);
+        let [g, g_bar] = [0, 1].map(|i| {
+            let ([p, q], m) = (inverse[i], matrices.mean(i, inverse[i]));
+            DofVector {
+                beam: -matrices.term("grad xi: A0'm", |o| o.jet.dofs.gradient(0, &m)) - turned.beam * p,
+                bar: matrices.term("grad xi: B0'm", |o| o.jet_bar.dofs.gradient(0, &m)) - turned.bar * q,
+            }
+        });
+        (matrices.at.g, matrices.at.g_bar) = (g, g_bar);
         matrices
     }
 
@@ -111,50 +114,6 @@ where
         add: impl FnMut(&Jets<'a, T, U, V, N, M>, T, (usize, usize)),
     ) {
         self.terms.product(Label::new(name), &self.at, orders, add);
-    }
-
-    /// d (and, but for its value, g_N) with gradient and Hessian.
-    #[doc(alias = "Eq. (57)")]
-    #[inline]
-    pub fn d(&self) -> Expansion<T, N, M> {
-        let mut d = Expansion::zero();
-        self.write_d(&mut d);
-        d
-    }
-
-    /// [`Matrices::d`], written over `to`.
-    #[inline]
-    pub fn write_d(&self, to: &mut Expansion<T, N, M>) {
-        let Jets { d, g, g_bar, .. } = &self.at;
-        let Expansion { value, gradient, hessian } = to;
-        // Eq. (4), (37): ∇d = Gᵀn
-        *value = d.dot(d).sqrt();
-        let (inverse, half) = (T::one() / *value, T::from(0.5));
-        let n = d * inverse;
-        gradient.beam = self.term("grad d: A0'n", |o| o.jet.dofs.gradient(0, &n));
-        gradient.bar = -self.term("grad d: B0'n", |o| o.jet_bar.dofs.gradient(0, &n));
-        // Eq. (40): H = [Gᵀ(I − nnᵀ)G − a ggᵀ + b(gḡᵀ + ḡgᵀ) + ā ḡḡᵀ]/d + K_x(n) − K_x̄(n)
-        let with_n = gradient.times(-self.term("H_d: G'nn'G", |_| half * inverse));
-        let with_g = g
-            .times(-self.term("H_d: a gg'", |o| half * o.matrix[0] * inverse))
-            .plus(self.term("H_d: b gg_bar'", |o| o.matrix[1] * inverse), g_bar);
-        let with_g_bar = g_bar.times(self.term("H_d: a_bar g_bar g_bar'", |o| half * o.matrix[2] * inverse));
-        hessian.set_sum([], [(gradient, &with_n), (g, &with_g), (g_bar, &with_g_bar)]);
-        self.product("H_d: A0'A0", (0, 0), |o, factor, (k, l)| {
-            add_product(&mut hessian.beam, inverse * factor, (&o.jet.dofs, k), (&o.jet.dofs, l));
-        });
-        self.product("H_d: A0'B0", (0, 0), |o, factor, (k, l)| {
-            add_product(&mut hessian.mixed, -inverse * factor, (&o.jet.dofs, k), (&o.jet_bar.dofs, l));
-        });
-        self.product("H_d: B0'B0", (0, 0), |o, factor, (k, l)| {
-            add_product(&mut hessian.bar, inverse * factor, (&o.jet_bar.dofs, k), (&o.jet_bar.dofs, l));
-        });
-        if !U::LINEAR {
-            hessian.beam += self.term("H_d: K(n)", |o| o.jet.dofs.hessian(0, &n));
-        }
-        if !V::LINEAR {
-            hessian.bar -= self.term("H_d: K_bar(n)", |o| o.jet_bar.dofs.hessian(0, &n));
-        }
     }
 
     /// All scalar quantities; the slips are measured from the reference parameters of `contact`.

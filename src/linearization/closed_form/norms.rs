@@ -1,16 +1,28 @@
 //! The lengths of vectors and the slips: section 4 of the paper, and what its section 2.2 makes of it.
 
+use super::Form;
+use super::form::unit_normal;
 use super::operands::{Formula, Operands};
 use super::terms::Terms;
 use crate::linearization::Varied;
 use crate::number::Real;
 
-/// d = |d| and its variations.
+/// d and its variations.
 #[inline]
 pub(super) fn distance<T: Real, F: Terms<T, Operands<T>>>(
     terms: &F,
-    mut o: Operands<T>,
+    o: Operands<T>,
+    form: Form,
 ) -> (Varied<T>, Operands<T>) {
+    match form.sign() {
+        None => by_length(terms, o),
+        Some(sign) => along_normal(terms, o, T::from(sign)),
+    }
+}
+
+/// d = |d| and its variations.
+#[inline]
+fn by_length<T: Real, F: Terms<T, Operands<T>>>(terms: &F, mut o: Operands<T>) -> (Varied<T>, Operands<T>) {
     // Eq. (4): d = ‖d‖
     o.distance = Formula::new(terms, &o).term("|d|: d.d", |o| o.d.dot(&o.d)).sqrt();
     // Eq. (37), from (36): δd = d·δᵤû/d
@@ -33,6 +45,37 @@ pub(super) fn distance<T: Real, F: Terms<T, Operands<T>>>(
         + of.term("Dd|d|: d.Ddu_hat", |o| o.d.dot(&second_u_hat))
         - of.term("Dd|d|: dd Dd", |o| o.delta.distance * o.linear.distance))
         / o.distance;
+    (Varied { value: o.distance, delta: o.delta.distance, linear: o.linear.distance, second }, o)
+}
+
+/// d = n . d and its variations, where n is the common normal of the tangents: no division by d.
+#[inline]
+fn along_normal<T: Real, F: Terms<T, Operands<T>>>(
+    terms: &F,
+    mut o: Operands<T>,
+    sign: T,
+) -> (Varied<T>, Operands<T>) {
+    // n = ± c/|c| with c = t × t̄
+    let c = Formula::new(terms, &o).term("n: t x t_bar", |o| o.beam.geometry.t.cross(&o.bar.geometry.t));
+    o.normal = unit_normal(&(c * sign));
+    o.distance = Formula::new(terms, &o).term("|d|: n.d", |o| o.normal.dot(&o.d));
+    // Eq. (37): δd = n·δᵤû
+    let first =
+        |o: &Operands<T>| Formula::new(terms, o).term("d|d|: n.du_hat", |o| o.normal.dot(&o.delta.u_hat));
+    (o.delta.distance, o.linear.distance) = (first(&o), first(&o.exchanged()));
+    // δn = −[(n·δt) t̄ × c + (n·δt̄) c × t]/(c·c), from n·t = n·t̄ = 0
+    let turned = |o: &Operands<T>| {
+        let of = Formula::new(terms, o);
+        let by = of.term("dn: n.dt", |o| o.bar.geometry.t.cross(&c) * o.normal.dot(&o.beam.delta.t))
+            + of.term("dn: n.dt_bar", |o| c.cross(&o.beam.geometry.t) * o.normal.dot(&o.bar.delta.t));
+        -by / of.term("dn: c.c", |_| c.dot(&c))
+    };
+    (o.delta.normal, o.linear.normal) = (turned(&o), turned(&o.exchanged()));
+    // Δδd = n·Δδd + Δn·δd with the vector d = d n, so that Δn·δd = d Δn·δn; n is normal to what Δδξ multiplies
+    let of = Formula::new(terms, &o);
+    let second = of.term("Dd|d|: n.rest of Dd x", |o| o.normal.dot(&o.beam.second.rest_x))
+        - of.term("Dd|d|: n.rest of Dd x_bar", |o| o.normal.dot(&o.bar.second.rest_x))
+        + of.term("Dd|d|: d dn.Dn", |o| o.distance * o.delta.normal.dot(&o.linear.normal));
     (Varied { value: o.distance, delta: o.delta.distance, linear: o.linear.distance, second }, o)
 }
 

@@ -18,6 +18,8 @@ pub struct Operands<T> {
     pub d: Vector3<T>,
     /// d, the distance.
     pub distance: T,
+    /// n, the common normal of the tangents, if the distance is varied along it.
+    pub normal: Vector3<T>,
     /// Of the direction delta.
     pub delta: Between<T>,
     /// Of the direction Delta.
@@ -33,6 +35,8 @@ pub struct Between<T> {
     pub d: Vector3<T>,
     /// delta d, of the distance.
     pub distance: T,
+    /// delta n.
+    pub normal: Vector3<T>,
 }
 
 /// One beam.
@@ -90,12 +94,14 @@ impl<T: Real> Operands<T> {
     /// Two frozen beams; the rest is zero until it is computed.
     #[inline]
     pub fn new(beam: &Frozen<T>, bar: &Frozen<T>) -> Self {
-        let between = Between { u_hat: Vector3::zeros(), d: Vector3::zeros(), distance: T::zero() };
+        let nil = Vector3::zeros();
+        let between = Between { u_hat: nil, d: nil, distance: T::zero(), normal: nil };
         Self {
             beam: Side::new(beam),
             bar: Side::new(bar),
-            d: Vector3::zeros(),
+            d: nil,
             distance: T::zero(),
+            normal: nil,
             delta: between,
             linear: between,
         }

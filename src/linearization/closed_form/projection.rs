@@ -1,5 +1,6 @@
 //! The two-by-two system that the variations of xi and xi_bar solve, to first and to second order alike.
 
+use super::Form;
 use super::terms::{Label, Sound, Terms};
 use crate::closest_point::Active;
 use crate::curve::Geometry;
@@ -43,32 +44,78 @@ pub struct Projection<T> {
     pub a_bar: T,
     /// Which parameters are held at an end.
     pub active: Active,
+    /// What takes the place of products that cancel, in the [`Form`] that asks for it.
+    pub crossed: Option<Crossed<T>>,
+}
+
+/// What the cross products of the tangents yield, in place of products that cancel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossed<T> {
+    /// D.
+    pub det: T,
+    /// u and u_bar, which w multiplies in the solution for R = -t.w - e, R_bar = -t_bar.w - e_bar.
+    pub u: [Vector3<T>; 2],
+}
+
+impl<T: Real> Crossed<T> {
+    #[inline]
+    fn with(terms: &impl Terms<T, Points<T>>, points: &Points<T>) -> Self {
+        let term = |name, term: fn(&Points<T>) -> T| terms.term(Label::new(name), points, term);
+        let vector = |name, term: fn(&Points<T>) -> Vector3<T>| terms.term(Label::new(name), points, term);
+        // D = −c·c + (d·t,ξ) ā + (d·t̄,ξ̄) t·t with c = t × t̄
+        let det = -term("D: c.c", |o| o.cross().dot(&o.cross()))
+            + term("D: d.t,xi a_bar", |o| {
+                o.d.dot(&o.beam.t_xi) * (o.d.dot(&o.bar.t_xi) - o.bar.t.dot(&o.bar.t))
+            })
+            + term("D: d.t_bar,xi t.t", |o| o.d.dot(&o.bar.t_xi) * o.beam.t.dot(&o.beam.t));
+        // D u = t̄ × c − (d·t̄,ξ̄) t   D ū = t × c − (d·t,ξ) t̄
+        let u = vector("u: t_bar x c", |o| o.bar.t.cross(&o.cross()))
+            - vector("u: d.t_bar,xi t", |o| o.beam.t * o.d.dot(&o.bar.t_xi));
+        let u_bar = vector("u_bar: t x c", |o| o.beam.t.cross(&o.cross()))
+            - vector("u_bar: d.t,xi t_bar", |o| o.bar.t * o.d.dot(&o.beam.t_xi));
+        Self { det, u: [u / det, u_bar / det] }
+    }
+}
+
+impl<T: Real> Points<T> {
+    /// Both beams at their contact points.
+    #[inline]
+    pub fn new(beam: &Geometry<T>, bar: &Geometry<T>) -> Self {
+        Self { beam: *beam, bar: *bar, d: beam.x - bar.x }
+    }
+
+    /// c = t x t_bar.
+    #[inline]
+    pub fn cross(&self) -> Vector3<T> {
+        self.beam.t.cross(&self.bar.t)
+    }
 }
 
 impl<T: Real> Projection<T> {
     /// Sets the matrix up from the geometry of both curves at the closest point.
     #[inline]
     pub fn new(beam: &Geometry<T>, bar: &Geometry<T>, active: Active) -> Self {
-        Self::with(&Sound, &Points { beam: *beam, bar: *bar, d: beam.x - bar.x }, active)
+        Self::with(&Sound, &Points::new(beam, bar), Form::paper(active))
     }
 
-    /// The same through [`Terms`].
+    /// The same through [`Terms`], in the form asked for.
     #[inline]
-    pub fn with(terms: &impl Terms<T, Points<T>>, points: &Points<T>, active: Active) -> Self {
+    pub fn with(terms: &impl Terms<T, Points<T>>, points: &Points<T>, form: Form) -> Self {
         let term = |name, term: fn(&Points<T>) -> T| terms.term(Label::new(name), points, term);
         // Eq. (50), (51): a = t·t + d·t,ξ   b = t·t̄   ā = −t̄·t̄ + d·t̄,ξ̄
         let a = term("a: t.t", |o| o.beam.t.dot(&o.beam.t)) + term("a: d.t,xi", |o| o.d.dot(&o.beam.t_xi));
         let b = term("b: t.t_bar", |o| o.beam.t.dot(&o.bar.t));
         let a_bar = -term("a_bar: t_bar.t_bar", |o| o.bar.t.dot(&o.bar.t))
             + term("a_bar: d.t_bar,xi", |o| o.d.dot(&o.bar.t_xi));
-        Self { a, b, a_bar, active }
+        let crossed = form.is_crossed().then(|| Crossed::with(terms, points));
+        Self { a, b, a_bar, active: form.active, crossed }
     }
 
     /// D = a a_bar + b^2, negative at a strict minimum.
     #[inline]
     #[doc(alias = "Eq. (52)")]
     pub fn det(&self) -> T {
-        self.a * self.a_bar + self.b * self.b
+        self.crossed.map_or_else(|| self.a * self.a_bar + self.b * self.b, |crossed| crossed.det)
     }
 
     /// (delta xi, delta xi_bar) from the right-hand sides R and R_bar, of first or of second order.
@@ -82,15 +129,20 @@ impl<T: Real> Projection<T> {
     #[doc(alias = "Eq. (56)")]
     #[doc(alias = "Eq. (59)")]
     pub fn solve_with(&self, terms: &impl Terms<T, System<T>>, r: T, r_bar: T) -> (T, T) {
-        let Self { a, b, a_bar, active } = *self;
+        let Self { a, b, a_bar, active, crossed } = *self;
         let system = System { matrix: [a, b, a_bar], r, r_bar };
         let term = |name, term: fn(&System<T>) -> T| terms.term(Label::new(name), &system, term);
         let zero = T::zero();
         match (active.xi, active.xi_bar) {
             (false, false) => {
                 // Eq. (52): D = a ā + b²
-                let det = term("D: a a_bar", |o| o.matrix[0] * o.matrix[2])
-                    + term("D: b b", |o| o.matrix[1] * o.matrix[1]);
+                let det = crossed.map_or_else(
+                    || {
+                        term("D: a a_bar", |o| o.matrix[0] * o.matrix[2])
+                            + term("D: b b", |o| o.matrix[1] * o.matrix[1])
+                    },
+                    |crossed| crossed.det,
+                );
                 // Eq. (52), (59): δξ = (ā R + b R̄)/D   δξ̄ = (−b R + a R̄)/D
                 let xi = term("xi: a_bar R", |o| o.matrix[2] * o.r)
                     + term("xi: b R_bar", |o| o.matrix[1] * o.r_bar);

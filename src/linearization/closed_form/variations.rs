@@ -2,9 +2,9 @@
 
 use super::norms::{distance, length, slip};
 use super::operands::{Formula, Operands, Side};
-use super::projection::{Points, System};
+use super::projection::{Crossed, Points, System};
 use super::terms::{Sound, Terms};
-use super::{Frozen, Projection};
+use super::{Form, Frozen, Projection};
 use crate::closest_point::Active;
 use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 ///
 /// `beam` and `bar` are the two curves at the parameters `xi` and `xi_bar` of the closest point, varied in two
 /// directions; `active` says which parameters are held at an end. The result is total: at a singular projection or at
-/// d = 0 its numbers are not finite.
+/// d = 0 its numbers are not finite. The formulas are the paper's; [`variations_with`] takes those of any [`Form`].
 ///
 /// Source: Zavarise (2007), eqs. (4)-(59), with the corrections named at each.
 #[doc(alias = "Eq. (4)")]
@@ -54,16 +54,16 @@ pub fn variations<T: Real>(
     active: Active,
     contact: &Contact,
 ) -> Quantities<Varied<T>> {
-    variations_with(&Sound, beam, bar, at, active, contact)
+    variations_with(&Sound, beam, bar, at, Form::paper(active), contact)
 }
 
-/// The same through [`Terms`].
+/// The same through [`Terms`], in the form asked for.
 pub fn variations_with<T: Real, F>(
     terms: &F,
     beam: &Frozen<T>,
     bar: &Frozen<T>,
     (xi, xi_bar): (T, T),
-    active: Active,
+    form: Form,
     contact: &Contact,
 ) -> Quantities<Varied<T>>
 where
@@ -74,7 +74,7 @@ where
     let of = Formula::new(terms, &o);
     o.d = of.term("d: x", |o| o.beam.geometry.x) - of.term("d: x_bar", |o| o.bar.geometry.x);
     let points = Points { beam: o.beam.geometry, bar: o.bar.geometry, d: o.d };
-    let projection = Projection::with(terms, &points, active);
+    let projection = Projection::with(terms, &points, form);
 
     // First order, in both directions.
     let linear = first_order(terms, &projection, o.exchanged());
@@ -86,9 +86,7 @@ where
         let (x, t) = rest(&Formula::of_side(terms, &o, bar));
         (o.side_mut(bar).second.rest_x, o.side_mut(bar).second.rest_t) = (x, t);
     }
-    let (r, r_bar) = right_hand_sides(&Formula::new(terms, &o));
-    // Eq. (55), (59); its twin Eq. (56) lacks a bar
-    (o.beam.second.xi, o.bar.second.xi) = projection.solve_with(terms, r, r_bar);
+    (o.beam.second.xi, o.bar.second.xi) = second_parameters(terms, &projection, &o);
     for bar in [false, true] {
         let (x, t) = second_order(&Formula::of_side(terms, &o, bar));
         (o.side_mut(bar).second.x, o.side_mut(bar).second.t) = (x, t);
@@ -98,7 +96,7 @@ where
     let of = Formula::new(terms, &o);
     let second_d = of.term("Dd d: Dd x", |o| o.beam.second.x) - of.term("Dd d: Dd x_bar", |o| o.bar.second.x);
     let (d, t, t_bar);
-    (d, o) = distance(terms, o);
+    (d, o) = distance(terms, o, form);
     (t, o) = length(terms, o, false);
     (t_bar, o) = length(terms, o, true);
     let of = Formula::new(terms, &o);
@@ -144,11 +142,12 @@ where
         of.term("u_hat: du", |o| o.beam.delta.u[0]) - of.term("u_hat: du_bar", |o| o.bar.delta.u[0]);
     // Eq. (44), (50): R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   Eq. (49) corrected in its second row
     let of = Formula::new(terms, &o);
-    let r = -of.term("R: du_hat.t", |o| o.delta.u_hat.dot(&o.beam.geometry.t))
-        - of.term("R: du,xi.d", |o| o.beam.delta.u[1].dot(&o.d));
-    let r_bar = -of.term("R_bar: du_hat.t_bar", |o| o.delta.u_hat.dot(&o.bar.geometry.t))
-        - of.term("R_bar: du_bar,xi.d", |o| o.bar.delta.u[1].dot(&o.d));
-    (o.beam.delta.xi, o.bar.delta.xi) = projection.solve_with(terms, r, r_bar);
+    let rest = [
+        -of.term("R: du,xi.d", |o| o.beam.delta.u[1].dot(&o.d)),
+        -of.term("R_bar: du_bar,xi.d", |o| o.bar.delta.u[1].dot(&o.d)),
+    ];
+    let names = ["R: du_hat.t", "R_bar: du_hat.t_bar", "dxi: u.du_hat", "dxi_bar: u_bar.du_hat"];
+    (o.beam.delta.xi, o.bar.delta.xi) = solve(terms, projection, &o, rest, names, |o| o.delta.u_hat);
     for bar in [false, true] {
         let of = Formula::of_side(terms, &o, bar);
         // Eq. (24), (31): δx_C = t δξ + δᵤu_C
@@ -181,22 +180,52 @@ fn rest<T: Real, F: Terms<T, Operands<T>>>(of: &Formula<'_, F, T>) -> (Vector3<T
     (x, t)
 }
 
-/// R and R_bar of second order.
+/// The second variations of xi and xi_bar.
 #[inline]
-fn right_hand_sides<T: Real, F: Terms<T, Operands<T>>>(of: &Formula<'_, F, T>) -> (T, T) {
+fn second_parameters<T: Real, F>(terms: &F, projection: &Projection<T>, o: &Operands<T>) -> (T, T)
+where
+    F: Terms<T, Operands<T>> + Terms<T, System<T>>,
+{
+    let of = Formula::new(terms, o);
     // Eq. (47), (53), (54): the part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which the paper never
     // gives: R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
     let rest_d = of.term("R2: rest of Dd x", |o| o.beam.second.rest_x)
         - of.term("R2: rest of Dd x_bar", |o| o.bar.second.rest_x);
-    let r = -(of.term("R2: dd.Dt", |o| o.delta.d.dot(&o.beam.linear.t))
-        + of.term("R2: Dd.dt", |o| o.linear.d.dot(&o.beam.delta.t)))
-        - of.term("R2: t.rest", |o| o.beam.geometry.t.dot(&rest_d))
-        - of.term("R2: d.rest", |o| o.d.dot(&o.beam.second.rest_t));
-    let r_bar = -(of.term("R2_bar: dd.Dt_bar", |o| o.delta.d.dot(&o.bar.linear.t))
-        + of.term("R2_bar: Dd.dt_bar", |o| o.linear.d.dot(&o.bar.delta.t)))
-        - of.term("R2_bar: t_bar.rest", |o| o.bar.geometry.t.dot(&rest_d))
-        - of.term("R2_bar: d.rest", |o| o.d.dot(&o.bar.second.rest_t));
-    (r, r_bar)
+    let rest = [
+        -(of.term("R2: dd.Dt", |o| o.delta.d.dot(&o.beam.linear.t))
+            + of.term("R2: Dd.dt", |o| o.linear.d.dot(&o.beam.delta.t)))
+            - of.term("R2: d.rest", |o| o.d.dot(&o.beam.second.rest_t)),
+        -(of.term("R2_bar: dd.Dt_bar", |o| o.delta.d.dot(&o.bar.linear.t))
+            + of.term("R2_bar: Dd.dt_bar", |o| o.linear.d.dot(&o.bar.delta.t)))
+            - of.term("R2_bar: d.rest", |o| o.d.dot(&o.bar.second.rest_t)),
+    ];
+    // Eq. (55), (59); its twin Eq. (56) lacks a bar
+    let names = ["R2: t.rest", "R2_bar: t_bar.rest", "Ddxi: u.rest", "Ddxi_bar: u_bar.rest"];
+    solve(terms, projection, o, rest, names, |_| rest_d)
+}
+
+/// Solves for the variations of xi and xi_bar, of first or of second order, with R = r - t.w and R_bar = r_bar - t_bar.w.
+#[inline]
+fn solve<T: Real, F>(
+    terms: &F,
+    projection: &Projection<T>,
+    o: &Operands<T>,
+    [r, r_bar]: [T; 2],
+    [in_r, in_r_bar, in_xi, in_xi_bar]: [&'static str; 4],
+    w: impl Fn(&Operands<T>) -> Vector3<T>,
+) -> (T, T)
+where
+    F: Terms<T, Operands<T>> + Terms<T, System<T>>,
+{
+    let of = Formula::new(terms, o);
+    if let Some(Crossed { u: [u, u_bar], .. }) = projection.crossed {
+        let (xi, xi_bar) = projection.solve_with(terms, r, r_bar);
+        (xi + of.term(in_xi, |o| u.dot(&w(o))), xi_bar + of.term(in_xi_bar, |o| u_bar.dot(&w(o))))
+    } else {
+        let r = r - of.term(in_r, |o| w(o).dot(&o.beam.geometry.t));
+        let r_bar = r_bar - of.term(in_r_bar, |o| w(o).dot(&o.bar.geometry.t));
+        projection.solve_with(terms, r, r_bar)
+    }
 }
 
 /// The second variations of a contact point and its tangent.

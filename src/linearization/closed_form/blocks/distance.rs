@@ -8,19 +8,25 @@ use crate::number::Real;
 impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
     /// d.
     #[inline(always)]
-    pub(super) fn write_d<A: Arithmetic<T, Vector = V>>(&self, f: A, to: &mut impl Target<T, N, M>) {
-        let Self { beam, bar, n, u, u_bar, curvature, .. } = self;
+    pub(super) fn write_d<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(&self, f: A, to: &mut W) {
+        let Self { beam, bar, d, squares, u, u_bar, .. } = self;
+        let distance = squares[3].sqrt();
+        let curvature = T::one() / distance;
+        let n = f.times(curvature, *d);
         // Eq. (4), (37): δd = n·δᵤû
-        *to.value() = self.distance;
-        let tile = f.tile(*n);
+        *to.value() = distance;
+        let tile = f.tile(n);
         let (gradient, gradient_bar) = to.gradient();
         f.set(gradient, [(&beam.shapes[0], tile)], []);
         f.set(gradient_bar, [(&bar.shapes[0], tile)], []);
+        if !W::SECOND {
+            return;
+        }
         // Eq. (40), (51): Δδd = δᵤû·K Δᵤû + (δᵤû·u)(n·Δᵤu,ξ) + (δᵤû·ū)(n·Δᵤū,ξ̄) + n·δᵤu,ξ Δξ − n·δᵤū,ξ̄ Δξ̄
         // with K = (I − nnᵀ + t uᵀ + t̄ ūᵀ)/d
-        let minus_n = f.times(-*curvature, *n);
-        let (by_t, by_t_bar) = (f.times(*curvature, beam.t), f.times(*curvature, bar.t));
-        let (minus_n, by_t, by_t_bar) = (f.components(minus_n), f.components(by_t), f.components(by_t_bar));
+        let (by_t, by_t_bar) = (f.times(curvature, beam.t), f.times(curvature, bar.t));
+        let (by_t, by_t_bar) = (f.components(by_t), f.components(by_t_bar));
+        let minus_n = f.components(f.times(-curvature, n));
         let (u_i, u_bar_i) = (f.components(*u), f.components(*u_bar));
         // n·δᵤu,ξ and n·δᵤū,ξ̄
         let by_n: [T; N] = f.dofs([(&beam.shapes[1], tile)], []);
@@ -28,7 +34,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         let k = by_axis(
             #[inline(always)]
             |i| {
-                let k = f.times_plus(minus_n[i], *n, f.along(i, *curvature));
+                let k = f.times_plus(minus_n[i], n, f.along(i, curvature));
                 f.tile(f.times_plus(by_t_bar[i], *u_bar, f.times_plus(by_t[i], *u, k)))
             },
         );

@@ -36,26 +36,26 @@ pub(super) struct Rows<T, const L: usize> {
 type Along<V> = [V; 3];
 
 impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
+    /// From x, y and m = −(x t + y t̄).
     #[inline(always)]
     pub(super) fn new<V: Copy, A: Arithmetic<T, Vector = V>>(
         f: A,
         frame: &Frame<T, V, N, M>,
-        [x, y]: [T; 2],
+        ([x, y], m): ([T; 2], V),
     ) -> Self {
         let Frame { beam, bar, d, inverse: [p, q, q_bar], u, u_bar, .. } = frame;
         let (p, q, q_bar, d, u, u_bar) = (*p, *q, *q_bar, *d, *u, *u_bar);
-        let (half, two, three) =
-            (<T as From<f64>>::from(0.5), <T as From<f64>>::from(2.0), <T as From<f64>>::from(3.0));
+        let half = <T as From<f64>>::from(0.5);
         // The multiples of g and ḡ in w and w̄: those in α, β, ᾱ and β̄.
-        let alpha = half * f.mul_add(three, f.dot(beam.t, beam.t_xi), f.dot(d, beam.t_xixi));
-        let alpha_bar = half * f.mul_add(-three, f.dot(bar.t, bar.t_xi), f.dot(d, bar.t_xixi));
-        let (across, across_bar) = (f.dot(bar.t, beam.t_xi), f.dot(beam.t, bar.t_xi));
-        let (g, g_bar) = (-f.mul_add(x, alpha, y * half * across), x * across);
-        let (bar_g, bar_g_bar) = (-(y * across_bar), f.mul_add(x * half, across_bar, -(y * alpha_bar)));
+        let straight = f.mul_add(half, f.dot(d, beam.t_xixi), f.dot(beam.t, beam.t_xi));
+        let straight_bar = f.mul_add(half, f.dot(d, bar.t_xixi), -f.dot(bar.t, bar.t_xi));
+        let g = f.mul_add(half, f.dot(m, beam.t_xi), -(x * straight));
+        let bar_g_bar = -f.mul_add(half, f.dot(m, bar.t_xi), y * straight_bar);
+        let (g_bar, bar_g) = (x * f.dot(bar.t, beam.t_xi), -(y * f.dot(beam.t, bar.t_xi)));
         let (in_beam, in_bar) = (f.mul_add(g_bar, q, -(g * p)), -f.mul_add(g_bar, q_bar, g * q));
         let w = [
             f.combined([(-x, beam.t_xi), (g, u), (-g_bar, u_bar)]),
-            f.combined([(-(two * x), beam.t), (-y, bar.t), (in_beam, d)]),
+            f.times_plus(in_beam, d, f.times_plus(-x, beam.t, m)),
             f.combined([(-y, beam.t), (in_bar, d)]),
         ];
         let (in_beam, in_bar) =
@@ -63,7 +63,7 @@ impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
         let w_bar = [
             f.combined([(-y, bar.t_xi), (bar_g, u), (-bar_g_bar, u_bar)]),
             f.combined([(x, bar.t), (in_beam, d)]),
-            f.combined([(two * y, bar.t), (x, beam.t), (in_bar, d)]),
+            f.times_plus(in_bar, d, f.times_plus(-T::one(), m, f.times(y, bar.t))),
         ];
         // −x d·Δᵤu,ξξ and −y d·Δᵤū,ξ̄ξ̄, the parts of w and w̄ that belong to one beam only
         let bend: [T; N] = f.dofs([(&beam.shapes[2], f.tile(f.times(-x, d)))], []);
@@ -79,19 +79,10 @@ impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
             f.combined([(-q, w[1]), (-q_bar, w_bar[1])]),
             f.combined([(-q, w[2]), (-q_bar, w_bar[2])]),
         ];
-        let [s, s_xi, _] = &beam.shapes;
-        let of_beam = [
-            f.dofs([(s, f.tile(v[0])), (s_xi, f.tile(v[1]))], [(-p, &bend)]),
-            f.dofs([(s, f.tile(v_bar[0])), (s_xi, f.tile(v_bar[1]))], [(-q, &bend)]),
-        ];
-        let [s, s_xi, _] = &bar.shapes;
-        let of_bar = [
-            f.dofs([(s, f.tile(v[0])), (s_xi, f.tile(v[2]))], [(q, &bend_bar)]),
-            f.dofs([(s, f.tile(v_bar[0])), (s_xi, f.tile(v_bar[2]))], [(-q_bar, &bend_bar)]),
-        ];
+        let combined = [w, w_bar, v, v_bar];
         Self {
-            beam: Rows::new(f, frame, beam, ([x, y], -x), (&w, &w_bar), &of_beam),
-            bar: Rows::new(f, frame, bar, ([x, y], -y), (&w, &w_bar), &of_bar),
+            beam: Rows::new(f, frame, ([x, y], -x), beam, &combined, (1, &bend, [-p, -q])),
+            bar: Rows::new(f, frame, ([x, y], -y), bar, &combined, (2, &bend_bar, [q, -q_bar])),
             bend,
             bend_bar,
         }
@@ -99,41 +90,45 @@ impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
 }
 
 impl<T: Real, const L: usize> Rows<T, L> {
-    /// `along_tangent`: what couples u_hat and the first derivatives of this side in C and C_bar.
+    /// `along_tangent` is what couples u_hat and the first derivatives of this side in C and C_bar. Then come w, w_bar, v and
+    /// v_bar along the variations of the jets, which of these the first derivatives of this side are, and the second with
+    /// their multiples in v and v_bar.
     #[inline(always)]
     fn new<V: Copy, A: Arithmetic<T, Vector = V>, const N: usize, const M: usize>(
         f: A,
         frame: &Frame<T, V, N, M>,
-        side: &Side<T, V, L>,
         ([x, y], along_tangent): ([T; 2], T),
-        (w, w_bar): (&Along<V>, &Along<V>),
-        [v, v_bar]: &[[T; L]; 2],
+        side: &Side<T, V, L>,
+        [w, w_bar, v, v_bar]: &[Along<V>; 4],
+        (first, bend, [in_v, in_v_bar]): (usize, &[T; L], [T; 2]),
     ) -> Self {
-        let (d, t, t_bar) = (f.components(frame.d), f.components(frame.beam.t), f.components(frame.bar.t));
-        let (w, w_1, w_2) = (f.components(w[0]), f.components(w[1]), f.components(w[2]));
-        let (w_bar, w_bar_1, w_bar_2) =
-            (f.components(w_bar[0]), f.components(w_bar[1]), f.components(w_bar[2]));
         let Side { shapes: [s, s_xi, _], g, g_bar, .. } = side;
+        let (d, t, t_bar) = (f.components(frame.d), f.components(frame.beam.t), f.components(frame.bar.t));
+        let (w_0, w_1, w_2) = (f.components(w[0]), f.components(w[1]), f.components(w[2]));
+        let (w_bar_0, w_bar_1, w_bar_2) =
+            (f.components(w_bar[0]), f.components(w_bar[1]), f.components(w_bar[2]));
+        let of_v = side.along(f, [v[0], v[first]], (in_v, bend));
+        let of_v_bar = side.along(f, [v_bar[0], v_bar[first]], (in_v_bar, bend));
         Self {
             hat: by_axis(
                 #[inline(always)]
                 |i| {
-                    // As u w − ū w̄ = t v + t̄ v̄
-                    let sum = [(t[i], &v[..]), (t_bar[i], v_bar), (w[i], g), (w_bar[i], g_bar)];
+                    // u w − ū w̄ = t v + t̄ v̄
+                    let sum = [(t[i], &of_v[..]), (t_bar[i], &of_v_bar), (w_0[i], g), (w_bar_0[i], g_bar)];
                     f.dofs([(s_xi, f.tile_along(i, along_tangent))], sum)
                 },
             ),
             xi: by_axis(
                 #[inline(always)]
                 |i| {
-                    let sum = [(d[i], &v[..]), (w_1[i], g), (w_bar_1[i], g_bar)];
+                    let sum = [(d[i], &of_v[..]), (w_1[i], g), (w_bar_1[i], g_bar)];
                     f.dofs([(s, f.tile_along(i, -x))], sum)
                 },
             ),
             xi_bar: by_axis(
                 #[inline(always)]
                 |i| {
-                    let sum = [(d[i], &v_bar[..]), (w_2[i], g), (w_bar_2[i], g_bar)];
+                    let sum = [(d[i], &of_v_bar[..]), (w_2[i], g), (w_bar_2[i], g_bar)];
                     f.dofs([(s, f.tile_along(i, -y))], sum)
                 },
             ),

@@ -17,14 +17,17 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         xi: &mut W,
         t: &mut W,
     ) {
-        let Self { beam, bar, inverse: [p, q, _], .. } = self;
-        let Parameter { beam: rows, bar: rows_bar, bend, bend_bar } = Parameter::new(f, self, [*p, *q]);
+        let Self { beam, bar, inverse: [p, q, _], u, .. } = self;
         let length = Length::new(f, beam, (&beam.g, &bar.g), t.gradient());
         let Length { kappa, b, m, m_other, across, .. } = &length;
         (*xi.value(), *t.value()) = (at, length.value);
         let (gradient, gradient_bar) = xi.gradient();
         copy(gradient, &beam.g);
         copy(gradient_bar, &bar.g);
+        if !W::SECOND {
+            return;
+        }
+        let Parameter { beam: rows, bar: rows_bar, bend, bend_bar } = Parameter::new(f, self, ([*p, *q], *u));
         for a in 0..N / 3 {
             for i in 0..3 {
                 let r = 3 * a + i;
@@ -43,11 +46,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
                 let [s, s_xi, bend] = [bar.shapes[0][r], bar.shapes[1][r], bend_bar[r]];
                 let (row, row_bar) = xi.row_bar(r);
                 f.set(row, [], [(s, &rows.hat[i]), (s_xi, &rows.xi_bar[i]), (bend, &beam.g_bar)]);
-                f.set(
-                    row_bar,
-                    [],
-                    [(s, &rows_bar.hat[i]), (s_xi, &rows_bar.xi_bar[i]), (bend, &bar.g_bar)],
-                );
+                f.set(row_bar, [], [(s, &rows_bar.hat[i]), (s_xi, &rows_bar.xi_bar[i]), (bend, &bar.g_bar)]);
                 let (to, to_bar) = t.row_bar(r);
                 f.set(to, [], [(*kappa, row), (bar.g[r], m)]);
                 f.set(to_bar, [], [(*kappa, row_bar), (bar.g[r], m_other)]);
@@ -64,8 +63,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         xi_bar: &mut W,
         t_bar: &mut W,
     ) {
-        let Self { beam, bar, inverse: [_, q, q_bar], .. } = self;
-        let Parameter { beam: rows, bar: rows_bar, bend, bend_bar } = Parameter::new(f, self, [-*q, *q_bar]);
+        let Self { beam, bar, inverse: [_, q, q_bar], u_bar, .. } = self;
         let (gradient, gradient_bar) = t_bar.gradient();
         let length = Length::new(f, bar, (&bar.g_bar, &beam.g_bar), (gradient_bar, gradient));
         let Length { kappa, b, m, m_other, across, .. } = &length;
@@ -73,6 +71,12 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         let (gradient, gradient_bar) = xi_bar.gradient();
         copy(gradient, &beam.g_bar);
         copy(gradient_bar, &bar.g_bar);
+        if !W::SECOND {
+            return;
+        }
+        let minus_u_bar = f.times(-T::one(), *u_bar);
+        let Parameter { beam: rows, bar: rows_bar, bend, bend_bar } =
+            Parameter::new(f, self, ([-*q, *q_bar], minus_u_bar));
         for a in 0..N / 3 {
             for i in 0..3 {
                 let r = 3 * a + i;
@@ -91,11 +95,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
                 let [s, s_xi, bend] = [bar.shapes[0][r], bar.shapes[1][r], bend_bar[r]];
                 let (row, row_bar) = xi_bar.row_bar(r);
                 f.set(row, [], [(s, &rows.hat[i]), (s_xi, &rows.xi_bar[i]), (bend, &beam.g_bar)]);
-                f.set(
-                    row_bar,
-                    [],
-                    [(s, &rows_bar.hat[i]), (s_xi, &rows_bar.xi_bar[i]), (bend, &bar.g_bar)],
-                );
+                f.set(row_bar, [], [(s, &rows_bar.hat[i]), (s_xi, &rows_bar.xi_bar[i]), (bend, &bar.g_bar)]);
                 let (to, to_bar) = t_bar.row_bar(r);
                 f.set(to, [], [(*kappa, row), (m[r], &beam.g_bar)]);
                 f.set(

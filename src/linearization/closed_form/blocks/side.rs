@@ -29,7 +29,11 @@ impl<T: Real, V: Copy, const L: usize> Side<T, V, L> {
         q: &SVector<T, L>,
         sign: T,
     ) -> Option<Self> {
-        let [n, n_xi, n_xixi, n_xixixi] = [dofs.shapes(0)?, dofs.shapes(1)?, dofs.shapes(2)?, dofs.shapes(3)?];
+        let [n, n_xi, n_xixi, n_xixixi] =
+            [dofs.shapes(0)?, dofs.shapes(1)?, dofs.shapes(2)?, dofs.shapes(3)?];
+        if n.len().min(n_xi.len()).min(n_xixi.len()).min(n_xixixi.len()) < L / 3 {
+            return None;
+        }
         let [q] = &q.data.0;
         let first = f.control_vector(q, 0);
         let mut x = f.times(n[0], first);
@@ -46,5 +50,17 @@ impl<T: Real, V: Copy, const L: usize> Side<T, V, L> {
         let shapes = [f.spread(n, sign), f.spread(n_xi, T::one()), f.spread(n_xixi, T::one())];
         let nil = [T::zero(); L];
         Some(Self { x, t, t_xi, t_xixi, shapes, g: nil, g_bar: nil })
+    }
+
+    /// A vector times u_hat and a vector times a first derivative, along the dofs, and a multiple of `rest`.
+    #[inline(always)]
+    pub(super) fn along(
+        &self,
+        f: impl Arithmetic<T, Vector = V>,
+        [hat, first]: [V; 2],
+        (factor, rest): (T, &[T; L]),
+    ) -> [T; L] {
+        let [s, s_xi, _] = &self.shapes;
+        f.dofs([(s, f.tile(hat)), (s_xi, f.tile(first))], [(factor, rest)])
     }
 }

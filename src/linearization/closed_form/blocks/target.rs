@@ -24,6 +24,7 @@ pub trait Target<T, const N: usize, const M: usize> {
     fn row_bar(&mut self, i: usize) -> (&mut [T], &mut [T]);
 }
 
+/// The blocks of both beams and the one between them.
 impl<T: Real, const N: usize, const M: usize> Target<T, N, M> for Expansion<T, N, M> {
     const SECOND: bool = true;
 
@@ -49,16 +50,25 @@ impl<T: Real, const N: usize, const M: usize> Target<T, N, M> for Expansion<T, N
     }
 }
 
-/// The whole Hessian, `S` = N + M rows and columns.
+/// The whole Hessian, `S` = N + M rows and columns, beam before bar beam.
+///
+/// It starts on a cache line, so that the vectors of a machine that write it cross none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Full<T, const S: usize> {
-    /// The Hessian: symmetric to the last bit that the order of sums allows.
+    /// The Hessian: symmetric but for the rounding of sums in another order.
     pub hessian: [[T; S]; S],
-    /// The gradient, beam before bar beam.
+    /// The gradient.
     pub gradient: [T; S],
     /// The value.
     pub value: T,
+}
+
+impl<T: Real, const S: usize> Full<T, S> {
+    /// Zeros, to be written over.
+    pub fn zeros() -> Self {
+        Self { hessian: [[T::zero(); S]; S], gradient: [T::zero(); S], value: T::zero() }
+    }
 }
 
 impl<T: Real, const N: usize, const M: usize, const S: usize> Target<T, N, M> for Full<T, S> {
@@ -86,20 +96,129 @@ impl<T: Real, const N: usize, const M: usize, const S: usize> Target<T, N, M> fo
     }
 }
 
-/// The dofs of one beam.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Half {
-    Beam,
-    Bar,
+/// The lower triangle of the Hessian, row by row without gaps: `H` = S (S + 1)/2 entries, those of dofs i >= j at
+/// i (i + 1)/2 + j. It is the upper triangle column by column, the packed storage of LAPACK's `uplo = 'U'`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct Packed<T, const S: usize, const H: usize> {
+    /// The lower triangle of the Hessian.
+    pub hessian: [T; H],
+    /// The gradient, beam before bar beam.
+    pub gradient: [T; S],
+    /// The value.
+    pub value: T,
 }
 
-impl Half {
-    /// What belongs to this beam.
+impl<T: Real, const S: usize, const H: usize> Packed<T, S, H> {
+    /// Zeros, to be written over.
+    pub fn zeros() -> Self {
+        Self { hessian: [T::zero(); H], gradient: [T::zero(); S], value: T::zero() }
+    }
+
+    /// The entry of two dofs, counted through both beams.
+    pub fn entry(&self, i: usize, j: usize) -> T {
+        let (i, j) = (i.max(j), i.min(j));
+        self.hessian[i * (i + 1) / 2 + j]
+    }
+
+    /// The row of a dof as far as the diagonal.
     #[inline(always)]
-    pub(super) fn of<V>(self, (beam, bar): (V, V)) -> V {
-        match self {
-            Self::Beam => beam,
-            Self::Bar => bar,
+    fn row_of(&mut self, i: usize) -> &mut [T] {
+        let start = i * (i + 1) / 2;
+        self.hessian.get_mut(start..=start + i).unwrap_or_default()
+    }
+}
+
+impl<T: Real, const N: usize, const M: usize, const S: usize, const H: usize> Target<T, N, M>
+    for Packed<T, S, H>
+{
+    const SECOND: bool = true;
+
+    #[inline(always)]
+    fn value(&mut self) -> &mut T {
+        &mut self.value
+    }
+
+    #[inline(always)]
+    fn gradient(&mut self) -> (&mut [T], &mut [T]) {
+        const { assert!(S == N + M && H == S * (S + 1) / 2, "one row for each dof of both beams") };
+        self.gradient.split_at_mut(N)
+    }
+
+    #[inline(always)]
+    fn row(&mut self, i: usize) -> (&mut [T], &mut [T]) {
+        (self.row_of(i), &mut [])
+    }
+
+    #[inline(always)]
+    fn row_bar(&mut self, i: usize) -> (&mut [T], &mut [T]) {
+        self.row_of(N + i).split_at_mut_checked(N).unwrap_or_default()
+    }
+}
+
+/// The gradient alone: first variations, for those who need no more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct Gradient<T, const S: usize> {
+    /// The gradient, beam before bar beam.
+    pub gradient: [T; S],
+    /// The value.
+    pub value: T,
+}
+
+impl<T: Real, const S: usize> Gradient<T, S> {
+    /// Zeros, to be written over.
+    pub fn zeros() -> Self {
+        Self { gradient: [T::zero(); S], value: T::zero() }
+    }
+}
+
+impl<T: Real, const N: usize, const M: usize, const S: usize> Target<T, N, M> for Gradient<T, S> {
+    const SECOND: bool = false;
+
+    #[inline(always)]
+    fn value(&mut self) -> &mut T {
+        &mut self.value
+    }
+
+    #[inline(always)]
+    fn gradient(&mut self) -> (&mut [T], &mut [T]) {
+        const { assert!(S == N + M, "one entry for each dof of both beams") };
+        self.gradient.split_at_mut(N)
+    }
+
+    #[inline(always)]
+    fn row(&mut self, _: usize) -> (&mut [T], &mut [T]) {
+        Default::default()
+    }
+
+    #[inline(always)]
+    fn row_bar(&mut self, _: usize) -> (&mut [T], &mut [T]) {
+        Default::default()
+    }
+}
+
+/// Copies a quantity into another layout.
+pub(super) fn fill<T: Real, const N: usize, const M: usize>(
+    from: &Expansion<T, N, M>,
+    to: &mut impl Target<T, N, M>,
+) {
+    *to.value() = from.value;
+    let (gradient, gradient_bar) = to.gradient();
+    gradient.copy_from_slice(from.gradient.beam.as_slice());
+    gradient_bar.copy_from_slice(from.gradient.bar.as_slice());
+    let row = |i: usize, (row, row_bar): (&mut [T], &mut [T])| {
+        for (j, to) in row.iter_mut().enumerate() {
+            *to = from.hessian.entry(i, j);
         }
+        for (j, to) in row_bar.iter_mut().enumerate() {
+            *to = from.hessian.entry(i, N + j);
+        }
+    };
+    for i in 0..N {
+        row(i, to.row(i));
+    }
+    for i in 0..M {
+        row(N + i, to.row_bar(i));
     }
 }

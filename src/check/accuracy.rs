@@ -1,0 +1,167 @@
+//! How many digits each form of the closed form keeps, over the gap and over the angle between the beams.
+//!
+//! Second variations in `f64`, at the closest point rounded to it, are compared with those in double-double at the closest
+//! point refined there. What is told of a level is the median over many random pairs: of beams of all families over the
+//! gap, of straight ones over the angle, as of curved ones the curvature is known to rounding only, and what that does to
+//! nearly parallel beams no formula mends.
+
+use super::draw::crossing;
+use super::regime::{Draw, Regime};
+use crate::closest_point::Active;
+use crate::linearization::closed_form::{Form, Frozen, Points, Projection, Sound, variations_with};
+use crate::linearization::{Quantities, Varied};
+use crate::number::{DoubleDouble, Real};
+use crate::pair::Contact;
+use crate::specimen::{AnyBeam, Family, Specimen};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+/// Gaps, in lengths of a beam, are 1, 0.1, .. down to this power of ten.
+const GAPS: i32 = 12;
+/// Angles, in radians, are 1, 0.1, .. down to this power of ten.
+const ANGLES: i32 = 8;
+/// The most steps of Newton's method in double-double.
+const STEPS: usize = 8;
+
+/// What was measured.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Accuracy {
+    /// Over the gap.
+    pub gaps: Vec<Level>,
+    /// Over the angle.
+    pub angles: Vec<Level>,
+}
+
+/// What was measured at one gap or angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    /// The gap or the angle.
+    pub at: f64,
+    /// How many pairs.
+    pub pairs: usize,
+    /// For how many the choice is the distance along the normal.
+    pub normal: usize,
+    /// For how many it is the system by cross products.
+    pub crossed: usize,
+    /// Of Delta-delta d.
+    pub d: Errors,
+    /// Of Delta-delta xi.
+    pub xi: Errors,
+}
+
+/// Medians of relative errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// Of the paper's form.
+    pub paper: f64,
+    /// Of the form along the normal and by cross products.
+    pub apart: f64,
+    /// Of the form that is chosen.
+    pub chosen: f64,
+}
+
+/// Measures both forms, and the choice between them, with so many pairs at each level.
+///
+/// The result depends on the seed and the number of pairs, not on the number of threads.
+pub fn accuracy(seed: u64, pairs: usize) -> Accuracy {
+    let levels = |last: i32| (0..=last).into_par_iter().map(|k| (k, 10_f64.powi(-k)));
+    let stream =
+        |sweep: u64, k: i32, pair: usize| (sweep * 64 + u64::from(k.unsigned_abs())) << 32 | pair as u64;
+    Accuracy {
+        gaps: levels(GAPS)
+            .map(|(k, gap)| {
+                Level::new(gap, pairs, |i| {
+                    let family = |i: usize| Family::ALL[i % Family::ALL.len()];
+                    let families = [family(i / Family::ALL.len()), family(i)];
+                    measure(seed, stream(0, k, i), families, |draw| Draw { gap, ..draw })
+                })
+            })
+            .collect(),
+        angles: levels(ANGLES)
+            .map(|(k, angle)| {
+                Level::new(angle, pairs, |i| {
+                    measure(seed, stream(1, k, i), [Family::Segment; 2], |draw| Draw {
+                        angle,
+                        bend: [0.0; 2],
+                        ..draw
+                    })
+                })
+            })
+            .collect(),
+    }
+}
+
+impl Level {
+    fn new(at: f64, pairs: usize, pair: impl Fn(usize) -> Option<Measured> + Send + Sync) -> Self {
+        let measured: Vec<_> = (0..pairs).into_par_iter().filter_map(pair).collect();
+        let errors = |of: fn(&Measured) -> [f64; 3]| {
+            let [paper, apart, chosen] =
+                [0, 1, 2].map(|k| median(measured.iter().map(|pair| of(pair)[k]).collect()));
+            Errors { paper, apart, chosen }
+        };
+        Self {
+            at,
+            pairs: measured.len(),
+            normal: measured.iter().filter(|pair| pair.choice.sign().is_some()).count(),
+            crossed: measured.iter().filter(|pair| pair.choice.is_crossed()).count(),
+            d: errors(|pair| pair.d),
+            xi: errors(|pair| pair.xi),
+        }
+    }
+}
+
+/// The errors at one closest point, of the paper's form, of the other, and of the choice.
+struct Measured {
+    choice: Form,
+    d: [f64; 3],
+    xi: [f64; 3],
+}
+
+/// Draws a pair and measures it; nothing if no closest point is found near where the beams were to cross.
+fn measure(seed: u64, stream: u64, families: [Family; 2], change: impl Fn(Draw) -> Draw) -> Option<Measured> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    rng.set_stream(stream);
+    let draw = change(Regime::Generic.draw(&mut rng));
+    let specimens = crossing(families, &draw, &mut rng);
+    let [beam, bar] = specimens.each_ref().map(Specimen::drawn);
+    let at = refined([&*beam, &*bar], draw.at)?;
+    let rounded = at.map(DoubleDouble::value);
+    let frozen = [beam.frozen_plain(rounded[0]), bar.frozen_plain(rounded[1])];
+    let points = Points::new(&frozen[0].geometry, &frozen[1].geometry);
+    let inside = Active::default();
+    let (paper, apart, choice) =
+        (Form::paper(inside), Form::apart(&points, inside), Form::at(&points, inside));
+    let exact = varied(&[beam.frozen_precise(at[0]), bar.frozen_precise(at[1])], apart);
+    let found = [paper, apart, choice].map(|form| varied(&frozen, form));
+    let error = |found: f64, exact: DoubleDouble| ((DoubleDouble::from(found) - exact) / exact).abs().value();
+    Some(Measured {
+        choice,
+        d: found.map(|found| error(found.d.second, exact.d.second)),
+        xi: found.map(|found| error(found.xi.second, exact.xi.second)),
+    })
+}
+
+fn varied<T: Real>([beam, bar]: &[Frozen<T>; 2], form: Form) -> Quantities<Varied<T>> {
+    variations_with(&Sound, beam, bar, (T::zero(), T::zero()), form, &Contact::default())
+}
+
+/// The closest point in double-double, by Newton's method.
+fn refined([beam, bar]: [&dyn AnyBeam; 2], near: [f64; 2]) -> Option<[DoubleDouble; 2]> {
+    let mut at = near.map(DoubleDouble::from);
+    let mut last = f64::INFINITY;
+    for _ in 0..STEPS {
+        let Points { beam: x, bar: x_bar, d } =
+            Points::new(&beam.frozen_precise(at[0]).geometry, &bar.frozen_precise(at[1]).geometry);
+        let projection = Projection::new(&x, &x_bar, Active::default());
+        let (step, step_bar) = projection.solve(-d.dot(&x.t), -d.dot(&x_bar.t));
+        at = [at[0] + step, at[1] + step_bar];
+        last = step.value().abs().max(step_bar.value().abs());
+    }
+    (last < 1e-20).then_some(at)
+}
+
+fn median(mut of: Vec<f64>) -> f64 {
+    of.sort_by(f64::total_cmp);
+    of.get(of.len() / 2).copied().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,100 @@
+//! `beamgap accuracy`: how many digits each form of the closed form keeps, and whether the choice is the better one.
+
+use super::arguments::{Format, seed};
+use super::exit::Exit;
+use super::human::error;
+use super::output::Output;
+use super::table::Table;
+use beamgap::check::accuracy;
+use beamgap::report::{ACCURACY_PAIRS, Accuracy, AccuracyRow, Environment, Record};
+use clap::{Args, value_parser};
+use std::path::PathBuf;
+
+/// More than that, and the choice is wrong: near where it changes, both forms lose about the same.
+const LOSS: f64 = 16.0;
+
+/// The arguments.
+#[derive(Args)]
+#[command(after_help = Exit::help())]
+pub(crate) struct Accurate {
+    /// Seed of the random pairs, decimal or 0x-hexadecimal
+    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    seed: u64,
+    /// How many pairs at each gap and angle
+    #[arg(long, value_name = "N", default_value_t = ACCURACY_PAIRS, allow_negative_numbers = true)]
+    #[arg(value_parser = value_parser!(u32).range(1..=100_000))]
+    pairs: u32,
+    /// Tables for people, or one document for programs
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Write the result to this file, and only the verdict to standard output
+    #[arg(long, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+impl Accurate {
+    /// Measures and writes the result.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        let output = Output::open(self.output.as_deref())?;
+        let pairs = usize::try_from(self.pairs)?;
+        let command = format!("beamgap accuracy --seed {:#x} --pairs {pairs}", self.seed);
+        let found = accuracy(self.seed, pairs);
+        let record = Accuracy::new(&found, self.seed, pairs, Environment::here(&command));
+        let (exit, words) = verdict(&record);
+        let document = match self.format {
+            Format::Human => human(&record) + "\n" + &words + "\n",
+            Format::Json => record.to_json()?,
+        };
+        output.write(&document, &(words + "\n"))?;
+        Ok(exit)
+    }
+}
+
+/// What is made of a record.
+pub(super) fn verdict(record: &Accuracy) -> (Exit, String) {
+    match record.worst_choice() {
+        ratio if ratio <= LOSS => {
+            (Exit::Agree, format!("WELL CHOSEN: at most {ratio:.1} times what the better form loses."))
+        }
+        ratio => (Exit::Disagree, format!("BADLY CHOSEN: {ratio:.1e} times what the better form loses.")),
+    }
+}
+
+fn human(record: &Accuracy) -> String {
+    format!(
+        "Median errors of second variations, by double-double\nseed {:#x}, {} pairs at each gap and angle\n\n\
+         All families, over the gap in lengths of a beam\n{}\nStraight beams, over the angle\n{}",
+        record.seed,
+        record.pairs,
+        table("gap", &record.gaps),
+        table("angle", &record.angles)
+    )
+}
+
+fn table(at: &str, rows: &[AccuracyRow]) -> Table {
+    let mut table = Table::new(&[at, "Ddd paper", "normal", "chosen", "Ddxi paper", "crossed", "chosen"]);
+    for AccuracyRow { at, d, xi, .. } in rows {
+        let numbers = [d.paper, d.apart, d.chosen, xi.paper, xi.apart, xi.chosen]
+            .map(|x| x.map_or_else(|| "-".into(), error));
+        table.row([format!("{at:e}")].into_iter().chain(numbers).collect());
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Exit, accuracy, verdict};
+    use beamgap::report::{Accuracy, Environment};
+
+    #[test]
+    fn a_bad_choice_is_told() {
+        let found = accuracy(1, 3);
+        let record = |found| Accuracy::new(found, 1, 3, Environment::here("none"));
+        let mut bad = record(&found);
+        bad.gaps[3].d.chosen = bad.gaps[3].d.paper;
+        assert_eq!(verdict(&bad).0, Exit::Disagree);
+        let mut none = record(&found);
+        none.angles[0].xi.chosen = None;
+        assert_eq!(verdict(&none).0, Exit::Disagree);
+    }
+}
