@@ -1,0 +1,85 @@
+//! The pairs that every peer is given.
+
+use beamgap::closest_point::{Beam, ClosestPoint, Search, closest_points};
+use beamgap::curve::Hermite;
+use beamgap::nalgebra::SVector;
+use beamgap::pair::{Contact, DofVector, Pair};
+
+/// What is compared: two cubic Hermite curves.
+pub(crate) type Hermites = Pair<Hermite, Hermite>;
+
+/// The curves of every pair.
+pub(crate) const PAIR: Hermites = Pair {
+    curve: Hermite::new(),
+    curve_bar: Hermite::new(),
+    contact: Contact { radius: 0.1, radius_bar: 0.05, xi_0: -0.2, xi_bar_0: 0.3 },
+};
+
+/// A pair at its closest point: first what a peer is given, then what the crate is given.
+#[repr(C)]
+pub(crate) struct Case {
+    plain: [f64; 24],
+    xi: f64,
+    xi_bar: f64,
+    pub(crate) q: DofVector<f64, 12, 12>,
+    pub(crate) point: ClosestPoint,
+}
+
+impl Case {
+    /// The case whose dofs a peer is given.
+    ///
+    /// # Safety
+    /// `q` points to a case of [`draw_cases`].
+    pub(crate) unsafe fn of<'a>(q: *const f64) -> &'a Self {
+        // SAFETY: the dofs are a case's first field.
+        unsafe { &*q.cast() }
+    }
+}
+
+/// SplitMix64, uniform in [-1, 1).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^= z >> 31;
+        ((z >> 11) as f64) / ((1_u64 << 52) as f64) - 1.0
+    }
+}
+
+/// Two beams that cross, bent at random; none unless their closest point is unique, inside both and well conditioned.
+fn draw(random: &mut Random) -> Option<Case> {
+    const BEAM: [f64; 12] = [-1.0, 0.0, 0.3, 1.0, 0.0, 0.0, 1.0, 0.0, 0.3, 1.0, 0.0, 0.0];
+    const BAR: [f64; 12] = [0.0, -1.0, -0.3, 0.0, 1.0, 0.0, 0.0, 1.0, -0.3, 0.0, 1.0, 0.0];
+    let mut bent = |of: [f64; 12]| of.map(|straight| straight + 0.3 * random.next());
+    let (beam, bar) = (bent(BEAM), bent(BAR));
+    let q = DofVector { beam: SVector::from(beam), bar: SVector::from(bar) };
+    let at = Beam { curve: &PAIR.curve, q: &q.beam };
+    let at_bar = Beam { curve: &PAIR.curve_bar, q: &q.bar };
+    let found = closest_points(&at, &at_bar, &Search::default()).ok()?;
+    let point = *found.interior().ok()?;
+    let is_inside = point.xi.abs() < 0.95 && point.xi_bar.abs() < 0.95;
+    if !is_inside || found.minima.len() > 1 || point.distance < 0.1 || point.conditioning < 0.1 {
+        return None;
+    }
+    let mut plain = [0.0; 24];
+    plain[..12].copy_from_slice(&beam);
+    plain[12..].copy_from_slice(&bar);
+    Some(Case { plain, xi: point.xi, xi_bar: point.xi_bar, q, point })
+}
+
+/// Draws `count` pairs, to be kept for good, and sets `stride` to their distance in bytes.
+///
+/// # Safety
+/// `stride` can be written to.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn draw_cases(seed: u64, count: usize, stride: *mut usize) -> *const f64 {
+    let mut random = Random(seed);
+    let cases: Vec<Case> = std::iter::repeat_with(|| draw(&mut random)).flatten().take(count).collect();
+    // SAFETY: the caller's promise.
+    unsafe { *stride = size_of::<Case>() };
+    cases.leak().as_ptr().cast()
+}

@@ -1,0 +1,238 @@
+//! The crate's own ways, each as a function that a peer could be, and one that reads what it wrote.
+
+use crate::cases::{Case, PAIR};
+use crate::reference::write_full;
+use beamgap::closest_point::{Active, Beam, refine};
+use beamgap::curve::DofDerivatives;
+use beamgap::linearization::ad::{
+    Perturbed, Route, chord, evaluate, expand_by_sweep, expand_by_vector_dual,
+};
+use beamgap::linearization::closed_form::blocks::{self, Full, Targets};
+use beamgap::linearization::closed_form::{Matrices, Projection, jets};
+use beamgap::linearization::{Expansion, Linearization, Quantities};
+use beamgap::pair::DofVector;
+
+/// Numbers in a block of the full layout.
+pub(crate) const FULL: usize = 608;
+
+type Quantity = Expansion<f64, 12, 12>;
+type Row = Full<f64, 24>;
+
+/// A way from a case to a result, and a way from the result to blocks of the full layout.
+macro_rules! way {
+    ($name:ident, $read:ident: $result:ty, $work:expr, $write:expr) => {
+        /// # Safety
+        /// `q` points to a case, `out` to memory for the result.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $name(q: *const f64, _xi: f64, _xi_bar: f64, out: *mut f64) {
+            let work: fn(&Case, &mut $result) = $work;
+            // SAFETY: the caller's promise.
+            unsafe { work(Case::of(q), &mut *out.cast()) }
+        }
+
+        /// # Safety
+        /// `out` is what the way wrote, `full` has room for its quantities.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $read(out: *const f64, _pair: usize, full: *mut f64) {
+            // SAFETY: the caller's promise.
+            let (result, full) = unsafe { (&*out.cast::<$result>(), std::slice::from_raw_parts_mut(full, 5 * FULL)) };
+            let write: fn(&$result, &mut [f64]) = $write;
+            write(result, full);
+        }
+    };
+}
+
+fn write(quantities: &[&Quantity], full: &mut [f64]) {
+    for (quantity, block) in quantities.iter().zip(full.chunks_exact_mut(FULL)) {
+        write_full(quantity, |x| x, block);
+    }
+}
+
+fn write_rows(quantities: &[Row], full: &mut [f64]) {
+    for (quantity, block) in quantities.iter().zip(full.chunks_exact_mut(FULL)) {
+        block[0] = quantity.value;
+        block[8..32].copy_from_slice(&quantity.gradient);
+        block[32..].copy_from_slice(quantity.hessian.as_flattened());
+    }
+}
+
+way!(crate_d, crate_d_read: Quantity, |case, to| {
+    let (jet, jet_bar) = jets(&PAIR, &case.q, (case.point.xi, case.point.xi_bar));
+    Matrices::new(&jet, &jet_bar, case.point.active()).write_d(to);
+}, |d, full| write(&[d], full));
+
+way!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
+    let at = (case.point.xi, case.point.xi_bar);
+    let (jet, jet_bar) = jets(&PAIR, &case.q, at);
+    Matrices::new(&jet, &jet_bar, case.point.active()).write_all(at, &PAIR.contact, to);
+}, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
+
+way!(blocks_d_full, blocks_d_full_read: Row, |case, to| {
+    blocks::write_d(&PAIR, &case.q, &case.point, to);
+}, |d, full| write_rows(std::slice::from_ref(d), full));
+
+way!(blocks_d_upper, blocks_d_upper_read: Quantity, |case, to| {
+    blocks::write_d(&PAIR, &case.q, &case.point, to);
+}, |d, full| write(&[d], full));
+
+way!(blocks_all_full, blocks_all_full_read: [Row; 5], |case, to| {
+    let [d, xi, xi_bar, t, t_bar] = to;
+    blocks::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+}, |all, full| write_rows(all, full));
+
+way!(blocks_all_upper, blocks_all_upper_read: [Quantity; 5], |case, to| {
+    let [d, xi, xi_bar, t, t_bar] = to;
+    blocks::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+}, |all, full| write(&all.each_ref(), full));
+
+/// The quantities of task A.
+fn d_only<S>(of: Quantities<S>) -> [S; 1] {
+    [of.d]
+}
+
+/// The quantities of task B.
+fn all<S>(of: Quantities<S>) -> [S; 5] {
+    [of.d, of.xi, of.xi_bar, of.t, of.t_bar]
+}
+
+/// A way by automatic differentiation to one quantity, and to all.
+macro_rules! ad {
+    ($d:ident, $d_read:ident, $all:ident, $all_read:ident: |$case:ident, $pick:ident, $steps:ident| $work:expr) => {
+        way!($d, $d_read: [Quantity; 1], |$case, to| {
+            let ($pick, $steps) = (d_only, 1);
+            let _ = $steps;
+            *to = $work;
+        }, |d, full| write(&d.each_ref(), full));
+        way!($all, $all_read: [Quantity; 5], |$case, to| {
+            let ($pick, $steps) = (all, 2);
+            let _ = $steps;
+            *to = $work;
+        }, |all, full| write(&all.each_ref(), full));
+    };
+}
+
+ad!(chord_d, chord_d_read, chord_all, chord_all_read: |case, pick, steps| {
+    let route = Route::Chord(chord(&PAIR, &case.q, &case.point), steps);
+    expand_by_sweep(route, &PAIR, &case.q, &case.point, pick)
+});
+
+ad!(newton_d, newton_d_read, newton_all, newton_all_read: |case, pick, _steps| {
+    expand_by_sweep(Route::Newton, &PAIR, &case.q, &case.point, pick)
+});
+
+ad!(stationary_d, stationary_d_read, stationary_all, stationary_all_read: |case, pick, _steps| {
+    expand_by_sweep(Route::Stationary, &PAIR, &case.q, &case.point, pick)
+});
+
+way!(vector_d, vector_d_read: [Quantity; 1], |case, to| {
+    let chord = chord(&PAIR, &case.q, &case.point);
+    *to = expand_by_vector_dual::<_, _, 12, 12, 24, 1>(chord, 1, &PAIR, &case.q, &case.point, d_only);
+}, |d, full| write(&d.each_ref(), full));
+
+way!(vector_all, vector_all_read: [Quantity; 5], |case, to| {
+    let chord = chord(&PAIR, &case.q, &case.point);
+    *to = expand_by_vector_dual::<_, _, 12, 12, 24, 5>(chord, 2, &PAIR, &case.q, &case.point, all);
+}, |all, full| write(&all.each_ref(), full));
+
+/// The step of second differences: the fourth root of epsilon, about the best for lengths near 1.
+const STEP: f64 = 1.0 / 8192.0;
+/// The step of first differences: its cube root.
+const FIRST_STEP: f64 = 1.0 / 131_072.0;
+
+/// The pair with some dofs moved, and its closest point found again.
+fn moved(case: &Case, moves: &[(usize, f64)]) -> (DofVector<f64, 12, 12>, (f64, f64)) {
+    let mut q = case.q;
+    for &(i, step) in moves {
+        q.set(i, q.entry(i) + step);
+    }
+    let beam = Beam { curve: &PAIR.curve, q: &q.beam };
+    let bar = Beam { curve: &PAIR.curve_bar, q: &q.bar };
+    let at = (case.point.xi, case.point.xi_bar);
+    let found = refine(&beam, &bar, at, Active::default()).map_or((f64::NAN, f64::NAN), |p| (p.xi, p.xi_bar));
+    (q, found)
+}
+
+/// Central differences of values, 1153 closest points.
+fn differences<const K: usize>(case: &Case, pick: fn(Quantities<f64>) -> [f64; K], to: &mut [Quantity; K]) {
+    let at = |moves: &[(usize, f64)]| {
+        let (q, at) = moved(case, moves);
+        let beam = Perturbed { curve: &PAIR.curve, q: q.beam };
+        let bar = Perturbed { curve: &PAIR.curve_bar, q: q.bar };
+        pick(evaluate(&beam, &bar, at, &PAIR.contact))
+    };
+    let (step, square) = (STEP, STEP * STEP);
+    let centre = at(&[]);
+    for j in 0..24 {
+        let (plus, minus) = (at(&[(j, step)]), at(&[(j, -step)]));
+        for (k, to) in to.iter_mut().enumerate() {
+            to.value = centre[k];
+            to.gradient.set(j, (plus[k] - minus[k]) / (2.0 * step));
+            to.hessian.set(j, j, (plus[k] - 2.0 * centre[k] + minus[k]) / square);
+        }
+        for i in 0..j {
+            let [pp, pm, mp, mm] = [(step, step), (step, -step), (-step, step), (-step, -step)]
+                .map(|(one, other)| at(&[(i, one), (j, other)]));
+            for (k, to) in to.iter_mut().enumerate() {
+                to.hessian.set(i, j, (pp[k] - pm[k] - mp[k] + mm[k]) / (4.0 * square));
+            }
+        }
+    }
+}
+
+way!(values_d, values_d_read: [Quantity; 1], |case, to| differences(case, d_only, to),
+    |d, full| write(&d.each_ref(), full));
+way!(values_all, values_all_read: [Quantity; 5], |case, to| differences(case, all, to),
+    |all, full| write(&all.each_ref(), full));
+
+/// Values and gradients of d, xi, xi_bar, t and t_bar in closed form; the first `K` of them are wanted.
+fn gradients<const K: usize>(q: &DofVector<f64, 12, 12>, at: (f64, f64)) -> [(f64, DofVector<f64, 12, 12>); K] {
+    let (jet, jet_bar) = jets(&PAIR, q, at);
+    let (x, y) = (jet.geometry, jet_bar.geometry);
+    let d = x.x - y.x;
+    let distance = d.norm();
+    let n = d / distance;
+    let of_d = DofVector { beam: jet.dofs.gradient(0, &n), bar: -jet_bar.dofs.gradient(0, &n) };
+    let mut all = [(distance, of_d); 5];
+    if K > 1 {
+        let [[p, q], [r, s]] = Projection::new(&x, &y, Active::default()).inverse();
+        let right = DofVector {
+            beam: -jet.dofs.gradient(0, &x.t) - jet.dofs.gradient(1, &d),
+            bar: jet_bar.dofs.gradient(0, &x.t),
+        };
+        let right_bar = DofVector {
+            beam: -jet.dofs.gradient(0, &y.t),
+            bar: jet_bar.dofs.gradient(0, &y.t) - jet_bar.dofs.gradient(1, &d),
+        };
+        let (g, g_bar) = (right.times(p).plus(q, &right_bar), right.times(r).plus(s, &right_bar));
+        let (length, length_bar) = (x.t.norm(), y.t.norm());
+        let (w, w_bar) = (x.t / length, y.t / length_bar);
+        let of_t = DofVector::of_beam(jet.dofs.gradient(1, &w)).plus(w.dot(&x.t_xi), &g);
+        let of_t_bar = DofVector::of_bar(jet_bar.dofs.gradient(1, &w_bar)).plus(w_bar.dot(&y.t_xi), &g_bar);
+        all = [(distance, of_d), (at.0, g), (at.1, g_bar), (length, of_t), (length_bar, of_t_bar)];
+    }
+    std::array::from_fn(|k| all[k])
+}
+
+/// Central differences of gradients, 48 closest points and the pair's own.
+fn differences_of_gradients<const K: usize>(case: &Case, to: &mut [Quantity; K]) {
+    let centre = gradients::<K>(&case.q, (case.point.xi, case.point.xi_bar));
+    for (to, (value, gradient)) in to.iter_mut().zip(centre) {
+        (to.value, to.gradient) = (value, gradient);
+    }
+    for j in 0..24 {
+        let [plus, minus] = [FIRST_STEP, -FIRST_STEP].map(|step| {
+            let (q, at) = moved(case, &[(j, step)]);
+            gradients::<K>(&q, at)
+        });
+        for ((to, (_, plus)), (_, minus)) in to.iter_mut().zip(plus).zip(minus) {
+            for i in 0..=j {
+                to.hessian.set(i, j, (plus.entry(i) - minus.entry(i)) / (2.0 * FIRST_STEP));
+            }
+        }
+    }
+}
+
+way!(gradients_d, gradients_d_read: [Quantity; 1], |case, to| differences_of_gradients(case, to),
+    |d, full| write(&d.each_ref(), full));
+way!(gradients_all, gradients_all_read: [Quantity; 5], |case, to| differences_of_gradients(case, to),
+    |all, full| write(&all.each_ref(), full));
