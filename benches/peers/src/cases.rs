@@ -62,7 +62,7 @@ fn draw(random: &mut Random) -> Option<Case> {
     let found = closest_points(&at, &at_bar, &Search::default()).ok()?;
     let point = *found.interior().ok()?;
     let is_inside = point.xi.abs() < 0.95 && point.xi_bar.abs() < 0.95;
-    if !is_inside || found.minima.len() > 1 || point.distance < 0.1 || point.conditioning < 0.1 {
+    if !is_inside || found.minima.len() > 1 || point.distance < 0.25 || point.conditioning < 0.1 {
         return None;
     }
     let mut plain = [0.0; 24];

@@ -8,7 +8,7 @@ use beamgap::linearization::ad::{
     Perturbed, Route, chord, evaluate, expand_by_sweep, expand_by_vector_dual,
 };
 use beamgap::linearization::closed_form::blocks::{self, Full, Targets};
-use beamgap::linearization::closed_form::{Matrices, Projection, jets};
+use beamgap::linearization::closed_form::{Matrices, Projection, jets, linearize};
 use beamgap::linearization::{Expansion, Linearization, Quantities};
 use beamgap::pair::DofVector;
 
@@ -65,6 +65,10 @@ way!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
     let at = (case.point.xi, case.point.xi_bar);
     let (jet, jet_bar) = jets(&PAIR, &case.q, at);
     Matrices::new(&jet, &jet_bar, case.point.active()).write_all(at, &PAIR.contact, to);
+}, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
+
+way!(linearize_all, linearize_all_read: Linearization<f64, 12, 12>, |case, to| {
+    *to = linearize(&PAIR, &case.q, &case.point);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(blocks_d_full, blocks_d_full_read: Row, |case, to| {

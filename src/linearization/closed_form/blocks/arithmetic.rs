@@ -323,6 +323,7 @@ impl Arithmetic<f64> for ByFour {
         }
         for chunk in 0..L.div_ceil(4) {
             let at = (4 * chunk).min(L - 4);
+            #[expect(clippy::manual_div_ceil, reason = "the control vector of the next dof")]
             let four = [shapes[at / 3], shapes[(at + 1) / 3], shapes[(at + 2) / 3], shapes[(at + 3) / 3]];
             let four = f64x4::load_array(self.0, four) * self.splat(sign);
             four.store_slice(&mut spread[at..at + 4]);

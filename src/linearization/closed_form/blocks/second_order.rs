@@ -29,14 +29,14 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         }
         let Parameter { beam: rows, bar: rows_bar, bend, bend_bar } = Parameter::new(f, self, ([*p, *q], *u));
         for a in 0..N / 3 {
-            for i in 0..3 {
+            for (i, across) in across.iter().enumerate() {
                 let r = 3 * a + i;
                 let [s, s_xi, bend] = [beam.shapes[0][r], beam.shapes[1][r], bend[r]];
                 let (row, row_bar) = xi.row(r);
                 f.set(row, [], [(s, &rows.hat[i]), (s_xi, &rows.xi[i]), (bend, &beam.g)]);
                 f.set(row_bar, [], [(s, &rows_bar.hat[i]), (s_xi, &rows_bar.xi[i]), (bend, &bar.g)]);
                 let (to, to_bar) = t.row(r);
-                f.set(to, [], [(*kappa, row), (beam.g[r], m), (b[r], &beam.g), (s_xi, &across[i])]);
+                f.set(to, [], [(*kappa, row), (beam.g[r], m), (b[r], &beam.g), (s_xi, across)]);
                 f.set(to_bar, [], [(*kappa, row_bar), (m[r], &bar.g)]);
             }
         }
@@ -90,7 +90,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
             }
         }
         for a in 0..M / 3 {
-            for i in 0..3 {
+            for (i, across) in across.iter().enumerate() {
                 let r = 3 * a + i;
                 let [s, s_xi, bend] = [bar.shapes[0][r], bar.shapes[1][r], bend_bar[r]];
                 let (row, row_bar) = xi_bar.row_bar(r);
@@ -98,11 +98,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
                 f.set(row_bar, [], [(s, &rows_bar.hat[i]), (s_xi, &rows_bar.xi_bar[i]), (bend, &bar.g_bar)]);
                 let (to, to_bar) = t_bar.row_bar(r);
                 f.set(to, [], [(*kappa, row), (m[r], &beam.g_bar)]);
-                f.set(
-                    to_bar,
-                    [],
-                    [(*kappa, row_bar), (bar.g_bar[r], m), (b[r], &bar.g_bar), (s_xi, &across[i])],
-                );
+                f.set(to_bar, [], [(*kappa, row_bar), (bar.g_bar[r], m), (b[r], &bar.g_bar), (s_xi, across)]);
             }
         }
     }

@@ -88,6 +88,6 @@ where
         {
             hessian.bar += jet_bar.dofs.hessian(k, w) * sign;
         }
-        Expansion { value, gradient, hessian }
+        Expansion { hessian, gradient, value }
     }
 }
