@@ -45,7 +45,7 @@ pub use variations::{variations, variations_with};
 /// those of the signed distance along n = t × t_bar/|t × t_bar|; its sign, and that of n, is a choice. Elsewhere n points
 /// from the bar beam to the beam, and d is positive.
 ///
-/// The same in a quarter of the time, into memory of one's own, is [`blocks::write_all`].
+/// The same but for the slips, faster and into memory of one's own, is [`blocks::write_all`].
 ///
 /// # Example
 /// See the crate's front page.

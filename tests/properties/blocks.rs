@@ -1,5 +1,8 @@
 //! The blocks are the matrices: exactly over a prime field, within the rounding of both in `f64`, in every layout.
 
+#![expect(clippy::float_cmp, reason = "layouts hold the same bits")]
+#![expect(clippy::large_stack_arrays, reason = "five quantities of 21 dofs")]
+
 use crate::pairs::{Contacting, Movable, any_arc, contacting, hermite, quadratic};
 use beamgap::closest_point::Active;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
@@ -142,11 +145,9 @@ fn pair<A, B>(curve: A, curve_bar: B) -> Pair<A, B> {
 }
 
 fn numbers() -> impl Strategy<Value = (Vec<u64>, Active)> {
-    let active =
-        (0.0..1.0, any::<bool>(), any::<bool>()).prop_map(|(inside, xi, xi_bar)| match inside < 0.5 {
-            true => Active::default(),
-            false => Active { xi, xi_bar },
-        });
+    let active = (0.0..1.0, any::<bool>(), any::<bool>()).prop_map(|(inside, xi, xi_bar)| {
+        if inside < 0.5 { Active::default() } else { Active { xi, xi_bar } }
+    });
     (proptest::collection::vec(any::<u64>(), 64), active)
 }
 
@@ -233,7 +234,7 @@ proptest! {
         let at = (point.xi, point.xi_bar);
         let (jet, jet_bar) = jets(pair, q, at);
         let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
-        let Linearization { d, xi, xi_bar, t, t_bar, .. } =
+        let Linearization::<f64, 12, 9> { d, xi, xi_bar, t, t_bar, .. } =
             Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact);
         prop_assert_eq!(full.each_ref().map(flat), [d, xi, xi_bar, t, t_bar].map(flat_expansion));
     }
