@@ -33,6 +33,8 @@ macro_rules! with_the_fastest {
 
 mod arithmetic;
 mod batch;
+#[cfg(target_arch = "x86_64")]
+mod by_four;
 mod distance;
 mod frame;
 mod lengths;
@@ -50,7 +52,9 @@ use crate::curve::Curve;
 use crate::linearization::Linearization;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
-use arithmetic::{Arithmetic, ByFour, ByOne, Separate};
+use arithmetic::{Arithmetic, ByOne, Separate};
+#[cfg(target_arch = "x86_64")]
+use by_four::ByFour;
 use frame::Frame;
 use side::Side;
 

@@ -1,0 +1,145 @@
+//! Sums of products with the vectors of AVX2, on machines that have it.
+
+use super::arithmetic::{Arithmetic, reach, unit};
+use fearless_simd::prelude::*;
+use fearless_simd::{f64x4, x86::Avx2};
+
+/// Four dofs of an `f64` at a time, with fused products and sums.
+#[derive(Clone, Copy)]
+pub(super) struct ByFour(pub(super) Avx2);
+
+impl ByFour {
+    /// Four numbers from `at` on.
+    #[inline(always)]
+    fn load(self, v: &[f64], at: usize) -> f64x4<Avx2> {
+        match v.get(at..at + 4) {
+            Some(four) => f64x4::from_slice(self.0, four),
+            None => f64x4::splat(self.0, 0.0),
+        }
+    }
+
+    #[inline(always)]
+    fn splat(self, factor: f64) -> f64x4<Avx2> {
+        f64x4::splat(self.0, factor)
+    }
+}
+
+impl Arithmetic<f64> for ByFour {
+    /// With a fourth component, whatever it is.
+    type Vector = f64x4<Avx2>;
+    /// The components as they meet four dofs, by the component that the first of the four meets.
+    type Tile = [f64x4<Avx2>; 3];
+
+    #[inline(always)]
+    fn mul_add(self, a: f64, b: f64, c: f64) -> f64 {
+        a.mul_add(b, c)
+    }
+
+    #[inline(always)]
+    fn vector(self, [x, y, z]: [f64; 3]) -> f64x4<Avx2> {
+        f64x4::load_array(self.0, [x, y, z, 0.0])
+    }
+
+    #[inline(always)]
+    fn control_vector<const L: usize>(self, q: &[f64; L], a: usize) -> f64x4<Avx2> {
+        if 3 * a + 4 > L {
+            let last = self.load(q, L - 4);
+            return f64x4::load_array(self.0, [last[1], last[2], last[3], last[3]]);
+        }
+        self.load(q, 3 * a)
+    }
+
+    #[inline(always)]
+    fn components(self, v: f64x4<Avx2>) -> [f64; 3] {
+        [v[0], v[1], v[2]]
+    }
+
+    #[inline(always)]
+    fn times(self, factor: f64, v: f64x4<Avx2>) -> f64x4<Avx2> {
+        self.splat(factor) * v
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: f64, v: f64x4<Avx2>, sum: f64x4<Avx2>) -> f64x4<Avx2> {
+        self.splat(factor).mul_add(v, sum)
+    }
+
+    #[inline(always)]
+    fn dot(self, u: f64x4<Avx2>, v: f64x4<Avx2>) -> f64 {
+        let product = u * v;
+        product[0] + product[1] + product[2]
+    }
+
+    #[inline(always)]
+    fn tile(self, v: f64x4<Avx2>) -> [f64x4<Avx2>; 3] {
+        [
+            f64x4::load_array(self.0, [v[0], v[1], v[2], v[0]]),
+            f64x4::load_array(self.0, [v[1], v[2], v[0], v[1]]),
+            f64x4::load_array(self.0, [v[2], v[0], v[1], v[2]]),
+        ]
+    }
+
+    #[inline(always)]
+    fn tile_along(self, axis: usize, factor: f64) -> [f64x4<Avx2>; 3] {
+        let ([x, y, z], factor) = (unit(axis), self.splat(factor));
+        [
+            factor * f64x4::load_array(self.0, [x, y, z, x]),
+            factor * f64x4::load_array(self.0, [y, z, x, y]),
+            factor * f64x4::load_array(self.0, [z, x, y, z]),
+        ]
+    }
+
+    #[inline(always)]
+    fn spread<const L: usize>(self, shapes: &[f64], sign: f64) -> [f64; L] {
+        let mut spread = [0.0; L];
+        if shapes.len() * 3 < L {
+            return spread;
+        }
+        for chunk in 0..L.div_ceil(4) {
+            let at = (4 * chunk).min(L - 4);
+            #[expect(clippy::manual_div_ceil, reason = "the control vector of the next dof")]
+            let four = [shapes[at / 3], shapes[(at + 1) / 3], shapes[(at + 2) / 3], shapes[(at + 3) / 3]];
+            let four = f64x4::load_array(self.0, four) * self.splat(sign);
+            four.store_slice(&mut spread[at..at + 4]);
+        }
+        spread
+    }
+
+    #[inline(always)]
+    fn set<const J: usize, const K: usize>(
+        self,
+        to: &mut [f64],
+        spread: [(&[f64], [f64x4<Avx2>; 3]); J],
+        sum: [(f64, &[f64]); K],
+    ) {
+        let reach = reach(to, &spread, &sum);
+        if reach < 4 {
+            for i in 0..reach {
+                to[i] = 0.0;
+                for (shapes, tile) in &spread {
+                    to[i] = shapes[i].mul_add(tile[0][i], to[i]);
+                }
+                for (factor, v) in &sum {
+                    to[i] = factor.mul_add(v[i], to[i]);
+                }
+            }
+            return;
+        }
+        for chunk in 0..reach.div_ceil(4) {
+            // The last four overlap those before them if the number is no multiple of four.
+            let at = (4 * chunk).min(reach - 4);
+            let mut total = self.splat(0.0);
+            for (j, (shapes, tile)) in spread.iter().enumerate() {
+                let (four, v) = (self.load(shapes, at), tile[at % 3]);
+                total = if j == 0 { four * v } else { four.mul_add(v, total) };
+            }
+            for (k, (factor, v)) in sum.iter().enumerate() {
+                let (factor, four) = (self.splat(*factor), self.load(v, at));
+                total = if J + k == 0 { factor * four } else { factor.mul_add(four, total) };
+            }
+            if let Some(to) = to.get_mut(at..at + 4) {
+                total.store_slice(to);
+            }
+        }
+    }
+}
