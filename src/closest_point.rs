@@ -39,6 +39,11 @@ pub trait Centroid {
 
     /// An upper bound of ‖x,xixixi‖ over [-1, 1].
     fn third_derivative_bound(&self) -> f64;
+
+    /// Whether it is a polynomial of third degree at most.
+    fn is_cubic(&self) -> bool {
+        false
+    }
 }
 
 /// A [`Curve`] with its degrees of freedom.
@@ -57,6 +62,10 @@ impl<C: Curve<N>, const N: usize> Centroid for Beam<'_, C, N> {
 
     fn third_derivative_bound(&self) -> f64 {
         self.curve.third_derivative_bound(self.q)
+    }
+
+    fn is_cubic(&self) -> bool {
+        self.curve.is_cubic()
     }
 }
 

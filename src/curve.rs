@@ -50,6 +50,13 @@ pub trait Curve<const N: usize> {
     ///
     /// It need not be sharp, and it is good up to the rounding of its own computation. A bound that is too small voids the guarantee; one that is too large costs time.
     fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64;
+
+    /// Whether x is a polynomial in xi of third degree at most, so that it is its own Taylor polynomial.
+    ///
+    /// It saves the search for closest points some evaluations, no more.
+    fn is_cubic(&self) -> bool {
+        false
+    }
 }
 
 /// The point of a curve and its derivatives with respect to xi.
@@ -116,6 +123,11 @@ pub trait DofDerivatives<T: Real, const N: usize> {
     fn hessian(&self, k: usize, w: &Vector3<T>) -> SMatrix<T, N, N> {
         SMatrix::from_fn(|i, j| w.dot(&self.second_variation(k, &unit(i), &unit(j))))
     }
+}
+
+/// A_k from its rows, the gradients of the three components.
+fn by_rows<T: Real, const N: usize>(gradient: impl Fn(&Vector3<T>) -> SVector<T, N>) -> SMatrix<T, 3, N> {
+    SMatrix::from_rows(&[0, 1, 2].map(|c| gradient(&unit(c)).transpose()))
 }
 
 /// The `i`-th unit vector.

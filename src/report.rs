@@ -2,27 +2,34 @@
 //!
 //! [`Crosscheck`], [`Sharpness`], [`Accuracy`], [`Teeth`], [`Ledger`] and [`Benchmark`] are the records: what the gate found,
 //! how sharp its tolerances are, how many digits each form keeps, what it made of planted faults, what became of each
-//! equation, and what criterion measured. Markdown and SVG are pure functions of what
+//! equation, and what criterion measured. Markdown, HTML and SVG are pure functions of what
 //! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
 
 mod accuracy;
 mod accuracy_page;
 mod accuracy_plot;
 mod benchmark;
+mod benchmark_method;
 mod benchmark_page;
+mod claims;
 mod criterion;
 mod crosscheck;
 mod crosscheck_page;
 mod environment;
 mod error;
+mod floors;
+mod instructions;
 mod interval;
 mod ledger;
 mod ledger_page;
 mod number;
+mod page;
+mod peers;
 mod plot;
 mod record;
 mod sharpness;
 mod sharpness_page;
+mod task;
 mod teeth;
 mod teeth_page;
 
@@ -32,10 +39,16 @@ pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;
+pub use floors::{FLOORS, Floor, Floors};
+pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
+pub use peers::{LeftOut, Peer, Peers};
 pub use record::Record;
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
+pub use task::Task;
 pub use teeth::{BiteRow, Teeth};
+
+use criterion::Samples;
 
 use crate::check::{self, Regime, Selection, Trial};
 use crate::ledger::Ledger;
@@ -124,18 +137,22 @@ pub fn ledger(to: &Path, record: &Ledger) -> Result<(), ReportError> {
     write(to, "ledger.md", &Ledger::from_json(&json)?.to_markdown())
 }
 
-/// Reads what criterion left in `from` and writes `benchmark.json`, `benchmark.md` and `benchmark.svg` into the
-/// directory `to`.
+/// Reads what criterion left in `from`, and the counts of instructions and the peers if `to` has them, and writes
+/// `benchmark.json` and its pages and pictures into the directory `to`.
 ///
 /// # Errors
 /// [`ReportError::NoMeasurements`] and its like if a piece is missing: they name it, and the command that makes it;
 /// [`ReportError::Write`] if a file cannot be written.
 pub fn benchmark(to: &Path, from: &Path) -> Result<Benchmark, ReportError> {
-    let json = Benchmark::read(from)?.to_json()?;
+    let read = |name: &str| fs::read_to_string(to.join(name)).ok();
+    let instructions = read("instructions.json").map(|json| Instructions::from_json(&json)).transpose()?;
+    let peers = read("peers.json").map(|json| Peers::from_json(&json)).transpose()?;
+    let json = Benchmark { instructions, peers, ..Benchmark::read(from)? }.to_json()?;
     let record = Benchmark::from_json(&json)?;
     write(to, "benchmark.json", &json)?;
-    write(to, "benchmark.md", &record.to_markdown())?;
-    write(to, "benchmark.svg", &record.to_svg()?)?;
+    for (name, text) in record.pages()? {
+        write(to, &name, &text)?;
+    }
     Ok(record)
 }
 

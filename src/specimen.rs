@@ -10,10 +10,10 @@ mod padded;
 mod stationary;
 mod written;
 
-pub(crate) use beam::AnyBeam;
+pub(crate) use beam::{AnyBeam, Bounded2};
 pub(crate) use draw::Target;
 pub(crate) use exact::ExactBeam;
 pub use family::{Family, Unit};
-pub(crate) use padded::{Padded, PaddedBeam};
+pub(crate) use padded::{DOFS, FEW_DOFS, Padded, PaddedBeam};
 pub(crate) use stationary::{apart, stationary};
 pub use written::{Specimen, SpecimenError};

@@ -22,10 +22,10 @@ pub(crate) use point::{CONTACT, Point};
 use planted::{Change, Planted, Stale};
 
 use crate::linearization::closed_form::{self, Form, Frozen, Label, Matrices, variations_with};
-use crate::linearization::{COMPONENTS, Quantities, Varied};
+use crate::linearization::{COMPONENTS, Linearization, Quantities, Varied};
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
-use crate::specimen::PaddedBeam;
+use crate::specimen::{DOFS, PaddedBeam};
 
 /// How far the parameters of a stale point lag behind.
 const LAG: f64 = 1.0 / 128.0;
@@ -65,12 +65,12 @@ impl Subject {
             Self::Faulty(faults) => {
                 let stale = is_stale(faults).then(before);
                 let stale = stale.as_ref().map_or(Stale::Unused, Stale::Frozen);
-                let planted = Planted { changes: &Change::of(faults), stale };
+                let planted = Planted::<T, DOFS> { changes: &Change::of(faults), stale };
                 variations_with(&planted, beam, bar, at, form, contact)
             }
             Self::Weighted(label, factor) => {
                 let changes = [(*label, Change::Factor(T::from(*factor)))];
-                let planted = Planted { changes: &changes, stale: Stale::Unused };
+                let planted = Planted::<T, DOFS> { changes: &changes, stale: Stale::Unused };
                 variations_with(&planted, beam, bar, at, form, contact)
             }
             Self::Rewritten(rewrite) => rewrite.variations([beam, bar], at, form, contact),
@@ -90,30 +90,31 @@ impl Subject {
     }
 
     /// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up.
-    pub(crate) fn matrices<T: Real>(
+    pub(crate) fn matrices<T: Real, const D: usize>(
         &self,
-        [(jet, [dq, linear_dq]), (jet_bar, [dq_bar, linear_dq_bar])]: &[PaddedBeam<T>; 2],
-        before: impl FnOnce() -> [PaddedBeam<T>; 2],
+        [(jet, [dq, linear_dq]), (jet_bar, [dq_bar, linear_dq_bar])]: &[PaddedBeam<T, D>; 2],
+        before: impl FnOnce() -> [PaddedBeam<T, D>; 2],
         at: (T, T),
         form: Form,
         contact: &Contact,
     ) -> [[T; 3]; SCALARS] {
-        let all = match self {
+        let mut all = Linearization::zeros();
+        match self {
             Self::Sound | Self::Rewritten(_) => {
-                Matrices::with(closed_form::Sound, jet, jet_bar, form).all(at, contact)
+                Matrices::with(closed_form::Sound, jet, jet_bar, form).write_all(at, contact, &mut all);
             }
             Self::Faulty(faults) => {
                 let stale = is_stale(faults).then(|| before().map(|(jet, _)| jet));
                 let stale = stale.as_ref().map_or(Stale::Unused, Stale::Jets);
                 let planted = Planted { changes: &Change::of(faults), stale };
-                Matrices::with(planted, jet, jet_bar, form).all(at, contact)
+                Matrices::with(planted, jet, jet_bar, form).write_all(at, contact, &mut all);
             }
             Self::Weighted(label, factor) => {
                 let changes = [(*label, Change::Factor(T::from(*factor)))];
-                let planted = Planted { changes: &changes, stale: Stale::Unused };
-                Matrices::with(planted, jet, jet_bar, form).all(at, contact)
+                let planted = Planted::<T, D> { changes: &changes, stale: Stale::Unused };
+                Matrices::with(planted, jet, jet_bar, form).write_all(at, contact, &mut all);
             }
-        };
+        }
         let dq = DofVector { beam: *dq, bar: *dq_bar };
         let linear_dq = DofVector { beam: *linear_dq, bar: *linear_dq_bar };
         [&all.d, &all.t, &all.t_bar, &all.xi, &all.xi_bar, &all.g_t, &all.g_t_bar]

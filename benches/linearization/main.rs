@@ -1,51 +1,83 @@
-//! How long the linearization takes, by way, by size and by task; every way is verified before any is timed.
+//! How long the linearization takes, by way, by size and by task; every way is judged before any is timed.
+//!
+//! ```console
+//! $ cargo bench                                                 # times, for `beamgap report`
+//! $ cargo bench --bench linearization -- --count                # counts instructions instead, and shows them
+//! $ cargo bench --bench linearization -- --check-counts         # fails if a count has grown by more than 3 %
+//! $ cargo bench --bench linearization -- --write-counts         # makes the counts the record
+//! ```
 
-mod differences;
-mod pairs;
-mod scenarios;
+mod counts;
+mod floors;
+mod scenario;
 
-use beamgap::report::{Environment, Verdict, Verdicts, criterion_directory};
-use criterion::{Criterion, SamplingMode, criterion_group, criterion_main};
-use scenarios::Scenario;
+use beamgap::report::{Environment, FLOORS, Floor, Verdict, Verdicts, criterion_directory};
+use criterion::{Criterion, SamplingMode, Throughput, criterion_group};
+use rayon::prelude::*;
+use scenario::Scenario;
+use std::process::ExitCode;
 use std::time::Duration;
 
 fn linearization(criterion: &mut Criterion) {
-    let scenarios = scenarios::scenarios();
-    leave_verdicts(&scenarios);
-    for of_group in scenarios.chunk_by(|a, b| a.group == b.group) {
-        let mut group = criterion.benchmark_group(&of_group[0].group);
+    let scenarios = scenario::all();
+    leave(judged(&scenarios));
+    for of_group in scenarios.chunk_by(|a, b| a.group() == b.group()) {
+        let mut group = criterion.benchmark_group(of_group[0].group());
         group.sampling_mode(SamplingMode::Flat);
         for scenario in of_group {
-            group.bench_function(scenario.name, |bencher| bencher.iter(&scenario.run));
+            group.throughput(Throughput::Elements(scenario.pairs as u64));
+            let mut run = scenario.runner();
+            group.bench_function(&scenario.way, |bencher| bencher.iter(&mut run));
         }
         group.finish();
     }
 }
 
-/// Writes down next to criterion's files what was verified, unless nothing is going to be timed.
-fn leave_verdicts(scenarios: &[Scenario]) {
+/// What no way can be faster than.
+fn limits(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group(FLOORS);
+    group.sampling_mode(SamplingMode::Flat);
+    for floor in Floor::ALL {
+        let mut run = floors::kernel(floor);
+        group.bench_function(floor.name(), |bencher| bencher.iter(&mut run));
+    }
+    group.finish();
+}
+
+/// The verdicts, all of which must be good.
+fn judged(scenarios: &[Scenario]) -> Vec<Verdict> {
+    let judged: Vec<_> = scenarios.par_iter().map(Scenario::verdict).collect();
+    for (scenario, verdict) in scenarios.iter().zip(&judged) {
+        assert!(verdict.is_right(), "{scenario}: an error of {} times what is allowed", verdict.share);
+    }
+    judged
+}
+
+/// Writes down next to criterion's files what was judged, unless nothing is going to be timed.
+fn leave(scenarios: Vec<Verdict>) {
     let is_given = |flag: &str| std::env::args().any(|argument| argument == flag);
     if !is_given("--bench") || is_given("--test") || is_given("--list") {
         return;
     }
-    let verdict = |scenario: &Scenario| {
-        let Scenario { group, name, error, tolerance, .. } = scenario;
-        Verdict { group: group.clone(), way: (*name).to_owned(), error: *error, tolerance: *tolerance }
-    };
-    let verdicts = Verdicts {
-        environment: Environment::here("cargo bench"),
-        scenarios: scenarios.iter().map(verdict).collect(),
-    };
+    let environment = Environment::here("cargo bench");
+    let verdicts = Verdicts { environment, floors: floors::AMOUNTS, scenarios };
     verdicts.write(&criterion_directory()).expect("criterion's directory can be written to");
 }
 
 criterion_group! {
     name = benches;
     config = Criterion::default()
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1))
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(800))
         .sample_size(30)
         .nresamples(2000);
-    targets = linearization
+    targets = linearization, limits
 }
-criterion_main!(benches);
+
+fn main() -> ExitCode {
+    counts::main().unwrap_or_else(|| {
+        benches();
+        Criterion::default().configure_from_args().final_summary();
+        ExitCode::SUCCESS
+    })
+}

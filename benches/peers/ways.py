@@ -37,12 +37,12 @@ def ways(workshop, crate, root, debian, dofs):
             if library:
                 add(task, method, version, how, layout, library[f"{name}_{TASK[task]}_{layout}"], note)
 
-    def ours(method, how, name, layouts=None, note="", together=1, tolerance=EXACT, tasks="AB"):
+    def ours(method, how, name, layouts=None, note="", together=1, tolerance=EXACT, tasks="AB", shown="upper"):
         for task in tasks:
             for layout in layouts or [None]:
                 function = f"{name}_{TASK[task]}" + (f"_{layout}" if layout else "")
                 read = crate[f"{function}_read"]
-                add(task, method, beamgap, how, layout or "upper", crate[function], note, read, together, tolerance)
+                add(task, method, beamgap, how, layout or shown, crate[function], note, read, together, tolerance)
 
     cxx = f"g++ {gcc} {flags}"
     reference = workshop.compiled("C++ with AVX2, by hand", here / "reference.cpp", "reference")
@@ -58,6 +58,7 @@ def ways(workshop, crate, root, debian, dofs):
 
     rust = f"rustc {rustc} --release, default target"
     ours("beamgap, blocks", rust + ", AVX2 at run time", "blocks", ["full", "upper"])
+    ours("beamgap, four pairs in lanes", rust + ", AVX2 at run time", "four", together=4, shown="four lanes, half")
     ours("beamgap, linearize", rust + ", AVX2 at run time", "linearize", note="with both slips", tasks="B")
     ours("beamgap, Matrices", rust, "crate", note="B: with both slips")
 
@@ -114,6 +115,7 @@ def ways(workshop, crate, root, debian, dofs):
     ours(f"{swept}, Newton", rust + "; implicit_derivative_binary", "newton")
     ours(f"{swept}, stationary", rust + "; implicit_derivative_sp", "stationary")
     ours(f"num-dual {num_dual}, Dual2SVec64<24>, chord", rust + "; A one chord step, B two", "vector")
+    ours("beamgap, rows of hyper-duals, by orders", rust + "; explicit parts and the implicit function theorem", "orders")
     ours("central differences of gradients, 48 closest points", rust, "gradients", tolerance=DIFFERENCES)
     ours("central differences of values, 1153 closest points", rust, "values", tolerance=DIFFERENCES)
 

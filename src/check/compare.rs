@@ -3,7 +3,7 @@
 use super::arbitration::DIFFERENCES;
 use super::draw::Case;
 use super::oracle::differences;
-use super::site::{Site, When};
+use super::site::Site;
 use super::trial::{Oracles, Trial};
 use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
 use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
@@ -11,7 +11,7 @@ use crate::linearization::ad::{evaluate, newton, stationary};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{Bounded, Magnitude};
 use crate::pair::Contact;
-use crate::specimen::AnyBeam;
+use crate::specimen::{AnyBeam, Bounded2};
 use crate::subject::{SCALAR_COMPONENTS, SCALARS, Subject};
 use num_dual::HyperDual64;
 
@@ -95,9 +95,7 @@ pub(crate) struct Closed {
     plain: [Varied<f64>; COMPONENTS],
     exchanged: [Varied<f64>; COMPONENTS],
     scales: [Varied<Magnitude>; COMPONENTS],
-    bounds: [Varied<Bounded>; COMPONENTS],
-    /// The same at parameters known loosely.
-    loose: [Varied<Bounded>; COMPONENTS],
+    bounds: [Varied<Bounded2>; COMPONENTS],
     matrices: [[Bounded; 3]; SCALARS],
 }
 
@@ -105,9 +103,7 @@ pub(crate) struct Closed {
 pub(crate) struct References {
     newton: [Varied<f64>; COMPONENTS],
     stationary: [Varied<f64>; COMPONENTS],
-    chord: [Varied<Bounded>; COMPONENTS],
-    /// num-dual solves for the closest point in `f64` again, and is as far off as that may take it.
-    loose: [Varied<Bounded>; COMPONENTS],
+    chord: [Varied<Bounded2>; COMPONENTS],
 }
 
 impl References {
@@ -118,8 +114,7 @@ impl References {
         Self {
             newton: hyper_dual(site, newton(beam, bar, at, active)),
             stationary: hyper_dual(site, stationary(beam, bar, at, active)),
-            chord: site.chord(When::Now),
-            loose: site.chord(When::Loosely),
+            chord: site.chord(),
         }
     }
 }
@@ -131,8 +126,7 @@ impl Closed {
             plain: site.plain(subject),
             exchanged: site.exchanged(subject),
             scales: site.scales(subject),
-            bounds: site.closed(subject, When::Now),
-            loose: site.closed(subject, When::Loosely),
+            bounds: site.closed(subject),
             matrices: site.matrices(subject),
         }
     }
@@ -144,17 +138,17 @@ impl Closed {
             let (quantity, axis) = (Quantity::of_component(i), Quantity::axis_of_component(i));
             let closed = self.plain[i].parts();
             let scale = self.scales[i].parts().map(|scale| scale.scale);
-            let bound = self.bounds[i].parts().map(|bounded| bounded.bound);
+            let bounds = self.bounds[i].parts().map(|bounded| bounded.bound);
+            let bound = bounds.map(|[bound, _]| bound);
             let own = references.chord[i].parts();
             let routes = [
                 references.newton[i].parts(),
                 references.stationary[i].parts(),
                 own.map(|bounded| bounded.value),
             ];
-            let [of_closed, of_chord] =
-                [&self.loose[i], &references.loose[i]].map(|side| side.parts().map(|bounded| bounded.bound));
-            let far: [f64; 4] = std::array::from_fn(|k| of_closed[k] + of_chord[k]);
-            let near: [f64; 4] = std::array::from_fn(|k| bound[k] + own[k].bound);
+            // num-dual solves for the closest point in `f64` again, and is as far off as that may take it.
+            let [near, far] =
+                [0, 1].map(|l| std::array::from_fn::<f64, 4, _>(|k| bounds[k][l] + own[k].bound[l]));
             for ((against, other), tolerance) in ROUTES.into_iter().zip(routes).zip([far, far, near]) {
                 for (k, order) in
                     [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
@@ -190,8 +184,8 @@ impl Closed {
             closed: self.plain[i].second,
             other: self.exchanged[i].second,
             scale: self.scales[i].second.scale,
-            bound: self.bounds[i].second.bound,
-            tolerance: 2.0 * self.bounds[i].second.bound,
+            bound: self.bounds[i].second.bound[0],
+            tolerance: 2.0 * self.bounds[i].second.bound[0],
         }
     }
 
@@ -209,8 +203,8 @@ impl Closed {
                 closed: self.plain[i].parts()[k],
                 other: other.value,
                 scale: self.scales[i].parts()[k].scale,
-                bound: self.bounds[i].parts()[k].bound,
-                tolerance: self.bounds[i].parts()[k].bound + other.bound,
+                bound: self.bounds[i].parts()[k].bound[0],
+                tolerance: self.bounds[i].parts()[k].bound[0] + other.bound,
             }
         })
     }

@@ -6,11 +6,11 @@
 use super::distribution::Distribution;
 use super::draw::{Case, Selection};
 use super::regime::Regime;
-use super::site::{Site, When};
+use super::site::Site;
 use super::verdict::Order;
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
-use crate::number::{Bounded, DoubleDouble};
+use crate::number::{Bounded, BoundedBy, DoubleDouble};
 use crate::subject::Subject;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -128,8 +128,8 @@ impl Sharpness {
     /// Measures a point, and tells whether some tolerance means nothing there.
     fn add_point(&mut self, case: &Case, site: &Site, precise: &[Varied<DoubleDouble>; COMPONENTS]) -> bool {
         let scales = site.scales(&Subject::Sound);
-        let closed = site.closed(&Subject::Sound, When::Now);
-        let sides = [(Side::Closed, closed), (Side::Chord, site.chord(When::Now))];
+        let closed = site.closed(&Subject::Sound);
+        let sides = [(Side::Closed, closed), (Side::Chord, site.chord())];
         let orders = [Order::Value, Order::First, Order::First, Order::Second];
         let mut not_meaningful = false;
         for i in 0..COMPONENTS {
@@ -137,19 +137,17 @@ impl Sharpness {
             for (k, order) in orders.into_iter().enumerate() {
                 let mut tolerance = 0.0;
                 for (side, numbers) in &sides {
-                    let number = numbers[i].parts()[k];
-                    tolerance += number.bound;
-                    let error = (DoubleDouble::from(number.value) - precise[k]).abs().value();
+                    let BoundedBy { value, bound: [bound, _] } = numbers[i].parts()[k];
+                    let number = Bounded { value, bound };
+                    tolerance += bound;
+                    let error = (DoubleDouble::from(value) - precise[k]).abs().value();
                     let measured = self.measured.entry((case.regime, *side, order)).or_default();
-                    let noise = NOISE * sides[0].1[i].parts()[k].bound;
+                    let noise = NOISE * sides[0].1[i].parts()[k].bound[0];
                     if measured.add(number, if error <= noise { 0.0 } else { error }, scales[k].scale) {
                         continue;
                     }
                     let (quantity, part) = (Quantity::of_component(i), Varied::<f64>::PARTS[k]);
-                    self.blame(
-                        case.number,
-                        Violation { side: *side, quantity, part, bound: number.bound, error },
-                    );
+                    self.blame(case.number, Violation { side: *side, quantity, part, bound, error });
                 }
                 let scale = MEANINGFUL * scales[k].scale;
                 not_meaningful |= !(tolerance <= scale && tolerance.is_finite()) && tolerance != 0.0;

@@ -3,12 +3,12 @@
 use super::verdict::Inconclusive;
 use super::witness;
 use crate::closest_point::{Active, ClosestPoint, Degeneracy};
-use crate::linearization::ad::{Chord, evaluate};
+use crate::linearization::ad::Chord;
 use crate::linearization::closed_form::{Form, Frozen, Points, Projection, Sound, variations_with};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{Bounded, DoubleDouble, HyperDual, Magnitude, Real};
+use crate::number::{Bounded, DoubleDouble, Magnitude, Real};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, PaddedBeam};
+use crate::specimen::{AnyBeam, Bounded2, FEW_DOFS, PaddedBeam};
 use crate::subject::{SCALARS, Subject, before};
 use std::sync::OnceLock;
 
@@ -21,30 +21,28 @@ pub(crate) struct Site<'a> {
     /// The formulas under check: those that the library takes here, unless it is told others.
     pub(crate) form: Form,
     /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
-    /// point.
-    pub(crate) at: (Bounded, Bounded),
-    /// The same with bounds as far as `f64` can tell: for those who solve for the closest point in `f64` again.
-    loose: (Bounded, Bounded),
-    moments: [Moment; 3],
+    /// point; the second ones as far as `f64` can tell, for those who solve for the closest point in `f64` again.
+    pub(crate) at: (Bounded2, Bounded2),
+    moments: [Moment; 2],
 }
 
-/// Which parameters: those of the closest point, those of the step before, and the former with loose bounds.
+/// Which parameters: those of the closest point, or those of the step before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum When {
     /// At the closest point.
     Now,
     /// A step before.
     Before,
-    /// At the closest point, known as far as `f64` can tell.
-    Loosely,
 }
 
 /// Both beams at some parameters, in the scalars that the check asks for; evaluated once, when they are asked for.
 #[derive(Debug, Default)]
 struct Moment {
     plain: OnceLock<[Frozen<f64>; 2]>,
-    bounded: OnceLock<[Frozen<Bounded>; 2]>,
-    padded: OnceLock<[PaddedBeam<Bounded>; 2]>,
+    bounded: OnceLock<[Frozen<Bounded2>; 2]>,
+    // Large, and the site is passed on by value.
+    padded: OnceLock<Box<[PaddedBeam<Bounded>; 2]>>,
+    padded_few: OnceLock<Box<[PaddedBeam<Bounded, FEW_DOFS>; 2]>>,
 }
 
 impl<'a> Site<'a> {
@@ -61,29 +59,21 @@ impl<'a> Site<'a> {
             Some(Degeneracy::ZeroTangent { .. }) => return Err(Inconclusive::ZeroTangent),
             Some(_) => return Err(Inconclusive::Singular),
         }
-        let at = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
-        let site = Self {
+        let (xi, xi_bar) = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
+        let at = [xi, xi_bar].map(|Bounded { value, bound }| Bounded2 { value, bound: [bound; 2] });
+        let mut site = Self {
             beams,
             contact,
             active: point.active(),
             form: Form::default(),
-            at,
-            loose: at,
+            at: at.into(),
             moments: Default::default(),
         };
-        let Some(refined) = site.refined() else { return Ok(site.formed()) };
-        let at = refined.map(Refined::rounded);
-        let loose = [0, 1].map(|i| {
-            let was = refined[i].within;
-            Bounded::new(at[i].value, was.bound + (at[i].value - was.value).abs() * (1.0 + f64::EPSILON))
-        });
-        Ok(Self { at: at.into(), loose: loose.into(), ..site }.formed())
-    }
-
-    /// With the formulas that the library takes here.
-    fn formed(self) -> Self {
-        let form = Form::at(&self.points(), self.active);
-        self.in_form(form)
+        if let Some(refined) = site.refined() {
+            site.at = refined.map(Refined::rounded).into();
+        }
+        let form = Form::at(&site.points(), site.active);
+        Ok(site.in_form(form))
     }
 
     /// With these formulas.
@@ -97,12 +87,17 @@ impl<'a> Site<'a> {
         Points::new(&beam.geometry, &bar.geometry)
     }
 
-    pub(crate) fn parameters(&self, when: When) -> (Bounded, Bounded) {
+    pub(crate) fn parameters(&self, when: When) -> (Bounded2, Bounded2) {
         match when {
             When::Now => self.at,
             When::Before => before(self.at),
-            When::Loosely => self.loose,
         }
+    }
+
+    /// The same with the sharper bounds alone.
+    fn sharp(&self, when: When) -> (Bounded, Bounded) {
+        let (xi, xi_bar) = self.parameters(when);
+        [xi, xi_bar].map(|Bounded2 { value, bound: [bound, _] }| Bounded { value, bound }).into()
     }
 
     /// Both beams, frozen.
@@ -113,32 +108,38 @@ impl<'a> Site<'a> {
     }
 
     /// Both beams, frozen, with bounds on their errors.
-    pub(crate) fn bounded(&self, when: When) -> [Frozen<Bounded>; 2] {
+    pub(crate) fn bounded(&self, when: When) -> [Frozen<Bounded2>; 2] {
         let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(when));
         *self.moments[when as usize].bounded.get_or_init(|| [beam.frozen(xi), bar.frozen(xi_bar)])
     }
 
     fn padded(&self, when: When) -> &[PaddedBeam<Bounded>; 2] {
-        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(when));
-        self.moments[when as usize].padded.get_or_init(|| [beam.padded(xi), bar.padded(xi_bar)])
+        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.sharp(when));
+        let padded = || Box::new([beam.padded(xi), bar.padded(xi_bar)]);
+        self.moments[when as usize].padded.get_or_init(padded)
+    }
+
+    fn padded_few(&self, when: When) -> &[PaddedBeam<Bounded, FEW_DOFS>; 2] {
+        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.sharp(when));
+        let padded = || Box::new([beam.padded_few(xi), bar.padded_few(xi_bar)]);
+        self.moments[when as usize].padded_few.get_or_init(padded)
     }
 
     /// The closed form.
     pub(crate) fn plain(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
-        let frozen = [When::Now, When::Before].map(|when| self.frozen(when));
-        self.variations(subject, frozen, (self.at.0.value, self.at.1.value))
+        let at = (self.at.0.value, self.at.1.value);
+        self.variations(subject, |when| self.frozen(when), at)
     }
 
     /// The closed form with the directions exchanged.
     pub(super) fn exchanged(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
-        let frozen = [When::Now, When::Before].map(|when| self.frozen(when).map(Frozen::exchanged));
-        self.variations(subject, frozen, (self.at.0.value, self.at.1.value))
+        let at = (self.at.0.value, self.at.1.value);
+        self.variations(subject, |when| self.frozen(when).map(Frozen::exchanged), at)
     }
 
-    /// The closed form, with a bound on its error.
-    pub(crate) fn closed(&self, subject: &Subject, when: When) -> [Varied<Bounded>; COMPONENTS] {
-        let frozen = [when, When::Before].map(|when| self.bounded(when));
-        self.variations(subject, frozen, self.parameters(when))
+    /// The closed form, with bounds on its error.
+    pub(crate) fn closed(&self, subject: &Subject) -> [Varied<Bounded2>; COMPONENTS] {
+        self.variations(subject, |when| self.bounded(when), self.at)
     }
 
     /// The closed form with the size of its terms.
@@ -153,33 +154,36 @@ impl<'a> Site<'a> {
             }
             sizes
         };
-        let size = |when| self.frozen(when).map(sized);
-        self.variations(subject, [When::Now, When::Before].map(size), at)
+        self.variations(subject, |when| self.frozen(when).map(sized), at)
     }
 
-    /// Of the beams now and before.
+    /// Of the frozen beams, of which those of the step before are made if the subject asks for them.
     fn variations<T: Real>(
         &self,
         subject: &Subject,
-        [now, before]: [[Frozen<T>; 2]; 2],
+        frozen: impl Fn(When) -> [Frozen<T>; 2],
         at: (T, T),
     ) -> [Varied<T>; COMPONENTS] {
-        subject.variations(&now, || before, at, self.form, self.contact)
+        subject.variations(&frozen(When::Now), || frozen(When::Before), at, self.form, self.contact)
     }
 
     /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors.
     pub(super) fn matrices(&self, subject: &Subject) -> [[Bounded; 3]; SCALARS] {
-        let before = || self.padded(When::Before).clone();
-        subject.matrices(self.padded(When::Now), before, self.at, self.form, self.contact)
+        let (at, form, contact) = (self.sharp(When::Now), self.form, self.contact);
+        if self.beams.iter().all(|beam| beam.dofs() <= FEW_DOFS) {
+            let before = || self.padded_few(When::Before).clone();
+            subject.matrices(self.padded_few(When::Now), before, at, form, contact)
+        } else {
+            let before = || self.padded(When::Before).clone();
+            subject.matrices(self.padded(When::Now), before, at, form, contact)
+        }
     }
 
-    /// Automatic differentiation in our own hyper-dual numbers, with a bound on its error.
-    pub(super) fn chord(&self, when: When) -> [Varied<Bounded>; COMPONENTS] {
-        let Self { beams: [beam, bar], contact, active, .. } = *self;
-        let at = self.parameters(when);
-        let chord = Chord::<Bounded>::new(beam, bar, at, active);
-        let lifted = chord.lift_by_orders(beam, bar, at);
-        evaluate::<HyperDual<Bounded>>(beam, bar, lifted, contact).map(Varied::from).components()
+    /// Automatic differentiation in our own hyper-dual numbers, with bounds on its error.
+    pub(super) fn chord(&self) -> [Varied<Bounded2>; COMPONENTS] {
+        let Self { beams: [beam, bar], contact, active, at, .. } = *self;
+        let chord = Chord::<Bounded2>::new(beam, bar, at, active);
+        chord.evaluate_by_orders(beam, bar, at, contact).map(Varied::from).components()
     }
 
     /// The closed form in double-double, at the closest point refined there: what its errors are measured against.
@@ -198,20 +202,20 @@ impl<'a> Site<'a> {
         let (mut xi, mut xi_bar) = (DoubleDouble::from(at.0.value), DoubleDouble::from(at.1.value));
         let mut previous = f64::INFINITY;
         for _ in 0..STEPS {
-            let [x, x_bar] =
-                [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)].map(|frozen| frozen.geometry);
+            let (x, x_bar) = (beam.geometry_precise(xi), bar.geometry_precise(xi_bar));
             let d = x.x - x_bar.x;
             // Eq. (48): d·t = d·t̄ = 0, by the matrix of (50).
             let (step, step_bar) = Projection::new(&x, &x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
             let [size, size_bar] = [step, step_bar].map(|step| step.value().abs());
             let larger = size.max(size_bar);
-            if larger == 0.0 || larger >= 0.5 * previous {
-                let end = |value, step: f64, was: Bounded| Refined {
+            let is_last = size <= FINER * at.0.bound[0] && size_bar <= FINER * at.1.bound[0];
+            if is_last || larger >= 0.5 * previous {
+                let end = |value, size: f64, was: Bounded2| Refined {
                     value,
-                    bound: 2.0 * step + FINER * was.bound,
+                    bound: 2.0 * size + FINER * was.bound[0],
                     within: was,
                 };
-                let both = [end(xi, size, at.0), end(xi_bar, size_bar, at.1)];
+                let both = [end(xi + step, size, at.0), end(xi_bar + step_bar, size_bar, at.1)];
                 return both.iter().all(Refined::is_within).then_some(both);
             }
             (xi, xi_bar, previous) = (xi + step, xi_bar + step_bar, larger);
@@ -227,20 +231,22 @@ struct Refined {
     /// The step that is left, and the rounding of double-double: that part of the rounding of `f64`.
     bound: f64,
     /// Where it is known to be.
-    within: Bounded,
+    within: Bounded2,
 }
 
 impl Refined {
     fn is_within(&self) -> bool {
         let moved = (self.value - DoubleDouble::from(self.within.value)).abs().value();
-        moved <= self.within.bound && self.bound <= self.within.bound
+        let [bound, _] = self.within.bound;
+        moved <= bound && self.bound <= bound
     }
 
-    /// The nearest `f64`, known to half an ulp or so.
-    fn rounded(self) -> Bounded {
+    /// The nearest `f64`, known to half an ulp or so; and as far as it was known before.
+    fn rounded(self) -> Bounded2 {
         let value = self.value.value();
         let rounding = (self.value - DoubleDouble::from(value)).abs().value();
-        Bounded::new(value, (rounding + self.bound) * (1.0 + f64::EPSILON))
+        let [_, within] = self.within.bound;
+        Bounded2::new(value, [rounding + self.bound, within + (value - self.within.value).abs()])
     }
 }
 

@@ -124,6 +124,7 @@ impl Summary {
     pub fn of(case: &Case, verdicts: &[(Option<crate::closest_point::ClosestPoint>, Verdict)]) -> Self {
         let mut summary = Self::default();
         let mut tally = Tally { cases: 1, ..Tally::default() };
+        let mut cells = [[Cell::default(); Order::ALL.len()]; Quantity::ALL.len()];
         for (point, verdict) in verdicts {
             summary.differences.add(verdict);
             let entries = match verdict {
@@ -162,9 +163,13 @@ impl Summary {
                     over_tolerance: entry.over_tolerance(),
                     entries: 1,
                 };
-                summary.cells.entry((entry.quantity, entry.order)).or_default().merge(&cell);
+                cells[entry.quantity as usize][entry.order as usize].merge(&cell);
                 tally.worst.merge(&cell);
             }
+        }
+        for (quantity, cells) in Quantity::ALL.into_iter().zip(cells) {
+            let compared = Order::ALL.into_iter().zip(cells).filter(|(_, cell)| cell.entries > 0);
+            summary.cells.extend(compared.map(|(order, cell)| ((quantity, order), cell)));
         }
         summary.regimes.insert(case.regime, tally);
         summary

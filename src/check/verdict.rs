@@ -78,7 +78,8 @@ impl Comparison {
 
     /// Whether the two agree. What is not a number agrees with nothing.
     pub fn agrees(&self) -> bool {
-        self.over_tolerance() <= 1.0
+        let difference = self.difference();
+        difference == 0.0 || (difference.is_finite() && difference <= self.tolerance)
     }
 
     /// Whether the tolerance is small enough to mean anything: below a thousandth of the scale, or of the other number,

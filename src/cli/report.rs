@@ -20,6 +20,9 @@ pub(crate) struct Report {
     #[arg(long, value_name = "N", default_value_t = CASES, allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
     cases: u64,
+    /// Write the benchmark alone
+    #[arg(long, conflicts_with = "cases")]
+    benchmark: bool,
     /// The directory to write to
     #[arg(long, value_name = "DIR", default_value = "reports")]
     to: PathBuf,
@@ -28,6 +31,12 @@ pub(crate) struct Report {
 impl Report {
     /// Writes the pages and records of crosscheck, sharpness, accuracy, ledger and teeth, then those of the benchmark.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
+        if self.benchmark {
+            let record = benchmark(&self.to, &criterion_directory())?;
+            println!("Wrote benchmark to {}. What the front page is to say of it:", self.to.display());
+            record.claims().iter().for_each(|claim| println!("- {claim}"));
+            return Ok(Exit::Agree);
+        }
         let (command, sharpness_cases) = match self.cases {
             CASES => ("cargo run --release -- report".into(), SHARPNESS_CASES),
             cases => (format!("cargo run --release -- report --cases {cases}"), cases),

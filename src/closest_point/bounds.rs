@@ -8,6 +8,8 @@ use super::tree::Node;
 const SLACK: f64 = 1.0 + 1.0 / 16.0;
 /// The inflation of a box in which a zero is unique, over which the bounds grow by its cube at most.
 pub(super) const INFLATION: f64 = 1.25;
+/// A zero on the rim of an inflated box may be known from the box next door, up to rounding.
+pub(super) const NEXT_DOOR: f64 = INFLATION * (1.0 + 1e-6);
 const INFLATED: f64 = INFLATION * INFLATION * INFLATION;
 
 /// A box of parameters.
@@ -24,6 +26,7 @@ const INFLATED: f64 = INFLATION * INFLATION * INFLATION;
 /// where ρ₀ is the remainder of d, and Δā like Δa with the beams swapped. All terms vanish at the centre and grow at
 /// least linearly along rays, so that the mean of ΔH over a ray is at most half of the bound at its end, and the
 /// gradient differs from its linear part by at most (Δa h + Δb k)/2 and (Δb h + Δā k)/2.
+#[derive(Clone, Copy)]
 pub(super) struct Bounds {
     pub(super) half_square: HalfSquare,
     half: [f64; 2],
@@ -126,3 +129,6 @@ impl Bounds {
         if i == 0 { self.half_square.a } else { -self.half_square.a_bar }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,10 +1,10 @@
 //! Minima with one or both parameters held at an end of a beam: the edges and the corners of the square.
 
-use super::bounds::{Bounds, INFLATION};
+use super::bounds::{Bounds, INFLATION, NEXT_DOOR};
 use super::search::{CERTAIN, Pair, UNIQUE};
 use super::tree::{ENDS, ROOT};
 use super::unresolved::{Region, gather};
-use super::{Active, ClosestPoint, End, Kind, ProjectionError, Search};
+use super::{Active, ClosestPoint, End, HalfSquare, Kind, ProjectionError, Search};
 
 /// What the edges and corners hold.
 #[derive(Default)]
@@ -27,7 +27,9 @@ pub(super) fn rim(pair: &mut Pair, search: &Search) -> Result<Rim, ProjectionErr
         for end_bar in ENDS {
             let [x, y] = pair.nodes([end, end_bar]);
             let at = (x.centre, y.centre);
-            let point = ClosestPoint::new(at, (&x.geometry, &y.geometry), both);
+            let geometry = [x.geometry, y.geometry];
+            let p = HalfSquare::new(&geometry[0], &geometry[1]);
+            let point = ClosestPoint::new(at, &geometry, &p, both);
             rim.accept(point);
         }
     }
@@ -74,7 +76,7 @@ fn edge(
             match pair.refine((nodes[0].centre, nodes[1].centre), active) {
                 Err(ProjectionError::NonFinite) => return Err(ProjectionError::NonFinite),
                 Ok(point) if within(parameter(&point), INFLATION) => {
-                    if !zeros.iter().any(|&zero| within(zero, INFLATION * (1.0 + 1e-6))) {
+                    if !zeros.iter().any(|&zero| within(zero, NEXT_DOOR)) {
                         zeros.push(parameter(&point));
                         rim.accept(point);
                     }

@@ -4,10 +4,14 @@ use super::tree::evaluate;
 use super::{Active, Centroid, ClosestPoint, HalfSquare, ProjectionError};
 use crate::curve::Geometry;
 
-/// The most steps. A simple zero takes five from nearby, a multiple one gains a bit a step.
+/// The most steps. A simple zero takes two or three from nearby, a multiple one gains a bit a step.
 const STEPS: usize = 60;
 /// Steps below this, in the parameters, are the last ones.
 const SMALL: f64 = 1e-7;
+/// Steps below this leave an error of their square: rounding.
+const LAST: f64 = 1e-8;
+/// The widest step that Taylor's polynomials are trusted for.
+const REACH: f64 = 0.25;
 
 /// Follows Newton's method from `start` to the last digit, with the `active` parameters held at their ends.
 ///
@@ -27,33 +31,47 @@ pub fn refine(
         return Err(ProjectionError::NonFinite);
     }
     let place = |held: bool, xi: f64| if held { 1.0_f64.copysign(xi) } else { xi.clamp(-1.0, 1.0) };
-    let (mut xi, mut xi_bar) = (place(active.xi, start.0), place(active.xi_bar, start.1));
+    let start = (place(active.xi, start.0), place(active.xi_bar, start.1));
+    let cubic = beam.is_cubic() && bar.is_cubic();
+    let mut best = Iterate::at(beam, bar, start)?;
+    // At rounding level the least gradient is the best, and the steps may go on from a point that is worse.
+    let mut worse: Option<Iterate> = None;
     let mut previous = f64::INFINITY;
-    let mut best = Iterate::at(beam, bar, (xi, xi_bar), active)?;
-    let mut current = best;
     for _ in 0..STEPS {
-        let (step, step_bar) = current.half_square.step(active);
-        if current.slope == 0.0 {
+        let current = worse.as_ref().unwrap_or(&best);
+        if current.half_square.is_stationary(active) {
             break;
         }
-        if !(step.is_finite() && step_bar.is_finite()) {
+        let step = current.half_square.step(active);
+        if !(step.0.is_finite() && step.1.is_finite()) {
             return Err(ProjectionError::Singular { conditioning: current.half_square.conditioning(active) });
         }
-        let next = ((xi + step).clamp(-1.0, 1.0), (xi_bar + step_bar).clamp(-1.0, 1.0));
-        let size = (next.0 - xi).abs().max((next.1 - xi_bar).abs());
+        let next = moved(current.at, step);
+        let size = apart(current.at, next);
         if size == 0.0 || (size < SMALL && size >= 0.5 * previous) {
             break;
         }
-        (xi, xi_bar) = next;
-        current = Iterate::at(beam, bar, next, active)?;
-        // Far away the gradient may grow for a while; at rounding level the least gradient is the best.
-        if size >= SMALL || current.slope < best.slope {
-            best = current;
+        if size <= f64::EPSILON && worse.is_none() {
+            // The last digits of the parameters move the points by less than their rounding.
+            best.at = next;
+            break;
+        }
+        let at = current.ahead(next, active);
+        let new = if cubic && current.evaluated && apart(current.at, at) < REACH {
+            current.extrapolated(at)
+        } else {
+            Iterate::at(beam, bar, at)?
+        };
+        // Far away the gradient may grow for a while.
+        if size >= SMALL || new.half_square.slope(active) < best.half_square.slope(active) {
+            (best, worse) = (new, None);
+        } else {
+            worse = Some(new);
         }
         previous = size;
     }
     let p = &best.half_square;
-    let point = ClosestPoint::new(best.at, (&best.geometry[0], &best.geometry[1]), active);
+    let point = ClosestPoint::new(best.at, &best.geometry, p, active);
     // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged, unless
     // it leads out of the square.
     let (step, step_bar) = p.step(active);
@@ -68,24 +86,71 @@ pub fn refine(
 }
 
 /// A pair of parameters with all that is known there.
-#[derive(Clone, Copy)]
 struct Iterate {
     at: (f64, f64),
     geometry: [Geometry<f64>; 2],
     half_square: HalfSquare,
-    /// The larger component of the gradient for unit tangents.
-    slope: f64,
+    /// Whether the curves were evaluated here, and not extrapolated.
+    evaluated: bool,
 }
 
 impl Iterate {
-    fn at(
-        beam: &dyn Centroid,
-        bar: &dyn Centroid,
-        at: (f64, f64),
-        active: Active,
-    ) -> Result<Self, ProjectionError> {
+    #[inline]
+    fn at(beam: &dyn Centroid, bar: &dyn Centroid, at: (f64, f64)) -> Result<Self, ProjectionError> {
         let geometry = [evaluate(beam, at.0)?, evaluate(bar, at.1)?];
         let half_square = HalfSquare::new(&geometry[0], &geometry[1]);
-        Ok(Self { at, geometry, slope: half_square.slope(active), half_square })
+        Ok(Self { at, geometry, half_square, evaluated: true })
     }
+
+    /// The same by Taylor's polynomials of third degree.
+    #[inline]
+    fn extrapolated(&self, at: (f64, f64)) -> Self {
+        let x = about(&self.geometry[0], at.0 - self.at.0);
+        let x_bar = about(&self.geometry[1], at.1 - self.at.1);
+        Self { at, half_square: HalfSquare::new(&x, &x_bar), geometry: [x, x_bar], evaluated: false }
+    }
+
+    /// Where Newton's method leads from here by way of `next`, with Taylor's polynomials for the curves.
+    ///
+    /// They are the curves themselves where these are cubic, and a step of any curve is worth two or three of
+    /// Newton's. Where a step is not much smaller than the one before, the polynomials are left.
+    #[inline]
+    fn ahead(&self, mut next: (f64, f64), active: Active) -> (f64, f64) {
+        let mut size = apart(self.at, next);
+        while size > LAST && size < REACH {
+            let further = moved(next, self.extrapolated(next).half_square.step(active));
+            let step = apart(next, further);
+            // Not a number: the polynomials are singular there.
+            if step.is_nan() || step > 0.25 * size {
+                break;
+            }
+            (next, size) = (further, step);
+        }
+        next
+    }
+}
+
+/// Taylor's polynomial of third degree, `h` away from where the geometry is known.
+#[inline]
+fn about(at: &Geometry<f64>, h: f64) -> Geometry<f64> {
+    let Geometry { x, t, t_xi, t_xixi } = at;
+    let (square, third) = (0.5 * h * h, h * (1.0 / 3.0));
+    Geometry {
+        x: (x + t * h) + (t_xi + t_xixi * third) * square,
+        t: (t + t_xi * h) + t_xixi * square,
+        t_xi: t_xi + t_xixi * h,
+        t_xixi: *t_xixi,
+    }
+}
+
+/// Parameters after a step, which does not leave the square.
+#[inline]
+fn moved(at: (f64, f64), step: (f64, f64)) -> (f64, f64) {
+    ((at.0 + step.0).clamp(-1.0, 1.0), (at.1 + step.1).clamp(-1.0, 1.0))
+}
+
+/// How far two pairs of parameters are from each other.
+#[inline]
+fn apart(one: (f64, f64), other: (f64, f64)) -> f64 {
+    (one.0 - other.0).abs().max((one.1 - other.1).abs())
 }

@@ -99,22 +99,25 @@ pub enum Degeneracy {
 }
 
 impl ClosestPoint {
-    /// Describes the point at the parameters (`xi`, `xi_bar`), of which `active` ones are held.
+    /// Describes the point at the parameters (`xi`, `xi_bar`), of which `active` ones are held; `p` belongs to
+    /// `geometry`.
     pub(super) fn new(
         (xi, xi_bar): (f64, f64),
-        (x, x_bar): (&Geometry<f64>, &Geometry<f64>),
+        geometry: &[Geometry<f64>; 2],
+        p: &HalfSquare,
         active: Active,
     ) -> Self {
-        let p = HalfSquare::new(x, x_bar);
         let [end, end_bar] = [(active.xi, 0, xi), (active.xi_bar, 1, xi_bar)]
-            .map(|(held, i, at)| held.then(|| End::new(&p, i, at)));
-        let conditioning = p.conditioning(active);
-        let degeneracy = if stands_still(x) || stands_still(x_bar) {
-            Some(Degeneracy::ZeroTangent { bar: !stands_still(x) })
-        } else if p.smallest_magnitude(active)
-            <= SINGULAR + 16.0 * p.rounding() * (curvature(x) + curvature(x_bar))
+            .map(|(held, i, at)| held.then(|| End::new(p, i, at)));
+        let [low, high] = p.eigenvalues(active);
+        let (conditioning, smallest) = (low, low.abs().min(high.abs()));
+        let still = geometry.each_ref().map(stands_still);
+        let degeneracy = if still[0] || still[1] {
+            Some(Degeneracy::ZeroTangent { bar: !still[0] })
+        } else if smallest
+            <= SINGULAR + 16.0 * p.rounding() * (curvature(&geometry[0]) + curvature(&geometry[1]))
         {
-            Some(Degeneracy::Singular { conditioning: p.smallest_magnitude(active) })
+            Some(Degeneracy::Singular { conditioning: smallest })
         } else if let Some(end) = [end, end_bar].into_iter().flatten().find(|end| !end.strict) {
             Some(Degeneracy::WeakEnd { multiplier: end.multiplier })
         } else {
@@ -125,7 +128,7 @@ impl ClosestPoint {
             xi_bar,
             end,
             end_bar,
-            kind: Kind::new(&p, end, end_bar),
+            kind: Kind::new(p, end, end_bar),
             distance: p.distance,
             residual: p.residual(active),
             conditioning,
@@ -174,6 +177,11 @@ fn curvature(x: &Geometry<f64>) -> f64 {
 
 /// Whether the tangent has no length, next to its change along the beam.
 fn stands_still(x: &Geometry<f64>) -> bool {
+    // (u + v)² <= 2 (u² + v²) settles it without a root wherever it is not close.
+    if x.t.norm_squared() > 2.0 * STANDSTILL * STANDSTILL * (x.t_xi.norm_squared() + x.t_xixi.norm_squared())
+    {
+        return false;
+    }
     x.t.norm() <= STANDSTILL * (x.t_xi.norm() + x.t_xixi.norm())
 }
 
@@ -212,3 +220,6 @@ impl Kind {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

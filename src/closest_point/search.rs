@@ -1,6 +1,6 @@
 //! The search over the inside of the square: boxes are discarded, solved or halved, the widest first.
 
-use super::bounds::{Bounds, INFLATION};
+use super::bounds::{Bounds, INFLATION, NEXT_DOOR};
 use super::tree::{Node, ROOT, Tree};
 use super::unresolved::{Region, gather};
 use super::{Active, Centroid, ClosestPoint, Degeneracy, ProjectionError, Search, refine};
@@ -70,8 +70,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
             match pair.refine((x.centre, y.centre), Active::default()) {
                 Err(ProjectionError::NonFinite) => return Err(ProjectionError::NonFinite),
                 Ok(zero) if within(&zero, INFLATION) => {
-                    // One that lies on the rim of the inflated box may be known from next door.
-                    if !zeros.iter().any(|known| within(known, INFLATION * (1.0 + 1e-6))) {
+                    if !zeros.iter().any(|known| within(known, NEXT_DOOR)) {
                         zeros.push(zero);
                     }
                     continue;

@@ -96,3 +96,40 @@ pub(super) fn evaluate(curve: &dyn Centroid, xi: f64) -> Result<Geometry<f64>, P
     // Finite numbers may sum to an infinite one, but then their squares are infinite too.
     if sum.is_finite() { Ok(geometry) } else { Err(ProjectionError::NonFinite) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::evaluate;
+    use crate::closest_point::Centroid;
+    use crate::curve::Geometry;
+
+    struct Huge(Geometry<f64>);
+
+    impl Centroid for Huge {
+        fn geometry(&self, _: f64) -> Geometry<f64> {
+            self.0
+        }
+
+        fn third_derivative_bound(&self) -> f64 {
+            0.0
+        }
+    }
+
+    #[test]
+    fn finite_is_what_sums_to_a_finite_number() {
+        let along = |x: f64| [x, 0.0, 0.0].into();
+        let at = |[x, t, t_xi, t_xixi]: [f64; 4]| {
+            let geometry = Geometry { x: along(x), t: along(t), t_xi: along(t_xi), t_xixi: along(t_xixi) };
+            evaluate(&Huge(geometry), 0.0).is_ok()
+        };
+        let huge = [1e308, -0.9e308, 1e308, -1.1e308];
+        assert!(at(huge));
+        for i in 0..4 {
+            for bad in [f64::NAN, f64::INFINITY] {
+                let mut part = huge;
+                part[i] = bad;
+                assert!(!at(part), "{part:?}");
+            }
+        }
+    }
+}

@@ -50,7 +50,8 @@ impl Region {
             xi_bar = (xi_bar + step_bar).clamp(self.extent[1][0], self.extent[1][1]);
         }
         let (x, x_bar) = (evaluate(pair.curves[0], xi)?, evaluate(pair.curves[1], xi_bar)?);
-        Ok(ClosestPoint::new((xi, xi_bar), (&x, &x_bar), active))
+        let p = HalfSquare::new(&x, &x_bar);
+        Ok(ClosestPoint::new((xi, xi_bar), &[x, x_bar], &p, active))
     }
 
     pub(super) fn unresolved(&self, point: ClosestPoint) -> Unresolved {
@@ -81,18 +82,4 @@ pub(super) fn gather(boxes: Vec<Region>) -> Vec<Region> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::Region;
-
-    #[test]
-    fn a_region_contains_its_rim_and_nothing_beyond() {
-        let region =
-            Region { extent: [[-1.0, 0.5], [0.0, 0.25]], boxes: 1, nearest: (0.0, 0.0), distance: 1.0 };
-        for (xi, xi_bar) in [(-1.0, 0.0), (0.5, 0.25), (0.0, 0.125)] {
-            assert!(region.contains(xi, xi_bar), "{xi}, {xi_bar}");
-        }
-        for (xi, xi_bar) in [(-1.1, 0.1), (0.6, 0.1), (0.0, -0.1), (0.0, 0.3)] {
-            assert!(!region.contains(xi, xi_bar), "{xi}, {xi_bar}");
-        }
-    }
-}
+mod tests;

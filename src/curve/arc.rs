@@ -1,9 +1,9 @@
 //! The circular arc, anywhere and anyhow in space.
 
-use super::screw::{Screw, ScrewDofs};
-use super::{Curve, DofDerivatives, Jet};
+use super::screw::{Layout, Screw, ScrewDofs};
+use super::{Curve, DofDerivatives, Jet, by_rows};
 use crate::number::Real;
-use nalgebra::{SVector, Vector3};
+use nalgebra::{SMatrix, SVector, Vector3};
 
 /// A circular arc of fixed opening angle.
 ///
@@ -30,14 +30,10 @@ impl Arc {
     }
 }
 
+const LAYOUT: Layout = Layout { quaternion: 4, radius: 3, pitch: None, phase: 8 };
+
 fn screw<T: Real>(q: &SVector<T, 9>) -> Screw<T> {
-    Screw {
-        centre: q.fixed_rows::<3>(0).into_owned(),
-        radius: q[3],
-        quaternion: q.fixed_rows::<4>(4).into_owned(),
-        phase: q[8],
-        pitch: T::zero(),
-    }
+    Screw::read(LAYOUT, q)
 }
 
 impl Curve<9> for Arc {
@@ -66,5 +62,17 @@ impl<T: Real> DofDerivatives<T, 9> for ScrewDofs<T> {
 
     fn second_variation(&self, k: usize, dq: &SVector<T, 9>, linear_dq: &SVector<T, 9>) -> Vector3<T> {
         self.vary_twice(k, &screw(dq), &screw(linear_dq))
+    }
+
+    fn gradient(&self, k: usize, w: &Vector3<T>) -> SVector<T, 9> {
+        self.gradient_in(LAYOUT, k, w)
+    }
+
+    fn jacobian(&self, k: usize) -> SMatrix<T, 3, 9> {
+        by_rows(|w| self.gradient_in(LAYOUT, k, w))
+    }
+
+    fn hessian(&self, k: usize, w: &Vector3<T>) -> SMatrix<T, 9, 9> {
+        self.hessian_in(LAYOUT, k, w)
     }
 }

@@ -61,4 +61,8 @@ impl<const P: usize, const N: usize> Curve<N> for Bezier<P> {
         }
         net.iter().take(P.saturating_sub(3)).map(|d| factor * d.norm()).fold(0.0, f64::max)
     }
+
+    fn is_cubic(&self) -> bool {
+        P <= 4
+    }
 }

@@ -117,4 +117,8 @@ impl<const P: usize, const N: usize> Curve<N> for BSpline<P> {
         let [_, _, _, third] = self.bounds(control_vectors::<f64, P, N>(q));
         third
     }
+
+    fn is_cubic(&self) -> bool {
+        P <= 4
+    }
 }

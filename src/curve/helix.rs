@@ -1,9 +1,9 @@
 //! The circular helix, anywhere and anyhow in space.
 
-use super::screw::{Screw, ScrewDofs};
-use super::{Curve, DofDerivatives, Jet};
+use super::screw::{Layout, Screw, ScrewDofs};
+use super::{Curve, DofDerivatives, Jet, by_rows};
 use crate::number::Real;
-use nalgebra::{SVector, Vector3};
+use nalgebra::{SMatrix, SVector, Vector3};
 
 /// A helix that winds through a fixed angle.
 ///
@@ -28,14 +28,10 @@ impl Helix {
     }
 }
 
+const LAYOUT: Layout = Layout { quaternion: 3, radius: 7, pitch: Some(8), phase: 9 };
+
 fn screw<T: Real>(q: &SVector<T, 10>) -> Screw<T> {
-    Screw {
-        centre: q.fixed_rows::<3>(0).into_owned(),
-        quaternion: q.fixed_rows::<4>(3).into_owned(),
-        radius: q[7],
-        pitch: q[8],
-        phase: q[9],
-    }
+    Screw::read(LAYOUT, q)
 }
 
 impl Curve<10> for Helix {
@@ -64,5 +60,17 @@ impl<T: Real> DofDerivatives<T, 10> for ScrewDofs<T> {
 
     fn second_variation(&self, k: usize, dq: &SVector<T, 10>, linear_dq: &SVector<T, 10>) -> Vector3<T> {
         self.vary_twice(k, &screw(dq), &screw(linear_dq))
+    }
+
+    fn gradient(&self, k: usize, w: &Vector3<T>) -> SVector<T, 10> {
+        self.gradient_in(LAYOUT, k, w)
+    }
+
+    fn jacobian(&self, k: usize) -> SMatrix<T, 3, 10> {
+        by_rows(|w| self.gradient_in(LAYOUT, k, w))
+    }
+
+    fn hessian(&self, k: usize, w: &Vector3<T>) -> SMatrix<T, 10, 10> {
+        self.hessian_in(LAYOUT, k, w)
     }
 }

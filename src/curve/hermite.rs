@@ -83,4 +83,8 @@ impl Curve<12> for Hermite {
         let [x1, t1, x2, t2] = control_vectors(q);
         1.5 * (x1 - x2 + (t1 + t2) * self.c).norm()
     }
+
+    fn is_cubic(&self) -> bool {
+        true
+    }
 }

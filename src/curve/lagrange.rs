@@ -47,7 +47,11 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
 
     fn position<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Vector3<T> {
         let (s, _) = Self::stretched(xi);
-        triangle(control_vectors::<T, P, N>(q), |level, i| (s - T::from(count(i))) / T::from(count(level)))
+        triangle(control_vectors::<T, P, N>(q), |level, i| {
+            let (away, width) = (s - T::from(count(i)), count(level));
+            // By a power of two one may as well multiply.
+            if level.is_power_of_two() { away * T::from(1.0 / width) } else { away / T::from(width) }
+        })
     }
 
     fn jet<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Jet<T, Shapes<T, P>> {
@@ -85,5 +89,9 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
         let third =
             |(m, c): (usize, &Vector3<f64>)| count(m) * (count(m) - 1.0) * (count(m) - 2.0) * c.norm();
         powers.iter().enumerate().skip(3).map(third).sum()
+    }
+
+    fn is_cubic(&self) -> bool {
+        P <= 4
     }
 }

@@ -78,7 +78,7 @@ impl<const P: usize, const N: usize> Curve<N> for Nurbs<P> {
 }
 
 /// `BINOMIALS[k][j]`: k over j.
-const BINOMIALS: [[f64; 4]; 4] =
+pub(super) const BINOMIALS: [[f64; 4]; 4] =
     [[1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0], [1.0, 2.0, 1.0, 0.0], [1.0, 3.0, 3.0, 1.0]];
 
 /// The sum over j, from `first` to k, of binomial(k, j) times the vector of j.

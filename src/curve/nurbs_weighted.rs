@@ -1,10 +1,10 @@
 //! One span of a non-uniform rational B-spline whose weights are degrees of freedom.
 
-use super::nurbs::{leibniz, rational_bound};
+use super::nurbs::{BINOMIALS, leibniz, rational_bound};
 use super::shapes::by_order;
-use super::{BSpline, Curve, CurveError, DofDerivatives, Geometry, Jet};
+use super::{BSpline, Curve, CurveError, DofDerivatives, Geometry, Jet, by_rows};
 use crate::number::Real;
-use nalgebra::{SVector, Vector3, Vector4};
+use nalgebra::{SMatrix, SVector, Vector3, Vector4};
 
 /// One span of a rational B-spline of degree `P` - 1 with its weights among the dofs.
 ///
@@ -24,6 +24,15 @@ use nalgebra::{SVector, Vector3, Vector4};
 /// where A is varied as dA = sum N_i (dw_i P_i + w_i dP_i), DdA = sum N_i (dw_i DP_i + Dw_i dP_i), and DdW = 0.
 /// The origin is laid into the point x itself, which loses no digits far from the user's origin: with P_i - x for
 /// P_i, x^(0) is nought in the first two rows.
+///
+/// The matrices hold the same in the unit directions. With n_i = N_i / W,
+///
+/// ```math
+/// dx/dP_i = w_i n_i I                     d2x/dP_i dw_j = (delta_ij n_i - w_i n_i n_j) I
+/// dx/dw_i = n_i (P_i - x)                 d2x/dw_i dw_j = -n_i n_j (P_i + P_j - 2 x)
+/// ```
+///
+/// and their derivatives with respect to xi.
 ///
 /// Source: L. Piegl, W. Tiller, *The NURBS Book*, 2nd ed., section 4.3, for the first row; the others by variation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,6 +124,19 @@ struct Variation<T> {
 }
 
 impl<T: Real, const P: usize> NurbsDofs<T, P> {
+    /// n_i = N_i / W and its first `k` derivatives, by Leibniz' rule for N_i = W n_i.
+    fn quotients(&self, k: usize) -> [[T; P]; 3] {
+        let mut n = [[T::zero(); P]; 3];
+        for (k, functions) in self.n.iter().enumerate().take(k + 1) {
+            for i in 0..P {
+                let lower = (1..=k)
+                    .fold(functions[i], |sum, j| sum - T::from(BINOMIALS[k][j]) * self.w[j] * n[k - j][i]);
+                n[k][i] = lower / self.w[0];
+            }
+        }
+        n
+    }
+
     /// The variations of the first `k` derivatives.
     fn vary(&self, k: usize, dq: &[Vector4<T>; P]) -> Variation<T> {
         let mut d = Variation { w: [T::zero(); 3], x: [Vector3::zeros(); 3] };
@@ -147,5 +169,50 @@ impl<T: Real, const P: usize, const N: usize> DofDerivatives<T, N> for NurbsDofs
             both[k] = solve(&self.w, da - products, &both, k);
         }
         both[k]
+    }
+
+    fn gradient(&self, k: usize, w: &Vector3<T>) -> SVector<T, N> {
+        const { assert!(N == 4 * P, "P control points with weights have 4 P dofs") };
+        let n = self.quotients(k);
+        let mut gradient = SVector::<T, N>::zeros();
+        for (i, p) in self.points.iter().enumerate() {
+            gradient.fixed_rows_mut::<3>(4 * i).copy_from(&(w * (p.w * n[k][i])));
+            // The k-th derivative of n_i (P_i - x)
+            gradient[4 * i + 3] = (1..=k).fold(n[k][i] * w.dot(&p.xyz()), |sum, j| {
+                sum - T::from(BINOMIALS[k][j]) * n[k - j][i] * w.dot(&self.x[j])
+            });
+        }
+        gradient
+    }
+
+    fn jacobian(&self, k: usize) -> SMatrix<T, 3, N> {
+        by_rows(|w| self.gradient(k, w))
+    }
+
+    fn hessian(&self, k: usize, w: &Vector3<T>) -> SMatrix<T, N, N> {
+        let n = self.quotients(k);
+        let along = self.points.map(|p| w.dot(&p.xyz()));
+        let slope = w.dot(&self.x[1]);
+        let mut hessian = SMatrix::<T, N, N>::zeros();
+        for (i, p) in self.points.iter().enumerate() {
+            for j in 0..P {
+                // The k-th derivatives of n_i n_j, of δ_ij n_i - w_i n_i n_j, and of -n_i n_j (P_i + P_j - 2 x)
+                let product = match k {
+                    0 => n[0][i] * n[0][j],
+                    _ => n[1][i] * n[0][j] + n[0][i] * n[1][j],
+                };
+                let own = if i == j { n[k][i] } else { T::zero() };
+                let mixed = w * (own - p.w * product);
+                hessian.fixed_view_mut::<3, 1>(4 * i, 4 * j + 3).copy_from(&mixed);
+                hessian.fixed_view_mut::<1, 3>(4 * j + 3, 4 * i).copy_from(&mixed.transpose());
+                let mut weights = -product * (along[i] + along[j]);
+                if k == 1 {
+                    let square = n[0][i] * n[0][j];
+                    weights += (square + square) * slope;
+                }
+                hessian[(4 * i + 3, 4 * j + 3)] = weights;
+            }
+        }
+        hessian
     }
 }

@@ -3,8 +3,12 @@
 
 use super::{Geometry, Jet};
 use crate::number::Real;
-use nalgebra::{Vector3, Vector4};
+use nalgebra::{SVector, Vector3, Vector4};
 use std::f64::consts::TAU;
+
+mod matrices;
+
+pub(super) use matrices::Layout;
 
 /// The dofs of a screw line, or a direction of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +22,17 @@ pub(super) struct Screw<T> {
 }
 
 impl<T: Real> Screw<T> {
+    /// The dofs by their places in a vector.
+    pub(super) fn read<const N: usize>(layout: Layout, q: &SVector<T, N>) -> Self {
+        Self {
+            centre: q.fixed_rows::<3>(0).into_owned(),
+            quaternion: q.fixed_rows::<4>(layout.quaternion).into_owned(),
+            radius: q[layout.radius],
+            pitch: layout.pitch.map_or(T::zero(), |pitch| q[pitch]),
+            phase: q[layout.phase],
+        }
+    }
+
     /// The point at xi, rotated by the matrix of the quaternion.
     pub(super) fn position(&self, half_angle: f64, xi: T) -> Vector3<T> {
         let angle = T::from(half_angle) * xi;

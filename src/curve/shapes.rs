@@ -33,7 +33,9 @@ pub(super) fn combine<T: Real, const P: usize, const N: usize>(n: &[T; P], q: &S
     const { assert!(N == 3 * P, "a curve of P control vectors has 3 P dofs") };
     let mut sum = Vector3::zeros();
     for (i, &n) in n.iter().enumerate() {
-        sum += q.fixed_rows::<3>(3 * i) * n;
+        for c in 0..3 {
+            sum[c] += q[3 * i + c] * n;
+        }
     }
     sum
 }

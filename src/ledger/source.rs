@@ -37,6 +37,7 @@ sources![
     "linearization/quantities.rs",
     "linearization/ad/evaluate.rs",
     "linearization/ad/lift.rs",
+    "linearization/ad/orders.rs",
     "closest_point/half_square.rs",
     "check/site.rs",
     "curve.rs",

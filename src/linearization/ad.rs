@@ -9,11 +9,19 @@
 //! - [`Route::Stationary`]: the squared distance made stationary, by num-dual's `implicit_derivative_sp`; shares no
 //!   equation with the first;
 //! - [`Route::Chord`]: orthogonality conditions, by Newton steps whose matrix stays real: each step gains one order.
+//!
+//! Matrices take a direction for each dof, and the sweeps differ in how many they take at once and in what they share:
+//! - [`expand_by_sweep`]: one pair of dofs at a time, by any route;
+//! - [`expand_by_vector_dual`]: all dofs at once; [`expand_by_rows`]: one dof against a few, both by chord steps;
+//! - [`expand_by_orders`], [`expand_d_by_orders`]: the first order once, the second by the implicit function theorem, or
+//!   for d alone not at all, by the envelope theorem.
 
 mod evaluate;
 mod lift;
+mod orders;
 mod sweep;
 
 pub use evaluate::{Perturbed, PositionAt, evaluate};
 pub use lift::{Chord, newton, stationary};
+pub use orders::{expand_by_orders, expand_by_rows, expand_d_by_orders};
 pub use sweep::{HyperBeam, Route, chord, expand_by_sweep, expand_by_vector_dual, hyper_dual, seeded, vary};

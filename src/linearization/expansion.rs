@@ -51,9 +51,10 @@ impl<T: Real, const N: usize, const M: usize> DofMatrix<T, N, M> {
 
     /// dq^T self Dq: the second variation in two directions.
     pub fn along(&self, dq: &DofVector<T, N, M>, linear_dq: &DofVector<T, N, M>) -> T {
-        dq.beam.dot(&(self.beam * linear_dq.beam + self.mixed * linear_dq.bar))
-            + linear_dq.beam.dot(&(self.mixed * dq.bar))
-            + dq.bar.dot(&(self.bar * linear_dq.bar))
+        bilinear(&dq.beam, &self.beam, &linear_dq.beam)
+            + bilinear(&dq.beam, &self.mixed, &linear_dq.bar)
+            + bilinear(&linear_dq.beam, &self.mixed, &dq.bar)
+            + bilinear(&dq.bar, &self.bar, &linear_dq.bar)
     }
 
     /// Sets the entry of two dofs and its mirror image, counted through both beams.
@@ -81,6 +82,17 @@ impl<T: Real, const N: usize, const M: usize> DofMatrix<T, N, M> {
             (false, false) => self.bar[(i - N, j - N)],
         }
     }
+}
+
+/// u^T block v.
+fn bilinear<T: Real, const N: usize, const M: usize>(
+    u: &SVector<T, N>,
+    block: &SMatrix<T, N, M>,
+    v: &SVector<T, M>,
+) -> T {
+    let ([u], [v]) = (&u.data.0, &v.data.0);
+    let dot = |column: &[T; N]| column.iter().zip(u).fold(T::zero(), |sum, (&entry, &u)| sum + entry * u);
+    block.data.0.iter().zip(v).fold(T::zero(), |sum, (column, &v)| sum + dot(column) * v)
 }
 
 /// A block of [`DofMatrix::set_sum`]: factor * matrix over all `matrices` and u v^T over all `products` (u, v).

@@ -6,84 +6,152 @@
 //! the value that exact arithmetic would have given. This is what the gate compares with: no tolerance is tuned.
 
 use super::{Real, field_from_operators};
+use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Unit roundoff of `f64`, 2^-53.
-const UNIT: f64 = f64::EPSILON / 2.0;
+/// Makes up for the rounding of the bound itself.
+///
+/// A bound is a sum of products of the half ulps of operations and of the bounds of inputs, all of which are larger by
+/// this factor. Computing with them loses half an ulp of the bound at a time, which 2^28 times in a row do not outweigh
+/// it, be it in the root of a root; and the only difference, the distance of a divisor from nought, is smaller for it.
+const INFLATION: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 
-/// The bound itself is computed in `f64`, by at most eight operations each; this factor covers their rounding.
-const INFLATION: f64 = 1.0 + 16.0 * UNIT;
+/// Unit roundoff of `f64`, 2^-53, inflated.
+const UNIT: f64 = f64::EPSILON / 2.0 * INFLATION;
+
+/// One bound, or several: what a result is known up to under several assumptions on the inputs, at about the price of
+/// one.
+pub trait Bound: Copy + PartialEq + Debug + Send + Sync + 'static {
+    /// No error.
+    const NONE: Self;
+
+    /// Each bound, seen through `f`.
+    #[must_use]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self;
+
+    /// Each bound with its counterpart, seen through `f`.
+    #[must_use]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
+}
+
+impl Bound for f64 {
+    const NONE: Self = 0.0;
+
+    #[inline]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        f(self)
+    }
+
+    #[inline]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        f(self, other)
+    }
+}
+
+impl Bound for [f64; 2] {
+    const NONE: Self = [0.0; 2];
+
+    #[inline]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        [f(self[0]), f(self[1])]
+    }
+
+    #[inline]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        [f(self[0], other[0]), f(self[1], other[1])]
+    }
+}
 
 /// A value with an absolute bound on its error.
+pub type Bounded = BoundedBy<f64>;
+
+/// A value with one absolute bound on its error or several.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounded {
+pub struct BoundedBy<B> {
     /// The value: the same bits that plain `f64` would have.
     pub value: f64,
     /// No less than |value - exact value|; infinite where nothing is known.
-    pub bound: f64,
+    pub bound: B,
 }
 
-impl Bounded {
+impl<B: Bound> BoundedBy<B> {
     /// A value known up to `bound`.
-    pub fn new(value: f64, bound: f64) -> Self {
-        Self { value, bound }
+    pub fn new(value: f64, bound: B) -> Self {
+        Self { value, bound: bound.map(|bound| bound * INFLATION) }
     }
 
     /// The result of one rounded operation whose operands contribute `inherited`.
     #[inline]
-    fn rounded(value: f64, inherited: f64) -> Self {
-        Self { value, bound: (inherited + UNIT * value.abs()) * INFLATION }
+    fn rounded(value: f64, inherited: B) -> Self {
+        let rounding = UNIT * value.abs();
+        Self { value, bound: inherited.map(|inherited| inherited + rounding) }
+    }
+
+    /// What a sum or a difference inherits.
+    #[inline]
+    fn of_sum(self, other: Self) -> B {
+        self.bound.zip(other.bound, |e, other| e + other)
+    }
+
+    /// What a product inherits: |v| e' + e |v'| + e e'.
+    #[inline]
+    fn of_product(self, other: Self) -> B {
+        let (size, other_size) = (self.value.abs(), other.value.abs());
+        self.bound.zip(other.bound, |e, other| size * other + e * (other_size + other))
+    }
+
+    /// What a quotient inherits: (e + |v/v'| e')/(|v'| - e').
+    #[inline]
+    fn of_quotient(self, other: Self, quotient: f64) -> B {
+        let (size, other_size) = (quotient.abs(), other.value.abs());
+        self.bound.zip(other.bound, |e, other| {
+            let nearest = other_size - other;
+            if nearest > 0.0 { (e + size * other) / nearest } else { f64::INFINITY }
+        })
     }
 }
 
-impl From<f64> for Bounded {
+impl<B: Bound> From<f64> for BoundedBy<B> {
     #[inline]
     fn from(value: f64) -> Self {
-        Self { value, bound: 0.0 }
+        Self { value, bound: B::NONE }
     }
 }
 
-impl Add for Bounded {
+impl<B: Bound> Add for BoundedBy<B> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self::rounded(self.value + other.value, self.bound + other.bound)
+        Self::rounded(self.value + other.value, self.of_sum(other))
     }
 }
 
-impl Sub for Bounded {
+impl<B: Bound> Sub for BoundedBy<B> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
-        Self::rounded(self.value - other.value, self.bound + other.bound)
+        Self::rounded(self.value - other.value, self.of_sum(other))
     }
 }
 
-impl Mul for Bounded {
+impl<B: Bound> Mul for BoundedBy<B> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let inherited =
-            self.value.abs() * other.bound + self.bound * other.value.abs() + self.bound * other.bound;
-        Self::rounded(self.value * other.value, inherited)
+        Self::rounded(self.value * other.value, self.of_product(other))
     }
 }
 
-impl Div for Bounded {
+impl<B: Bound> Div for BoundedBy<B> {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
-        let nearest = other.value.abs() - other.bound;
-        if nearest > 0.0 {
-            Self::rounded(value, (self.bound + value.abs() * other.bound) / nearest)
-        } else {
-            Self { value, bound: f64::INFINITY }
-        }
+        Self::rounded(value, self.of_quotient(other, value))
     }
 }
 
-impl Neg for Bounded {
+impl<B: Bound> Neg for BoundedBy<B> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -91,21 +159,20 @@ impl Neg for Bounded {
     }
 }
 
-field_from_operators!([] Bounded);
+field_from_operators!([B: Bound] BoundedBy<B>);
 
-impl Real for Bounded {
+impl<B: Bound> Real for BoundedBy<B> {
     fn sqrt(self) -> Self {
         // |√v - √e| = |v - e| / (√v + √e), and e may be 0; so may v, and the root of -0.0 is -0.0.
         let value = self.value.sqrt();
-        let inherited =
-            if self.bound == 0.0 { 0.0 } else { (self.bound / value.abs()).min(self.bound.sqrt()) };
-        Self::rounded(value, inherited)
+        let size = value.abs();
+        Self::rounded(value, self.bound.map(|e| if e == 0.0 { 0.0 } else { (e / size).min(e.sqrt()) }))
     }
 
     fn sin_cos(self) -> (Self, Self) {
         // The library functions are good to one ulp, twice the half that `rounded` adds.
         let (sin, cos) = self.value.sin_cos();
-        let part = |value: f64| Self::rounded(value, self.bound + UNIT * value.abs());
+        let part = |value: f64| Self::rounded(value, self.bound.map(|e| e + UNIT * value.abs()));
         (part(sin), part(cos))
     }
 }

@@ -4,7 +4,9 @@
 //! num-dual's numbers num-dual's own `Dual` does this; over all other scalars, where num-dual cannot go because its
 //! primitive must be a float, the [`Dual`] of this file does.
 
-use super::{Bounded, Degree, DoubleDouble, HyperDual, Real, Residue, field_from_operators};
+use super::{
+    Bound, BoundedBy, Degree, DoubleDouble, HyperDual, HyperDualRow, Real, Residue, field_from_operators,
+};
 use num_dual::DualNum;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -129,4 +131,4 @@ macro_rules! differentiable_by_own_dual {
         }
     )*};
 }
-differentiable_by_own_dual!([] Bounded, [] Degree, [] DoubleDouble, [] Residue, [T: Real] Dual<T>, [T: Real] HyperDual<T>);
+differentiable_by_own_dual!([B: Bound] BoundedBy<B>, [] Degree, [] DoubleDouble, [] Residue, [T: Real] Dual<T>, [T: Real] HyperDual<T>, [const C: usize] HyperDualRow<C>);

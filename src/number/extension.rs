@@ -1,6 +1,6 @@
 //! Which scalar contains which: the constants of a dual number are the numbers it is built over.
 
-use super::{Dual, HyperDual, Real};
+use super::{Dual, HyperDual, HyperDualRow, Real};
 use num_dual::{Dual2SVec, Dual2SVec64, DualSVec, HyperDual64};
 use num_traits::Zero;
 
@@ -35,6 +35,13 @@ impl<T: Real> Extends<T> for HyperDual<T> {
     #[inline]
     fn constant(value: T) -> Self {
         Self::new(value, T::zero(), T::zero(), T::zero())
+    }
+}
+
+impl<const C: usize> Extends<f64> for HyperDualRow<C> {
+    #[inline]
+    fn constant(value: f64) -> Self {
+        Self::from(value)
     }
 }
 

@@ -1,9 +1,9 @@
-//! The record of the benchmarks, `beamgap-benchmark/1`.
+//! The record of the benchmarks, `beamgap-benchmark/2`.
 
-use super::criterion::{Verdicts, samples};
-use super::number::{finite, rounded};
+use super::criterion::{Verdict, Verdicts, samples};
+use super::number::{number, rounded};
 use super::record::format;
-use super::{Environment, Record, ReportError, spread};
+use super::{Environment, Floors, Instructions, Peers, Record, ReportError, Task, spread};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -13,12 +13,18 @@ pub(super) const DENOMINATOR: &str = "closed form";
 /// All that was measured, and where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Benchmark {
-    /// `beamgap-benchmark/1`.
+    /// `beamgap-benchmark/2`.
     pub schema: String,
     /// Where and with what it was measured.
     pub environment: Environment,
+    /// What one core does at best, measured in the same run.
+    pub floors: Floors,
     /// The scenarios, group by group.
     pub scenarios: Vec<Measured>,
+    /// The counts of instructions, if there are any.
+    pub instructions: Option<Instructions>,
+    /// Other programs, if there are any.
+    pub peers: Option<Peers>,
 }
 
 /// One way to do one task, measured.
@@ -26,21 +32,25 @@ pub struct Benchmark {
 pub struct Measured {
     /// The task.
     pub task: String,
+    /// The family of both beams.
+    pub family: String,
     /// The dofs of both beams together.
-    pub dofs: String,
+    pub dofs: usize,
     /// The way.
     pub way: String,
+    /// How many pairs a run did; all times are those of one.
+    pub pairs: usize,
     /// The median time in nanoseconds.
     pub median: f64,
     /// The 95 % interval of the median.
     pub interval: [f64; 2],
-    /// The ratio to the closed form of the same task and size, if there is one.
+    /// The ratio to the closed form of the same group, if there is one.
     pub ratio_to_closed_form: Option<Ratio>,
-    /// The largest error relative to the largest entry; measured before the time was.
+    /// The largest error, relative to the largest number of its kind; measured before the time was.
     pub error: f64,
-    /// The largest error that is accepted.
-    pub tolerance: f64,
-    /// All samples, in nanoseconds an iteration, in the order they were taken.
+    /// The largest error over what rounding, and truncation if there is any, allow: right if at most one.
+    pub share: f64,
+    /// All samples, in nanoseconds a pair, in the order they were taken.
     pub samples: Vec<f64>,
 }
 
@@ -66,7 +76,7 @@ impl Ratio {
 }
 
 impl Record for Benchmark {
-    const SCHEMA: &'static str = "beamgap-benchmark/1";
+    const SCHEMA: &'static str = "beamgap-benchmark/2";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -75,47 +85,55 @@ impl Record for Benchmark {
     /// One scenario a line.
     fn to_json(&self) -> Result<String, ReportError> {
         let environment = serde_json::to_string(&self.environment).map_err(format::<Self>)?;
+        let floors = serde_json::to_string(&self.floors).map_err(format::<Self>)?;
+        let instructions = serde_json::to_string(&self.instructions).map_err(format::<Self>)?;
+        let peers = serde_json::to_string(&self.peers).map_err(format::<Self>)?;
         let scenarios: Result<Vec<_>, _> = self.scenarios.iter().map(serde_json::to_string).collect();
         let scenarios = scenarios.map_err(format::<Self>)?.join(",\n");
         Ok(format!(
-            "{{\n\"schema\": \"{}\",\n\"environment\": {environment},\n\"scenarios\": [\n{scenarios}\n]\n}}\n",
+            "{{\n\"schema\": \"{}\",\n\"environment\": {environment},\n\"floors\": {floors},\n\
+             \"scenarios\": [\n{scenarios}\n],\n\"instructions\": {instructions},\n\"peers\": {peers}\n}}\n",
             self.schema
         ))
     }
 }
 
 impl Benchmark {
-    /// Puts together what criterion and the benches left in a directory.
+    /// Puts together what criterion and the benches left in a directory; the counts and the peers have other sources.
     ///
     /// # Errors
-    /// Every scenario must be verified, be right, and be timed after that: else the error of that name.
+    /// Every scenario must be judged, be right, and be timed after that: else the error of that name.
     pub fn read(directory: &Path) -> Result<Self, ReportError> {
         let found = samples(directory)?;
         let (verdicts, verified) = Verdicts::read(directory)?;
         let mut scenarios: Vec<Measured> = Vec::new();
         for verdict in verdicts.scenarios {
-            let scenario = || format!("{}, {}", verdict.group, verdict.way);
-            if verdict.error > verdict.tolerance || finite(verdict.error).is_none() {
-                return Err(ReportError::Wrong { scenario: scenario(), error: verdict.error });
+            let group = verdict.group();
+            let scenario = || format!("{group}, {}", verdict.way);
+            if !verdict.is_right() {
+                return Err(ReportError::Wrong { scenario: scenario(), share: verdict.share });
             }
-            let timed = found.get(&(verdict.group.clone(), verdict.way.clone()));
+            let timed = found.get(&(group.clone(), verdict.way.clone()));
             let Some(timed) = timed.filter(|timed| timed.written >= verified) else {
                 return Err(ReportError::NotTimed { scenario: scenario() });
             };
-            let samples: Vec<f64> = timed.times.iter().map(|&time| rounded(time, 5)).collect();
+            let pairs = number(verdict.pairs);
+            let samples: Vec<f64> = timed.times.iter().map(|&time| rounded(time / pairs, 5)).collect();
             let Some(spread) = spread(&samples) else {
                 return Err(ReportError::NotTimed { scenario: scenario() });
             };
-            let (task, dofs) = verdict.group.split_once('/').unwrap_or((&verdict.group, ""));
+            let Verdict { task, family, dofs, way, pairs, error, share } = verdict;
             scenarios.push(Measured {
-                task: task.to_owned(),
-                dofs: dofs.to_owned(),
-                way: verdict.way,
+                task,
+                family,
+                dofs,
+                way,
+                pairs,
                 median: rounded(spread.median, 5),
                 interval: spread.interval,
                 ratio_to_closed_form: None,
-                error: verdict.error,
-                tolerance: verdict.tolerance,
+                error: rounded(error, 3),
+                share: rounded(share, 3),
                 samples,
             });
         }
@@ -123,19 +141,42 @@ impl Benchmark {
         for (measured, ratio) in scenarios.iter_mut().zip(ratios) {
             measured.ratio_to_closed_form = ratio;
         }
-        Ok(Self { schema: Self::SCHEMA.to_owned(), environment: verdicts.environment, scenarios })
+        Ok(Self {
+            schema: Self::SCHEMA.to_owned(),
+            environment: verdicts.environment,
+            floors: Floors::read(&found, verdicts.floors)?,
+            scenarios,
+            instructions: None,
+            peers: None,
+        })
     }
 
-    /// The scenarios of each task, in the order of the record.
-    pub(super) fn tasks(&self) -> impl Iterator<Item = &[Measured]> {
-        self.scenarios.chunk_by(|a, b| a.task == b.task)
+    /// The scenarios of a task, in the order of the record.
+    pub(super) fn of(&self, task: Task) -> impl Iterator<Item = &Measured> {
+        self.scenarios.iter().filter(move |measured| measured.task == task.name())
     }
 }
 
 impl Measured {
-    /// The ratio to the closed form of the same task and size among `all`.
+    /// Whether both do the same task on the same beams.
+    pub(super) fn is_of_the_group_of(&self, other: &Self) -> bool {
+        (&self.task, &self.family, self.dofs) == (&other.task, &other.family, other.dofs)
+    }
+
+    /// How many entries of a Hessian are stored: all, those of a triangle, or the blocks of both beams, which are alike,
+    /// and the one between them.
+    pub(super) fn stored(&self) -> usize {
+        let all = self.dofs * self.dofs;
+        match self.way.rsplit(", ").next() {
+            Some("in full") => all,
+            Some("packed") => self.dofs * (self.dofs + 1) / 2,
+            _ => all - all / 4,
+        }
+    }
+
+    /// The ratio to the closed form of the same group among `all`.
     fn ratio(&self, all: &[Self]) -> Option<Ratio> {
-        let same = |other: &&Self| (&other.task, &other.dofs) == (&self.task, &self.dofs);
+        let same = |other: &&Self| other.is_of_the_group_of(self);
         let closed = all.iter().filter(same).find(|other| other.way == DENOMINATOR)?;
         if closed.way == self.way {
             return Some(Ratio { value: 1.0, interval: [1.0; 2] });

@@ -1,103 +1,242 @@
-//! The benchmarks as Markdown, from the record alone.
+//! The benchmarks as pages, from the record alone.
 
 use super::benchmark::{Benchmark, DENOMINATOR, Measured, Ratio};
-use super::number::{count, error, plain, time};
-use std::fmt::Write;
+use super::number::{count, error, number, plain, time};
+use super::page::{Block, html, markdown};
+use super::{Floor, Instructions, ReportError, Task};
+
+/// The title of the page.
+const TITLE: &str = "Benchmark";
+/// The family that stands for all where there is room for one only.
+const STANDARD: &str = "hermite";
 
 impl Benchmark {
-    /// The page; the same record always makes the same page.
-    pub fn to_markdown(&self) -> String {
-        let mut page = String::from(
-            "# Benchmark\n\n\
-             How long does it take to linearize the contact geometry of one pair of beams, in closed form and by automatic \
-             differentiation, as far as this crate does both?\n\n\
-             ![Ratios to the closed form](benchmark.svg)\n",
-        );
-        for task in self.tasks() {
-            let _ = write!(page, "\n## {}\n\n{}\n\n", task[0].task, question(&task[0].task));
-            page.push_str(&table(task));
+    /// The pages and the pictures by the names of their files; the same record always makes the same.
+    ///
+    /// # Errors
+    /// [`ReportError::Draw`].
+    pub fn pages(&self) -> Result<Vec<(String, String)>, ReportError> {
+        let blocks = self.blocks()?;
+        let mut pages = vec![
+            ("benchmark.md".to_owned(), markdown(TITLE, &blocks)),
+            ("benchmark.html".to_owned(), html(TITLE, &blocks)),
+        ];
+        for block in blocks {
+            if let Block::Picture { file, svg, .. } = block {
+                pages.push((file, svg));
+            }
         }
-        let samples = self.scenarios.iter().map(|measured| measured.samples.len()).min().unwrap_or(0);
-        let _ = write!(
-            page,
-            "\n## How it was measured\n\n{}\n\
-             - Each scenario takes one thread and one pair, the same each time; the closest point is given, unless it is what \
-             is timed. Dofs in, all results out, in memory that is not reused by the caller.\n\
-             - A time is the median of at least {} samples, none left out. Its 95 % interval lies between two of the samples \
-             (order statistics) and assumes no distribution.\n\
-             - A ratio is the time of the way over the time of the **{DENOMINATOR}** of the same task and size. Its interval \
-             comes from the 97.5 % intervals of both medians. Where it holds 1 the table says *no difference*.\n\
-             - The error is the largest difference from another way's result ({DENOMINATOR} against hyper-dual numbers, all \
-             others against the {DENOMINATOR}), relative to the largest entry of that value, gradient or Hessian. It is \
-             computed by the program that is then timed, and that program does not time what is wrong.\n\
-             - The chord routes take one step for d alone, which is enough there, and two for all quantities.\n\
-             - All samples are in `benchmark.json`, from which alone this page and the picture are made.\n",
-            self.environment.rows(),
-            count(samples as u64),
-        );
-        page.push_str(SILENCE);
-        page
+        Ok(pages)
+    }
+
+    fn blocks(&self) -> Result<Vec<Block>, ReportError> {
+        let mut blocks = vec![
+            Block::text(
+                "How long does it take to linearize the contact geometry of a pair of beams, in closed form and by automatic \
+                 differentiation, as far as this crate does both, and how exact is the result?",
+            ),
+            picture("benchmark.svg", "Ratios to the closed form", self.ratios_to_svg()?),
+        ];
+        for task in [Task::Distance, Task::All, Task::Directions] {
+            blocks.extend([
+                Block::heading(task.name()),
+                Block::text(task.description()),
+                self.standard(task),
+            ]);
+            blocks.push(Block::text("All families, with the ratio to the closed form of the same family:"));
+            blocks.push(self.by_family(task));
+        }
+        for task in [Task::WithSlips, Task::GradientOfDistance, Task::Gradients, Task::ClosestPoint] {
+            blocks.extend([
+                Block::heading(task.name()),
+                Block::text(task.description()),
+                self.by_family(task),
+            ]);
+        }
+        blocks.extend(self.sizes()?);
+        blocks.extend(self.many());
+        blocks.push(Block::heading("Accuracy"));
+        blocks.push(Block::text(
+            "Each way with the pair of Hermite beams: the largest error against double-double, over the time.",
+        ));
+        blocks.push(picture("benchmark-accuracy.svg", "Error over time", self.accuracy_to_svg()?));
+        blocks.extend(self.roof()?);
+        blocks.extend(self.instructions.iter().flat_map(instructions));
+        blocks.extend(self.peers.iter().flat_map(super::Peers::blocks));
+        blocks.extend(self.method());
+        Ok(blocks)
+    }
+
+    /// All ways of a task for the standard pair.
+    fn standard(&self, task: Task) -> Block {
+        let rows = self.of(task).filter(|measured| measured.family == STANDARD).map(|measured| {
+            let [low, high] = measured.interval.map(time);
+            let times = measured.ratio_to_closed_form.as_ref().map_or_else(String::new, Ratio::in_words);
+            let times = if measured.way == DENOMINATOR { "1".to_owned() } else { times };
+            vec![
+                measured.way.clone(),
+                time(measured.median),
+                format!("{low} to {high}"),
+                times,
+                error(Some(measured.error)),
+                verdict(measured.share),
+            ]
+        });
+        let ways = format!("{STANDARD}, 24 dofs");
+        let head = [&ways, "#median", "#95 % interval", "#times the closed form", "#largest error", VERDICT];
+        Block::table(&head.map(|name: &str| name), rows.collect())
+    }
+
+    /// Ways down, families across.
+    fn by_family(&self, task: Task) -> Block {
+        let (mut ways, mut groups): (Vec<&str>, Vec<(&str, usize)>) = (Vec::new(), Vec::new());
+        for Measured { way, family, dofs, .. } in self.of(task) {
+            if !ways.contains(&way.as_str()) {
+                ways.push(way);
+            }
+            if !groups.contains(&(family, *dofs)) {
+                groups.push((family, *dofs));
+            }
+        }
+        let cell = |way: &str, (family, dofs): (&str, usize)| {
+            let is_it = |of: &&Measured| of.way == way && of.family == family && of.dofs == dofs;
+            self.of(task).find(is_it).map_or_else(String::new, |of| match &of.ratio_to_closed_form {
+                Some(ratio) if of.way != DENOMINATOR => {
+                    format!("{} ({})", time(of.median), plain(ratio.value))
+                }
+                _ => time(of.median),
+            })
+        };
+        let row = |way: &&str| {
+            let cells = groups.iter().map(|&group| cell(way, group));
+            let share = self.of(task).filter(|of| of.way == *way).map(|of| of.share).fold(0.0, f64::max);
+            std::iter::once((*way).to_owned()).chain(cells).chain([verdict(share)]).collect()
+        };
+        let names = groups.iter().map(|(family, dofs)| format!("#{family}, {dofs}"));
+        let names = std::iter::once("beams, dofs".to_owned()).chain(names);
+        let head: Vec<String> = names.chain([format!("{VERDICT} at most")]).collect();
+        let head: Vec<&str> = head.iter().map(String::as_str).collect();
+        Block::table(&head, ways.iter().map(row).collect())
+    }
+
+    fn sizes(&self) -> Result<Vec<Block>, ReportError> {
+        let by_size = [(Task::DistanceBySize, 1), (Task::AllBySize, 5)];
+        let rows = by_size.into_iter().flat_map(|(task, hessians)| {
+            self.of(task).map(move |of| {
+                let entries = number(hessians * of.stored());
+                vec![
+                    of.task.replace(" by size", ""),
+                    of.family.clone(),
+                    count(of.dofs as u64),
+                    of.way.clone(),
+                    time(of.median),
+                    format!("{} ns", plain(of.median / entries)),
+                    verdict(of.share),
+                ]
+            })
+        });
+        let head = ["task", "family", "#dofs", "way", "#median", "#an entry of a Hessian", VERDICT];
+        Ok(vec![
+            Block::heading("Cost over the number of dofs"),
+            Block::text(
+                "A cost proportional to the size of the result is a constant time for each entry of a Hessian that is stored. What is \
+                 spent on the shape functions and on the gradients is spread over few entries when there are few dofs, and \
+                 Hessians that overflow the first cache cost more again.",
+            ),
+            picture("benchmark-sizes.svg", "Time over the number of dofs", self.sizes_to_svg()?),
+            Block::table(&head, rows.collect()),
+        ])
+    }
+
+    fn many(&self) -> Vec<Block> {
+        let pairs = count(self.of(Task::AllOfMany).map(|of| of.pairs as u64).max().unwrap_or(0));
+        let rows =
+            [Task::DistanceOfMany, Task::AllOfMany].into_iter().flat_map(|task| self.of(task)).map(|of| {
+                let [low, high] = of.interval.map(time);
+                let (interval, rate) = (format!("{low} to {high}"), plain(1e9 / of.median));
+                vec![of.task.clone(), of.way.clone(), time(of.median), interval, rate, verdict(of.share)]
+            });
+        vec![
+            Block::heading("Many pairs"),
+            Block::text(&format!(
+                "{pairs} pairs of Hermite beams, one by one or four in the lanes of a vector, each result written where the \
+                 last one was, as an assembly does that takes it from there; or by one call for all, each result in \
+                 memory of its own, which then waits for memory.",
+            )),
+            Block::table(
+                &["task", "way", "#time of a pair", "#95 % interval", "#pairs in a second", VERDICT],
+                rows.collect(),
+            ),
+        ]
+    }
+
+    fn roof(&self) -> Result<Vec<Block>, ReportError> {
+        let rows = self.below_the_roof().into_iter().map(|below| {
+            let floors = [(Floor::MultiplyAdds, below.adds), (Floor::Bytes, below.bytes)]
+                .map(|(floor, amount)| (amount, self.floors.least(floor, amount)));
+            let higher = floors[0].1.max(floors[1].1);
+            let mut row = vec![format!("{}, {}", below.measured.task, below.measured.way)];
+            row.extend(floors.into_iter().flat_map(|(amount, floor)| [count(amount as u64), time(floor)]));
+            row.extend([time(below.measured.median), plain(below.measured.median / higher)]);
+            row
+        });
+        let head = [
+            "24 dofs",
+            "#multiply-adds at least",
+            "#their floor",
+            "#bytes stored",
+            "#their floor",
+            "#median",
+            "#times the higher floor",
+        ];
+        Ok(vec![
+            Block::heading("The floor"),
+            Block::text(&format!(
+                "One core of this machine does {} multiply-adds in a nanosecond at best, and stores {} bytes into its first \
+                 cache: measured by two small kernels in the same run. A Hessian of d asks for two multiply-adds an entry \
+                 that is stored at least, any other for three; all that leads to the vectors that are multiplied comes on top, so that no \
+                 program reaches this floor.",
+                plain(self.floors.multiply_adds),
+                plain(self.floors.bytes)
+            )),
+            picture("benchmark-roofline.svg", "The roofline", self.roofline_to_svg()?),
+            Block::table(&head, rows.collect()),
+        ])
     }
 }
 
-const SILENCE: &str = "
-## What these numbers do not say
+/// The head of a column of verdicts.
+const VERDICT: &str = "#of what is allowed";
 
-- Nothing about other processors, compilers or flags.
-- Nothing about other programs: a speed-up over the automatic differentiation *of this crate* is none over another's.
-  How far apart honest ways of automatic differentiation are among themselves, the tables above show.
-- The ways are not equally tuned. The sweeps evaluate one pair of dofs at a time, and a Hessian of n dofs takes
-  n (n + 1) / 2 of them, each of all quantities; a tape, or a reverse sweep, would share work that these do not.
-- The samples of one scenario follow each other, so whatever else the machine did meanwhile is in some rows and not in
-  others. The intervals say how much the samples scatter, not how far a busy machine shifts them all.
-- One pair of each size stands for all; its numbers are in the cache. An assembly that writes every Hessian to memory
-  waits for memory.
-- The errors are those of one well-conditioned pair. How errors grow is the business of the crosscheck.
-";
-
-fn question(task: &str) -> &'static str {
-    match task {
-        "d only" => "The distance d with gradient and Hessian: what normal contact without friction needs.",
-        "all quantities" => {
-            "d, t, t_bar, xi, xi_bar, g_T and g_T_bar, each with gradient and Hessian in all dofs of both beams."
-        }
-        "two directions" => {
-            "All quantities, points and vectors included, with delta, Delta and Delta-delta along two given directions."
-        }
-        "closest point" => {
-            "What all the rest takes as given: the search for all closest points, and Newton's method from nearby."
-        }
-        _ => "",
-    }
+/// The largest error over what is allowed for it.
+fn verdict(share: f64) -> String {
+    format!("{}{}", error(Some(share)), if share <= 1.0 { ", right" } else { ", wrong" })
 }
 
-fn table(task: &[Measured]) -> String {
-    let ratios = task.iter().any(|measured| measured.ratio_to_closed_form.is_some());
-    let mut rows = String::from("| size | way | median | 95 % interval |");
-    rows.push_str(if ratios { " times the closed form | largest error |\n" } else { " largest error |\n" });
-    rows.push_str(if ratios { "|---|---|---:|---:|---:|---:|\n" } else { "|---|---|---:|---:|---:|\n" });
-    for measured in task {
-        let [low, high] = measured.interval;
-        let Measured { dofs, way, .. } = measured;
-        let _ =
-            write!(rows, "| {dofs} | {way} | {} | {} to {} |", time(measured.median), time(low), time(high));
-        if ratios {
-            let ratio = measured.ratio_to_closed_form.as_ref();
-            let text =
-                if way == DENOMINATOR { "1".to_owned() } else { ratio.map_or_else(String::new, in_words) };
-            let _ = write!(rows, " {text} |");
-        }
-        let _ = writeln!(rows, " {} |", error(Some(measured.error)));
-    }
-    rows
+fn picture(file: &str, caption: &str, svg: String) -> Block {
+    Block::Picture { file: file.to_owned(), caption: caption.to_owned(), svg }
 }
 
-/// The ratio with its interval.
-fn in_words(ratio: &Ratio) -> String {
-    let [low, high] = ratio.interval.map(plain);
-    if ratio.is_different() {
-        format!("**{}** ({low} to {high})", plain(ratio.value))
-    } else {
-        format!("no difference ({low} to {high})")
+fn instructions(of: &Instructions) -> [Block; 3] {
+    let rows = of.rows.iter().map(|row| vec![row.scenario.clone(), count(row.instructions)]);
+    [
+        Block::heading("Instructions"),
+        Block::text(&format!(
+            "Counted by callgrind, for one run each: {}, {}. `{}`",
+            of.rustc, of.target, of.command
+        )),
+        Block::table(&["scenario", "#instructions"], rows.collect()),
+    ]
+}
+
+impl Ratio {
+    /// The ratio with its interval.
+    fn in_words(&self) -> String {
+        let [low, high] = self.interval.map(plain);
+        if self.is_different() {
+            format!("**{}** ({low} to {high})", plain(self.value))
+        } else {
+            format!("no difference ({low} to {high})")
+        }
     }
 }

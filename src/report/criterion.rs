@@ -3,6 +3,7 @@
 //! Of criterion's files only what cannot be missed is read: the name of a benchmark, and for each sample the number of
 //! iterations and their time. All else they hold, and whatever else lies in their directory, is passed over.
 
+use super::task::group;
 use super::{Environment, ReportError};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -18,21 +19,41 @@ pub const VERDICTS: &str = "beamgap-verdicts.json";
 pub struct Verdicts {
     /// Where they ran.
     pub environment: Environment,
+    /// How many multiply-adds and how many bytes the kernels of the floors do in a run.
+    pub floors: [usize; 2],
     /// The scenarios, in the order in which they are to be shown.
     pub scenarios: Vec<Verdict>,
 }
 
-/// How far one way's numbers are from another's.
+/// What a scenario is, and that it is right.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
-    /// Task and size, as criterion's group.
-    pub group: String,
-    /// The way, as criterion's function.
+    /// The task.
+    pub task: String,
+    /// The family of both beams.
+    pub family: String,
+    /// The dofs of both beams together.
+    pub dofs: usize,
+    /// The way, criterion's function.
     pub way: String,
-    /// The largest difference, relative to the largest entry of its kind.
+    /// How many pairs a run does.
+    pub pairs: usize,
+    /// The largest error, relative to the largest number of its kind.
     pub error: f64,
-    /// The most that is accepted.
-    pub tolerance: f64,
+    /// The largest error over what is allowed for it.
+    pub share: f64,
+}
+
+impl Verdict {
+    /// Whether the scenario is right.
+    pub fn is_right(&self) -> bool {
+        self.share <= 1.0 && self.error.is_finite()
+    }
+
+    /// Criterion's group.
+    pub(super) fn group(&self) -> String {
+        group(&self.task, &self.family, self.dofs)
+    }
 }
 
 /// The samples of one benchmark, in nanoseconds an iteration, and when they were written.

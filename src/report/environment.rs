@@ -63,13 +63,24 @@ impl Environment {
         }
     }
 
+    /// Each thing with its name.
+    pub(super) fn pairs(&self) -> Vec<Vec<String>> {
+        let pairs = [
+            ("CPU", format!("{}, {} cores", self.cpu, self.cores)),
+            ("kernel", self.kernel.clone()),
+            ("compiler", self.rustc.clone()),
+            ("flags", self.flags.clone()),
+            ("commit", self.commit.clone()),
+            ("date", self.date.clone()),
+            ("command", format!("`{}`", self.command)),
+        ];
+        pairs.map(|(name, value)| vec![name.to_owned(), value]).to_vec()
+    }
+
     /// The rows of a table.
     pub(super) fn rows(&self) -> String {
-        format!(
-            "| | |\n|---|---|\n| CPU | {}, {} cores |\n| kernel | {} |\n| compiler | {} |\n| flags | {} |\n\
-             | commit | {} |\n| date | {} |\n| command | `{}` |\n",
-            self.cpu, self.cores, self.kernel, self.rustc, self.flags, self.commit, self.date, self.command
-        )
+        let rows = self.pairs().into_iter().map(|pair| format!("| {} |\n", pair.join(" | ")));
+        format!("| | |\n|---|---|\n{}", rows.collect::<String>())
     }
 }
 

@@ -25,12 +25,12 @@ pub enum ReportError {
         scenario: String,
     },
     /// A scenario was verified and found wrong.
-    #[error("{scenario} is off by {error:e} of the largest entry, and nothing wrong is timed")]
+    #[error("{scenario} is off by {share:e} times what is allowed, and nothing wrong is timed")]
     Wrong {
         /// The scenario.
         scenario: String,
-        /// The largest error.
-        error: f64,
+        /// The largest error over what is allowed.
+        share: f64,
     },
     /// A file is not what it should be.
     #[error("{what} cannot be read")]

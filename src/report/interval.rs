@@ -1,6 +1,7 @@
 //! Medians with intervals that assume no distribution, and their ratios.
 
 use super::Ratio;
+use super::number::number;
 
 /// Measured times, summed up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,15 +43,10 @@ pub fn median_interval(sorted: &[f64], level: f64) -> [f64; 2] {
             break;
         }
         rank += 1;
-        term *= as_number(n - rank + 1) / as_number(rank);
+        term *= number(n - rank + 1) / number(rank);
     }
     let outer = rank.saturating_sub(1);
     [sorted[outer], sorted[n - 1 - outer]]
-}
-
-#[expect(clippy::cast_precision_loss, reason = "counts samples")]
-fn as_number(n: usize) -> f64 {
-    n as f64
 }
 
 impl Spread {

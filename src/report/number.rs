@@ -1,5 +1,11 @@
 //! Numbers as pages show them.
 
+/// How many.
+#[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
+pub(super) fn number(count: usize) -> f64 {
+    count as f64
+}
+
 /// x with so many significant digits.
 pub(super) fn rounded(x: f64, digits: usize) -> f64 {
     format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x)

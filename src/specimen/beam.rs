@@ -1,15 +1,19 @@
 //! A drawn beam with its family and size forgotten, so that what follows is compiled once and not per pair of families.
 
 use super::exact::{Exact, ExactBeam};
-use super::padded::{Padded, PaddedBeam};
+use super::padded::{FEW_DOFS, Padded, PaddedBeam};
 use crate::closest_point::Centroid;
 use crate::curve::{Curve, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
-use crate::number::{Bounded, Degree, DoubleDouble, Dual, Extends, HyperDual, Real, Residue};
+use crate::number::{Bounded, BoundedBy, Degree, DoubleDouble, Dual, Extends, HyperDual, Real, Residue};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
 use std::fmt::Debug;
+
+/// A number with two bounds: what it is known up to if the parameters of the closest point are as good as
+/// double-double makes them, and if they are as good as `f64` does.
+pub(crate) type Bounded2 = BoundedBy<[f64; 2]>;
 
 /// What the gate asks of a beam.
 pub(crate) trait AnyBeam:
@@ -17,22 +21,28 @@ pub(crate) trait AnyBeam:
     + PositionAt<num_dual::Dual<HyperDual64>>
     + PositionAt<num_dual::Dual<DualSVec<HyperDual64, 2>>>
     + PositionAt<Dual2SVec<HyperDual64, 2>>
-    + PositionAt<Dual<HyperDual<Bounded>>>
-    + PositionAt<Dual<Dual<Bounded>>>
+    + PositionAt<Dual<HyperDual<Bounded2>>>
+    + PositionAt<Dual<Dual<Bounded2>>>
     + Debug
     + Send
     + Sync
 {
+    /// How many dofs it has.
+    fn dofs(&self) -> usize;
+
     /// Point and tangent at any parameter, also beyond the ends.
     fn geometry_at(&self, xi: Bounded) -> Geometry<Bounded>;
 
-    /// The variations at a frozen parameter, with a bound on their error.
-    fn frozen(&self, xi: Bounded) -> Frozen<Bounded>;
+    /// The same in double-double.
+    fn geometry_precise(&self, xi: DoubleDouble) -> Geometry<DoubleDouble>;
+
+    /// The variations at a frozen parameter, with bounds on their error.
+    fn frozen(&self, xi: Bounded2) -> Frozen<Bounded2>;
 
     /// The same in plain `f64`.
     fn frozen_plain(&self, xi: f64) -> Frozen<f64>;
 
-    /// The same in double-double.
+    /// The variations in double-double.
     fn frozen_precise(&self, xi: DoubleDouble) -> Frozen<DoubleDouble>;
 
     /// The beam in double-double at q + `along`\[0\] dq + `along`\[1\] Dq.
@@ -40,6 +50,9 @@ pub(crate) trait AnyBeam:
 
     /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
     fn padded(&self, xi: Bounded) -> PaddedBeam<Bounded>;
+
+    /// The same for a beam with few dofs.
+    fn padded_few(&self, xi: Bounded) -> PaddedBeam<Bounded, FEW_DOFS>;
 
     /// A beam of the same family and parameters, with random dofs and directions over the prime field.
     fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>>;
@@ -84,6 +97,11 @@ impl<C: Curve<N>, const N: usize> Drawn<C, N> {
         Exact { curve: self.curve.clone(), q, dq, linear_dq, points: self.points.clone() }
     }
 
+    fn filled_up<const D: usize>(&self, xi: Bounded) -> PaddedBeam<Bounded, D> {
+        let [q, dq, linear_dq] = self.lift();
+        (Padded::fill(&self.curve.jet(&q, xi)), [dq, linear_dq].map(|v| Padded::fill_vector(&v)))
+    }
+
     fn hyper_dual<S: Extends<HyperDual64>>(&self, xi: S) -> Vector3<S> {
         self.seeded(|q, dq, linear_dq| HyperDual64::new(q, dq, linear_dq, 0.0)).position_at(xi)
     }
@@ -96,6 +114,10 @@ impl<C: Curve<N>, const N: usize> Centroid for Drawn<C, N> {
 
     fn third_derivative_bound(&self) -> f64 {
         self.curve.third_derivative_bound(&self.q)
+    }
+
+    fn is_cubic(&self) -> bool {
+        self.curve.is_cubic()
     }
 }
 
@@ -110,28 +132,36 @@ macro_rules! hyper_dual_position {
 }
 hyper_dual_position!(num_dual::Dual<HyperDual64>, num_dual::Dual<DualSVec<HyperDual64, 2>>, Dual2SVec<HyperDual64, 2>);
 
-impl<C: Curve<N>, const N: usize> PositionAt<Dual<HyperDual<Bounded>>> for Drawn<C, N> {
-    fn position_at(&self, xi: Dual<HyperDual<Bounded>>) -> Vector3<Dual<HyperDual<Bounded>>> {
+impl<C: Curve<N>, const N: usize> PositionAt<Dual<HyperDual<Bounded2>>> for Drawn<C, N> {
+    fn position_at(&self, xi: Dual<HyperDual<Bounded2>>) -> Vector3<Dual<HyperDual<Bounded2>>> {
         let seed = |q, dq, linear_dq| {
-            let [q, dq, linear_dq] = [q, dq, linear_dq].map(Bounded::from);
-            HyperDual::new(q, dq, linear_dq, Bounded::from(0.0))
+            let [q, dq, linear_dq] = [q, dq, linear_dq].map(Bounded2::from);
+            HyperDual::new(q, dq, linear_dq, Bounded2::from(0.0))
         };
         self.seeded(seed).position_at(xi)
     }
 }
 
-impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<Bounded>>> for Drawn<C, N> {
-    fn position_at(&self, xi: Dual<Dual<Bounded>>) -> Vector3<Dual<Dual<Bounded>>> {
-        self.seeded(|q, _, _| Bounded::from(q)).position_at(xi)
+impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<Bounded2>>> for Drawn<C, N> {
+    fn position_at(&self, xi: Dual<Dual<Bounded2>>) -> Vector3<Dual<Dual<Bounded2>>> {
+        self.seeded(|q, _, _| Bounded2::from(q)).position_at(xi)
     }
 }
 
 impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBeam for Drawn<C, N> {
+    fn dofs(&self) -> usize {
+        N
+    }
+
     fn geometry_at(&self, xi: Bounded) -> Geometry<Bounded> {
         self.curve.jet(&self.q.map(Bounded::from), xi).geometry
     }
 
-    fn frozen(&self, xi: Bounded) -> Frozen<Bounded> {
+    fn geometry_precise(&self, xi: DoubleDouble) -> Geometry<DoubleDouble> {
+        self.curve.jet(&self.q.map(DoubleDouble::from), xi).geometry
+    }
+
+    fn frozen(&self, xi: Bounded2) -> Frozen<Bounded2> {
         self.frozen_in(xi)
     }
 
@@ -149,8 +179,11 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
     }
 
     fn padded(&self, xi: Bounded) -> PaddedBeam<Bounded> {
-        let [q, dq, linear_dq] = self.lift();
-        (Padded::fill(&self.curve.jet(&q, xi)), [dq, linear_dq].map(|v| Padded::fill_vector(&v)))
+        self.filled_up(xi)
+    }
+
+    fn padded_few(&self, xi: Bounded) -> PaddedBeam<Bounded, FEW_DOFS> {
+        self.filled_up(xi)
     }
 
     fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>> {

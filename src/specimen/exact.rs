@@ -1,6 +1,6 @@
 //! A beam of any family with dofs in an exact scalar: random residues, or degrees.
 
-use super::padded::{Padded, PaddedBeam};
+use super::padded::{DOFS, Padded, PaddedBeam};
 use crate::curve::{Curve, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
@@ -68,7 +68,7 @@ impl<C: Curve<N> + Send + Sync, T: Real + Send + Sync, const N: usize> ExactBeam
     }
 
     fn padded(&self, xi: T) -> PaddedBeam<T> {
-        let directions = [&self.dq, &self.linear_dq].map(Padded::<T>::fill_vector);
+        let directions = [&self.dq, &self.linear_dq].map(Padded::<T, DOFS>::fill_vector);
         (Padded::fill(&self.curve.jet(&self.q, xi)), directions)
     }
 }

@@ -29,16 +29,16 @@ impl<T: Real> Change<T> {
 
 /// Both beams at the parameters of the step before.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Stale<'a, T> {
+pub(crate) enum Stale<'a, T, const D: usize> {
     /// No fault asks for them.
     Unused,
     /// For the variations.
     Frozen(&'a [Frozen<T>; 2]),
     /// For the matrices.
-    Jets(&'a [Jet<T, Padded<T>>; 2]),
+    Jets(&'a [Jet<T, Padded<T, D>>; 2]),
 }
 
-impl<T: Real> Stale<'_, T> {
+impl<T: Real, const D: usize> Stale<'_, T, D> {
     fn geometry(&self) -> Option<[Geometry<T>; 2]> {
         match self {
             Self::Unused => None,
@@ -50,18 +50,18 @@ impl<T: Real> Stale<'_, T> {
 
 /// Evaluates all terms, the changed ones with their changes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Planted<'a, T> {
+pub(crate) struct Planted<'a, T, const D: usize> {
     pub(crate) changes: &'a [(Label, Change<T>)],
-    pub(crate) stale: Stale<'a, T>,
+    pub(crate) stale: Stale<'a, T, D>,
 }
 
-impl<T: Real> Planted<'_, T> {
+impl<T: Real, const D: usize> Planted<'_, T, D> {
     fn changes(&self, label: Label) -> impl Iterator<Item = Change<T>> {
         self.changes.iter().filter(move |change| change.0 == label).map(|change| change.1)
     }
 }
 
-impl<'a, T: Real, O: Substitute<'a, T>> Terms<T, O> for Planted<'a, T> {
+impl<'a, T: Real, O: Substitute<'a, T, D>, const D: usize> Terms<T, O> for Planted<'a, T, D> {
     fn term<V: Mul<T, Output = V>>(&self, label: Label, operands: &O, term: impl Fn(&O) -> V) -> V {
         let mut operands = *operands;
         for change in self.changes(label) {
@@ -95,13 +95,13 @@ impl<'a, T: Real, O: Substitute<'a, T>> Terms<T, O> for Planted<'a, T> {
 }
 
 /// Operands that can be mistaken for others.
-pub(crate) trait Substitute<'a, T>: Copy {
+pub(crate) trait Substitute<'a, T, const D: usize>: Copy {
     /// The operands of a fault; the same ones where it makes no sense.
-    fn substituted(self, kind: Kind, stale: &Stale<'a, T>) -> Self;
+    fn substituted(self, kind: Kind, stale: &Stale<'a, T, D>) -> Self;
 }
 
-impl<'a, T: Real> Substitute<'a, T> for Operands<T> {
-    fn substituted(self, kind: Kind, stale: &Stale<'a, T>) -> Self {
+impl<'a, T: Real, const D: usize> Substitute<'a, T, D> for Operands<T> {
+    fn substituted(self, kind: Kind, stale: &Stale<'a, T, D>) -> Self {
         match (kind, stale) {
             (Kind::Transposed, _) => self.exchanged(),
             (Kind::Swapped, _) => Self { beam: self.bar, bar: self.beam, ..self },
@@ -121,8 +121,8 @@ impl<'a, T: Real> Substitute<'a, T> for Operands<T> {
     }
 }
 
-impl<'a, T: Real> Substitute<'a, T> for Points<T> {
-    fn substituted(self, kind: Kind, stale: &Stale<'a, T>) -> Self {
+impl<'a, T: Real, const D: usize> Substitute<'a, T, D> for Points<T> {
+    fn substituted(self, kind: Kind, stale: &Stale<'a, T, D>) -> Self {
         match kind {
             Kind::Swapped => Self { beam: self.bar, bar: self.beam, ..self },
             Kind::BarForgotten => Self { bar: self.beam, ..self },
@@ -132,8 +132,8 @@ impl<'a, T: Real> Substitute<'a, T> for Points<T> {
     }
 }
 
-impl<'a, T: Real> Substitute<'a, T> for System<T> {
-    fn substituted(self, kind: Kind, _: &Stale<'a, T>) -> Self {
+impl<'a, T: Real, const D: usize> Substitute<'a, T, D> for System<T> {
+    fn substituted(self, kind: Kind, _: &Stale<'a, T, D>) -> Self {
         let Self { matrix: [a, b, a_bar], r, r_bar } = self;
         match kind {
             Kind::Swapped => Self { matrix: [a_bar, b, a], r: r_bar, r_bar: r },
@@ -143,8 +143,8 @@ impl<'a, T: Real> Substitute<'a, T> for System<T> {
     }
 }
 
-impl<'a, T: Real, const N: usize> Substitute<'a, T> for Jets<'a, T, Padded<T>, Padded<T>, N, N> {
-    fn substituted(self, kind: Kind, stale: &Stale<'a, T>) -> Self {
+impl<'a, T: Real, const D: usize> Substitute<'a, T, D> for Jets<'a, T, Padded<T, D>, Padded<T, D>, D, D> {
+    fn substituted(self, kind: Kind, stale: &Stale<'a, T, D>) -> Self {
         let Self { jet, jet_bar, matrix: [a, b, a_bar], g, g_bar, .. } = self;
         match (kind, stale) {
             (Kind::Swapped, _) => {
@@ -160,13 +160,13 @@ impl<'a, T: Real, const N: usize> Substitute<'a, T> for Jets<'a, T, Padded<T>, P
 }
 
 /// The length of a tangent knows one beam only.
-impl<'a, T: Real> Substitute<'a, T> for Geometry<T> {
-    fn substituted(self, _: Kind, _: &Stale<'a, T>) -> Self {
+impl<'a, T: Real, const D: usize> Substitute<'a, T, D> for Geometry<T> {
+    fn substituted(self, _: Kind, _: &Stale<'a, T, D>) -> Self {
         self
     }
 }
 
 /// A slip is made of what has been computed.
-impl<'a, T> Substitute<'a, T> for () {
-    fn substituted(self, _: Kind, _: &Stale<'a, T>) {}
+impl<'a, T, const D: usize> Substitute<'a, T, D> for () {
+    fn substituted(self, _: Kind, _: &Stale<'a, T, D>) {}
 }

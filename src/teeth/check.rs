@@ -5,7 +5,7 @@ use super::panel::Sample;
 use crate::check::{Site, Verdict, When, judged};
 use crate::linearization::closed_form::{Sound, variations_with};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::Bounded;
+use crate::specimen::Bounded2;
 use crate::subject::{Rewrite, Subject, by_invariance};
 use std::cell::Cell;
 
@@ -68,11 +68,11 @@ impl Check {
             Self::Gate => matches!(judged(sample.compared(subject)), Verdict::Mismatch(_)),
             Self::Invariants => {
                 let moved = [Rewrite::Moved, Rewrite::Turned, Rewrite::Ninths, Rewrite::DirectionsExchanged];
-                let closed = sample.site.closed(subject, When::Now);
+                let closed = sample.site.closed(subject);
                 moved.into_iter().any(|rewrite| is_violated(rewrite, subject, sample, &closed))
             }
             Self::Symmetry => {
-                let closed = sample.site.closed(subject, When::Now);
+                let closed = sample.site.closed(subject);
                 is_violated(Rewrite::DirectionsExchanged, subject, sample, &closed)
             }
             Self::Differences(rule) => Differences::new(subject, sample).accuses(rule),
@@ -85,7 +85,7 @@ fn is_violated(
     rewrite: Rewrite,
     subject: &Subject,
     sample: &Sample,
-    closed: &[Varied<Bounded>; COMPONENTS],
+    closed: &[Varied<Bounded2>; COMPONENTS],
 ) -> bool {
     let Site { at, form, contact, .. } = sample.site;
     // The beams of the step before, moved alike.
@@ -102,9 +102,9 @@ fn is_violated(
         subject.quantities(&frozen, || moved.get(), at, form, contact)
     };
     let Some(other) = by_invariance(rewrite, of, [beam, bar], at, form, contact) else { return false };
-    let differ = |x: Bounded, y: Bounded| {
+    let differ = |x: Bounded2, y: Bounded2| {
         let difference = (x.value - y.value).abs();
-        difference > x.bound + y.bound || difference.is_nan()
+        difference > x.bound[0] + y.bound[0] || difference.is_nan()
     };
     closed
         .iter()

@@ -1,7 +1,7 @@
 //! No evaluation allocates: not the curves, not the closed form, not AD.
 
 use crate::pairs::{Contacting, contacting, hermite};
-use beamgap::linearization::closed_form::blocks::{Packed, write_d_batch};
+use beamgap::linearization::closed_form::blocks::{Encounter, Packed, write_d_batch};
 use beamgap::linearization::{Linearization, ad, closed_form};
 use beamgap::number::Lanes;
 use proptest::{strategy::Strategy, strategy::ValueTree, test_runner::TestRunner};
@@ -14,14 +14,20 @@ fn nothing_is_allocated_in_an_evaluation() {
     let at = (point.xi, point.xi_bar);
     let mut all = Linearization::<f64, 12, 12>::zeros();
     let mut four = Packed::<Lanes, 24, 300>::zeros();
+    let one = std::num::NonZeroUsize::MIN;
     let counted = allocation_counter::measure(|| {
         let (jet, jet_bar) = closed_form::jets(pair, q, at);
         closed_form::Matrices::new(&jet, &jet_bar, point.active()).write_all(at, &pair.contact, &mut all);
-        let written = write_d_batch(pair, &[*q; 4], &[*point; 4], std::slice::from_mut(&mut four));
+        let written = write_d_batch(
+            &[(); 4].map(|()| Encounter { pair, q, point }),
+            std::slice::from_mut(&mut four),
+            one,
+        );
         assert_eq!(std::hint::black_box((written, &four)).0, 4);
         std::hint::black_box(closed_form::linearize(pair, q, point));
         std::hint::black_box(closed_form::vary(pair, q, point, dq, linear_dq));
         std::hint::black_box(ad::vary(ad::Route::Newton, pair, q, point, dq, linear_dq));
+        std::hint::black_box(ad::expand_by_orders::<_, _, 12, 12, 8, 1>(pair, q, point, |q| [q.xi]));
     });
     assert_eq!(counted.count_total, 0);
     // The counter counts.

@@ -93,6 +93,9 @@ fn matrices_agree<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, 
     let (jet, jet_bar) = closed_form::jets(pair, q, (point.xi, point.xi_bar));
     let by_vector = ad::expand_by_vector_dual::<_, _, N, M, S, 7>(chord, 2, pair, q, point, scalars);
     let by_sweep = ad::expand_by_sweep(Route::Newton, pair, q, point, scalars);
+    // Rows of eight are longer than what is left of some rows, and with rows of five no length is a multiple.
+    let by_orders = ad::expand_by_orders::<_, _, N, M, 8, 7>(pair, q, point, scalars);
+    let by_rows = ad::expand_by_rows::<_, _, N, M, 5, 7>(chord, 2, pair, q, point, scalars);
     for (i, name) in names.into_iter().enumerate() {
         // A parameter that is held has no variation, and nothing to be compared relative to.
         if (point.active().xi && name == "xi") || (point.active().xi_bar && name == "xi_bar") {
@@ -112,7 +115,11 @@ fn matrices_agree<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, 
         let terms = if name.starts_with("xi") { 0.0 } else { size * size / norm.value + turning };
         assert_same(name, ours[i], &by_vector[i], terms);
         assert_same(name, ours[i], &by_sweep[i], terms);
+        assert_same(name, ours[i], &by_orders[i], terms);
+        assert_same(name, ours[i], &by_rows[i], terms);
     }
+    let terms = size * size / ours[0].value;
+    assert_same("d", ours[0], &ad::expand_d_by_orders::<_, _, N, M, 8>(pair, q, point), terms);
 
     let matrices = Matrices::new(&jet, &jet_bar, point.active());
     let all = matrices.all((point.xi, point.xi_bar), &pair.contact);

@@ -2,9 +2,9 @@
 
 use crate::centroids::{Winding, apart, close, ellipse, line, over_pieces};
 use beamgap::closest_point::{Active, HalfSquare, Kind, Search, closest_points, refine};
-use beamgap::closest_point::{Centroid, ClosestPoint};
-use beamgap::curve::Geometry;
-use nalgebra::{Rotation3, Vector3};
+use beamgap::closest_point::{Beam, Centroid, ClosestPoint};
+use beamgap::curve::{Arc, Geometry, Hermite};
+use nalgebra::{Rotation3, SVector, Vector3};
 use std::f64::consts::PI;
 
 fn unit_circle() -> Winding {
@@ -14,6 +14,18 @@ fn unit_circle() -> Winding {
 /// a, b, a_bar and D per unit of the sources' parameters, of which a piece covers `half` to either side.
 fn projection(curve: &Winding, bar: &Winding, point: &ClosestPoint) -> HalfSquare {
     HalfSquare::new(&curve.geometry(point.xi), &bar.geometry(point.xi_bar))
+}
+
+#[test]
+fn a_beam_tells_of_its_curve() {
+    let q = SVector::from([0.0, 0.0, 0.0, 3.0, 1.0, 0.0, 2.0, 1.0, 0.0, 0.0, 4.0, 1.0]);
+    let hermite = Beam { curve: &Hermite::new(), q: &q };
+    close(hermite.third_derivative_bound(), 1.5 * 18.0_f64.sqrt(), 1e-15);
+    assert!(hermite.is_cubic());
+    let arc = Arc::new(1.0);
+    assert!(
+        !Beam { curve: &arc, q: &SVector::from([0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) }.is_cubic()
+    );
 }
 
 #[test]
@@ -114,6 +126,30 @@ fn two_segments() {
     assert!(point.residual < 1e-15);
     let again = refine(&x, &bar, (0.9, -0.9), Active::default()).unwrap();
     assert_eq!((again.xi, again.xi_bar), (point.xi, point.xi_bar));
+}
+
+/// A curve whose points are known to ten digits only.
+struct Rough(Winding);
+
+impl Centroid for Rough {
+    fn geometry(&self, xi: f64) -> Geometry<f64> {
+        let Geometry { x, t, t_xi, t_xixi } = self.0.geometry(xi);
+        Geometry { x: x.map(|c| (c * 1e10).round() * 1e-10), t, t_xi, t_xixi }
+    }
+
+    fn third_derivative_bound(&self) -> f64 {
+        self.0.third_derivative_bound()
+    }
+}
+
+#[test]
+fn newtons_method_ends_at_the_rounding_of_the_points() {
+    let x = Rough(ellipse([0.1, 0.2, 0.3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]).over(-1.0, 1.0));
+    let bar = Rough(ellipse([2.3, 0.4, 0.1], [-0.9, 0.0, 0.3], [0.0, 0.8, 0.7]).over(-1.0, 1.0));
+    let point = refine(&x, &bar, (0.1, 0.2), Active::default()).unwrap();
+    let exact = refine(&x.0, &bar.0, (0.1, 0.2), Active::default()).unwrap();
+    assert!(point.residual > 1e-12, "{}", point.residual);
+    assert!((point.xi - exact.xi).abs().max((point.xi_bar - exact.xi_bar).abs()) < 1e-8);
 }
 
 /// The ellipse with the elements (a, e, ω, Ω, i), angles in degrees, over the eccentric anomaly.

@@ -2,8 +2,9 @@
 
 use crate::centroids::{Cubic, Winding, close, ellipse, line};
 use beamgap::closest_point::{
-    Active, ClosestPoints, Degeneracy, Kind, ProjectionError, Search, Side, closest_points, refine,
+    Active, Centroid, ClosestPoints, Degeneracy, Kind, ProjectionError, Search, Side, closest_points, refine,
 };
+use beamgap::curve::Geometry;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -103,6 +104,52 @@ fn cross_of_minima() {
     close(found.unresolved[0].point.distance, 1.0, 1e-14);
 }
 
+/// What is singular matters if it is nearest.
+#[test]
+fn a_continuum_hides_no_nearer_minimum() {
+    let x = line([0.0; 3], [1.0, 0.0, 0.0], -1.0, 1.0);
+    let mut found = search(&x, &line([0.0, 0.0, 0.5], [1.0, 0.0, 0.0], -1.0, 1.0));
+    for (gap, hidden) in [(0.25, false), (0.75, true)] {
+        found.minima = search(&x, &line([0.25, 0.0, gap], [0.0, 1.0, 0.0], -1.0, 1.0)).minima;
+        assert_eq!(found.interior().is_err(), hidden, "{gap}");
+    }
+}
+
+/// A line that is finite at fractions of a power of two alone, where the search looks before Newton's method does.
+struct Holey(Winding);
+
+impl Centroid for Holey {
+    fn geometry(&self, xi: f64) -> Geometry<f64> {
+        let Geometry { x, t, t_xi, t_xixi } = self.0.geometry(xi);
+        let x = if (xi * 1024.0).fract() == 0.0 { x } else { x * f64::NAN };
+        Geometry { x, t, t_xi, t_xixi }
+    }
+
+    fn third_derivative_bound(&self) -> f64 {
+        self.0.third_derivative_bound()
+    }
+}
+
+/// Where the bar has a centre of curvature, its parameter has no equation.
+#[test]
+fn newtons_method_tells_where_one_parameter_is_singular() {
+    let zero = Vector3::zeros();
+    let x = Cubic([Vector3::new(1.0, -1.0, 1.0), Vector3::y(), zero, zero]);
+    let bar = Cubic([zero, Vector3::x(), Vector3::z() * 0.5, zero]);
+    let found = refine(&x, &bar, (1.0, 0.0), Active { xi: true, xi_bar: false });
+    assert!(matches!(found, Err(ProjectionError::Singular { .. })), "{found:?}");
+}
+
+#[test]
+fn what_is_not_finite_on_the_way_of_newtons_method_is_told() {
+    let x = Holey(line([0.0; 3], [1.0, 0.0, 0.0], -1.0, 1.0));
+    for start in [[0.3, 0.1, 0.25], [0.3, 1.7, 0.25]] {
+        let bar = line(start, [0.1, 1.0, 0.0], -1.0, 1.0);
+        let found = closest_points(&x, &bar, &Search::default());
+        assert_eq!(found, Err(ProjectionError::NonFinite), "{start:?}");
+    }
+}
+
 #[test]
 fn an_end_at_the_centre_of_an_arc() {
     let x = line([0.0; 3], [0.0, 0.0, 1.0], 0.0, 1.0);
@@ -161,6 +208,7 @@ fn a_minimum_in_a_corner_may_be_weak_in_both_parameters() {
     let point = found.minima[0];
     assert_eq!((point.xi, point.xi_bar, point.distance), (1.0, -1.0, 0.25));
     assert!([point.end, point.end_bar].iter().all(|end| end.is_some_and(|end| !end.strict)));
+    assert!(!point.is_strict());
 }
 
 #[test]

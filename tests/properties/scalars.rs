@@ -172,10 +172,15 @@ fn jet_is_exact<const N: usize>(
         let parts = |part: fn(&HyperDual<Residue>) -> Residue| -> Vector3<Residue> {
             Vector3::from_fn(|i, _| part(&x[i]))
         };
-        prop_assert_eq!(jet.dofs.variation(k, dq[0]), parts(|x| x.eps1));
+        let (w, delta) = (g.x, jet.dofs.variation(k, dq[0]));
+        prop_assert_eq!(delta, parts(|x| x.eps1));
         prop_assert_eq!(jet.dofs.variation(k, dq[1]), parts(|x| x.eps2));
+        prop_assert_eq!(jet.dofs.jacobian(k) * dq[0], delta);
+        prop_assert_eq!(jet.dofs.gradient(k, &w).dot(dq[0]), w.dot(&delta));
         if k < 2 {
-            prop_assert_eq!(jet.dofs.second_variation(k, dq[0], dq[1]), parts(|x| x.eps1eps2));
+            let second = jet.dofs.second_variation(k, dq[0], dq[1]);
+            prop_assert_eq!(second, parts(|x| x.eps1eps2));
+            prop_assert_eq!(dq[0].dot(&(jet.dofs.hessian(k, &w) * dq[1])), w.dot(&second));
         }
     }
     Ok(())

@@ -3,14 +3,17 @@
 use crate::cases::{Case, PAIR};
 use crate::reference::write_full;
 use beamgap::closest_point::{Active, Beam, refine};
-use beamgap::curve::DofDerivatives;
+use beamgap::curve::{DofDerivatives, Hermite};
 use beamgap::linearization::ad::{
-    Perturbed, Route, chord, evaluate, expand_by_sweep, expand_by_vector_dual,
+    Perturbed, Route, chord, evaluate, expand_by_orders, expand_by_sweep, expand_by_vector_dual,
+    expand_d_by_orders,
 };
-use beamgap::linearization::closed_form::blocks::{self, Full, Targets};
+use beamgap::linearization::closed_form::blocks::{self, Encounter, Full, Packed, Targets};
 use beamgap::linearization::closed_form::{Matrices, Projection, jets, linearize};
 use beamgap::linearization::{Expansion, Linearization, Quantities};
+use beamgap::number::Lanes;
 use beamgap::pair::DofVector;
+use std::num::NonZeroUsize;
 
 /// Numbers in a block of the full layout.
 pub(crate) const FULL: usize = 608;
@@ -89,6 +92,55 @@ way!(blocks_all_upper, blocks_all_upper_read: [Quantity; 5], |case, to| {
     blocks::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
 }, |all, full| write(&all.each_ref(), full));
 
+/// A quantity of four pairs in the lanes of a vector, half of its Hessian.
+type Four = Packed<Lanes, 24, 300>;
+
+/// A way from four cases to a result.
+macro_rules! four {
+    ($name:ident, $read:ident: $result:ty, $work:expr) => {
+        /// # Safety
+        /// `q` points to four pointers to cases, `out` to memory for the result.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $name(q: *const *const f64, out: *mut f64) {
+            let work: fn(&[Encounter<'_, Hermite, Hermite, 12, 12>; 4], &mut $result) = $work;
+            // SAFETY: the caller's promise.
+            let cases = unsafe { (&*q.cast::<[*const f64; 4]>()).map(|q| Case::of(q)) };
+            // SAFETY: the caller's promise.
+            let to = unsafe { &mut *out.cast() };
+            work(&cases.map(|Case { q, point, .. }| Encounter { pair: &PAIR, q, point }), to);
+        }
+
+        /// # Safety
+        /// `out` is what the way wrote, `full` has room for its quantities.
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $read(out: *const f64, pair: usize, full: *mut f64) {
+            // SAFETY: the caller's promise.
+            let (result, full) = unsafe { (&*out.cast::<$result>(), std::slice::from_raw_parts_mut(full, 5 * FULL)) };
+            for (of, block) in result.iter().zip(full.chunks_exact_mut(FULL)) {
+                write_lane(of, pair, block);
+            }
+        }
+    };
+}
+
+fn write_lane(of: &Four, lane: usize, block: &mut [f64]) {
+    block[0] = of.value.0[lane];
+    for i in 0..24 {
+        block[8 + i] = of.gradient[i].0[lane];
+        for j in 0..24 {
+            block[32 + 24 * i + j] = of.entry(i, j).0[lane];
+        }
+    }
+}
+
+four!(four_d, four_d_read: [Four; 1], |cases, to| {
+    blocks::write_d_batch(cases, to, NonZeroUsize::MIN);
+});
+
+four!(four_all, four_all_read: [Four; 5], |cases, to| {
+    blocks::write_all_batch(cases, std::slice::from_mut(to), NonZeroUsize::MIN);
+});
+
 /// The quantities of task A.
 fn d_only<S>(of: Quantities<S>) -> [S; 1] {
     [of.d]
@@ -136,6 +188,14 @@ way!(vector_d, vector_d_read: [Quantity; 1], |case, to| {
 way!(vector_all, vector_all_read: [Quantity; 5], |case, to| {
     let chord = chord(&PAIR, &case.q, &case.point);
     *to = expand_by_vector_dual::<_, _, 12, 12, 24, 5>(chord, 2, &PAIR, &case.q, &case.point, all);
+}, |all, full| write(&all.each_ref(), full));
+
+way!(orders_d, orders_d_read: Quantity, |case, to| {
+    *to = expand_d_by_orders::<_, _, 12, 12, 8>(&PAIR, &case.q, &case.point);
+}, |d, full| write(&[d], full));
+
+way!(orders_all, orders_all_read: [Quantity; 5], |case, to| {
+    *to = expand_by_orders::<_, _, 12, 12, 8, 5>(&PAIR, &case.q, &case.point, all);
 }, |all, full| write(&all.each_ref(), full));
 
 /// The step of second differences: the fourth root of epsilon, about the best for lengths near 1.

@@ -4,8 +4,8 @@ use super::moved::Base;
 use super::norm;
 use super::tangent::{STEP, WEIGHTS, tangent};
 use crate::linearization::{COMPONENTS, Quantities};
-use crate::number::{Bounded, Differentiable, DoubleDouble, Dual};
-use crate::specimen::AnyBeam;
+use crate::number::{Differentiable, DoubleDouble, Dual};
+use crate::specimen::{AnyBeam, Bounded2};
 use nalgebra::Vector3;
 
 /// The rounding of double-double over that of `f64`: eight of its units 2^-106 in an operation.
@@ -24,8 +24,8 @@ pub(super) struct Noise {
 
 /// The rounding of a position in double-double, from its running error bound in `f64`.
 pub(super) fn of_position(beam: &dyn AnyBeam, xi: f64) -> f64 {
-    let x: Vector3<Dual<Dual<Bounded>>> = beam.position_at(Bounded::from(xi).dual(0.0).dual(0.0));
-    FINER * x.map(|x| x.re.re.bound).norm()
+    let x: Vector3<Dual<Dual<Bounded2>>> = beam.position_at(Bounded2::from(xi).dual(0.0).dual(0.0));
+    FINER * x.map(|x| x.re.re.bound[0]).norm()
 }
 
 impl Base<'_> {

@@ -48,11 +48,19 @@ pub fn evaluate<T: Differentiable>(
     (xi, xi_bar): (T, T),
     contact: &Contact,
 ) -> Quantities<T> {
+    quantities(tangent(beam, xi), tangent(bar, xi_bar), (xi, xi_bar), contact)
+}
+
+/// The same from points and tangents.
+pub(super) fn quantities<T: Real>(
+    (x, t_vector): (Vector3<T>, Vector3<T>),
+    (x_bar, t_bar_vector): (Vector3<T>, Vector3<T>),
+    (xi, xi_bar): (T, T),
+    contact: &Contact,
+) -> Quantities<T> {
     // Eq. (7), (9): v = ‖v‖, and in the parts of the root Eq. (33), (34)
     let norm = |v: &Vector3<T>| v.dot(v).sqrt();
     // Eq. (8): d = x_C − x̄_C   t = x_C,ξ   t̄ = x̄_C,ξ̄
-    let (x, t_vector) = tangent(beam, xi);
-    let (x_bar, t_bar_vector) = tangent(bar, xi_bar);
     let d_vector = x - x_bar;
     // Eq. (9)
     let (d, t, t_bar) = (norm(&d_vector), norm(&t_vector), norm(&t_bar_vector));

@@ -1,21 +1,26 @@
 //! The closest point as a dual number: the parameters that keep the conditions of the closest point when the dofs
 //! are perturbed.
 
-use super::evaluate::{PositionAt, tangent};
+use super::evaluate::{PositionAt, quantities, tangent};
 use crate::closest_point::Active;
-use crate::number::{Differentiable, Extends, HyperDual};
+use crate::linearization::Quantities;
+use crate::number::{Differentiable, Extends, HyperDual, Real};
+use crate::pair::Contact;
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual, Dual2SVec, DualSVec, HyperDual64, implicit_derivative_binary, implicit_derivative_sp};
 
 /// d.t and d.t_bar.
-fn orthogonality<T: Differentiable>(
+pub(super) fn orthogonality<T: Differentiable>(
     beam: &(impl PositionAt<T::Dual> + ?Sized),
     bar: &(impl PositionAt<T::Dual> + ?Sized),
     (xi, xi_bar): (T, T),
 ) -> [T; 2] {
-    let (x, t) = tangent(beam, xi);
-    let (x_bar, t_bar) = tangent(bar, xi_bar);
-    let d: Vector3<T> = x - x_bar;
+    conditions(tangent(beam, xi), tangent(bar, xi_bar))
+}
+
+/// The same from points and tangents.
+fn conditions<T: Real>((x, t): (Vector3<T>, Vector3<T>), (x_bar, t_bar): (Vector3<T>, Vector3<T>)) -> [T; 2] {
+    let d = x - x_bar;
     [d.dot(&t), d.dot(&t_bar)]
 }
 
@@ -80,6 +85,8 @@ where
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chord<B> {
     inverse: [[B; 2]; 2],
+    /// t,xi and t_bar,xi_bar, which it is made of.
+    t_xi: [Vector3<B>; 2],
 }
 
 impl<B> Chord<B>
@@ -93,11 +100,13 @@ where
         S: PositionAt<<B::Dual as Differentiable>::Dual> + ?Sized,
         R: PositionAt<<B::Dual as Differentiable>::Dual> + ?Sized,
     {
-        let columns = [(1.0, 0.0), (0.0, 1.0)].map(|(along, along_bar)| {
-            orthogonality::<B::Dual>(beam, bar, (xi.dual(along), xi_bar.dual(along_bar)))
-                .map(|f| B::parts(f).1)
-        });
-        let [[j00, j10], [j01, j11]] = columns;
+        // Each beam once, moving; held it is the same without the last derivative.
+        let held = |v: Vector3<B::Dual>| v.map(|component| B::parts(component).0.dual(0.0));
+        let slopes = |x, x_bar| conditions::<B::Dual>(x, x_bar).map(|f| B::parts(f).1);
+        let (x, t) = tangent::<B::Dual>(beam, xi.dual(1.0));
+        let (x_bar, t_bar) = tangent::<B::Dual>(bar, xi_bar.dual(1.0));
+        let [j00, j10] = slopes((x, t), (held(x_bar), held(t_bar)));
+        let [j01, j11] = slopes((held(x), held(t)), (x_bar, t_bar));
         let (zero, one) = (B::zero(), B::one());
         let inverse = match (active.xi, active.xi_bar) {
             (false, false) => {
@@ -108,7 +117,13 @@ where
             (false, true) => [[one / j00, zero], [zero, zero]],
             (true, true) => [[zero; 2]; 2],
         };
-        Self { inverse }
+        Self { inverse, t_xi: [t, t_bar].map(|t| t.map(|component| B::parts(component).1)) }
+    }
+
+    /// The changes of both parameters that undo changes of the conditions, to first order.
+    #[inline]
+    pub(super) fn solve(&self, f: B, f_bar: B) -> [B; 2] {
+        self.inverse.map(|[p, q]| -(p * f + q * f_bar))
     }
 
     /// Lifts to the scalar `T` by `steps` chord steps: one makes the first derivatives exact, two the second.
@@ -129,32 +144,45 @@ where
         (xi, xi_bar)
     }
 
-    /// Lifts to hyper-dual numbers order by order: the first step yields the parts of first order, the second that of
-    /// second order, and neither touches what is known already.
+    /// All quantities in hyper-dual numbers, order by order: the first step yields the parts of first order, the second
+    /// that of second order, and neither touches what is known already.
     ///
-    /// In exact arithmetic, at the exact closest point, this is [`Chord::lift`] by two steps. Over numbers with error
-    /// bounds it is sharper: there the second step, which changes the first order by zero, is charged for it.
-    pub fn lift_by_orders<S, R>(
+    /// In exact arithmetic, at the exact closest point, this is [`Chord::lift`] by two steps and [`evaluate`]. Over
+    /// numbers with error bounds it is sharper: there the second step, which changes the first order by zero, is charged
+    /// for it.
+    ///
+    /// [`evaluate`]: super::evaluate()
+    pub fn evaluate_by_orders<S, R>(
         &self,
         beam: &S,
         bar: &R,
         (xi, xi_bar): (B, B),
-    ) -> (HyperDual<B>, HyperDual<B>)
+        contact: &Contact,
+    ) -> Quantities<HyperDual<B>>
     where
         HyperDual<B>: Differentiable,
         S: PositionAt<<HyperDual<B> as Differentiable>::Dual> + ?Sized,
         R: PositionAt<<HyperDual<B> as Differentiable>::Dual> + ?Sized,
     {
-        let solve = |f: B, f_bar: B| self.inverse.map(|[p, q]| -(p * f + q * f_bar));
         let known = |xi: B, eps1: B, eps2: B| HyperDual::new(xi, eps1, eps2, B::zero());
         let held = (known(xi, B::zero(), B::zero()), known(xi_bar, B::zero(), B::zero()));
         let [f, f_bar] = orthogonality(beam, bar, held);
-        let [delta, delta_bar] = solve(f.eps1, f_bar.eps1);
-        let [linear, linear_bar] = solve(f.eps2, f_bar.eps2);
-        let (first, first_bar) = (known(xi, delta, linear), known(xi_bar, delta_bar, linear_bar));
-        let [f, f_bar] = orthogonality(beam, bar, (first, first_bar));
-        let [second, second_bar] = solve(f.eps1eps2, f_bar.eps1eps2);
-        let with = |first: HyperDual<B>, eps1eps2: B| HyperDual { eps1eps2, ..first };
-        (with(first, second), with(first_bar, second_bar))
+        let [delta, delta_bar] = self.solve(f.eps1, f_bar.eps1);
+        let [linear, linear_bar] = self.solve(f.eps2, f_bar.eps2);
+        let (mut xi, mut xi_bar) = (known(xi, delta, linear), known(xi_bar, delta_bar, linear_bar));
+        let [mut point, mut point_bar] = [tangent(beam, xi), tangent(bar, xi_bar)];
+        let [f, f_bar] = conditions(point, point_bar);
+        let seconds = self.solve(f.eps1eps2, f_bar.eps1eps2);
+        // The part of second order moves points and tangents along the tangent and its derivative, and nothing else.
+        for (i, (xi, (x, t))) in
+            [(&mut xi, &mut point), (&mut xi_bar, &mut point_bar)].into_iter().enumerate()
+        {
+            xi.eps1eps2 = seconds[i];
+            for c in 0..3 {
+                x[c].eps1eps2 += t[c].re * seconds[i];
+                t[c].eps1eps2 += self.t_xi[i][c] * seconds[i];
+            }
+        }
+        quantities(point, point_bar, (xi, xi_bar), contact)
     }
 }

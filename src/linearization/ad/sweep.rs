@@ -76,8 +76,13 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 ) -> Quantities<Varied<f64>> {
     let beam = Perturbed { curve: &pair.curve, q: seeded(&q.beam, &dq.beam, &linear_dq.beam) };
     let bar = Perturbed { curve: &pair.curve_bar, q: seeded(&q.bar, &dq.bar, &linear_dq.bar) };
-    let at = (point.xi, point.xi_bar);
-    hyper_dual(route, &beam, &bar, at, point.active(), &pair.contact).map(Varied::from)
+    let (at, beams) = ((point.xi, point.xi_bar), nameless(&beam, &bar));
+    hyper_dual(route, beams.0, beams.1, at, point.active(), &pair.contact).map(Varied::from)
+}
+
+/// Both curves with their families forgotten: what solves for the closest point is long, and is compiled once this way.
+fn nameless<'a>(beam: &'a impl HyperBeam, bar: &'a impl HyperBeam) -> (&'a dyn HyperBeam, &'a dyn HyperBeam) {
+    (beam, bar)
 }
 
 /// q + eps1 dq + eps2 Dq.
@@ -106,7 +111,8 @@ pub fn expand_by_sweep<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize,
         for i in 0..=j {
             let beam = Perturbed { curve: &pair.curve, q: seeded(&q.beam, &unit(i).beam, &unit(j).beam) };
             let bar = Perturbed { curve: &pair.curve_bar, q: seeded(&q.bar, &unit(i).bar, &unit(j).bar) };
-            let picked = pick(hyper_dual(route, &beam, &bar, at, point.active(), &pair.contact));
+            let beams = nameless(&beam, &bar);
+            let picked = pick(hyper_dual(route, beams.0, beams.1, at, point.active(), &pair.contact));
             for (expansion, number) in expansions.iter_mut().zip(picked) {
                 expansion.value = number.re;
                 expansion.gradient.set(j, number.eps2);

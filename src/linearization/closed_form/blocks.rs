@@ -35,170 +35,130 @@ mod arithmetic;
 mod batch;
 #[cfg(target_arch = "x86_64")]
 mod by_four;
+mod choice;
 mod distance;
 mod frame;
 mod lengths;
 mod parameters;
-mod second_order;
+mod request;
 mod side;
 mod target;
 
-pub use batch::write_d_batch;
+pub use batch::{Encounter, write_all_batch, write_d_batch};
+pub use request::Targets;
 pub use target::{Full, Gradient, Packed, Target};
 
 use super::{Form, Matrices, Points, Sound, jets};
 use crate::closest_point::{Active, ClosestPoint};
 use crate::curve::Curve;
-use crate::linearization::Linearization;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 use arithmetic::{Arithmetic, ByOne, Separate};
 #[cfg(target_arch = "x86_64")]
 use by_four::ByFour;
-use frame::Frame;
+use choice::{Best, Choice, Given, Plain};
+use frame::{Frame, points, squares};
+use request::{DistanceAlone, Request};
 use side::Side;
 
-/// Memory for all scalar quantities of a pair but the slips.
-#[derive(Debug)]
-pub struct Targets<'a, W> {
-    /// d.
-    pub d: &'a mut W,
-    /// xi.
-    pub xi: &'a mut W,
-    /// xi_bar.
-    pub xi_bar: &'a mut W,
-    /// t.
-    pub t: &'a mut W,
-    /// t_bar.
-    pub t_bar: &'a mut W,
-}
-
 /// d with its derivatives, at a closest point of the pair, written over `to`.
+#[inline]
 pub fn write_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     to: &mut impl Target<f64, N, M>,
 ) {
-    if !is_done(fast_d(pair, q, point, to)) {
-        target::fill(&rarer(pair, q, point).d, to, |to, from| *to = from);
-    }
+    write(pair, q, point, &mut DistanceAlone(to));
 }
 
 /// All scalar quantities but the slips, at a closest point of the pair, written over `to`.
+#[inline]
 pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     to: &mut Targets<'_, impl Target<f64, N, M>>,
 ) {
-    if !is_done(fast_all(pair, q, point, to)) {
-        let Linearization { d, xi, xi_bar, t, t_bar, .. } = rarer(pair, q, point);
-        target::fill(&d, to.d, |to, from| *to = from);
-        target::fill(&xi, to.xi, |to, from| *to = from);
-        target::fill(&xi_bar, to.xi_bar, |to, from| *to = from);
-        target::fill(&t, to.t, |to, from| *to = from);
-        target::fill(&t_bar, to.t_bar, |to, from| *to = from);
-    }
+    write(pair, q, point, to);
 }
 
-/// [`write_all`] over any scalar, in the paper's form; `false`, and nothing written, if a curve has no shape functions.
+/// [`write_all`] over any scalar, in the form asked for; `false`, and nothing written, if a curve has no shape functions.
 ///
 /// For those who check: [`write_all`] does the same, with fused products and sums.
 pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    active: Active,
+    form: Form,
     to: &mut Targets<'_, impl Target<T, N, M>>,
 ) -> bool {
-    all(ByOne(Separate), pair, q, at, active, to).is_some()
+    evaluate(ByOne(Separate), pair, q, at, Given(form), to).is_some()
 }
 
-/// Whether the paper's form was evaluated, at a point where no other keeps more digits.
+/// What is asked for, by the form that loses the fewest digits.
+///
+/// The paper's, inside both beams and at wide angles and gaps, has a kernel of its own, in which there is nothing to choose.
 #[inline]
-fn is_done(squares: Option<[f64; 4]>) -> bool {
-    squares.is_some_and(Form::is_plain)
+fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+    request: &mut impl Request<f64, N, M>,
+) {
+    let inside = point.active() == Active::default();
+    if !inside || fast(pair, q, point, Plain, request).is_none() {
+        write_rarer(pair, q, point, request);
+    }
 }
 
-/// At small angles and gaps, and of curves without shape functions.
+/// At ends, at small angles and gaps, and of curves without shape functions.
 #[cold]
 #[inline(never)]
-fn rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+fn write_rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
-) -> Linearization<f64, N, M> {
+    request: &mut impl Request<f64, N, M>,
+) {
+    if fast(pair, q, point, Best(point.active()), request).is_none() {
+        let at = (point.xi, point.xi_bar);
+        let (jet, jet_bar) = jets(pair, q, at);
+        let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+        request.copy(&Matrices::with(Sound, &jet, &jet_bar, form), at, &pair.contact);
+    }
+}
+
+#[inline]
+fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+    choice: impl Choice<f64>,
+    request: &mut impl Request<f64, N, M>,
+) -> Option<()> {
     let at = (point.xi, point.xi_bar);
-    let (jet, jet_bar) = jets(pair, q, at);
-    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
-    Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact)
+    with_the_fastest!(f: ByFour, ByOne(Separate) => evaluate(f, pair, q, at, choice, request))
 }
 
-#[inline]
-fn fast_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    to: &mut impl Target<f64, N, M>,
-) -> Option<[f64; 4]> {
-    let (at, active) = ((point.xi, point.xi_bar), point.active());
-    with_the_fastest!(f: ByFour, ByOne(Separate) => d(f, pair, q, at, active, to))
-}
-
-#[inline]
-fn fast_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    to: &mut Targets<'_, impl Target<f64, N, M>>,
-) -> Option<[f64; 4]> {
-    let (at, active) = ((point.xi, point.xi_bar), point.active());
-    with_the_fastest!(f: ByFour, ByOne(Separate) => all(f, pair, q, at, active, to))
-}
-
-/// t·t, t̄·t̄, t·t̄ and d·d of what was written; nothing if a curve has no shape functions.
+/// Nothing, if a curve has no shape functions or the choice knows no form for the point.
 #[inline(always)]
-fn d<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+fn evaluate<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     f: impl Arithmetic<T>,
     pair: &Pair<A, B>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    active: Active,
-    to: &mut impl Target<T, N, M>,
-) -> Option<[T; 4]> {
-    let frame = frame(f, pair, q, at, active)?;
-    frame.write_d(f, to);
-    Some(frame.squares)
-}
-
-/// The same of all quantities.
-#[inline(always)]
-fn all<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    f: impl Arithmetic<T>,
-    pair: &Pair<A, B>,
-    q: &DofVector<T, N, M>,
-    at: (T, T),
-    active: Active,
-    to: &mut Targets<'_, impl Target<T, N, M>>,
-) -> Option<[T; 4]> {
-    let frame = frame(f, pair, q, at, active)?;
-    frame.write_d(f, to.d);
-    frame.write_xi(f, at.0, to.xi, to.t);
-    frame.write_xi_bar(f, at.1, to.xi_bar, to.t_bar);
-    Some(frame.squares)
-}
-
-/// The pair at its closest point.
-#[inline(always)]
-fn frame<T: Real, A: Curve<N>, B: Curve<M>, F: Arithmetic<T>, const N: usize, const M: usize>(
-    f: F,
-    pair: &Pair<A, B>,
-    q: &DofVector<T, N, M>,
-    (xi, xi_bar): (T, T),
-    active: Active,
-) -> Option<Frame<T, F::Vector, N, M>> {
-    let beam = Side::new(f, &pair.curve.jet(&q.beam, xi).dofs, &q.beam, T::one())?;
-    let bar = Side::new(f, &pair.curve_bar.jet(&q.bar, xi_bar).dofs, &q.bar, -T::one())?;
-    Some(Frame::new(f, beam, bar, active))
+    choice: impl Choice<T>,
+    request: &mut impl Request<T, N, M>,
+) -> Option<()> {
+    let beam = Side::new(f, &pair.curve.jet(&q.beam, at.0).dofs, &q.beam, T::one())?;
+    let bar = Side::new(f, &pair.curve_bar.jet(&q.bar, at.1).dofs, &q.bar, -T::one())?;
+    let (d, squares) = squares(f, &beam, &bar);
+    let chosen = choice.choose(
+        squares,
+        #[inline(always)]
+        || points(f, &beam, &bar),
+    )?;
+    request.write(f, &Frame::new(f, (beam, bar), (d, squares), chosen), at);
+    Some(())
 }

@@ -84,6 +84,16 @@ impl<T: Real> Points<T> {
         Self { beam: *beam, bar: *bar, d: beam.x - bar.x }
     }
 
+    /// The same over another number type.
+    #[inline]
+    pub fn map<U: Real>(&self, number: impl Fn(T) -> U) -> Points<U> {
+        let geometry = |x: &Geometry<T>| {
+            let [x, t, t_xi, t_xixi] = [x.x, x.t, x.t_xi, x.t_xixi].map(|v| v.map(&number));
+            Geometry { x, t, t_xi, t_xixi }
+        };
+        Points { beam: geometry(&self.beam), bar: geometry(&self.bar), d: self.d.map(&number) }
+    }
+
     /// c = t x t_bar.
     #[inline]
     pub fn cross(&self) -> Vector3<T> {

@@ -1,6 +1,35 @@
 //! How sums of products are computed: the one place where the vector units of a machine show.
 
 use crate::number::{Lanes, Real};
+use std::ops::{Deref, DerefMut};
+
+/// A vector over the dofs of a beam, aligned for vector units.
+#[derive(Clone, Copy)]
+#[repr(align(32))]
+pub(super) struct Dofs<T, const L: usize>([T; L]);
+
+impl<T: Real, const L: usize> Dofs<T, L> {
+    #[inline(always)]
+    pub(super) fn zeros() -> Self {
+        Self([T::zero(); L])
+    }
+}
+
+impl<T, const L: usize> Deref for Dofs<T, L> {
+    type Target = [T];
+
+    #[inline(always)]
+    fn deref(&self) -> &[T] {
+        &self.0
+    }
+}
+
+impl<T, const L: usize> DerefMut for Dofs<T, L> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut [T] {
+        &mut self.0
+    }
+}
 
 /// Sums of products over the scalar `T`: of vectors in space, and of vectors over the dofs of a beam.
 ///
@@ -41,7 +70,7 @@ pub(super) trait Arithmetic<T: Real>: Copy {
     fn tile_along(self, axis: usize, factor: T) -> Self::Tile;
 
     /// Shape functions, each times `sign`, spread over their dofs.
-    fn spread<const L: usize>(self, shapes: &[T], sign: T) -> [T; L];
+    fn spread<const L: usize>(self, shapes: &[T], sign: T) -> Dofs<T, L>;
 
     /// Sets `to`, as far as all of them reach, to the sum of the shape functions times vectors in `spread` and of the
     /// factors times vectors over the dofs in `sum`.
@@ -58,8 +87,8 @@ pub(super) trait Arithmetic<T: Real>: Copy {
         self,
         spread: [(&[T], Self::Tile); J],
         sum: [(T, &[T]); K],
-    ) -> [T; L] {
-        let mut dofs = [T::zero(); L];
+    ) -> Dofs<T, L> {
+        let mut dofs = Dofs::zeros();
         self.set(&mut dofs, spread, sum);
         dofs
     }
@@ -197,8 +226,8 @@ impl<T: Real, F: MulAdd<T>> Arithmetic<T> for ByOne<F> {
     }
 
     #[inline(always)]
-    fn spread<const L: usize>(self, shapes: &[T], sign: T) -> [T; L] {
-        let mut spread = [T::zero(); L];
+    fn spread<const L: usize>(self, shapes: &[T], sign: T) -> Dofs<T, L> {
+        let mut spread = Dofs::zeros();
         for (to, &shape) in spread.chunks_exact_mut(3).zip(shapes) {
             to.fill(sign * shape);
         }

@@ -1,8 +1,15 @@
 //! Sums of products with the vectors of AVX2, on machines that have it.
 
-use super::arithmetic::{Arithmetic, reach, unit};
+use super::arithmetic::{Arithmetic, Dofs, reach};
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x4, x86::Avx2};
+
+/// The unit vectors over and over.
+const AXES: [[[f64; 4]; 3]; 3] = [
+    [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 0.0]],
+    [[0.0, 1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0]],
+    [[0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 1.0]],
+];
 
 /// Four dofs of an `f64` at a time, with fused products and sums.
 #[derive(Clone, Copy)]
@@ -12,10 +19,11 @@ impl ByFour {
     /// Four numbers from `at` on.
     #[inline(always)]
     fn load(self, v: &[f64], at: usize) -> f64x4<Avx2> {
-        match v.get(at..at + 4) {
-            Some(four) => f64x4::from_slice(self.0, four),
-            None => f64x4::splat(self.0, 0.0),
+        let mut four = [0.0; 4];
+        if at + 4 <= v.len() {
+            four.copy_from_slice(&v[at..at + 4]);
         }
+        f64x4::load_array(self.0, four)
     }
 
     #[inline(always)]
@@ -81,17 +89,23 @@ impl Arithmetic<f64> for ByFour {
 
     #[inline(always)]
     fn tile_along(self, axis: usize, factor: f64) -> [f64x4<Avx2>; 3] {
-        let ([x, y, z], factor) = (unit(axis), self.splat(factor));
+        let factor = self.splat(factor);
+        let [first, second, third] = AXES[axis % 3];
         [
-            factor * f64x4::load_array(self.0, [x, y, z, x]),
-            factor * f64x4::load_array(self.0, [y, z, x, y]),
-            factor * f64x4::load_array(self.0, [z, x, y, z]),
+            factor * f64x4::load_array(self.0, first),
+            factor * f64x4::load_array(self.0, second),
+            factor * f64x4::load_array(self.0, third),
         ]
     }
 
     #[inline(always)]
-    fn spread<const L: usize>(self, shapes: &[f64], sign: f64) -> [f64; L] {
-        let mut spread = [0.0; L];
+    fn along(self, axis: usize, factor: f64) -> f64x4<Avx2> {
+        self.times(factor, f64x4::load_array(self.0, AXES[axis % 3][0]))
+    }
+
+    #[inline(always)]
+    fn spread<const L: usize>(self, shapes: &[f64], sign: f64) -> Dofs<f64, L> {
+        let mut spread = Dofs::zeros();
         if shapes.len() * 3 < L {
             return spread;
         }
@@ -137,8 +151,8 @@ impl Arithmetic<f64> for ByFour {
                 let (factor, four) = (self.splat(*factor), self.load(v, at));
                 total = if J + k == 0 { factor * four } else { factor.mul_add(four, total) };
             }
-            if let Some(to) = to.get_mut(at..at + 4) {
-                total.store_slice(to);
+            if at + 4 <= to.len() {
+                to[at..at + 4].copy_from_slice(&*total);
             }
         }
     }

@@ -1,20 +1,29 @@
 //! The distance, its gradient and its Hessian.
 
-use super::arithmetic::{Arithmetic, by_axis};
-use super::frame::Frame;
+use super::arithmetic::{Arithmetic, Dofs, by_axis};
+use super::frame::{Frame, points};
 use super::target::Target;
+use crate::linearization::closed_form::form::{unit_normal, weights};
+use crate::linearization::closed_form::{Projection, Sound};
 use crate::number::Real;
+use nalgebra::Vector3;
+
+/// The distance, its normal n and the rows of K, its Hessian in the positions.
+struct Distance<T, V> {
+    value: T,
+    n: V,
+    k: [V; 3],
+}
 
 impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
     /// d.
     #[inline(always)]
     pub(super) fn write_d<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(&self, f: A, to: &mut W) {
-        let Self { beam, bar, d, squares, u, u_bar, .. } = self;
-        let distance = squares[3].sqrt();
-        let curvature = T::one() / distance;
-        let n = f.times(curvature, *d);
+        let Self { beam, bar, u, u_bar, .. } = self;
+        let Distance { value, n, k } =
+            if self.chosen.form.sign().is_some() { self.along_normal(f) } else { self.by_length(f) };
         // Eq. (4), (37): δd = n·δᵤû
-        *to.value() = distance;
+        *to.value() = value;
         let tile = f.tile(n);
         let (gradient, gradient_bar) = to.gradient();
         f.set(gradient, [(&beam.shapes[0], tile)], []);
@@ -23,26 +32,19 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
             return;
         }
         // Eq. (40), (51): Δδd = δᵤû·K Δᵤû + (δᵤû·u)(n·Δᵤu,ξ) + (δᵤû·ū)(n·Δᵤū,ξ̄) + n·δᵤu,ξ Δξ − n·δᵤū,ξ̄ Δξ̄
-        // with K = (I − nnᵀ + t uᵀ + t̄ ūᵀ)/d
-        let (by_t, by_t_bar) = (f.times(curvature, beam.t), f.times(curvature, bar.t));
-        let (by_t, by_t_bar) = (f.components(by_t), f.components(by_t_bar));
-        let minus_n = f.components(f.times(-curvature, n));
         let (u_i, u_bar_i) = (f.components(*u), f.components(*u_bar));
         // n·δᵤu,ξ and n·δᵤū,ξ̄
-        let by_n: [T; N] = f.dofs([(&beam.shapes[1], tile)], []);
-        let by_n_bar: [T; M] = f.dofs([(&bar.shapes[1], tile)], []);
-        let k = by_axis(
+        let by_n: Dofs<T, N> = f.dofs([(&beam.shapes[1], tile)], []);
+        let by_n_bar: Dofs<T, M> = f.dofs([(&bar.shapes[1], tile)], []);
+        let k = k.map(
             #[inline(always)]
-            |i| {
-                let k = f.times_plus(minus_n[i], n, f.along(i, curvature));
-                f.tile(f.times_plus(by_t_bar[i], *u_bar, f.times_plus(by_t[i], *u, k)))
-            },
+            |row| f.tile(row),
         );
-        let rows: [[T; N]; 3] = by_axis(
+        let rows: [Dofs<T, N>; 3] = by_axis(
             #[inline(always)]
             |i| f.dofs([(&beam.shapes[0], k[i])], [(u_i[i], &by_n)]),
         );
-        let rows_bar: [[T; M]; 3] = by_axis(
+        let rows_bar: [Dofs<T, M>; 3] = by_axis(
             #[inline(always)]
             |i| f.dofs([(&bar.shapes[0], k[i])], [(u_bar_i[i], &by_n_bar)]),
         );
@@ -64,5 +66,39 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
                 f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, &bar.g_bar)]);
             }
         }
+    }
+
+    /// n = d/d   K = (I − nnᵀ + t uᵀ + t̄ ūᵀ)/d
+    #[inline(always)]
+    fn by_length<A: Arithmetic<T, Vector = V>>(&self, f: A) -> Distance<T, V> {
+        let Self { beam, bar, d, squares, u, u_bar, .. } = self;
+        let value = squares[3].sqrt();
+        let curvature = T::one() / value;
+        let n = f.times(curvature, *d);
+        let (by_t, by_t_bar) = (f.times(curvature, beam.t), f.times(curvature, bar.t));
+        let (by_t, by_t_bar) = (f.components(by_t), f.components(by_t_bar));
+        let minus_n = f.components(f.times(-curvature, n));
+        let k = by_axis(
+            #[inline(always)]
+            |i| {
+                let k = f.times_plus(minus_n[i], n, f.along(i, curvature));
+                f.times_plus(by_t_bar[i], *u_bar, f.times_plus(by_t[i], *u, k))
+            },
+        );
+        Distance { value, n, k }
+    }
+
+    /// n = ± t × t̄/|t × t̄|   K = T W Tᵀ with T = [t, −t̄]
+    #[inline]
+    fn along_normal<A: Arithmetic<T, Vector = V>>(&self, f: A) -> Distance<T, V> {
+        let points = points(f, &self.beam, &self.bar);
+        let n = unit_normal(&(points.cross() * self.chosen.sign));
+        let det = Projection::with(&Sound, &points, self.chosen.form).det();
+        let [w_11, w_12, w_22] = weights(&points, &n, -det);
+        let (t, t_bar) = (points.beam.t, points.bar.t);
+        let (by_t, by_t_bar) = (t * w_11 - t_bar * w_12, t_bar * w_22 - t * w_12);
+        let vector = |v: Vector3<T>| f.vector(v.into());
+        let k = by_axis(|i| vector(by_t * t[i] + by_t_bar * t_bar[i]));
+        Distance { value: n.dot(&points.d), n: vector(n), k }
     }
 }

@@ -1,8 +1,9 @@
 //! What the quantities share: a pair at its closest point, and the gradients of its parameters.
 
 use super::arithmetic::Arithmetic;
+use super::choice::Chosen;
 use super::side::Side;
-use crate::closest_point::Active;
+use crate::linearization::closed_form::{Points, Projection, Sound};
 use crate::number::Real;
 
 /// A pair at its closest point.
@@ -13,6 +14,7 @@ pub(super) struct Frame<T, V, const N: usize, const M: usize> {
     pub(super) d: V,
     /// t·t, t̄·t̄, t·t̄ and d·d.
     pub(super) squares: [T; 4],
+    pub(super) chosen: Chosen<T>,
     /// p, q and q_bar: the inverse of the projection's matrix is [[p, q], [-q, q_bar]].
     pub(super) inverse: [T; 3],
     /// The coefficients of u_hat in delta xi and in -delta xi_bar.
@@ -20,22 +22,32 @@ pub(super) struct Frame<T, V, const N: usize, const M: usize> {
     pub(super) u_bar: V,
 }
 
+/// d, and t·t, t̄·t̄, t·t̄ and d·d.
+#[inline(always)]
+pub(super) fn squares<T: Real, A: Arithmetic<T>, const N: usize, const M: usize>(
+    f: A,
+    beam: &Side<T, A::Vector, N>,
+    bar: &Side<T, A::Vector, M>,
+) -> (A::Vector, [T; 4]) {
+    let d = f.times_plus(-T::one(), bar.x, beam.x);
+    (d, [f.dot(beam.t, beam.t), f.dot(bar.t, bar.t), f.dot(beam.t, bar.t), f.dot(d, d)])
+}
+
 impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
     #[inline(always)]
     pub(super) fn new<A: Arithmetic<T, Vector = V>>(
         f: A,
-        mut beam: Side<T, V, N>,
-        mut bar: Side<T, V, M>,
-        active: Active,
+        (mut beam, mut bar): (Side<T, V, N>, Side<T, V, M>),
+        (d, squares): (V, [T; 4]),
+        chosen: Chosen<T>,
     ) -> Self {
         let (zero, one) = (T::zero(), T::one());
-        let d = f.times_plus(-one, bar.x, beam.x);
-        let squares = [f.dot(beam.t, beam.t), f.dot(bar.t, bar.t), f.dot(beam.t, bar.t), f.dot(d, d)];
+        let active = chosen.form.active;
         // Eq. (50), (51): a = t·t + d·t,ξ   b = t·t̄   ā = −t̄·t̄ + d·t̄,ξ̄
         let a = squares[0] + f.dot(d, beam.t_xi);
         let b = squares[2];
         let a_bar = f.dot(d, bar.t_xi) - squares[1];
-        let [p, q, q_bar] = match (active.xi, active.xi_bar) {
+        let mut inverse = match (active.xi, active.xi_bar) {
             // Eq. (52): [[p, q], [−q, q̄]] = [[ā, b], [−b, a]]/D, with one division.
             (false, false) => {
                 let scale = one / f.mul_add(a, a_bar, b * b);
@@ -48,8 +60,13 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         };
         // Eq. (50), (52): with R = −δᵤû·t − δᵤu,ξ·d and its twin, δξ = u·δᵤû − p d·δᵤu,ξ − q d·δᵤū,ξ̄
         // and δξ̄ = −ū·δᵤû + q d·δᵤu,ξ − q̄ d·δᵤū,ξ̄ where u = −(p t + q t̄), ū = q̄ t̄ − q t
-        let u = f.combined([(-p, beam.t), (-q, bar.t)]);
-        let u_bar = f.combined([(q_bar, bar.t), (-q, beam.t)]);
+        let [p, q, q_bar] = inverse;
+        let mut u = f.combined([(-p, beam.t), (-q, bar.t)]);
+        let mut u_bar = f.combined([(q_bar, bar.t), (-q, beam.t)]);
+        if chosen.form.is_crossed() {
+            (inverse, u, u_bar) = crossed(f, &points(f, &beam, &bar), chosen);
+        }
+        let [p, q, q_bar] = inverse;
         let minus_u_bar = f.tile(f.times(-one, u_bar));
         let (by_p, by_q) = (f.tile(f.times(-p, d)), f.tile(f.times(q, d)));
         let (by_minus_q, by_q_bar) = (f.tile(f.times(-q, d)), f.tile(f.times(-q_bar, d)));
@@ -57,6 +74,29 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         bar.g = f.dofs([(&bar.shapes[0], f.tile(u)), (&bar.shapes[1], by_minus_q)], []);
         beam.g_bar = f.dofs([(&beam.shapes[0], minus_u_bar), (&beam.shapes[1], by_q)], []);
         bar.g_bar = f.dofs([(&bar.shapes[0], minus_u_bar), (&bar.shapes[1], by_q_bar)], []);
-        Self { beam, bar, d, squares, inverse: [p, q, q_bar], u, u_bar }
+        Self { beam, bar, d, squares, chosen, inverse, u, u_bar }
     }
+}
+
+/// Both beams at their contact points.
+#[inline(always)]
+pub(super) fn points<T: Real, A: Arithmetic<T>, const N: usize, const M: usize>(
+    f: A,
+    beam: &Side<T, A::Vector, N>,
+    bar: &Side<T, A::Vector, M>,
+) -> Points<T> {
+    Points::new(&beam.geometry(f), &bar.geometry(f))
+}
+
+/// p, q and q_bar, u and u_bar without products that cancel.
+#[inline]
+fn crossed<T: Real, A: Arithmetic<T>>(
+    f: A,
+    points: &Points<T>,
+    chosen: Chosen<T>,
+) -> ([T; 3], A::Vector, A::Vector) {
+    let projection = Projection::with(&Sound, points, chosen.form);
+    let [[p, q], [_, q_bar]] = projection.inverse();
+    let [u, minus_u_bar] = projection.crossed.map_or([points.d; 2], |crossed| crossed.u);
+    ([p, q, q_bar], f.vector(u.into()), f.vector((-minus_u_bar).into()))
 }

@@ -9,52 +9,62 @@
 //!
 //! which is eq. (58), sorted by g. What is not a multiple of g belongs to the tangent's own beam.
 
-use super::arithmetic::{Arithmetic, by_axis};
+use super::arithmetic::{Arithmetic, Dofs, by_axis};
 use super::side::Side;
+use super::target::Target;
 use crate::number::Real;
 
-/// The length of a tangent: all that its Hessian is made of but that of xi, along the dofs of its `own` beam and those of the `other`.
-pub(super) struct Length<T, const N: usize, const M: usize> {
-    pub(super) value: T,
-    pub(super) kappa: T,
-    /// b.
-    pub(super) b: [T; N],
-    /// m.
-    pub(super) m: [T; N],
-    pub(super) m_other: [T; M],
-    /// The rows of A_1'(I - ww')A_1/t that belong to u,xi.
-    pub(super) across: [[T; N]; 3],
-}
-
-impl<T: Real, const N: usize, const M: usize> Length<T, N, M> {
-    /// From the tangent's own beam and the gradient of xi; writes the gradient.
-    #[inline(always)]
-    pub(super) fn new<V: Copy, A: Arithmetic<T, Vector = V>>(
-        f: A,
-        own: &Side<T, V, N>,
-        (g, g_other): (&[T; N], &[T; M]),
-        (gradient, gradient_other): (&mut [T], &mut [T]),
-    ) -> Self {
-        let Side { t, t_xi, t_xixi, shapes: [_, s_xi, s_xixi], .. } = own;
-        let one = T::one();
-        let value = f.dot(*t, *t).sqrt();
-        let inverse = one / value;
-        let w = f.times(inverse, *t);
-        let kappa = f.dot(w, *t_xi);
-        // (t,ξ·t,ξ − κ²)/t is the part of t,ξ across t, times t,ξ: no cancellation.
-        let across = f.times(inverse, f.times_plus(-kappa, w, *t_xi));
-        let in_g = f.dot(w, *t_xixi) + f.dot(across, *t_xi);
-        let tile = f.tile(w);
-        f.set(gradient, [(s_xi, tile)], [(kappa, g)]);
-        f.set(gradient_other, [], [(kappa, g_other)]);
-        let b: [T; N] = f.dofs([(s_xixi, tile), (s_xi, f.tile(across))], []);
-        let m = f.dofs([], [(one, &b), (in_g, g)]);
-        let m_other = f.dofs([], [(in_g, g_other)]);
-        let by_w = f.components(f.times(-inverse, w));
-        let rows = by_axis(
-            #[inline(always)]
-            |i| f.dofs([(s_xi, f.tile(f.times_plus(by_w[i], w, f.along(i, inverse))))], []),
-        );
-        Self { value, kappa, b, m, m_other, across: rows }
+/// Writes the length of the tangent of `own` from the gradient and the written Hessian of its parameter.
+#[inline(always)]
+pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const N: usize, const M: usize>(
+    f: A,
+    own: &Side<T, A::Vector, N>,
+    (g, g_other): (&Dofs<T, N>, &Dofs<T, M>),
+    of_parameter: &mut W,
+    to: &mut W,
+) {
+    let Side { t, t_xi, t_xixi, shapes: [_, s_xi, s_xixi], .. } = own;
+    let one = T::one();
+    let value = f.dot(*t, *t).sqrt();
+    let inverse = one / value;
+    let w = f.times(inverse, *t);
+    let kappa = f.dot(w, *t_xi);
+    let tile = f.tile(w);
+    *to.value() = value;
+    let (gradient, gradient_other) = to.gradient();
+    f.set(gradient, [(s_xi, tile)], [(kappa, g)]);
+    f.set(gradient_other, [], [(kappa, g_other)]);
+    if !W::SECOND {
+        return;
+    }
+    // (t,ξ·t,ξ − κ²)/t is the part of t,ξ across t, times t,ξ: no cancellation.
+    let across = f.times(inverse, f.times_plus(-kappa, w, *t_xi));
+    let in_g = f.dot(w, *t_xixi) + f.dot(across, *t_xi);
+    let b: Dofs<T, N> = f.dofs([(s_xixi, tile), (s_xi, f.tile(across))], []);
+    let m: Dofs<T, N> = f.dofs([], [(one, &b), (in_g, g)]);
+    let m_other: Dofs<T, M> = f.dofs([], [(in_g, g_other)]);
+    // The rows of A₁ᵀ(I − wwᵀ)A₁/t that belong to u,ξ
+    let by_w = f.components(f.times(-inverse, w));
+    let across: [Dofs<T, N>; 3] = by_axis(
+        #[inline(always)]
+        |i| f.dofs([(s_xi, f.tile(f.times_plus(by_w[i], w, f.along(i, inverse))))], []),
+    );
+    for a in 0..N / 3 {
+        for (i, across) in across.iter().enumerate() {
+            let r = 3 * a + i;
+            let (from, from_other) = of_parameter.row(r);
+            let (row, row_other) = to.row(r);
+            f.set(row, [], [(kappa, from), (g[r], &m), (b[r], g), (s_xi[r], across)]);
+            f.set(row_other, [], [(kappa, from_other), (m[r], g_other)]);
+        }
+    }
+    for a in 0..M / 3 {
+        for i in 0..3 {
+            let r = 3 * a + i;
+            let (from, from_other) = of_parameter.row_bar(r);
+            let (row, row_other) = to.row_bar(r);
+            f.set(row, [], [(kappa, from), (g_other[r], &m)]);
+            f.set(row_other, [], [(kappa, from_other), (g_other[r], &m_other)]);
+        }
     }
 }

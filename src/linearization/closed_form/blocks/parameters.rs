@@ -1,7 +1,8 @@
-//! The Hessians of the closest point's parameters.
+//! The parameters of the closest point.
 //!
 //! The vectors and constants are those of the matrices' derivation, sorted by what they multiply: P and P_bar enter the
-//! Hessian of xi with the factors p and q, and that of xi_bar with -q and q_bar, here x and y. With sym(u, v) = uvᵀ + vuᵀ,
+//! Hessian of xi with the factors p and q, and that of xi_bar with -q and q_bar, here x and y. With m = −(x t + y t̄) and
+//! sym(u, v) = uvᵀ + vuᵀ,
 //!
 //! ```text
 //! H = x P + y P̄ = sym(g, w) + sym(ḡ, w̄) − x C − y C̄     w = −(x α + y β̄)     w̄ = −(y ᾱ + x β)
@@ -10,41 +11,124 @@
 //! g, g_bar, w and w_bar are linear in the variations u_hat, u,xi, u,xixi, u_bar,xi and u_bar,xixi of the jets, and so is
 //! every row of H. The rows of these variations are found first; a dof's row is a sum of them.
 
-use super::arithmetic::{Arithmetic, by_axis};
+use super::arithmetic::{Arithmetic, Dofs};
 use super::frame::Frame;
+use super::lengths::write_length;
 use super::side::Side;
+use super::target::{Swapped, Target};
 use crate::number::Real;
 
-/// The Hessian of a parameter: its rows that belong to the variations of the jets.
-pub(super) struct Parameter<T, const N: usize, const M: usize> {
-    pub(super) beam: Rows<T, N>,
-    pub(super) bar: Rows<T, M>,
+impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
+    /// xi, which is `at`, and t.
+    #[inline(always)]
+    pub(super) fn write_xi<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
+        &self,
+        f: A,
+        at: T,
+        xi: &mut W,
+        t: &mut W,
+    ) {
+        let Self { beam, bar, inverse: [p, q, _], u, .. } = self;
+        self.write_parameter(f, at, (&beam.g, &bar.g), ([*p, *q], *u), xi);
+        write_length(f, beam, (&beam.g, &bar.g), xi, t);
+    }
+
+    /// xi_bar, which is `at`, and t_bar.
+    #[inline(always)]
+    pub(super) fn write_xi_bar<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
+        &self,
+        f: A,
+        at: T,
+        xi_bar: &mut W,
+        t_bar: &mut W,
+    ) {
+        let Self { beam, bar, inverse: [_, q, q_bar], u_bar, .. } = self;
+        let minus_u_bar = f.times(-T::one(), *u_bar);
+        self.write_parameter(f, at, (&beam.g_bar, &bar.g_bar), ([-*q, *q_bar], minus_u_bar), xi_bar);
+        write_length(f, bar, (&bar.g_bar, &beam.g_bar), &mut Swapped(xi_bar), &mut Swapped(t_bar));
+    }
+
+    /// The parameter with a gradient and a Hessian x P + y P_bar.
+    #[inline(always)]
+    fn write_parameter<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
+        &self,
+        f: A,
+        at: T,
+        (g, g_bar): (&[T], &[T]),
+        ([x, y], m): ([T; 2], V),
+        to: &mut W,
+    ) {
+        *to.value() = at;
+        let (gradient, gradient_bar) = to.gradient();
+        f.set(gradient, [], [(T::one(), g)]);
+        f.set(gradient_bar, [], [(T::one(), g_bar)]);
+        if !W::SECOND {
+            return;
+        }
+        let Self { beam, bar, .. } = self;
+        let (d, u, u_bar) = (f.components(self.d), f.components(self.u), f.components(self.u_bar));
+        let parameter = Parameter::new(f, self, ([x, y], m));
+        for i in 0..3 {
+            let along = [d[i], u[i], u_bar[i]];
+            let rows = parameter.rows(f, (i, along), beam, &parameter.beam, -x);
+            let rows_bar = parameter.rows(f, (i, along), bar, &parameter.bar, -y);
+            for a in 0..N / 3 {
+                let r = 3 * a + i;
+                let [s, s_xi, bend] = [beam.shapes[0][r], beam.shapes[1][r], parameter.bend[r]];
+                let (row, row_bar) = to.row(r);
+                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi), (bend, &beam.g)]);
+                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi), (bend, &bar.g)]);
+            }
+            for a in 0..M / 3 {
+                let r = 3 * a + i;
+                let [s, s_xi, bend] = [bar.shapes[0][r], bar.shapes[1][r], parameter.bend_bar[r]];
+                let (row, row_bar) = to.row_bar(r);
+                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi_bar), (bend, &beam.g_bar)]);
+                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi_bar), (bend, &bar.g_bar)]);
+            }
+        }
+    }
+}
+
+/// The Hessian of a parameter, x P + y P_bar.
+struct Parameter<T, const N: usize, const M: usize> {
+    x: T,
+    y: T,
+    /// The components of w and w_bar along u_hat, u,xi and u_bar,xi.
+    w: [[T; 3]; 3],
+    w_bar: [[T; 3]; 3],
+    beam: Along<T, N>,
+    bar: Along<T, M>,
     /// What is left of the row of a beam's dof is this multiple of g, and of a bar beam's dof this multiple of g_bar.
-    pub(super) bend: [T; N],
-    pub(super) bend_bar: [T; M],
+    bend: Dofs<T, N>,
+    bend_bar: Dofs<T, M>,
 }
 
-/// The columns of one beam.
-pub(super) struct Rows<T, const L: usize> {
-    /// The rows of u_hat, u,xi and u_bar,xi.
-    pub(super) hat: [[T; L]; 3],
-    pub(super) xi: [[T; L]; 3],
-    pub(super) xi_bar: [[T; L]; 3],
+/// w, w_bar, v = −p w + q w̄ and v_bar = −q w − q̄ w̄ along the dofs of one beam.
+struct Along<T, const L: usize> {
+    w: Dofs<T, L>,
+    w_bar: Dofs<T, L>,
+    v: Dofs<T, L>,
+    v_bar: Dofs<T, L>,
 }
 
-/// What w, or w_bar, is along u_hat, u,xi and u_bar,xi.
-type Along<V> = [V; 3];
+/// The rows of u_hat, u,xi and u_bar,xi along one axis, in the columns of one beam.
+struct Rows<T, const L: usize> {
+    hat: Dofs<T, L>,
+    xi: Dofs<T, L>,
+    xi_bar: Dofs<T, L>,
+}
 
 impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
-    /// From x, y and m = −(x t + y t̄).
     #[inline(always)]
-    pub(super) fn new<V: Copy, A: Arithmetic<T, Vector = V>>(
+    fn new<V: Copy, A: Arithmetic<T, Vector = V>>(
         f: A,
         frame: &Frame<T, V, N, M>,
         ([x, y], m): ([T; 2], V),
     ) -> Self {
         let Frame { beam, bar, d, inverse: [p, q, q_bar], u, u_bar, .. } = frame;
         let (p, q, q_bar, d, u, u_bar) = (*p, *q, *q_bar, *d, *u, *u_bar);
+        let one = T::one();
         let half = <T as From<f64>>::from(0.5);
         // The multiples of g and ḡ in w and w̄: those in α, β, ᾱ and β̄.
         let straight = f.mul_add(half, f.dot(d, beam.t_xixi), f.dot(beam.t, beam.t_xi));
@@ -66,72 +150,64 @@ impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
             f.times_plus(in_bar, d, f.times_plus(-T::one(), m, f.times(y, bar.t))),
         ];
         // −x d·Δᵤu,ξξ and −y d·Δᵤū,ξ̄ξ̄, the parts of w and w̄ that belong to one beam only
-        let bend: [T; N] = f.dofs([(&beam.shapes[2], f.tile(f.times(-x, d)))], []);
-        let bend_bar: [T; M] = f.dofs([(&bar.shapes[2], f.tile(f.times(-y, d)))], []);
-        // v = −p w + q w̄   v̄ = −q w − q̄ w̄
-        let v = [
-            f.combined([(-p, w[0]), (q, w_bar[0])]),
-            f.combined([(-p, w[1]), (q, w_bar[1])]),
-            f.combined([(-p, w[2]), (q, w_bar[2])]),
+        let bend: Dofs<T, N> = f.dofs([(&beam.shapes[2], f.tile(f.times(-x, d)))], []);
+        let bend_bar: Dofs<T, M> = f.dofs([(&bar.shapes[2], f.tile(f.times(-y, d)))], []);
+        let [s, s_xi, _] = &beam.shapes;
+        let of_beam = [
+            f.dofs([(s, f.tile(w[0])), (s_xi, f.tile(w[1]))], [(one, &bend)]),
+            f.dofs([(s, f.tile(w_bar[0])), (s_xi, f.tile(w_bar[1]))], []),
         ];
-        let v_bar = [
-            f.combined([(-q, w[0]), (-q_bar, w_bar[0])]),
-            f.combined([(-q, w[1]), (-q_bar, w_bar[1])]),
-            f.combined([(-q, w[2]), (-q_bar, w_bar[2])]),
+        let [s, s_xi, _] = &bar.shapes;
+        let of_bar = [
+            f.dofs([(s, f.tile(w[0])), (s_xi, f.tile(w[2]))], []),
+            f.dofs([(s, f.tile(w_bar[0])), (s_xi, f.tile(w_bar[2]))], [(one, &bend_bar)]),
         ];
-        let combined = [w, w_bar, v, v_bar];
         Self {
-            beam: Rows::new(f, frame, ([x, y], -x), beam, &combined, (1, &bend, [-p, -q])),
-            bar: Rows::new(f, frame, ([x, y], -y), bar, &combined, (2, &bend_bar, [q, -q_bar])),
+            x,
+            y,
+            w: w.map(
+                #[inline(always)]
+                |w| f.components(w),
+            ),
+            w_bar: w_bar.map(
+                #[inline(always)]
+                |w| f.components(w),
+            ),
+            beam: Along::new(f, frame.inverse, of_beam),
+            bar: Along::new(f, frame.inverse, of_bar),
             bend,
             bend_bar,
         }
     }
+
+    /// Along axis i, where d, u and u_bar have these components; `along_tangent` is what couples u_hat and its first derivatives in C and C_bar.
+    #[inline(always)]
+    fn rows<V: Copy, A: Arithmetic<T, Vector = V>, const L: usize>(
+        &self,
+        f: A,
+        (i, [d, u, u_bar]): (usize, [T; 3]),
+        side: &Side<T, V, L>,
+        along: &Along<T, L>,
+        along_tangent: T,
+    ) -> Rows<T, L> {
+        let Side { shapes: [s, s_xi, _], g, g_bar, .. } = side;
+        let (w, w_bar) = (&self.w, &self.w_bar);
+        let hat = [(u, &along.w[..]), (-u_bar, &along.w_bar), (w[0][i], g), (w_bar[0][i], g_bar)];
+        let xi = [(d, &along.v[..]), (w[1][i], g), (w_bar[1][i], g_bar)];
+        let xi_bar = [(d, &along.v_bar[..]), (w[2][i], g), (w_bar[2][i], g_bar)];
+        Rows {
+            hat: f.dofs([(s_xi, f.tile_along(i, along_tangent))], hat),
+            xi: f.dofs([(s, f.tile_along(i, -self.x))], xi),
+            xi_bar: f.dofs([(s, f.tile_along(i, -self.y))], xi_bar),
+        }
+    }
 }
 
-impl<T: Real, const L: usize> Rows<T, L> {
-    /// `along_tangent` is what couples u_hat and the first derivatives of this side in C and C_bar. Then come w, w_bar, v and
-    /// v_bar along the variations of the jets, which of these the first derivatives of this side are, and the second with
-    /// their multiples in v and v_bar.
+impl<T: Real, const L: usize> Along<T, L> {
     #[inline(always)]
-    fn new<V: Copy, A: Arithmetic<T, Vector = V>, const N: usize, const M: usize>(
-        f: A,
-        frame: &Frame<T, V, N, M>,
-        ([x, y], along_tangent): ([T; 2], T),
-        side: &Side<T, V, L>,
-        [w, w_bar, v, v_bar]: &[Along<V>; 4],
-        (first, bend, [in_v, in_v_bar]): (usize, &[T; L], [T; 2]),
-    ) -> Self {
-        let Side { shapes: [s, s_xi, _], g, g_bar, .. } = side;
-        let (d, t, t_bar) = (f.components(frame.d), f.components(frame.beam.t), f.components(frame.bar.t));
-        let (w_0, w_1, w_2) = (f.components(w[0]), f.components(w[1]), f.components(w[2]));
-        let (w_bar_0, w_bar_1, w_bar_2) =
-            (f.components(w_bar[0]), f.components(w_bar[1]), f.components(w_bar[2]));
-        let of_v = side.along(f, [v[0], v[first]], (in_v, bend));
-        let of_v_bar = side.along(f, [v_bar[0], v_bar[first]], (in_v_bar, bend));
-        Self {
-            hat: by_axis(
-                #[inline(always)]
-                |i| {
-                    // u w − ū w̄ = t v + t̄ v̄
-                    let sum = [(t[i], &of_v[..]), (t_bar[i], &of_v_bar), (w_0[i], g), (w_bar_0[i], g_bar)];
-                    f.dofs([(s_xi, f.tile_along(i, along_tangent))], sum)
-                },
-            ),
-            xi: by_axis(
-                #[inline(always)]
-                |i| {
-                    let sum = [(d[i], &of_v[..]), (w_1[i], g), (w_bar_1[i], g_bar)];
-                    f.dofs([(s, f.tile_along(i, -x))], sum)
-                },
-            ),
-            xi_bar: by_axis(
-                #[inline(always)]
-                |i| {
-                    let sum = [(d[i], &of_v_bar[..]), (w_2[i], g), (w_bar_2[i], g_bar)];
-                    f.dofs([(s, f.tile_along(i, -y))], sum)
-                },
-            ),
-        }
+    fn new(f: impl Arithmetic<T>, [p, q, q_bar]: [T; 3], [w, w_bar]: [Dofs<T, L>; 2]) -> Self {
+        let v = f.dofs([], [(-p, &w), (q, &w_bar)]);
+        let v_bar = f.dofs([], [(-q, &w), (-q_bar, &w_bar)]);
+        Self { w, w_bar, v, v_bar }
     }
 }

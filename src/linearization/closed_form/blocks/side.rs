@@ -1,9 +1,9 @@
 //! One beam at its closest point, as it enters the formulas.
 
-use super::arithmetic::Arithmetic;
-use crate::curve::DofDerivatives;
+use super::arithmetic::{Arithmetic, Dofs};
+use crate::curve::{DofDerivatives, Geometry};
 use crate::number::Real;
-use nalgebra::SVector;
+use nalgebra::{SVector, Vector3};
 
 /// A curve at its closest point.
 pub(super) struct Side<T, V, const L: usize> {
@@ -14,10 +14,10 @@ pub(super) struct Side<T, V, const L: usize> {
     /// The shape functions and their first two derivatives, by order, each for all the dofs it belongs to.
     ///
     /// Those of order 0 are negative on the bar beam, as they are in delta_u u_hat.
-    pub(super) shapes: [[T; L]; 3],
+    pub(super) shapes: [Dofs<T, L>; 3],
     /// The gradients of xi and xi_bar.
-    pub(super) g: [T; L],
-    pub(super) g_bar: [T; L],
+    pub(super) g: Dofs<T, L>,
+    pub(super) g_bar: Dofs<T, L>,
 }
 
 impl<T: Real, V: Copy, const L: usize> Side<T, V, L> {
@@ -48,19 +48,15 @@ impl<T: Real, V: Copy, const L: usize> Side<T, V, L> {
             t_xixi = f.times_plus(n_xixixi[a], point, t_xixi);
         }
         let shapes = [f.spread(n, sign), f.spread(n_xi, T::one()), f.spread(n_xixi, T::one())];
-        let nil = [T::zero(); L];
+        let nil = Dofs::zeros();
         Some(Self { x, t, t_xi, t_xixi, shapes, g: nil, g_bar: nil })
     }
 
-    /// A vector times u_hat and a vector times a first derivative, along the dofs, and a multiple of `rest`.
+    /// The same as vectors of three components.
     #[inline(always)]
-    pub(super) fn along(
-        &self,
-        f: impl Arithmetic<T, Vector = V>,
-        [hat, first]: [V; 2],
-        (factor, rest): (T, &[T; L]),
-    ) -> [T; L] {
-        let [s, s_xi, _] = &self.shapes;
-        f.dofs([(s, f.tile(hat)), (s_xi, f.tile(first))], [(factor, rest)])
+    pub(super) fn geometry(&self, f: impl Arithmetic<T, Vector = V>) -> Geometry<T> {
+        let [x, t, t_xi, t_xixi] =
+            [self.x, self.t, self.t_xi, self.t_xixi].map(|v| Vector3::from(f.components(v)));
+        Geometry { x, t, t_xi, t_xixi }
     }
 }

@@ -198,6 +198,44 @@ impl<T: Real, const N: usize, const M: usize, const S: usize> Target<T, N, M> fo
     }
 }
 
+/// Memory with the beams exchanged.
+pub(super) struct Swapped<'a, W>(pub(super) &'a mut W);
+
+impl<T, W: Target<T, N, M>, const N: usize, const M: usize> Target<T, M, N> for Swapped<'_, W> {
+    const SECOND: bool = W::SECOND;
+
+    #[inline(always)]
+    fn value(&mut self) -> &mut T {
+        self.0.value()
+    }
+
+    #[inline(always)]
+    fn gradient(&mut self) -> (&mut [T], &mut [T]) {
+        let (beam, bar) = self.0.gradient();
+        (bar, beam)
+    }
+
+    #[inline(always)]
+    fn row(&mut self, i: usize) -> (&mut [T], &mut [T]) {
+        let (beam, bar) = self.0.row_bar(i);
+        (bar, beam)
+    }
+
+    #[inline(always)]
+    fn row_bar(&mut self, i: usize) -> (&mut [T], &mut [T]) {
+        let (beam, bar) = self.0.row(i);
+        (bar, beam)
+    }
+}
+
+/// Copies a quantity into another layout.
+pub(super) fn copy<T: Real, const N: usize, const M: usize>(
+    from: &Expansion<T, N, M>,
+    to: &mut impl Target<T, N, M>,
+) {
+    fill(from, to, |to, from| *to = from);
+}
+
 /// Copies a quantity into another layout, one number into each by `set`.
 pub(super) fn fill<T: Real, W: Real, const N: usize, const M: usize>(
     from: &Expansion<T, N, M>,

@@ -1,0 +1,160 @@
+//! The closed form: in blocks, as it runs fastest, and term by term, as it reads best.
+
+use super::input::{Input, TimedCurve};
+use super::truth::Rows;
+use super::work::{Judge, rows, scenario, written};
+use super::{Scenario, Task};
+use beamgap::linearization::closed_form::blocks::{self, Full, Gradient, Packed, Targets};
+use beamgap::linearization::closed_form::{Matrices, jets, linearize};
+use beamgap::linearization::{Expansion, Linearization};
+
+const WAY: &str = "closed form";
+const BY_TERMS: &str = "closed form, term by term";
+
+/// All that the closed form has for a pair of `S` dofs.
+pub(super) fn scenarios<
+    A: TimedCurve<N>,
+    B: TimedCurve<M>,
+    const N: usize,
+    const M: usize,
+    const S: usize,
+>(
+    input: &Input<A, B, N, M>,
+    judge: &Judge,
+) -> [Scenario; 6] {
+    let gradients = |of: &[Gradient<f64, S>]| -> Rows {
+        of.iter().flat_map(|of| [vec![of.value], of.gradient.to_vec()]).collect()
+    };
+    [
+        distance(Task::Distance, input, judge),
+        scenario((Task::Distance, BY_TERMS), input, d_by_terms, |of| rows(&[of]), judge.of_first(3)),
+        all(Task::All, input, judge),
+        scenario(
+            (Task::WithSlips, BY_TERMS),
+            input,
+            |p| linearize(&p.pair, &p.q, &p.point),
+            |Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar }| {
+                rows(&[d, xi, xi_bar, t, t_bar, g_t, g_t_bar])
+            },
+            judge.of_first(21),
+        ),
+        written(
+            (Task::GradientOfDistance, WAY),
+            input,
+            |p, to| blocks::write_d(&p.pair, &p.q, &p.point, to),
+            Gradient::<f64, S>::zeros,
+            move |of| gradients(std::slice::from_ref(of)),
+            judge.of_gradients(1),
+        ),
+        written(
+            (Task::Gradients, WAY),
+            input,
+            |p, [d, xi, xi_bar, t, t_bar]: &mut [Gradient<f64, S>; 5]| {
+                blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+            },
+            || [Gradient::zeros(); 5],
+            move |of| gradients(of),
+            judge.of_gradients(5),
+        ),
+    ]
+}
+
+/// d with its gradient and Hessian.
+pub(super) fn distance<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
+    task: Task,
+    input: &Input<A, B, N, M>,
+    judge: &Judge,
+) -> Scenario {
+    let work = |p: &Input<A, B, N, M>, to: &mut Expansion<f64, N, M>| {
+        blocks::write_d(&p.pair, &p.q, &p.point, to);
+    };
+    written((task, WAY), input, work, Expansion::zero, |of| rows(&[of]), judge.of_first(3))
+}
+
+/// All quantities but the slips.
+pub(super) fn all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
+    task: Task,
+    input: &Input<A, B, N, M>,
+    judge: &Judge,
+) -> Scenario {
+    let work = |p: &Input<A, B, N, M>, to: &mut [Expansion<f64, N, M>; 5]| {
+        let [d, xi, xi_bar, t, t_bar] = to;
+        blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    };
+    let memory = || [Expansion::zero(); 5];
+    written((task, WAY), input, work, memory, |of| rows(&of.each_ref()), judge.of_first(15))
+}
+
+fn d_by_terms<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
+    p: &Input<A, B, N, M>,
+) -> Expansion<f64, N, M> {
+    let (jet, jet_bar) = jets(&p.pair, &p.q, (p.point.xi, p.point.xi_bar));
+    Matrices::new(&jet, &jet_bar, p.point.active()).d()
+}
+
+/// The layouts other than that of blocks: `S` dofs, `H` entries of the lower triangle.
+pub(super) fn layouts<
+    A: TimedCurve<N>,
+    B: TimedCurve<M>,
+    const N: usize,
+    const M: usize,
+    const S: usize,
+    const H: usize,
+>(
+    input: &Input<A, B, N, M>,
+    judge: &Judge,
+) -> [Scenario; 4] {
+    let full = |of: &[Full<f64, S>]| -> Rows {
+        let rows =
+            |of: &Full<f64, S>| [vec![of.value], of.gradient.to_vec(), of.hessian.as_flattened().to_vec()];
+        of.iter().flat_map(rows).collect()
+    };
+    let packed = |of: &[Packed<f64, S, H>]| -> Rows {
+        let rows = |of: &Packed<f64, S, H>| {
+            let entries = (0..S).flat_map(|i| (0..S).map(move |j| of.entry(i, j))).collect();
+            [vec![of.value], of.gradient.to_vec(), entries]
+        };
+        of.iter().flat_map(rows).collect()
+    };
+    [
+        written(
+            (Task::Distance, IN_FULL),
+            input,
+            |p, to| blocks::write_d(&p.pair, &p.q, &p.point, to),
+            Full::<f64, S>::zeros,
+            move |of| full(std::slice::from_ref(of)),
+            judge.of_first(3),
+        ),
+        written(
+            (Task::Distance, PACKED),
+            input,
+            |p, to| blocks::write_d(&p.pair, &p.q, &p.point, to),
+            Packed::<f64, S, H>::zeros,
+            move |of| packed(std::slice::from_ref(of)),
+            judge.of_first(3),
+        ),
+        written(
+            (Task::All, IN_FULL),
+            input,
+            |p, [d, xi, xi_bar, t, t_bar]: &mut [Full<f64, S>; 5]| {
+                blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+            },
+            || [Full::zeros(); 5],
+            move |of| full(of),
+            judge.of_first(15),
+        ),
+        written(
+            (Task::All, PACKED),
+            input,
+            |p, [d, xi, xi_bar, t, t_bar]: &mut [Packed<f64, S, H>; 5]| {
+                blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+            },
+            || [Packed::zeros(); 5],
+            move |of| packed(of),
+            judge.of_first(15),
+        ),
+    ]
+}
+
+const IN_FULL: &str = "closed form, in full";
+const PACKED: &str = "closed form, packed";

@@ -1,0 +1,62 @@
+//! Where the closest point comes from, which all the rest takes as given.
+
+use super::input::{Input, Inputs, TimedCurve};
+use super::truth;
+use super::work::{Judge, Way, scenario};
+use super::{Scenario, Task};
+use beamgap::closest_point::{Beam, Search, closest_points, refine};
+
+/// How far from the closest point Newton's method starts: what a time step may move it.
+const OFF: f64 = 0.05;
+
+/// Every other family.
+pub(super) fn others(of: &Inputs) -> Vec<Scenario> {
+    let mut all = Vec::new();
+    all.extend(of_pair(of.segment));
+    all.extend(of_pair(of.quadratic));
+    all.extend(of_pair(of.cubic));
+    all.extend(of_pair(of.hermite_scaled));
+    all.extend(of_pair(of.bezier));
+    all.extend(of_pair(of.spline));
+    all.extend(of_pair(of.nurbs));
+    all.extend(of_pair(of.nurbs_weighted));
+    all.extend(of_pair(of.arc));
+    all.extend(of_pair(of.helix));
+    all
+}
+
+/// The search and Newton's method.
+pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
+    input: Input<A, B, N, M>,
+) -> [Scenario; 2] {
+    let judge = Judge::new(move || truth::closest_point(&input));
+    let ways: [Way<A, B, (f64, f64), N, M>; 2] = [
+        ("search for all minima", |p| {
+            let (beam, bar) = beams(p);
+            let found = closest_points(&beam, &bar, &Search::default()).expect("the pairs are regular");
+            found.interior().map(|point| (point.xi, point.xi_bar)).expect("they cross inside")
+        }),
+        ("Newton from 0.05 off", |p| {
+            let (beam, bar) = beams(p);
+            let start = (p.point.xi + OFF, p.point.xi_bar - OFF);
+            let found = refine(&beam, &bar, start, p.point.active()).expect("it is near");
+            (found.xi, found.xi_bar)
+        }),
+    ];
+    ways.map(|(way, work)| {
+        scenario(
+            (Task::ClosestPoint, way),
+            &input,
+            work,
+            |&(xi, xi_bar)| vec![vec![xi, xi_bar]],
+            judge.of_first(1),
+        )
+    })
+}
+
+fn beams<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
+    p: &Input<A, B, N, M>,
+) -> (Beam<'_, A, N>, Beam<'_, B, M>) {
+    let beam = Beam { curve: &p.pair.curve, q: &p.q.beam };
+    (beam, Beam { curve: &p.pair.curve_bar, q: &p.q.bar })
+}

@@ -1,0 +1,95 @@
+//! What is timed and counted: every task in every way, each judged against double-double.
+//!
+//! Benches and counts go through one list, [`all`], so that no number is reported of what was not judged by the same code
+//! on the same pair. The tests run [`standard`], the part of it that takes no minutes to compile.
+
+mod automatic;
+mod closed;
+mod closest;
+mod differences;
+pub(crate) mod error;
+mod input;
+mod many;
+mod matrices;
+mod sizes;
+pub(crate) mod truth;
+mod variations;
+mod work;
+
+use error::Error;
+
+use beamgap::report::{Task, Verdict};
+use std::fmt;
+
+/// One way to do one task with one kind of beams.
+pub(crate) struct Scenario {
+    /// The task.
+    pub(crate) task: Task,
+    /// The family of both beams.
+    pub(crate) family: &'static str,
+    /// The dofs of both beams together.
+    pub(crate) dofs: usize,
+    /// The way.
+    pub(crate) way: String,
+    /// How many pairs a run does.
+    pub(crate) pairs: usize,
+    runner: Box<dyn Fn() -> Runner + Send + Sync>,
+    judge: Box<dyn Fn() -> Error + Send + Sync>,
+}
+
+/// Does a scenario once each time it is called, with memory of its own for the results.
+pub(crate) type Runner = Box<dyn FnMut()>;
+
+impl Scenario {
+    /// What does it; neither the input nor the result is visible to the optimizer.
+    pub(crate) fn runner(&self) -> Runner {
+        (self.runner)()
+    }
+
+    /// Compares what it yields with the truth.
+    pub(crate) fn verdict(&self) -> Verdict {
+        let Error { relative, share } = (self.judge)();
+        Verdict {
+            task: self.task.name().to_owned(),
+            family: self.family.to_owned(),
+            dofs: self.dofs,
+            way: self.way.clone(),
+            pairs: self.pairs,
+            error: relative,
+            share,
+        }
+    }
+
+    /// The task and the beams, which the ways of a group have in common.
+    pub(crate) fn group(&self) -> String {
+        self.task.group(self.family, self.dofs)
+    }
+}
+
+impl fmt::Display for Scenario {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}, {}", self.group(), self.way)
+    }
+}
+
+/// All scenarios, group by group.
+pub(crate) fn all() -> Vec<Scenario> {
+    let inputs = input::Inputs::drawn();
+    let mut all = standard();
+    all.extend(matrices::others(&inputs));
+    all.extend(variations::others(&inputs));
+    all.extend(closest::others(&inputs));
+    all.extend(sizes::scenarios());
+    all.extend(many::scenarios());
+    all.sort_by_key(|scenario| scenario.task);
+    all
+}
+
+/// Those of one pair of the standard family, two Hermite beams: all the code there is, compiled once.
+pub(crate) fn standard() -> Vec<Scenario> {
+    let input = input::hermites();
+    let mut standard = matrices::standard(&input);
+    standard.extend(variations::of_pair(input));
+    standard.extend(closest::of_pair(input));
+    standard
+}

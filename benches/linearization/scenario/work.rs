@@ -1,0 +1,109 @@
+//! From a function on a pair to a scenario: how it is run, and how it is judged.
+
+use super::input::{Input, TimedCurve};
+use super::truth::{Rows, Truth};
+use super::{Error, Runner, Scenario, Task};
+use beamgap::linearization::Expansion;
+use std::hint::black_box;
+use std::sync::{Arc, OnceLock};
+
+/// A way to `R` from a pair, and its name.
+pub(super) type Way<A, B, R, const N: usize, const M: usize> = (&'static str, fn(&Input<A, B, N, M>) -> R);
+
+/// The truth about a pair, found once and when it is first asked for.
+#[derive(Clone)]
+pub(super) struct Judge {
+    truth: Arc<dyn Fn() -> Truth + Send + Sync>,
+    found: Arc<OnceLock<Truth>>,
+}
+
+impl Judge {
+    pub(super) fn new(truth: impl Fn() -> Truth + Send + Sync + 'static) -> Self {
+        Self { truth: Arc::new(truth), found: Arc::default() }
+    }
+
+    pub(super) fn truth(&self) -> &Truth {
+        self.found.get_or_init(|| (self.truth)())
+    }
+
+    /// A judge of results that are the first so many rows of the truth, but for rounding.
+    pub(super) fn of_first(&self, rows: usize) -> impl Fn(Rows) -> Error + Send + Sync + 'static {
+        let judge = self.clone();
+        move |result| Error::of(&result, &judge.truth()[..rows], |_| 0.0)
+    }
+
+    /// The same of values and gradients, without the Hessians of the truth.
+    pub(super) fn of_gradients(&self, quantities: usize) -> impl Fn(Rows) -> Error + Send + Sync + 'static {
+        let judge = self.clone();
+        move |result| {
+            let truth = judge.truth().chunks(3).take(quantities);
+            let truth: Vec<_> = truth.flat_map(|of| of[..2].to_vec()).collect();
+            Error::of(&result, &truth, |_| 0.0)
+        }
+    }
+}
+
+/// One way to work on a pair, judged by `judge` from the rows that `rows` sorts its result into.
+pub(super) fn scenario<A, B, R, const N: usize, const M: usize>(
+    (task, way): (Task, &str),
+    input: &Input<A, B, N, M>,
+    work: impl Fn(&Input<A, B, N, M>) -> R + Send + Sync + Copy + 'static,
+    rows: impl Fn(&R) -> Rows + Send + Sync + 'static,
+    judge: impl Fn(Rows) -> Error + Send + Sync + 'static,
+) -> Scenario
+where
+    A: TimedCurve<N>,
+    B: TimedCurve<M>,
+{
+    let input = *input;
+    let runner = move || -> Runner {
+        // The result is looked at where it lies: to pass it on would cost a copy of it.
+        Box::new(move || {
+            black_box(&work(black_box(&input)));
+        })
+    };
+    let (family, dofs, way) = (input.family, N + M, way.to_owned());
+    let judge = Box::new(move || judge(rows(&work(&input))));
+    Scenario { task, family, dofs, way, pairs: 1, runner: Box::new(runner), judge }
+}
+
+/// One way to work on a pair that writes its result over memory of the caller.
+pub(super) fn written<A, B, R, const N: usize, const M: usize>(
+    (task, way): (Task, &str),
+    input: &Input<A, B, N, M>,
+    work: impl Fn(&Input<A, B, N, M>, &mut R) + Send + Sync + Copy + 'static,
+    memory: fn() -> R,
+    rows: impl Fn(&R) -> Rows + Send + Sync + 'static,
+    judge: impl Fn(Rows) -> Error + Send + Sync + 'static,
+) -> Scenario
+where
+    A: TimedCurve<N>,
+    B: TimedCurve<M>,
+    R: 'static,
+{
+    let input = *input;
+    let runner = move || -> Runner {
+        let mut to = Box::new(memory());
+        Box::new(move || {
+            work(black_box(&input), black_box(&mut to));
+        })
+    };
+    let judge = move || {
+        let mut to = memory();
+        work(&input, &mut to);
+        judge(rows(&to))
+    };
+    let (family, dofs, way) = (input.family, N + M, way.to_owned());
+    Scenario { task, family, dofs, way, pairs: 1, runner: Box::new(runner), judge: Box::new(judge) }
+}
+
+/// Values, gradients and Hessians.
+pub(super) fn rows<const N: usize, const M: usize>(expansions: &[&Expansion<f64, N, M>]) -> Rows {
+    let rows = |expansion: &&Expansion<f64, N, M>| {
+        let Expansion { value, gradient, hessian } = expansion;
+        let all = || 0..N + M;
+        let entries = all().flat_map(|i| all().map(move |j| hessian.entry(i, j))).collect();
+        [vec![*value], all().map(|i| gradient.entry(i)).collect(), entries]
+    };
+    expansions.iter().flat_map(rows).collect()
+}

@@ -1,0 +1,56 @@
+//! How the benchmarks were measured, and what they do not say.
+
+use super::benchmark::{Benchmark, DENOMINATOR};
+use super::number::count;
+use super::page::Block;
+
+impl Benchmark {
+    /// The end of the page.
+    pub(super) fn method(&self) -> Vec<Block> {
+        let samples = self.scenarios.iter().map(|measured| measured.samples.len()).min().unwrap_or(0);
+        vec![
+            Block::heading("How it was measured"),
+            Block::table(&["", ""], self.environment.pairs()),
+            Block::List(vec![
+                "One thread and one pair, the same each time, unless something else is said; the closest point is given, unless \
+                 it is what is timed. Dofs in, all results out."
+                    .to_owned(),
+                "The pairs are drawn by the gate's own generator, generic, well-conditioned, and at wide gaps and angles, \
+                 where the paper's form keeps its digits, but for the near one; those of growing size are two \
+                 gently bent beams that cross.".to_owned(),
+                format!(
+                    "A time is the median of at least {} samples, none left out. Its 95 % interval lies between two of the \
+                     samples (order statistics) and assumes no distribution.",
+                    count(samples as u64)
+                ),
+                format!(
+                    "A ratio is the time of the way over the time of the **{DENOMINATOR}** of the same task and beams. Its \
+                     interval comes from the 97.5 % intervals of both medians. Where it holds 1 the table says so."
+                ),
+                "The error is the largest distance from the closed form in double-double, relative to the largest number of that \
+                 value, gradient or Hessian. What is allowed for each number is the sum of the running error bounds of both \
+                 linearizations; for differences also what they change by when their steps are doubled. A scenario that \
+                 exceeds it anywhere is not timed."
+                    .to_owned(),
+                "The chord ways take one step for d alone, which is enough there, and two for all quantities. By orders: the \
+                 first derivatives of xi and xi_bar once for each dof, the second by the implicit function theorem. A row is \
+                 one dof against eight."
+                    .to_owned(),
+                "All samples are in `benchmark.json`, from which alone this page and its pictures are made.".to_owned(),
+            ]),
+            Block::heading("What these numbers do not say"),
+            Block::List(SILENCE.map(str::to_owned).to_vec()),
+        ]
+    }
+}
+
+const SILENCE: [&str; 5] = [
+    "Nothing about other processors, compilers or flags.",
+    "Nothing about other programs but those listed: a speed-up over the automatic differentiation of this crate is none over \
+     another's. How far apart honest ways of automatic differentiation are among themselves, the tables show.",
+    "The samples of one scenario follow each other, so whatever else the machine did meanwhile is in some rows and not in \
+     others. The intervals say how much the samples scatter, not how far a busy machine shifts them all.",
+    "One pair of each family stands for all; its numbers are in the cache. An assembly that writes every Hessian to memory \
+     waits for memory.",
+    "The errors are those of one well-conditioned pair. How errors grow is the business of the crosscheck.",
+];
