@@ -109,12 +109,14 @@ impl Arithmetic<f64> for ByFour {
         if shapes.len() * 3 < L {
             return spread;
         }
-        for chunk in 0..L.div_ceil(4) {
-            let at = (4 * chunk).min(L - 4);
+        for at in (0..L - L % 4).step_by(4) {
             #[expect(clippy::manual_div_ceil, reason = "the control vector of the next dof")]
             let four = [shapes[at / 3], shapes[(at + 1) / 3], shapes[(at + 2) / 3], shapes[(at + 3) / 3]];
             let four = f64x4::load_array(self.0, four) * self.splat(sign);
             four.store_slice(&mut spread[at..at + 4]);
+        }
+        for at in L - L % 4..L {
+            spread[at] = sign * shapes[at / 3];
         }
         spread
     }
@@ -127,21 +129,8 @@ impl Arithmetic<f64> for ByFour {
         sum: [(f64, &[f64]); K],
     ) {
         let reach = reach(to, &spread, &sum);
-        if reach < 4 {
-            for i in 0..reach {
-                to[i] = 0.0;
-                for (shapes, tile) in &spread {
-                    to[i] = shapes[i].mul_add(tile[0][i], to[i]);
-                }
-                for (factor, v) in &sum {
-                    to[i] = factor.mul_add(v[i], to[i]);
-                }
-            }
-            return;
-        }
-        for chunk in 0..reach.div_ceil(4) {
-            // The last four overlap those before them if the number is no multiple of four.
-            let at = (4 * chunk).min(reach - 4);
+        let whole = reach - reach % 4;
+        for at in (0..whole).step_by(4) {
             let mut total = self.splat(0.0);
             for (j, (shapes, tile)) in spread.iter().enumerate() {
                 let (four, v) = (self.load(shapes, at), tile[at % 3]);
@@ -151,9 +140,18 @@ impl Arithmetic<f64> for ByFour {
                 let (factor, four) = (self.splat(*factor), self.load(v, at));
                 total = if J + k == 0 { factor * four } else { factor.mul_add(four, total) };
             }
-            if at + 4 <= to.len() {
-                to[at..at + 4].copy_from_slice(&*total);
+            to[at..at + 4].copy_from_slice(&*total);
+        }
+        // One by one: four that overlapped those before them would wait until these are stored.
+        for at in whole..reach {
+            let mut total = 0.0;
+            for (shapes, tile) in &spread {
+                total = shapes[at].mul_add(tile[whole % 3][at - whole], total);
             }
+            for (factor, v) in &sum {
+                total = factor.mul_add(v[at], total);
+            }
+            to[at] = total;
         }
     }
 }
