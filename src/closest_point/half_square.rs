@@ -38,7 +38,7 @@ pub struct HalfSquare {
 
 impl HalfSquare {
     /// The derivatives of half the squared distance between two points.
-    #[inline]
+    #[inline(always)]
     pub fn new(x: &Geometry<f64>, x_bar: &Geometry<f64>) -> Self {
         let d = x.x - x_bar.x;
         let squares = [x.t.norm_squared(), x_bar.t.norm_squared()];

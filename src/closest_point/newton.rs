@@ -95,7 +95,7 @@ struct Iterate {
 }
 
 impl Iterate {
-    #[inline]
+    #[inline(always)]
     fn at(beam: &dyn Centroid, bar: &dyn Centroid, at: (f64, f64)) -> Result<Self, ProjectionError> {
         let geometry = [evaluate(beam, at.0)?, evaluate(bar, at.1)?];
         let half_square = HalfSquare::new(&geometry[0], &geometry[1]);
@@ -103,11 +103,16 @@ impl Iterate {
     }
 
     /// The same by Taylor's polynomials of third degree.
-    #[inline]
+    #[inline(always)]
     fn extrapolated(&self, at: (f64, f64)) -> Self {
-        let x = about(&self.geometry[0], at.0 - self.at.0);
-        let x_bar = about(&self.geometry[1], at.1 - self.at.1);
-        Self { at, half_square: HalfSquare::new(&x, &x_bar), geometry: [x, x_bar], evaluated: false }
+        let geometry = self.geometry_at(at);
+        Self { at, half_square: HalfSquare::new(&geometry[0], &geometry[1]), geometry, evaluated: false }
+    }
+
+    /// The curves by these polynomials.
+    #[inline(always)]
+    fn geometry_at(&self, at: (f64, f64)) -> [Geometry<f64>; 2] {
+        [about(&self.geometry[0], at.0 - self.at.0), about(&self.geometry[1], at.1 - self.at.1)]
     }
 
     /// Where Newton's method leads from here by way of `next`, with Taylor's polynomials for the curves.
@@ -118,7 +123,8 @@ impl Iterate {
     fn ahead(&self, mut next: (f64, f64), active: Active) -> (f64, f64) {
         let mut size = apart(self.at, next);
         while size > LAST && size < REACH {
-            let further = moved(next, self.extrapolated(next).half_square.step(active));
+            let [x, x_bar] = self.geometry_at(next);
+            let further = moved(next, HalfSquare::new(&x, &x_bar).step(active));
             let step = apart(next, further);
             // Not a number: the polynomials are singular there.
             if step.is_nan() || step > 0.25 * size {

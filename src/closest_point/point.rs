@@ -107,11 +107,11 @@ impl ClosestPoint {
         p: &HalfSquare,
         active: Active,
     ) -> Self {
-        let [end, end_bar] = [(active.xi, 0, xi), (active.xi_bar, 1, xi_bar)]
-            .map(|(held, i, at)| held.then(|| End::new(p, i, at)));
+        let end = active.xi.then(|| End::new(p, 0, xi));
+        let end_bar = active.xi_bar.then(|| End::new(p, 1, xi_bar));
         let [low, high] = p.eigenvalues(active);
         let (conditioning, smallest) = (low, low.abs().min(high.abs()));
-        let still = geometry.each_ref().map(stands_still);
+        let still = [stands_still(&geometry[0]), stands_still(&geometry[1])];
         let degeneracy = if still[0] || still[1] {
             Some(Degeneracy::ZeroTangent { bar: !still[0] })
         } else if smallest
