@@ -159,6 +159,6 @@ fn evaluate<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
         #[inline(always)]
         || points(f, &beam, &bar),
     )?;
-    request.write(f, &Frame::new(f, (beam, bar), (d, squares), chosen), at);
+    request.write(f, &Frame::new(f, (&beam, &bar), (d, squares), chosen), at);
     Some(())
 }

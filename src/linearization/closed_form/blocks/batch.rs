@@ -30,7 +30,8 @@ pub struct Encounter<'a, A, B, const N: usize, const M: usize> {
 /// written too, with what is of no use. Pairs of the same curves are to stand next to one another: four of them are done
 /// at once, others one by one, as are those whose points ask for different [forms](super::super::Form).
 ///
-/// The pairs are shared among so many threads; one allocates nothing.
+/// The pairs are shared among so many threads; one allocates nothing. Results of some dozens of pairs stay in the cache for
+/// whoever assembles them; those of thousands do not, so memory of that size is best used over and over.
 pub fn write_d_batch<A, B, W, const N: usize, const M: usize>(
     of: &[Encounter<'_, A, B, N, M>],
     to: &mut [W],
@@ -125,36 +126,51 @@ fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, co
         return None;
     }
     // Lanes that no pair is left for repeat the first.
-    let [a, b, c, d] = [0, 1, 2, 3].map(|lane| of.get(lane).unwrap_or(first));
-    let q = DofVector {
-        beam: SVector::from_fn(|i, _| Lanes([a.q.beam[i], b.q.beam[i], c.q.beam[i], d.q.beam[i]])),
-        bar: SVector::from_fn(|i, _| Lanes([a.q.bar[i], b.q.bar[i], c.q.bar[i], d.q.bar[i]])),
-    };
-    let xi = Lanes([a.point.xi, b.point.xi, c.point.xi, d.point.xi]);
-    let xi_bar = Lanes([a.point.xi_bar, b.point.xi_bar, c.point.xi_bar, d.point.xi_bar]);
-    fast(first.pair, &q, (xi, xi_bar), Plain, request)
-        .or_else(|| rarer(first.pair, &q, (xi, xi_bar), request))
+    let lane = |i| of.get(i).unwrap_or(first);
+    let four = [first, lane(1), lane(2), lane(3)];
+    fast(four, Plain, request).or_else(|| rarer(four, request))
 }
 
 /// At ends, at small angles and gaps.
 #[cold]
 #[inline(never)]
 fn rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
-    q: &DofVector<Lanes, N, M>,
-    at: (Lanes, Lanes),
+    four: [&Encounter<'_, A, B, N, M>; 4],
     request: &mut impl Request<Lanes, N, M>,
 ) -> Option<()> {
-    fast(pair, q, at, Best(Active::default()), request)
+    fast(four, Best(Active::default()), request)
 }
 
 #[inline]
 fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
-    q: &DofVector<Lanes, N, M>,
-    at: (Lanes, Lanes),
+    four: [&Encounter<'_, A, B, N, M>; 4],
     choice: impl Choice<Lanes>,
     request: &mut impl Request<Lanes, N, M>,
 ) -> Option<()> {
-    with_the_fastest!(f: |_| ByOne(Fused), ByOne(Separate) => evaluate(f, pair, q, at, choice, request))
+    let [a, b, c, d] = four;
+    let q = gather([a.q, b.q, c.q, d.q]);
+    let [a, b, c, d] = [a.point, b.point, c.point, d.point];
+    let at = (Lanes([a.xi, b.xi, c.xi, d.xi]), Lanes([a.xi_bar, b.xi_bar, c.xi_bar, d.xi_bar]));
+    with_the_fastest!(f: |_| ByOne(Fused), ByOne(Separate) => evaluate(f, four[0].pair, &q, at, choice, request))
+}
+
+/// The dofs of four pairs, one pair in each lane.
+///
+/// By itself: a kernel that sees them as numbers one by one goes on with numbers one by one.
+#[inline(never)]
+fn gather<const N: usize, const M: usize>(
+    [a, b, c, d]: [&DofVector<f64, N, M>; 4],
+) -> DofVector<Lanes, N, M> {
+    with_the_fastest!(_f: |_| (), () => DofVector {
+        beam: side_by_side([&a.beam, &b.beam, &c.beam, &d.beam]),
+        bar: side_by_side([&a.bar, &b.bar, &c.bar, &d.bar]),
+    })
+}
+
+#[inline(always)]
+fn side_by_side<const L: usize>([a, b, c, d]: [&SVector<f64, L>; 4]) -> SVector<Lanes, L> {
+    SVector::from(std::array::from_fn::<_, L, _>(
+        #[inline(always)]
+        |i| Lanes([a[i], b[i], c[i], d[i]]),
+    ))
 }

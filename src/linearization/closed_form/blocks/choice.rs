@@ -45,7 +45,8 @@ impl Choice<f64> for Plain {
 impl Choice<Lanes> for Plain {
     #[inline(always)]
     fn choose(self, squares: [Lanes; 4], _: impl FnOnce() -> Points<Lanes>) -> Option<Chosen<Lanes>> {
-        let plain = (0..4).all(|lane| Form::is_plain(squares.map(|square| square.0[lane])));
+        let [t2, t_bar2, b, d2] = squares;
+        let plain = (0..4).all(|i| Form::is_plain([t2.0[i], t_bar2.0[i], b.0[i], d2.0[i]]));
         if plain { Some(Chosen::plain()) } else { None }
     }
 }

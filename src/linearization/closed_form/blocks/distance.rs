@@ -15,11 +15,11 @@ struct Distance<T, V> {
     k: [V; 3],
 }
 
-impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
+impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     /// d.
     #[inline(always)]
     pub(super) fn write_d<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(&self, f: A, to: &mut W) {
-        let Self { beam, bar, u, u_bar, .. } = self;
+        let Self { beam, bar, g, g_bar, u, u_bar, .. } = self;
         let Distance { value, n, k } =
             if self.chosen.form.sign().is_some() { self.along_normal(f) } else { self.by_length(f) };
         // Eq. (4), (37): δd = n·δᵤû
@@ -53,8 +53,8 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
                 let r = 3 * a + i;
                 let (s, by_n) = (beam.shapes[0][r], by_n[r]);
                 let (row, row_bar) = to.row(r);
-                f.set(row, [], [(s, &rows[i]), (by_n, &beam.g)]);
-                f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, &bar.g)]);
+                f.set(row, [], [(s, &rows[i]), (by_n, &g.xi)]);
+                f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, &g_bar.xi)]);
             }
         }
         for a in 0..M / 3 {
@@ -62,8 +62,8 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
                 let r = 3 * a + i;
                 let (s, by_n) = (bar.shapes[0][r], -by_n_bar[r]);
                 let (row, row_bar) = to.row_bar(r);
-                f.set(row, [], [(s, &rows[i]), (by_n, &beam.g_bar)]);
-                f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, &bar.g_bar)]);
+                f.set(row, [], [(s, &rows[i]), (by_n, &g.xi_bar)]);
+                f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, &g_bar.xi_bar)]);
             }
         }
     }
@@ -91,7 +91,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
     /// n = ± t × t̄/|t × t̄|   K = T W Tᵀ with T = [t, −t̄]
     #[inline]
     fn along_normal<A: Arithmetic<T, Vector = V>>(&self, f: A) -> Distance<T, V> {
-        let points = points(f, &self.beam, &self.bar);
+        let points = points(f, self.beam, self.bar);
         let n = unit_normal(&(points.cross() * self.chosen.sign));
         let det = Projection::with(&Sound, &points, self.chosen.form).det();
         let [w_11, w_12, w_22] = weights(&points, &n, -det);

@@ -1,15 +1,18 @@
 //! What the quantities share: a pair at its closest point, and the gradients of its parameters.
 
-use super::arithmetic::Arithmetic;
+use super::arithmetic::{Arithmetic, Dofs};
 use super::choice::Chosen;
 use super::side::Side;
 use crate::linearization::closed_form::{Points, Projection, Sound};
 use crate::number::Real;
 
 /// A pair at its closest point.
-pub(super) struct Frame<T, V, const N: usize, const M: usize> {
-    pub(super) beam: Side<T, V, N>,
-    pub(super) bar: Side<T, V, M>,
+pub(super) struct Frame<'a, T, V, const N: usize, const M: usize> {
+    pub(super) beam: &'a Side<T, V, N>,
+    pub(super) bar: &'a Side<T, V, M>,
+    /// Along the dofs of the beam, and of the bar beam.
+    pub(super) g: Gradients<T, N>,
+    pub(super) g_bar: Gradients<T, M>,
     /// The vector d.
     pub(super) d: V,
     /// t·t, t̄·t̄, t·t̄ and d·d.
@@ -20,6 +23,12 @@ pub(super) struct Frame<T, V, const N: usize, const M: usize> {
     /// The coefficients of u_hat in delta xi and in -delta xi_bar.
     pub(super) u: V,
     pub(super) u_bar: V,
+}
+
+/// The gradients of the parameters along the dofs of one beam.
+pub(super) struct Gradients<T, const L: usize> {
+    pub(super) xi: Dofs<T, L>,
+    pub(super) xi_bar: Dofs<T, L>,
 }
 
 /// d, and t·t, t̄·t̄, t·t̄ and d·d.
@@ -33,11 +42,11 @@ pub(super) fn squares<T: Real, A: Arithmetic<T>, const N: usize, const M: usize>
     (d, [f.dot(beam.t, beam.t), f.dot(bar.t, bar.t), f.dot(beam.t, bar.t), f.dot(d, d)])
 }
 
-impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
+impl<'a, T: Real, V: Copy, const N: usize, const M: usize> Frame<'a, T, V, N, M> {
     #[inline(always)]
     pub(super) fn new<A: Arithmetic<T, Vector = V>>(
         f: A,
-        (mut beam, mut bar): (Side<T, V, N>, Side<T, V, M>),
+        (beam, bar): (&'a Side<T, V, N>, &'a Side<T, V, M>),
         (d, squares): (V, [T; 4]),
         chosen: Chosen<T>,
     ) -> Self {
@@ -64,17 +73,21 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         let mut u = f.combined([(-p, beam.t), (-q, bar.t)]);
         let mut u_bar = f.combined([(q_bar, bar.t), (-q, beam.t)]);
         if chosen.form.is_crossed() {
-            (inverse, u, u_bar) = crossed(f, &points(f, &beam, &bar), chosen);
+            (inverse, u, u_bar) = crossed(f, &points(f, beam, bar), chosen);
         }
         let [p, q, q_bar] = inverse;
         let minus_u_bar = f.tile(f.times(-one, u_bar));
         let (by_p, by_q) = (f.tile(f.times(-p, d)), f.tile(f.times(q, d)));
         let (by_minus_q, by_q_bar) = (f.tile(f.times(-q, d)), f.tile(f.times(-q_bar, d)));
-        beam.g = f.dofs([(&beam.shapes[0], f.tile(u)), (&beam.shapes[1], by_p)], []);
-        bar.g = f.dofs([(&bar.shapes[0], f.tile(u)), (&bar.shapes[1], by_minus_q)], []);
-        beam.g_bar = f.dofs([(&beam.shapes[0], minus_u_bar), (&beam.shapes[1], by_q)], []);
-        bar.g_bar = f.dofs([(&bar.shapes[0], minus_u_bar), (&bar.shapes[1], by_q_bar)], []);
-        Self { beam, bar, d, squares, chosen, inverse, u, u_bar }
+        let g = Gradients {
+            xi: f.dofs([(&beam.shapes[0], f.tile(u)), (&beam.shapes[1], by_p)], []),
+            xi_bar: f.dofs([(&beam.shapes[0], minus_u_bar), (&beam.shapes[1], by_q)], []),
+        };
+        let g_bar = Gradients {
+            xi: f.dofs([(&bar.shapes[0], f.tile(u)), (&bar.shapes[1], by_minus_q)], []),
+            xi_bar: f.dofs([(&bar.shapes[0], minus_u_bar), (&bar.shapes[1], by_q_bar)], []),
+        };
+        Self { beam, bar, g, g_bar, d, squares, chosen, inverse, u, u_bar }
     }
 }
 

@@ -12,13 +12,13 @@
 //! every row of H. The rows of these variations are found first; a dof's row is a sum of them.
 
 use super::arithmetic::{Arithmetic, Dofs};
-use super::frame::Frame;
+use super::frame::{Frame, Gradients};
 use super::lengths::write_length;
 use super::side::Side;
 use super::target::{Swapped, Target};
 use crate::number::Real;
 
-impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
+impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     /// xi, which is `at`, and t.
     #[inline(always)]
     pub(super) fn write_xi<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
@@ -28,9 +28,9 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         xi: &mut W,
         t: &mut W,
     ) {
-        let Self { beam, bar, inverse: [p, q, _], u, .. } = self;
-        self.write_parameter(f, at, (&beam.g, &bar.g), ([*p, *q], *u), xi);
-        write_length(f, beam, (&beam.g, &bar.g), xi, t);
+        let Self { beam, g, g_bar, inverse: [p, q, _], u, .. } = self;
+        self.write_parameter(f, at, (&g.xi, &g_bar.xi), ([*p, *q], *u), xi);
+        write_length(f, beam, (&g.xi, &g_bar.xi), xi, t);
     }
 
     /// xi_bar, which is `at`, and t_bar.
@@ -42,10 +42,10 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         xi_bar: &mut W,
         t_bar: &mut W,
     ) {
-        let Self { beam, bar, inverse: [_, q, q_bar], u_bar, .. } = self;
+        let Self { bar, g, g_bar, inverse: [_, q, q_bar], u_bar, .. } = self;
         let minus_u_bar = f.times(-T::one(), *u_bar);
-        self.write_parameter(f, at, (&beam.g_bar, &bar.g_bar), ([-*q, *q_bar], minus_u_bar), xi_bar);
-        write_length(f, bar, (&bar.g_bar, &beam.g_bar), &mut Swapped(xi_bar), &mut Swapped(t_bar));
+        self.write_parameter(f, at, (&g.xi_bar, &g_bar.xi_bar), ([-*q, *q_bar], minus_u_bar), xi_bar);
+        write_length(f, bar, (&g_bar.xi_bar, &g.xi_bar), &mut Swapped(xi_bar), &mut Swapped(t_bar));
     }
 
     /// The parameter with a gradient and a Hessian x P + y P_bar.
@@ -54,37 +54,38 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<T, V, N, M> {
         &self,
         f: A,
         at: T,
-        (g, g_bar): (&[T], &[T]),
+        (of_beam, of_bar): (&[T], &[T]),
         ([x, y], m): ([T; 2], V),
         to: &mut W,
     ) {
         *to.value() = at;
         let (gradient, gradient_bar) = to.gradient();
-        f.set(gradient, [], [(T::one(), g)]);
-        f.set(gradient_bar, [], [(T::one(), g_bar)]);
+        f.set(gradient, [], [(T::one(), of_beam)]);
+        f.set(gradient_bar, [], [(T::one(), of_bar)]);
         if !W::SECOND {
             return;
         }
-        let Self { beam, bar, .. } = self;
+        let Self { beam, bar, g, g_bar, .. } = self;
         let (d, u, u_bar) = (f.components(self.d), f.components(self.u), f.components(self.u_bar));
         let parameter = Parameter::new(f, self, ([x, y], m));
+        let (mut rows, mut rows_bar) = (Rows::zeros(), Rows::zeros());
         for i in 0..3 {
             let along = [d[i], u[i], u_bar[i]];
-            let rows = parameter.rows(f, (i, along), beam, &parameter.beam, -x);
-            let rows_bar = parameter.rows(f, (i, along), bar, &parameter.bar, -y);
+            parameter.set(f, &mut rows, (i, along), (beam, g), &parameter.beam, -x);
+            parameter.set(f, &mut rows_bar, (i, along), (bar, g_bar), &parameter.bar, -y);
             for a in 0..N / 3 {
                 let r = 3 * a + i;
                 let [s, s_xi, bend] = [beam.shapes[0][r], beam.shapes[1][r], parameter.bend[r]];
                 let (row, row_bar) = to.row(r);
-                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi), (bend, &beam.g)]);
-                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi), (bend, &bar.g)]);
+                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi), (bend, &g.xi)]);
+                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi), (bend, &g_bar.xi)]);
             }
             for a in 0..M / 3 {
                 let r = 3 * a + i;
                 let [s, s_xi, bend] = [bar.shapes[0][r], bar.shapes[1][r], parameter.bend_bar[r]];
                 let (row, row_bar) = to.row_bar(r);
-                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi_bar), (bend, &beam.g_bar)]);
-                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi_bar), (bend, &bar.g_bar)]);
+                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi_bar), (bend, &g.xi_bar)]);
+                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi_bar), (bend, &g_bar.xi_bar)]);
             }
         }
     }
@@ -119,11 +120,18 @@ struct Rows<T, const L: usize> {
     xi_bar: Dofs<T, L>,
 }
 
+impl<T: Real, const L: usize> Rows<T, L> {
+    #[inline(always)]
+    fn zeros() -> Self {
+        Self { hat: Dofs::zeros(), xi: Dofs::zeros(), xi_bar: Dofs::zeros() }
+    }
+}
+
 impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
     #[inline(always)]
     fn new<V: Copy, A: Arithmetic<T, Vector = V>>(
         f: A,
-        frame: &Frame<T, V, N, M>,
+        frame: &Frame<'_, T, V, N, M>,
         ([x, y], m): ([T; 2], V),
     ) -> Self {
         let Frame { beam, bar, d, inverse: [p, q, q_bar], u, u_bar, .. } = frame;
@@ -180,26 +188,25 @@ impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
         }
     }
 
-    /// Along axis i, where d, u and u_bar have these components; `along_tangent` is what couples u_hat and its first derivatives in C and C_bar.
+    /// Sets rows to those along axis i, where d, u and u_bar have these components; `along_tangent` is what couples u_hat and its first derivatives in C and C_bar.
     #[inline(always)]
-    fn rows<V: Copy, A: Arithmetic<T, Vector = V>, const L: usize>(
+    fn set<V: Copy, A: Arithmetic<T, Vector = V>, const L: usize>(
         &self,
         f: A,
+        rows: &mut Rows<T, L>,
         (i, [d, u, u_bar]): (usize, [T; 3]),
-        side: &Side<T, V, L>,
+        (side, g): (&Side<T, V, L>, &Gradients<T, L>),
         along: &Along<T, L>,
         along_tangent: T,
-    ) -> Rows<T, L> {
-        let Side { shapes: [s, s_xi, _], g, g_bar, .. } = side;
-        let (w, w_bar) = (&self.w, &self.w_bar);
+    ) {
+        let [s, s_xi, _] = &side.shapes;
+        let (w, w_bar, Gradients { xi: g, xi_bar: g_bar }) = (&self.w, &self.w_bar, g);
         let hat = [(u, &along.w[..]), (-u_bar, &along.w_bar), (w[0][i], g), (w_bar[0][i], g_bar)];
         let xi = [(d, &along.v[..]), (w[1][i], g), (w_bar[1][i], g_bar)];
         let xi_bar = [(d, &along.v_bar[..]), (w[2][i], g), (w_bar[2][i], g_bar)];
-        Rows {
-            hat: f.dofs([(s_xi, f.tile_along(i, along_tangent))], hat),
-            xi: f.dofs([(s, f.tile_along(i, -self.x))], xi),
-            xi_bar: f.dofs([(s, f.tile_along(i, -self.y))], xi_bar),
-        }
+        f.set(&mut rows.hat, [(s_xi, f.tile_along(i, along_tangent))], hat);
+        f.set(&mut rows.xi, [(s, f.tile_along(i, -self.x))], xi);
+        f.set(&mut rows.xi_bar, [(s, f.tile_along(i, -self.y))], xi_bar);
     }
 }
 

@@ -12,7 +12,7 @@ use crate::pair::Contact;
 /// Quantities, with the memory for them.
 pub(super) trait Request<T: Real, const N: usize, const M: usize> {
     /// Writes them, at the parameters `at`.
-    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<T, A::Vector, N, M>, at: (T, T));
+    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, at: (T, T));
 
     /// Writes what the matrices say they are.
     fn copy(
@@ -28,7 +28,7 @@ pub(super) struct DistanceAlone<'a, W>(pub(super) &'a mut W);
 
 impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, M> for DistanceAlone<'_, W> {
     #[inline(always)]
-    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<T, A::Vector, N, M>, _: (T, T)) {
+    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, _: (T, T)) {
         frame.write_d(f, self.0);
     }
 
@@ -59,7 +59,7 @@ pub struct Targets<'a, W> {
 
 impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, M> for Targets<'_, W> {
     #[inline(always)]
-    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<T, A::Vector, N, M>, at: (T, T)) {
+    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, at: (T, T)) {
         frame.write_d(f, self.d);
         frame.write_xi(f, at.0, self.xi, self.t);
         frame.write_xi_bar(f, at.1, self.xi_bar, self.t_bar);

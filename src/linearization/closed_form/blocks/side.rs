@@ -15,13 +15,10 @@ pub(super) struct Side<T, V, const L: usize> {
     ///
     /// Those of order 0 are negative on the bar beam, as they are in delta_u u_hat.
     pub(super) shapes: [Dofs<T, L>; 3],
-    /// The gradients of xi and xi_bar.
-    pub(super) g: Dofs<T, L>,
-    pub(super) g_bar: Dofs<T, L>,
 }
 
 impl<T: Real, V: Copy, const L: usize> Side<T, V, L> {
-    /// Without the gradients; nothing if the curve has no shape functions.
+    /// Nothing if the curve has no shape functions.
     #[inline(always)]
     pub(super) fn new(
         f: impl Arithmetic<T, Vector = V>,
@@ -48,8 +45,7 @@ impl<T: Real, V: Copy, const L: usize> Side<T, V, L> {
             t_xixi = f.times_plus(n_xixixi[a], point, t_xixi);
         }
         let shapes = [f.spread(n, sign), f.spread(n_xi, T::one()), f.spread(n_xixi, T::one())];
-        let nil = Dofs::zeros();
-        Some(Self { x, t, t_xi, t_xixi, shapes, g: nil, g_bar: nil })
+        Some(Self { x, t, t_xi, t_xixi, shapes })
     }
 
     /// The same as vectors of three components.
