@@ -6,7 +6,7 @@
 //!
 //! Three routes lift, and differ in what they share:
 //! - [`Route::Newton`]: orthogonality conditions d.t = d.t_bar = 0, by num-dual's `implicit_derivative_binary`;
-//! - [`Route::Stationary`]: the squared distance made stationary, by num-dual's `implicit_derivative_sp`; shares no
+//! - [`Route::Stationary`]: the squared distance made stationary, as num-dual's `implicit_derivative_sp` does; shares no
 //!   equation with the first;
 //! - [`Route::Chord`]: orthogonality conditions, by Newton steps whose matrix stays real: each step gains one order.
 //!

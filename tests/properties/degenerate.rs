@@ -4,8 +4,10 @@ use crate::centroids::{Cubic, Winding, close, ellipse, line};
 use beamgap::closest_point::{
     Active, Centroid, ClosestPoints, Degeneracy, Kind, ProjectionError, Search, Side, closest_points, refine,
 };
-use beamgap::curve::Geometry;
-use nalgebra::Vector3;
+use beamgap::curve::{Geometry, Segment};
+use beamgap::linearization::ad::{Perturbed, Route, hyper_dual, seeded};
+use beamgap::pair::Contact;
+use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 
 fn search(x: &Winding, bar: &Winding) -> ClosestPoints {
@@ -41,6 +43,18 @@ fn skew_lines_at_all_angles() {
             assert!((point.xi - 0.25).abs() < 1e-15 / conditioning, "{degrees}: {}", point.xi);
             assert!(point.degeneracy().is_none() && found.is_complete());
         }
+    }
+}
+
+#[test]
+fn no_route_finds_numbers_where_the_closest_point_is_not_determined() {
+    let (q, none) = (SVector::from([-1.0, 0.0, 0.0, 1.0, 0.0, 0.0]), SVector::zeros());
+    let above = q + SVector::from([0.0, 0.0, 1.0, 0.0, 0.0, 1.0]);
+    let curve = Segment::new();
+    let [beam, bar] = [q, above].map(|q| Perturbed { curve: &curve, q: seeded(&q, &none, &none) });
+    for route in [Route::Newton, Route::Stationary] {
+        let found = hyper_dual(route, &beam, &bar, (0.0, 0.0), Active::default(), &Contact::default());
+        assert!(!found.xi.re.is_finite());
     }
 }
 

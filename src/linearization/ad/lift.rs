@@ -7,7 +7,8 @@ use crate::linearization::Quantities;
 use crate::number::{Differentiable, Extends, HyperDual, Real};
 use crate::pair::Contact;
 use nalgebra::{SVector, Vector3};
-use num_dual::{Dual, Dual2SVec, DualSVec, HyperDual64, implicit_derivative_binary, implicit_derivative_sp};
+use num_dual::linalg::LU;
+use num_dual::{Dual, Dual2SVec, DualNum, DualSVec, HyperDual64, implicit_derivative_binary};
 
 /// d.t and d.t_bar.
 pub(super) fn orthogonality<T: Differentiable>(
@@ -60,7 +61,7 @@ where
     C: PositionAt<Dual2SVec<HyperDual64, 2>> + ?Sized,
 {
     type Scalar = Dual2SVec<HyperDual64, 2>;
-    let potential = |parameters: SVector<Scalar, 2>, (): &()| {
+    let potential = |parameters: SVector<Scalar, 2>| {
         let [held, held_bar] = [xi, xi_bar].map(Scalar::from);
         // A held parameter leaves the distance and is tied to its end by a potential of its own.
         let mut tie = Scalar::from(0.0);
@@ -77,7 +78,15 @@ where
         let d = x - x_bar;
         d.dot(&d) + tie
     };
-    let lifted = implicit_derivative_sp::<_, HyperDual64, (), _>(potential, SVector::from([xi, xi_bar]), &());
+    // As num-dual's implicit_derivative_sp does, which panics where the Hessian is singular: no number is what it yields.
+    let mut lifted = SVector::from([xi, xi_bar].map(HyperDual64::from));
+    for _ in 0..HyperDual64::NDERIV {
+        let (_, gradient, hessian) = num_dual::hessian(potential, &lifted);
+        let Ok(factors) = LU::new(hessian) else {
+            return (f64::NAN.into(), f64::NAN.into());
+        };
+        lifted -= factors.solve(&gradient);
+    }
     (lifted[0], lifted[1])
 }
 
