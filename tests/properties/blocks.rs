@@ -7,19 +7,17 @@ use crate::pairs::{Contacting, Movable, any_arc, contacting, hermite, quadratic}
 use beamgap::closest_point::Active;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
 use beamgap::linearization::closed_form::blocks::{
-    Encounter, Full, Gradient, Packed, Targets, write_all, write_all_batch, write_all_over, write_d,
-    write_d_batch,
+    Full, Gradient, Packed, Targets, write_all, write_all_over, write_d,
 };
 use beamgap::linearization::closed_form::form::{Distance, Elimination};
 use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, Sound, jets};
 use beamgap::linearization::{Expansion, Linearization};
-use beamgap::number::{Bounded, Lanes, Real, Residue};
+use beamgap::number::{Bounded, Real, Residue};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{Rotation3, SVector, Unit, Vector3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
-use std::num::NonZeroUsize;
 
 /// The form of small gaps and angles.
 const APART: Form = Form {
@@ -33,7 +31,7 @@ impl Movable<12> for BSpline<4> {
 }
 
 /// All quantities in one layout.
-fn targets<W>([d, xi, xi_bar, t, t_bar]: &mut [W; 5]) -> Targets<'_, W> {
+pub(crate) fn targets<W>([d, xi, xi_bar, t, t_bar]: &mut [W; 5]) -> Targets<'_, W> {
     Targets { d, xi, xi_bar, t, t_bar }
 }
 
@@ -139,7 +137,7 @@ fn form_at<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
 }
 
 /// The bar beam turned about d until the tangents are at `angle`, and the beam moved along d until the gap is `gap`.
-fn brought_near<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
+pub(crate) fn brought_near<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     case: &Contacting<A, B, N, M>,
     angle: f64,
     gap: f64,
@@ -206,42 +204,6 @@ fn near() -> impl Strategy<Value = Contacting<Quadratic, Hermite, 9, 12>> {
 fn bounds_are_narrow() {
     narrow::<_, _, 9, 12, 21>(contacting(quadratic(), hermite()), 1e-6);
     narrow::<_, _, 9, 12, 21>(near(), 1e-3);
-}
-
-/// Each of at most eight pairs is the same in its lane as alone, on any number of threads.
-fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>], rounding: f64) {
-    let encounters: Vec<_> =
-        cases.iter().map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point }).collect();
-    let threads = |count| NonZeroUsize::new(count).unwrap();
-    let zeros = Packed::<Lanes, 24, 300>::zeros();
-    let (mut d, mut all, mut shared) = ([zeros; 2], [[zeros; 5]; 2], [[zeros; 5]; 2]);
-    assert_eq!(write_d_batch(&encounters, &mut d, threads(1)), cases.len());
-    assert_eq!(write_all_batch(&encounters, &mut all, threads(1)), cases.len());
-    assert_eq!(write_all_batch(&encounters, &mut shared, threads(3)), cases.len());
-    assert!(all == shared, "threads make no difference");
-    assert_eq!(write_d_batch(&encounters, &mut d[..1], threads(1)), cases.len().min(4));
-    for (i, Contacting { pair, q, point, .. }) in cases.iter().enumerate() {
-        let mut one_by_one = [Packed::<f64, 24, 300>::zeros(); 5];
-        write_all(pair, q, point, &mut targets(&mut one_by_one));
-        let in_lanes = all[i / 4].iter().chain([&d[i / 4]]).map(|of_four| lane(of_four, i % 4));
-        for (one, in_lane) in one_by_one.iter().chain([&one_by_one[0]]).map(alone).zip(in_lanes) {
-            let largest = one.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-            for (one, in_lane) in one.iter().zip(&in_lane) {
-                assert!((in_lane - one).abs() <= rounding * largest, "{in_lane:e}, {one:e} of {largest:e}");
-            }
-        }
-    }
-}
-
-/// Value, gradient and Hessian of one of four pairs.
-fn lane(of_four: &Packed<Lanes, 24, 300>, lane: usize) -> Vec<f64> {
-    let Packed { hessian, gradient, value } = of_four;
-    [value].into_iter().chain(gradient).chain(hessian).map(|x| x.0[lane]).collect()
-}
-
-/// The same of one pair.
-fn alone(Packed { hessian, gradient, value }: &Packed<f64, 24, 300>) -> Vec<f64> {
-    [value].into_iter().chain(gradient).chain(hessian).copied().collect()
 }
 
 fn pair<A, B>(curve: A, curve_bar: B) -> Pair<A, B> {
@@ -311,25 +273,6 @@ proptest! {
         let mut d = Full::<f64, 21>::zeros();
         write_d(pair, q, point, &mut d);
         prop_assert!(d == full[0], "d alone is d");
-    }
-
-    /// Each lane is its pair, the last four and those at an end of a beam among them; whatever is too long is left.
-    #[test]
-    fn batches(cases in proptest::collection::vec(contacting(hermite(), hermite()), 1..=6)) {
-        equal_in_lanes(&cases, 1e-12);
-    }
-
-    /// So it is where pairs ask for another form than the paper's, or for several.
-    #[test]
-    fn batches_of_near_pairs(
-        cases in proptest::collection::vec(contacting(hermite(), hermite()), 4),
-        angles in proptest::array::uniform4(1e-2..1.5_f64),
-        gaps in proptest::array::uniform4(0.0..20.0_f64),
-        alike in any::<bool>(),
-    ) {
-        let near = |i: usize| if alike { (1.0, f64::exp2(-6.0 - 0.5 * gaps[i])) } else { (angles[i], f64::exp2(-gaps[i])) };
-        let cases: Vec<_> = cases.iter().enumerate().map(|(i, case)| brought_near(case, near(i).0, near(i).1)).collect();
-        equal_in_lanes(&cases, 1e-10);
     }
 
     /// Curves without shape functions are linearized all the same.

@@ -1,6 +1,7 @@
 //! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
 
 mod allocation;
+mod batches;
 mod blocks;
 mod bounds;
 mod case_files;
