@@ -4,11 +4,15 @@
 
 use crate::blocks::{brought_near, targets};
 use crate::pairs::{Contacting, contacting, hermite};
-use beamgap::curve::Hermite;
+use crate::strategies::vector;
+use beamgap::closest_point::{Active, Beam, refine};
+use beamgap::curve::{Bezier, Hermite, Segment};
 use beamgap::linearization::closed_form::blocks::{
-    Encounter, Packed, write_all, write_all_batch, write_d_batch,
+    Encounter, Packed, write_all, write_all_batch, write_d, write_d_batch,
 };
 use beamgap::number::Lanes;
+use beamgap::pair::{Contact, DofVector, Pair};
+use nalgebra::SVector;
 use proptest::prelude::*;
 use std::num::NonZeroUsize;
 
@@ -48,7 +52,35 @@ fn alone(Packed { hessian, gradient, value }: &Packed<f64, 24, 300>) -> Vec<f64>
     [value].into_iter().chain(gradient).chain(hessian).copied().collect()
 }
 
+/// A beam of six control vectors above one of two, bent by these dofs.
+fn long_and_short(bent: &SVector<f64, 18>) -> Contacting<Bezier<6>, Segment, 18, 6> {
+    let pair = Pair { curve: Bezier::new(), curve_bar: Segment::new(), contact: Contact::default() };
+    let straight = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
+    let beam = SVector::from_fn(|i, _| if i % 3 == 0 { straight[i / 3] } else { 0.0 } + 0.03 * bent[i]);
+    let q = DofVector { beam, bar: SVector::from([0.1, -1.0, -1.0, -0.1, 1.0, -1.1]) };
+    let (x, x_bar) = (Beam { curve: &pair.curve, q: &q.beam }, Beam { curve: &pair.curve_bar, q: &q.bar });
+    let point = refine(&x, &x_bar, (0.0, 0.0), Active::default()).unwrap();
+    Contacting { pair, q, point, dq: DofVector::zeros(), linear_dq: DofVector::zeros() }
+}
+
 proptest! {
+    /// The lanes have no fixed number of control vectors.
+    #[test]
+    fn batches_of_long_and_short_curves(bent in proptest::array::uniform4(vector::<18>())) {
+        let cases = bent.each_ref().map(long_and_short);
+        let encounters = cases.each_ref().map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point });
+        let mut four = [Packed::<Lanes, 24, 300>::zeros()];
+        write_d_batch(&encounters, &mut four, NonZeroUsize::MIN);
+        for (i, Contacting { pair, q, point, .. }) in cases.iter().enumerate() {
+            let mut one = Packed::<f64, 24, 300>::zeros();
+            write_d(pair, q, point, &mut one);
+            let rounding = 1e-13 * one.hessian.iter().fold(1.0_f64, |largest, x| largest.max(x.abs()));
+            for (one, in_lane) in alone(&one).iter().zip(lane(&four[0], i)) {
+                prop_assert!((in_lane - one).abs() <= rounding, "{in_lane:e}, {one:e}");
+            }
+        }
+    }
+
     /// Each lane is its pair, the last four and those at an end of a beam among them; whatever is too long is left.
     #[test]
     fn batches(cases in proptest::collection::vec(contacting(hermite(), hermite()), 1..=6)) {

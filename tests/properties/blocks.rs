@@ -3,7 +3,7 @@
 #![expect(clippy::float_cmp, reason = "layouts hold the same bits")]
 #![expect(clippy::large_stack_arrays, reason = "five quantities of 21 dofs")]
 
-use crate::pairs::{Contacting, Movable, any_arc, contacting, hermite, quadratic};
+use crate::pairs::{Contacting, Movable, any_arc, any_helix, contacting, hermite, quadratic};
 use beamgap::closest_point::Active;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
 use beamgap::linearization::closed_form::blocks::{
@@ -287,5 +287,19 @@ proptest! {
         let Linearization::<f64, 12, 9> { d, xi, xi_bar, t, t_bar, .. } =
             Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact);
         prop_assert_eq!(full.each_ref().map(flat), [d, xi, xi_bar, t, t_bar].map(flat_expansion));
+    }
+
+    /// So they are in halves, by dofs that are no multiple of three.
+    #[test]
+    fn halves_of_curves_without_shape_functions(case in contacting(any_helix(), hermite())) {
+        let Contacting { pair, q, point, .. } = &case;
+        let (mut full, mut packed) = ([Full::<f64, 22>::zeros(); 5], [Packed::<f64, 22, 253>::zeros(); 5]);
+        write_all(pair, q, point, &mut targets(&mut full));
+        write_all(pair, q, point, &mut targets(&mut packed));
+        for (full, packed) in full.iter().zip(&packed) {
+            prop_assert!(packed.gradient == full.gradient && packed.value == full.value);
+            let half: Vec<f64> = full.hessian.iter().enumerate().flat_map(|(i, row)| row[..=i].to_vec()).collect();
+            prop_assert_eq!(&packed.hessian[..], &half[..]);
+        }
     }
 }

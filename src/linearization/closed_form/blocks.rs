@@ -38,6 +38,8 @@ mod by_four;
 mod choice;
 mod distance;
 mod frame;
+#[cfg(target_arch = "x86_64")]
+mod in_lanes;
 mod lengths;
 mod parameters;
 mod request;
@@ -53,13 +55,13 @@ use crate::closest_point::{Active, ClosestPoint};
 use crate::curve::Curve;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
-use arithmetic::{Arithmetic, ByOne, Separate};
+use arithmetic::{Arithmetic, ByOne};
 #[cfg(target_arch = "x86_64")]
 use by_four::ByFour;
 use choice::{Best, Choice, Given, Plain};
-use frame::{Frame, points, squares};
+use frame::{Frame, Gradients, Variations, points, squares};
 use request::{DistanceAlone, Request};
-use side::Side;
+use side::{Side, Spread, shapes, spread};
 
 /// d with its derivatives, at a closest point of the pair, written over `to`.
 #[inline]
@@ -93,7 +95,7 @@ pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M
     form: Form,
     to: &mut Targets<'_, impl Target<T, N, M>>,
 ) -> bool {
-    evaluate(ByOne(Separate), pair, q, at, Given(form), to).is_some()
+    evaluate(ByOne, pair, q, at, Given(form), to).is_some()
 }
 
 /// What is asked for, by the form that loses the fewest digits.
@@ -138,7 +140,7 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     request: &mut impl Request<f64, N, M>,
 ) -> Option<()> {
     let at = (point.xi, point.xi_bar);
-    with_the_fastest!(f: ByFour, ByOne(Separate) => evaluate(f, pair, q, at, choice, request))
+    with_the_fastest!(f: ByFour, ByOne => evaluate(f, pair, q, at, choice, request))
 }
 
 /// Nothing, if a curve has no shape functions or the choice knows no form for the point.
@@ -151,14 +153,28 @@ fn evaluate<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     choice: impl Choice<T>,
     request: &mut impl Request<T, N, M>,
 ) -> Option<()> {
-    let beam = Side::new(f, &pair.curve.jet(&q.beam, at.0).dofs, &q.beam, T::one())?;
-    let bar = Side::new(f, &pair.curve_bar.jet(&q.bar, at.1).dofs, &q.bar, -T::one())?;
+    let dofs = pair.curve.jet(&q.beam, at.0).dofs;
+    let dofs_bar = pair.curve_bar.jet(&q.bar, at.1).dofs;
+    let (of_beam, of_bar) = (shapes(&dofs)?, shapes(&dofs_bar)?);
+    let one = T::one();
+    let (n, n_xi, n_xixi) = spread(f, of_beam, one);
+    let beam = Side::new(f, of_beam, &q.beam, Spread { n: &n, n_xi: &n_xi, n_xixi: &n_xixi });
+    let (n, n_xi, n_xixi) = spread(f, of_bar, -one);
+    let bar = Side::new(f, of_bar, &q.bar, Spread { n: &n, n_xi: &n_xi, n_xixi: &n_xixi });
     let (d, squares) = squares(f, &beam, &bar);
     let chosen = choice.choose(
         squares,
         #[inline(always)]
         || points(f, &beam, &bar),
     )?;
-    request.write(f, &Frame::new(f, (&beam, &bar), (d, squares), chosen), at);
+    let variations = Variations::new(f, (&beam, &bar), (d, squares), chosen);
+    let [p, q, q_bar] = variations.inverse;
+    let (xi, xi_bar) = variations.along(f, &beam, [-p, q], d);
+    let g = Gradients { xi: &xi, xi_bar: &xi_bar };
+    let (xi, xi_bar) = variations.along(f, &bar, [-q, -q_bar], d);
+    let g_bar = Gradients { xi: &xi, xi_bar: &xi_bar };
+    let Variations { inverse, u, u_bar } = variations;
+    let frame = Frame { beam: &beam, bar: &bar, g, g_bar, d, squares, chosen, inverse, u, u_bar };
+    request.write(f, &frame, at);
     Some(())
 }

@@ -1,6 +1,6 @@
 //! How sums of products are computed: the one place where the vector units of a machine show.
 
-use crate::number::{Lanes, Real};
+use crate::number::Real;
 use std::ops::{Deref, DerefMut};
 
 /// A vector over the dofs of a beam, aligned for vector units.
@@ -72,25 +72,47 @@ pub(super) trait Arithmetic<T: Real>: Copy {
     /// Shape functions, each times `sign`, spread over their dofs.
     fn spread<const L: usize>(self, shapes: &[T], sign: T) -> Dofs<T, L>;
 
-    /// Sets `to`, as far as all of them reach, to the sum of the shape functions times vectors in `spread` and of the
-    /// factors times vectors over the dofs in `sum`.
-    fn set<const J: usize, const K: usize>(
+    /// Sets `to`, as far as it reaches, to the sum of the shape functions times vectors in `spread` and of the factors
+    /// times vectors over the dofs in `sum`.
+    #[inline(always)]
+    fn set<const L: usize, const J: usize, const K: usize>(
         self,
         to: &mut [T],
-        spread: [(&[T], Self::Tile); J],
-        sum: [(T, &[T]); K],
+        spread: [(&Dofs<T, L>, Self::Tile); J],
+        sum: [(T, &Dofs<T, L>); K],
+    ) {
+        self.set_from(to, [], spread, sum);
+    }
+
+    /// The same with the factors times rows that are as long as `to` in `from`.
+    fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
+        self,
+        to: &mut [T],
+        from: [(T, &[T]); G],
+        spread: [(&Dofs<T, L>, Self::Tile); J],
+        sum: [(T, &Dofs<T, L>); K],
     );
 
     /// The same for all dofs of a beam.
     #[inline(always)]
     fn dofs<const L: usize, const J: usize, const K: usize>(
         self,
-        spread: [(&[T], Self::Tile); J],
-        sum: [(T, &[T]); K],
+        spread: [(&Dofs<T, L>, Self::Tile); J],
+        sum: [(T, &Dofs<T, L>); K],
     ) -> Dofs<T, L> {
         let mut dofs = Dofs::zeros();
-        self.set(&mut dofs, spread, sum);
+        self.set(&mut dofs.0, spread, sum);
         dofs
+    }
+
+    /// Calls `f` with every control vector of a beam of `L` dofs, and each of its axes in turn.
+    #[inline(always)]
+    fn each<const L: usize>(self, mut f: impl FnMut(usize, usize)) {
+        for a in 0..L / 3 {
+            for i in 0..3 {
+                f(a, i);
+            }
+        }
     }
 
     /// The sum of factor * vector over all `terms`.
@@ -118,18 +140,11 @@ pub(super) fn unit<T: Real>(axis: usize) -> [T; 3] {
     unit
 }
 
-/// How far all parts of a sum reach.
+/// How far all parts of a sum over `L` dofs reach.
 #[inline(always)]
-pub(super) fn reach<T, V, const J: usize, const K: usize>(
-    to: &[T],
-    spread: &[(&[T], V); J],
-    sum: &[(T, &[T]); K],
-) -> usize {
-    let mut reach = to.len();
-    for (shapes, _) in spread {
-        reach = reach.min(shapes.len());
-    }
-    for (_, v) in sum {
+pub(super) fn reach<T, const L: usize, const G: usize>(to: &[T], from: &[(T, &[T]); G]) -> usize {
+    let mut reach = to.len().min(L);
+    for (_, v) in from {
         reach = reach.min(v.len());
     }
     reach
@@ -137,49 +152,21 @@ pub(super) fn reach<T, V, const J: usize, const K: usize>(
 
 /// One thing for each axis.
 #[inline(always)]
-pub(super) fn by_axis<W>(component: impl Fn(usize) -> W) -> [W; 3] {
-    [component(0), component(1), component(2)]
-}
-
-/// a b + c of a scalar.
-pub(super) trait MulAdd<T>: Copy {
-    /// a b + c.
-    fn mul_add(self, a: T, b: T, c: T) -> T;
-}
-
-/// A product and a sum, of any scalar.
-#[derive(Clone, Copy)]
-pub(super) struct Separate;
-
-impl<T: Real> MulAdd<T> for Separate {
-    #[inline(always)]
-    fn mul_add(self, a: T, b: T, c: T) -> T {
-        a * b + c
-    }
-}
-
-/// A product and a sum with one rounding, of each lane.
-#[derive(Clone, Copy)]
-pub(super) struct Fused;
-
-impl MulAdd<Lanes> for Fused {
-    #[inline(always)]
-    fn mul_add(self, a: Lanes, b: Lanes, c: Lanes) -> Lanes {
-        a.mul_add(b, c)
-    }
+pub(super) fn by_axis<W>(of: impl Fn(usize) -> W) -> (W, W, W) {
+    (of(0), of(1), of(2))
 }
 
 /// One dof at a time.
 #[derive(Clone, Copy)]
-pub(super) struct ByOne<F>(pub(super) F);
+pub(super) struct ByOne;
 
-impl<T: Real, F: MulAdd<T>> Arithmetic<T> for ByOne<F> {
+impl<T: Real> Arithmetic<T> for ByOne {
     type Vector = [T; 3];
     type Tile = [T; 3];
 
     #[inline(always)]
     fn mul_add(self, a: T, b: T, c: T) -> T {
-        self.0.mul_add(a, b, c)
+        a * b + c
     }
 
     #[inline(always)]
@@ -204,13 +191,12 @@ impl<T: Real, F: MulAdd<T>> Arithmetic<T> for ByOne<F> {
 
     #[inline(always)]
     fn times_plus(self, factor: T, [x, y, z]: [T; 3], sum: [T; 3]) -> [T; 3] {
-        let f = self.0;
-        [f.mul_add(factor, x, sum[0]), f.mul_add(factor, y, sum[1]), f.mul_add(factor, z, sum[2])]
+        [factor * x + sum[0], factor * y + sum[1], factor * z + sum[2]]
     }
 
     #[inline(always)]
     fn dot(self, u: [T; 3], v: [T; 3]) -> T {
-        self.0.mul_add(u[2], v[2], self.0.mul_add(u[1], v[1], u[0] * v[0]))
+        u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
     }
 
     #[inline(always)]
@@ -235,21 +221,24 @@ impl<T: Real, F: MulAdd<T>> Arithmetic<T> for ByOne<F> {
     }
 
     #[inline(always)]
-    fn set<const J: usize, const K: usize>(
+    fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,
         to: &mut [T],
-        spread: [(&[T], [T; 3]); J],
-        sum: [(T, &[T]); K],
+        from: [(T, &[T]); G],
+        spread: [(&Dofs<T, L>, [T; 3]); J],
+        sum: [(T, &Dofs<T, L>); K],
     ) {
-        let reach = reach(to, &spread, &sum);
         let mut axis = 0;
-        for i in 0..reach {
+        for i in 0..reach::<T, L, G>(to, &from) {
             let mut total = T::zero();
+            for (n, (factor, v)) in from.iter().enumerate() {
+                total = if n == 0 { *factor * v[i] } else { *factor * v[i] + total };
+            }
             for (j, (shapes, v)) in spread.iter().enumerate() {
-                total = if j == 0 { shapes[i] * v[axis] } else { self.0.mul_add(shapes[i], v[axis], total) };
+                total = if G + j == 0 { shapes[i] * v[axis] } else { shapes[i] * v[axis] + total };
             }
             for (k, (factor, v)) in sum.iter().enumerate() {
-                total = if J + k == 0 { *factor * v[i] } else { self.0.mul_add(*factor, v[i], total) };
+                total = if G + J + k == 0 { *factor * v[i] } else { *factor * v[i] + total };
             }
             to[i] = total;
             axis = if axis == 2 { 0 } else { axis + 1 };

@@ -1,7 +1,9 @@
 //! Many pairs at once: four in the lanes of a vector, through the very source that evaluates one.
 
-use super::arithmetic::{ByOne, Fused, Separate};
+use super::arithmetic::ByOne;
 use super::choice::{Best, Choice, Plain};
+#[cfg(target_arch = "x86_64")]
+use super::in_lanes::InLanes;
 use super::request::{DistanceAlone, Request, Targets};
 use super::target::{Target, fill};
 use super::{evaluate, write_all, write_d};
@@ -151,7 +153,7 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     let q = gather([a.q, b.q, c.q, d.q]);
     let [a, b, c, d] = [a.point, b.point, c.point, d.point];
     let at = (Lanes([a.xi, b.xi, c.xi, d.xi]), Lanes([a.xi_bar, b.xi_bar, c.xi_bar, d.xi_bar]));
-    with_the_fastest!(f: |_| ByOne(Fused), ByOne(Separate) => evaluate(f, four[0].pair, &q, at, choice, request))
+    with_the_fastest!(f: InLanes, ByOne => evaluate(f, four[0].pair, &q, at, choice, request))
 }
 
 /// The dofs of four pairs, one pair in each lane.

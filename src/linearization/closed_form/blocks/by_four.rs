@@ -122,29 +122,37 @@ impl Arithmetic<f64> for ByFour {
     }
 
     #[inline(always)]
-    fn set<const J: usize, const K: usize>(
+    fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,
         to: &mut [f64],
-        spread: [(&[f64], [f64x4<Avx2>; 3]); J],
-        sum: [(f64, &[f64]); K],
+        from: [(f64, &[f64]); G],
+        spread: [(&Dofs<f64, L>, [f64x4<Avx2>; 3]); J],
+        sum: [(f64, &Dofs<f64, L>); K],
     ) {
-        let reach = reach(to, &spread, &sum);
+        let reach = reach::<f64, L, G>(to, &from);
         let whole = reach - reach % 4;
         for at in (0..whole).step_by(4) {
             let mut total = self.splat(0.0);
+            for (n, (factor, v)) in from.iter().enumerate() {
+                let (factor, four) = (self.splat(*factor), self.load(v, at));
+                total = if n == 0 { factor * four } else { factor.mul_add(four, total) };
+            }
             for (j, (shapes, tile)) in spread.iter().enumerate() {
-                let (four, v) = (self.load(shapes, at), tile[at % 3]);
-                total = if j == 0 { four * v } else { four.mul_add(v, total) };
+                let (four, v) = (self.load(&shapes[..], at), tile[at % 3]);
+                total = if G + j == 0 { four * v } else { four.mul_add(v, total) };
             }
             for (k, (factor, v)) in sum.iter().enumerate() {
-                let (factor, four) = (self.splat(*factor), self.load(v, at));
-                total = if J + k == 0 { factor * four } else { factor.mul_add(four, total) };
+                let (factor, four) = (self.splat(*factor), self.load(&v[..], at));
+                total = if G + J + k == 0 { factor * four } else { factor.mul_add(four, total) };
             }
             to[at..at + 4].copy_from_slice(&*total);
         }
         // One by one: four that overlapped those before them would wait until these are stored.
         for at in whole..reach {
             let mut total = 0.0;
+            for (factor, v) in &from {
+                total = factor.mul_add(v[at], total);
+            }
             for (shapes, tile) in &spread {
                 total = shapes[at].mul_add(tile[whole % 3][at - whole], total);
             }

@@ -26,46 +26,50 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         *to.value() = value;
         let tile = f.tile(n);
         let (gradient, gradient_bar) = to.gradient();
-        f.set(gradient, [(&beam.shapes[0], tile)], []);
-        f.set(gradient_bar, [(&bar.shapes[0], tile)], []);
+        f.set(gradient, [(beam.shapes.n, tile)], []);
+        f.set(gradient_bar, [(bar.shapes.n, tile)], []);
         if !W::SECOND {
             return;
         }
         // Eq. (40), (51): Δδd = δᵤû·K Δᵤû + (δᵤû·u)(n·Δᵤu,ξ) + (δᵤû·ū)(n·Δᵤū,ξ̄) + n·δᵤu,ξ Δξ − n·δᵤū,ξ̄ Δξ̄
         let (u_i, u_bar_i) = (f.components(*u), f.components(*u_bar));
         // n·δᵤu,ξ and n·δᵤū,ξ̄
-        let by_n: Dofs<T, N> = f.dofs([(&beam.shapes[1], tile)], []);
-        let by_n_bar: Dofs<T, M> = f.dofs([(&bar.shapes[1], tile)], []);
+        let by_n: Dofs<T, N> = f.dofs([(beam.shapes.n_xi, tile)], []);
+        let by_n_bar: Dofs<T, M> = f.dofs([(bar.shapes.n_xi, tile)], []);
         let k = k.map(
             #[inline(always)]
             |row| f.tile(row),
         );
-        let rows: [Dofs<T, N>; 3] = by_axis(
+        let (x, y, z): (Dofs<T, N>, Dofs<T, N>, Dofs<T, N>) = by_axis(
             #[inline(always)]
-            |i| f.dofs([(&beam.shapes[0], k[i])], [(u_i[i], &by_n)]),
+            |i| f.dofs([(beam.shapes.n, k[i])], [(u_i[i], &by_n)]),
         );
-        let rows_bar: [Dofs<T, M>; 3] = by_axis(
+        let rows = [&x, &y, &z];
+        let (x, y, z): (Dofs<T, M>, Dofs<T, M>, Dofs<T, M>) = by_axis(
             #[inline(always)]
-            |i| f.dofs([(&bar.shapes[0], k[i])], [(u_bar_i[i], &by_n_bar)]),
+            |i| f.dofs([(bar.shapes.n, k[i])], [(u_bar_i[i], &by_n_bar)]),
         );
-        for a in 0..N / 3 {
-            for i in 0..3 {
+        let rows_bar = [&x, &y, &z];
+        f.each::<N>(
+            #[inline(always)]
+            |a, i| {
                 let r = 3 * a + i;
-                let (s, by_n) = (beam.shapes[0][r], by_n[r]);
+                let (s, by_n) = (beam.shapes.n[r], by_n[r]);
                 let (row, row_bar) = to.row(r);
-                f.set(row, [], [(s, &rows[i]), (by_n, &g.xi)]);
-                f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, &g_bar.xi)]);
-            }
-        }
-        for a in 0..M / 3 {
-            for i in 0..3 {
+                f.set(row, [], [(s, rows[i]), (by_n, g.xi)]);
+                f.set(row_bar, [], [(s, rows_bar[i]), (by_n, g_bar.xi)]);
+            },
+        );
+        f.each::<M>(
+            #[inline(always)]
+            |a, i| {
                 let r = 3 * a + i;
-                let (s, by_n) = (bar.shapes[0][r], -by_n_bar[r]);
+                let (s, by_n) = (bar.shapes.n[r], -by_n_bar[r]);
                 let (row, row_bar) = to.row_bar(r);
-                f.set(row, [], [(s, &rows[i]), (by_n, &g.xi_bar)]);
-                f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, &g_bar.xi_bar)]);
-            }
-        }
+                f.set(row, [], [(s, rows[i]), (by_n, g.xi_bar)]);
+                f.set(row_bar, [], [(s, rows_bar[i]), (by_n, g_bar.xi_bar)]);
+            },
+        );
     }
 
     /// n = d/d   K = (I − nnᵀ + t uᵀ + t̄ ūᵀ)/d
@@ -78,14 +82,14 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         let (by_t, by_t_bar) = (f.times(curvature, beam.t), f.times(curvature, bar.t));
         let (by_t, by_t_bar) = (f.components(by_t), f.components(by_t_bar));
         let minus_n = f.components(f.times(-curvature, n));
-        let k = by_axis(
+        let (x, y, z) = by_axis(
             #[inline(always)]
             |i| {
                 let k = f.times_plus(minus_n[i], n, f.along(i, curvature));
                 f.times_plus(by_t_bar[i], *u_bar, f.times_plus(by_t[i], *u, k))
             },
         );
-        Distance { value, n, k }
+        Distance { value, n, k: [x, y, z] }
     }
 
     /// n = ± t × t̄/|t × t̄|   K = T W Tᵀ with T = [t, −t̄]
@@ -98,7 +102,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         let (t, t_bar) = (points.beam.t, points.bar.t);
         let (by_t, by_t_bar) = (t * w_11 - t_bar * w_12, t_bar * w_22 - t * w_12);
         let vector = |v: Vector3<T>| f.vector(v.into());
-        let k = by_axis(|i| vector(by_t * t[i] + by_t_bar * t_bar[i]));
-        Distance { value: n.dot(&points.d), n: vector(n), k }
+        let (x, y, z) = by_axis(|i| vector(by_t * t[i] + by_t_bar * t_bar[i]));
+        Distance { value: n.dot(&points.d), n: vector(n), k: [x, y, z] }
     }
 }

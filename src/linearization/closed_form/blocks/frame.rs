@@ -2,17 +2,19 @@
 
 use super::arithmetic::{Arithmetic, Dofs};
 use super::choice::Chosen;
-use super::side::Side;
+use super::side::{Side, Spread};
 use crate::linearization::closed_form::{Points, Projection, Sound};
 use crate::number::Real;
 
 /// A pair at its closest point.
+///
+/// What is as long as the dofs is referred to: a vector over them that is moved costs as much as one that is computed.
 pub(super) struct Frame<'a, T, V, const N: usize, const M: usize> {
-    pub(super) beam: &'a Side<T, V, N>,
-    pub(super) bar: &'a Side<T, V, M>,
+    pub(super) beam: &'a Side<'a, T, V, N>,
+    pub(super) bar: &'a Side<'a, T, V, M>,
     /// Along the dofs of the beam, and of the bar beam.
-    pub(super) g: Gradients<T, N>,
-    pub(super) g_bar: Gradients<T, M>,
+    pub(super) g: Gradients<'a, T, N>,
+    pub(super) g_bar: Gradients<'a, T, M>,
     /// The vector d.
     pub(super) d: V,
     /// t·t, t̄·t̄, t·t̄ and d·d.
@@ -26,27 +28,35 @@ pub(super) struct Frame<'a, T, V, const N: usize, const M: usize> {
 }
 
 /// The gradients of the parameters along the dofs of one beam.
-pub(super) struct Gradients<T, const L: usize> {
-    pub(super) xi: Dofs<T, L>,
-    pub(super) xi_bar: Dofs<T, L>,
+#[derive(Clone, Copy)]
+pub(super) struct Gradients<'a, T, const L: usize> {
+    pub(super) xi: &'a Dofs<T, L>,
+    pub(super) xi_bar: &'a Dofs<T, L>,
 }
 
 /// d, and t·t, t̄·t̄, t·t̄ and d·d.
 #[inline(always)]
 pub(super) fn squares<T: Real, A: Arithmetic<T>, const N: usize, const M: usize>(
     f: A,
-    beam: &Side<T, A::Vector, N>,
-    bar: &Side<T, A::Vector, M>,
+    beam: &Side<'_, T, A::Vector, N>,
+    bar: &Side<'_, T, A::Vector, M>,
 ) -> (A::Vector, [T; 4]) {
     let d = f.times_plus(-T::one(), bar.x, beam.x);
     (d, [f.dot(beam.t, beam.t), f.dot(bar.t, bar.t), f.dot(beam.t, bar.t), f.dot(d, d)])
 }
 
-impl<'a, T: Real, V: Copy, const N: usize, const M: usize> Frame<'a, T, V, N, M> {
+/// The first variations of the parameters, in terms of those of the curves.
+pub(super) struct Variations<T, V> {
+    pub(super) inverse: [T; 3],
+    pub(super) u: V,
+    pub(super) u_bar: V,
+}
+
+impl<T: Real, V: Copy> Variations<T, V> {
     #[inline(always)]
-    pub(super) fn new<A: Arithmetic<T, Vector = V>>(
+    pub(super) fn new<A: Arithmetic<T, Vector = V>, const N: usize, const M: usize>(
         f: A,
-        (beam, bar): (&'a Side<T, V, N>, &'a Side<T, V, M>),
+        (beam, bar): (&Side<'_, T, V, N>, &Side<'_, T, V, M>),
         (d, squares): (V, [T; 4]),
         chosen: Chosen<T>,
     ) -> Self {
@@ -75,19 +85,23 @@ impl<'a, T: Real, V: Copy, const N: usize, const M: usize> Frame<'a, T, V, N, M>
         if chosen.form.is_crossed() {
             (inverse, u, u_bar) = crossed(f, &points(f, beam, bar), chosen);
         }
-        let [p, q, q_bar] = inverse;
-        let minus_u_bar = f.tile(f.times(-one, u_bar));
-        let (by_p, by_q) = (f.tile(f.times(-p, d)), f.tile(f.times(q, d)));
-        let (by_minus_q, by_q_bar) = (f.tile(f.times(-q, d)), f.tile(f.times(-q_bar, d)));
-        let g = Gradients {
-            xi: f.dofs([(&beam.shapes[0], f.tile(u)), (&beam.shapes[1], by_p)], []),
-            xi_bar: f.dofs([(&beam.shapes[0], minus_u_bar), (&beam.shapes[1], by_q)], []),
-        };
-        let g_bar = Gradients {
-            xi: f.dofs([(&bar.shapes[0], f.tile(u)), (&bar.shapes[1], by_minus_q)], []),
-            xi_bar: f.dofs([(&bar.shapes[0], minus_u_bar), (&bar.shapes[1], by_q_bar)], []),
-        };
-        Self { beam, bar, g, g_bar, d, squares, chosen, inverse, u, u_bar }
+        Self { inverse, u, u_bar }
+    }
+
+    /// The gradients of xi and xi_bar along the dofs of one beam, in whose u,xi they have these multiples of d.
+    #[inline(always)]
+    pub(super) fn along<A: Arithmetic<T, Vector = V>, const L: usize>(
+        &self,
+        f: A,
+        side: &Side<'_, T, V, L>,
+        [by_d, bar_by_d]: [T; 2],
+        d: V,
+    ) -> (Dofs<T, L>, Dofs<T, L>) {
+        let Spread { n, n_xi, .. } = side.shapes;
+        let minus_u_bar = f.times(-T::one(), self.u_bar);
+        let xi = [(n, f.tile(self.u)), (n_xi, f.tile(f.times(by_d, d)))];
+        let xi_bar = [(n, f.tile(minus_u_bar)), (n_xi, f.tile(f.times(bar_by_d, d)))];
+        (f.dofs(xi, []), f.dofs(xi_bar, []))
     }
 }
 
@@ -95,8 +109,8 @@ impl<'a, T: Real, V: Copy, const N: usize, const M: usize> Frame<'a, T, V, N, M>
 #[inline(always)]
 pub(super) fn points<T: Real, A: Arithmetic<T>, const N: usize, const M: usize>(
     f: A,
-    beam: &Side<T, A::Vector, N>,
-    bar: &Side<T, A::Vector, M>,
+    beam: &Side<'_, T, A::Vector, N>,
+    bar: &Side<'_, T, A::Vector, M>,
 ) -> Points<T> {
     Points::new(&beam.geometry(f), &bar.geometry(f))
 }

@@ -10,7 +10,7 @@
 //! which is eq. (58), sorted by g. What is not a multiple of g belongs to the tangent's own beam.
 
 use super::arithmetic::{Arithmetic, Dofs, by_axis};
-use super::side::Side;
+use super::side::{Side, Spread};
 use super::target::Target;
 use crate::number::Real;
 
@@ -18,12 +18,12 @@ use crate::number::Real;
 #[inline(always)]
 pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const N: usize, const M: usize>(
     f: A,
-    own: &Side<T, A::Vector, N>,
+    own: &Side<'_, T, A::Vector, N>,
     (g, g_other): (&Dofs<T, N>, &Dofs<T, M>),
     of_parameter: &mut W,
     to: &mut W,
 ) {
-    let Side { t, t_xi, t_xixi, shapes: [_, s_xi, s_xixi], .. } = own;
+    let Side { t, t_xi, t_xixi, shapes: Spread { n_xi: s_xi, n_xixi: s_xixi, .. }, .. } = own;
     let one = T::one();
     let value = f.dot(*t, *t).sqrt();
     let inverse = one / value;
@@ -45,17 +45,17 @@ pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const 
     let m_other: Dofs<T, M> = f.dofs([], [(in_g, g_other)]);
     // The rows of A₁ᵀ(I − wwᵀ)A₁/t that belong to u,ξ
     let by_w = f.components(f.times(-inverse, w));
-    let across: [Dofs<T, N>; 3] = by_axis(
+    let (x, y, z): (Dofs<T, N>, Dofs<T, N>, Dofs<T, N>) = by_axis(
         #[inline(always)]
         |i| f.dofs([(s_xi, f.tile(f.times_plus(by_w[i], w, f.along(i, inverse))))], []),
     );
     for a in 0..N / 3 {
-        for (i, across) in across.iter().enumerate() {
+        for (i, across) in [&x, &y, &z].into_iter().enumerate() {
             let r = 3 * a + i;
             let (from, from_other) = of_parameter.row(r);
             let (row, row_other) = to.row(r);
-            f.set(row, [], [(kappa, from), (g[r], &m), (b[r], g), (s_xi[r], across)]);
-            f.set(row_other, [], [(kappa, from_other), (m[r], g_other)]);
+            f.set_from(row, [(kappa, from)], [], [(g[r], &m), (b[r], g), (s_xi[r], across)]);
+            f.set_from(row_other, [(kappa, from_other)], [], [(m[r], g_other)]);
         }
     }
     for a in 0..M / 3 {
@@ -63,8 +63,8 @@ pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const 
             let r = 3 * a + i;
             let (from, from_other) = of_parameter.row_bar(r);
             let (row, row_other) = to.row_bar(r);
-            f.set(row, [], [(kappa, from), (g_other[r], &m)]);
-            f.set(row_other, [], [(kappa, from_other), (g_other[r], &m_other)]);
+            f.set_from(row, [(kappa, from)], [], [(g_other[r], &m)]);
+            f.set_from(row_other, [(kappa, from_other)], [], [(g_other[r], &m_other)]);
         }
     }
 }

@@ -14,7 +14,7 @@
 use super::arithmetic::{Arithmetic, Dofs};
 use super::frame::{Frame, Gradients};
 use super::lengths::write_length;
-use super::side::Side;
+use super::side::{Side, Spread};
 use super::target::{Swapped, Target};
 use crate::number::Real;
 
@@ -29,8 +29,8 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         t: &mut W,
     ) {
         let Self { beam, g, g_bar, inverse: [p, q, _], u, .. } = self;
-        self.write_parameter(f, at, (&g.xi, &g_bar.xi), ([*p, *q], *u), xi);
-        write_length(f, beam, (&g.xi, &g_bar.xi), xi, t);
+        self.write_parameter(f, at, (g.xi, g_bar.xi), ([*p, *q], *u), xi);
+        write_length(f, beam, (g.xi, g_bar.xi), xi, t);
     }
 
     /// xi_bar, which is `at`, and t_bar.
@@ -44,8 +44,8 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     ) {
         let Self { bar, g, g_bar, inverse: [_, q, q_bar], u_bar, .. } = self;
         let minus_u_bar = f.times(-T::one(), *u_bar);
-        self.write_parameter(f, at, (&g.xi_bar, &g_bar.xi_bar), ([-*q, *q_bar], minus_u_bar), xi_bar);
-        write_length(f, bar, (&g_bar.xi_bar, &g.xi_bar), &mut Swapped(xi_bar), &mut Swapped(t_bar));
+        self.write_parameter(f, at, (g.xi_bar, g_bar.xi_bar), ([-*q, *q_bar], minus_u_bar), xi_bar);
+        write_length(f, bar, (g_bar.xi_bar, g.xi_bar), &mut Swapped(xi_bar), &mut Swapped(t_bar));
     }
 
     /// The parameter with a gradient and a Hessian x P + y P_bar.
@@ -54,7 +54,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         &self,
         f: A,
         at: T,
-        (of_beam, of_bar): (&[T], &[T]),
+        (of_beam, of_bar): (&Dofs<T, N>, &Dofs<T, M>),
         ([x, y], m): ([T; 2], V),
         to: &mut W,
     ) {
@@ -68,41 +68,47 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         let Self { beam, bar, g, g_bar, .. } = self;
         let (d, u, u_bar) = (f.components(self.d), f.components(self.u), f.components(self.u_bar));
         let parameter = Parameter::new(f, self, ([x, y], m));
+        let (along, along_bar) = parameter.along(f, self);
+        // −x d·δᵤu,ξξ and −y d·δᵤū,ξ̄ξ̄
+        let bend: Dofs<T, N> = f.dofs([(beam.shapes.n_xixi, f.tile(parameter.bend))], []);
+        let bend_bar: Dofs<T, M> = f.dofs([(bar.shapes.n_xixi, f.tile(parameter.bend_bar))], []);
         let (mut rows, mut rows_bar) = (Rows::zeros(), Rows::zeros());
         for i in 0..3 {
-            let along = [d[i], u[i], u_bar[i]];
-            parameter.set(f, &mut rows, (i, along), (beam, g), &parameter.beam, -x);
-            parameter.set(f, &mut rows_bar, (i, along), (bar, g_bar), &parameter.bar, -y);
+            let components = [d[i], u[i], u_bar[i]];
+            parameter.set(f, &mut rows, (i, components), (beam, g), &along, -x);
+            parameter.set(f, &mut rows_bar, (i, components), (bar, g_bar), &along_bar, -y);
             for a in 0..N / 3 {
                 let r = 3 * a + i;
-                let [s, s_xi, bend] = [beam.shapes[0][r], beam.shapes[1][r], parameter.bend[r]];
+                let [s, s_xi, bend] = [beam.shapes.n[r], beam.shapes.n_xi[r], bend[r]];
                 let (row, row_bar) = to.row(r);
-                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi), (bend, &g.xi)]);
-                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi), (bend, &g_bar.xi)]);
+                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi), (bend, g.xi)]);
+                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi), (bend, g_bar.xi)]);
             }
             for a in 0..M / 3 {
                 let r = 3 * a + i;
-                let [s, s_xi, bend] = [bar.shapes[0][r], bar.shapes[1][r], parameter.bend_bar[r]];
+                let [s, s_xi, bend] = [bar.shapes.n[r], bar.shapes.n_xi[r], bend_bar[r]];
                 let (row, row_bar) = to.row_bar(r);
-                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi_bar), (bend, &g.xi_bar)]);
-                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi_bar), (bend, &g_bar.xi_bar)]);
+                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi_bar), (bend, g.xi_bar)]);
+                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi_bar), (bend, g_bar.xi_bar)]);
             }
         }
     }
 }
 
 /// The Hessian of a parameter, x P + y P_bar.
-struct Parameter<T, const N: usize, const M: usize> {
+struct Parameter<T, V> {
     x: T,
     y: T,
-    /// The components of w and w_bar along u_hat, u,xi and u_bar,xi.
-    w: [[T; 3]; 3],
-    w_bar: [[T; 3]; 3],
-    beam: Along<T, N>,
-    bar: Along<T, M>,
-    /// What is left of the row of a beam's dof is this multiple of g, and of a bar beam's dof this multiple of g_bar.
-    bend: Dofs<T, N>,
-    bend_bar: Dofs<T, M>,
+    /// w and w_bar along u_hat, u,xi and u_bar,xi, and their components.
+    w: [V; 3],
+    w_bar: [V; 3],
+    components: [[T; 3]; 3],
+    components_bar: [[T; 3]; 3],
+    /// −x d and −y d: w along u,xixi and w_bar along u_bar,xixi.
+    ///
+    /// The row of a beam's dof has so much of g besides, that of a bar beam's dof of g_bar.
+    bend: V,
+    bend_bar: V,
 }
 
 /// w, w_bar, v = −p w + q w̄ and v_bar = −q w − q̄ w̄ along the dofs of one beam.
@@ -111,6 +117,22 @@ struct Along<T, const L: usize> {
     w_bar: Dofs<T, L>,
     v: Dofs<T, L>,
     v_bar: Dofs<T, L>,
+}
+
+impl<T: Real, const L: usize> Along<T, L> {
+    /// From w and w_bar.
+    #[inline(always)]
+    fn new<A: Arithmetic<T>, const J: usize, const K: usize>(
+        f: A,
+        [p, q, q_bar]: [T; 3],
+        w: [(&Dofs<T, L>, A::Tile); J],
+        w_bar: [(&Dofs<T, L>, A::Tile); K],
+    ) -> Self {
+        let (w, w_bar) = (f.dofs(w, []), f.dofs(w_bar, []));
+        let v = f.dofs([], [(-p, &w), (q, &w_bar)]);
+        let v_bar = f.dofs([], [(-q, &w), (-q_bar, &w_bar)]);
+        Self { w, w_bar, v, v_bar }
+    }
 }
 
 /// The rows of u_hat, u,xi and u_bar,xi along one axis, in the columns of one beam.
@@ -127,16 +149,15 @@ impl<T: Real, const L: usize> Rows<T, L> {
     }
 }
 
-impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
+impl<T: Real, V: Copy> Parameter<T, V> {
     #[inline(always)]
-    fn new<V: Copy, A: Arithmetic<T, Vector = V>>(
+    fn new<A: Arithmetic<T, Vector = V>, const N: usize, const M: usize>(
         f: A,
         frame: &Frame<'_, T, V, N, M>,
         ([x, y], m): ([T; 2], V),
     ) -> Self {
         let Frame { beam, bar, d, inverse: [p, q, q_bar], u, u_bar, .. } = frame;
         let (p, q, q_bar, d, u, u_bar) = (*p, *q, *q_bar, *d, *u, *u_bar);
-        let one = T::one();
         let half = <T as From<f64>>::from(0.5);
         // The multiples of g and ḡ in w and w̄: those in α, β, ᾱ and β̄.
         let straight = f.mul_add(half, f.dot(d, beam.t_xixi), f.dot(beam.t, beam.t_xi));
@@ -157,64 +178,51 @@ impl<T: Real, const N: usize, const M: usize> Parameter<T, N, M> {
             f.combined([(x, bar.t), (in_beam, d)]),
             f.times_plus(in_bar, d, f.times_plus(-T::one(), m, f.times(y, bar.t))),
         ];
-        // −x d·Δᵤu,ξξ and −y d·Δᵤū,ξ̄ξ̄, the parts of w and w̄ that belong to one beam only
-        let bend: Dofs<T, N> = f.dofs([(&beam.shapes[2], f.tile(f.times(-x, d)))], []);
-        let bend_bar: Dofs<T, M> = f.dofs([(&bar.shapes[2], f.tile(f.times(-y, d)))], []);
-        let [s, s_xi, _] = &beam.shapes;
-        let of_beam = [
-            f.dofs([(s, f.tile(w[0])), (s_xi, f.tile(w[1]))], [(one, &bend)]),
-            f.dofs([(s, f.tile(w_bar[0])), (s_xi, f.tile(w_bar[1]))], []),
-        ];
-        let [s, s_xi, _] = &bar.shapes;
-        let of_bar = [
-            f.dofs([(s, f.tile(w[0])), (s_xi, f.tile(w[2]))], []),
-            f.dofs([(s, f.tile(w_bar[0])), (s_xi, f.tile(w_bar[2]))], [(one, &bend_bar)]),
-        ];
-        Self {
-            x,
-            y,
-            w: w.map(
-                #[inline(always)]
-                |w| f.components(w),
-            ),
-            w_bar: w_bar.map(
-                #[inline(always)]
-                |w| f.components(w),
-            ),
-            beam: Along::new(f, frame.inverse, of_beam),
-            bar: Along::new(f, frame.inverse, of_bar),
-            bend,
-            bend_bar,
-        }
+        let components = [f.components(w[0]), f.components(w[1]), f.components(w[2])];
+        let components_bar = [f.components(w_bar[0]), f.components(w_bar[1]), f.components(w_bar[2])];
+        let (bend, bend_bar) = (f.times(-x, d), f.times(-y, d));
+        Self { x, y, w, w_bar, components, components_bar, bend, bend_bar }
     }
 
-    /// Sets rows to those along axis i, where d, u and u_bar have these components; `along_tangent` is what couples u_hat and its first derivatives in C and C_bar.
+    /// w and w_bar along the dofs of the beam, and of the bar beam.
     #[inline(always)]
-    fn set<V: Copy, A: Arithmetic<T, Vector = V>, const L: usize>(
+    fn along<A: Arithmetic<T, Vector = V>, const N: usize, const M: usize>(
+        &self,
+        f: A,
+        frame: &Frame<'_, T, V, N, M>,
+    ) -> (Along<T, N>, Along<T, M>) {
+        let (hat, hat_bar) = (f.tile(self.w[0]), f.tile(self.w_bar[0]));
+        let (xi, bar_xi) = (f.tile(self.w[1]), f.tile(self.w_bar[1]));
+        let (xi_bar, bar_xi_bar) = (f.tile(self.w[2]), f.tile(self.w_bar[2]));
+        let (bend, bend_bar) = (f.tile(self.bend), f.tile(self.bend_bar));
+        let Spread { n, n_xi, n_xixi } = frame.beam.shapes;
+        let w = [(n, hat), (n_xi, xi), (n_xixi, bend)];
+        let along = Along::new(f, frame.inverse, w, [(n, hat_bar), (n_xi, bar_xi)]);
+        let Spread { n, n_xi, n_xixi } = frame.bar.shapes;
+        let w_bar = [(n, hat_bar), (n_xi, bar_xi_bar), (n_xixi, bend_bar)];
+        (along, Along::new(f, frame.inverse, [(n, hat), (n_xi, xi_bar)], w_bar))
+    }
+
+    /// Sets rows to those along axis i, where d, u and u_bar have these components; `along_tangent` is what couples u_hat
+    /// and its first derivatives in C and C_bar.
+    #[inline(always)]
+    fn set<A: Arithmetic<T, Vector = V>, const L: usize>(
         &self,
         f: A,
         rows: &mut Rows<T, L>,
         (i, [d, u, u_bar]): (usize, [T; 3]),
-        (side, g): (&Side<T, V, L>, &Gradients<T, L>),
+        (side, g): (&Side<'_, T, V, L>, &Gradients<'_, T, L>),
         along: &Along<T, L>,
         along_tangent: T,
     ) {
-        let [s, s_xi, _] = &side.shapes;
-        let (w, w_bar, Gradients { xi: g, xi_bar: g_bar }) = (&self.w, &self.w_bar, g);
-        let hat = [(u, &along.w[..]), (-u_bar, &along.w_bar), (w[0][i], g), (w_bar[0][i], g_bar)];
-        let xi = [(d, &along.v[..]), (w[1][i], g), (w_bar[1][i], g_bar)];
-        let xi_bar = [(d, &along.v_bar[..]), (w[2][i], g), (w_bar[2][i], g_bar)];
+        let Spread { n: s, n_xi: s_xi, .. } = side.shapes;
+        let Gradients { xi: g, xi_bar: g_bar } = *g;
+        let (w, w_bar) = (&self.components, &self.components_bar);
+        let hat = [(u, &along.w), (-u_bar, &along.w_bar), (w[0][i], g), (w_bar[0][i], g_bar)];
+        let xi = [(d, &along.v), (w[1][i], g), (w_bar[1][i], g_bar)];
+        let xi_bar = [(d, &along.v_bar), (w[2][i], g), (w_bar[2][i], g_bar)];
         f.set(&mut rows.hat, [(s_xi, f.tile_along(i, along_tangent))], hat);
         f.set(&mut rows.xi, [(s, f.tile_along(i, -self.x))], xi);
         f.set(&mut rows.xi_bar, [(s, f.tile_along(i, -self.y))], xi_bar);
-    }
-}
-
-impl<T: Real, const L: usize> Along<T, L> {
-    #[inline(always)]
-    fn new(f: impl Arithmetic<T>, [p, q, q_bar]: [T; 3], [w, w_bar]: [Dofs<T, L>; 2]) -> Self {
-        let v = f.dofs([], [(-p, &w), (q, &w_bar)]);
-        let v_bar = f.dofs([], [(-q, &w), (-q_bar, &w_bar)]);
-        Self { w, w_bar, v, v_bar }
     }
 }

@@ -18,6 +18,9 @@ pub trait Target<T, const N: usize, const M: usize> {
     fn gradient(&mut self) -> (&mut [T], &mut [T]);
 
     /// The row of the Hessian that belongs to dof `i` of the beam.
+    ///
+    /// Of a control vector the rows of x, y and z are asked for in this order, again and again: what a row is given beyond
+    /// its own end, in memory of those after it, is written over by these.
     fn row(&mut self, i: usize) -> (&mut [T], &mut [T]);
 
     /// The row of the Hessian that belongs to dof `i` of the bar beam.
@@ -110,6 +113,19 @@ pub struct Packed<T, const S: usize, const H: usize> {
 }
 
 impl<T: Real, const S: usize, const H: usize> Packed<T, S, H> {
+    /// Where the rows start, and where they end with the last control vector that they have dofs of.
+    const ROWS: [(usize, usize); S] = {
+        let mut rows = [(0, 0); S];
+        let mut i = 0;
+        while i < S {
+            let start = i * (i + 1) / 2;
+            let whole = i - i % 3 + 3;
+            rows[i] = (start, start + if whole < S { whole } else { S });
+            i += 1;
+        }
+        rows
+    };
+
     /// Zeros, to be written over.
     pub fn zeros() -> Self {
         Self { hessian: [T::zero(); H], gradient: [T::zero(); S], value: T::zero() }
@@ -121,11 +137,11 @@ impl<T: Real, const S: usize, const H: usize> Packed<T, S, H> {
         self.hessian[i * (i + 1) / 2 + j]
     }
 
-    /// The row of a dof as far as the diagonal.
+    /// The row of a dof as far as the diagonal, and on to the end of its control vector.
     #[inline(always)]
     fn row_of(&mut self, i: usize) -> &mut [T] {
-        let start = i * (i + 1) / 2;
-        self.hessian.get_mut(start..=start + i).unwrap_or_default()
+        let (start, end) = Self::ROWS[i];
+        self.hessian.get_mut(start..end).unwrap_or_default()
     }
 }
 
