@@ -7,6 +7,7 @@
 pub mod ad;
 pub mod closed_form;
 mod expansion;
+mod fastest;
 mod quantities;
 
 pub use expansion::{DofMatrix, Expansion, Linearization};

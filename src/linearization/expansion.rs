@@ -1,5 +1,6 @@
 //! Gradients and Hessians in all dofs of a pair, in the blocks of the two beams.
 
+use super::fastest::with_the_fastest;
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
 use nalgebra::{SMatrix, SVector};
@@ -85,35 +86,53 @@ impl<T: Real, const N: usize, const M: usize> DofMatrix<T, N, M> {
 }
 
 /// u^T block v.
+#[inline]
 fn bilinear<T: Real, const N: usize, const M: usize>(
     u: &SVector<T, N>,
     block: &SMatrix<T, N, M>,
     v: &SVector<T, M>,
 ) -> T {
-    let ([u], [v]) = (&u.data.0, &v.data.0);
-    let dot = |column: &[T; N]| column.iter().zip(u).fold(T::zero(), |sum, (&entry, &u)| sum + entry * u);
-    block.data.0.iter().zip(v).fold(T::zero(), |sum, (column, &v)| sum + dot(column) * v)
+    with_the_fastest!(_f: |_| (), () => {
+        let mut products = [T::zero(); N];
+        for (column, &v) in block.data.0.iter().zip(&v.data.0[0]) {
+            add_multiple(&mut products, column, v);
+        }
+        products.iter().zip(&u.data.0[0]).fold(T::zero(), |sum, (&product, &u)| sum + product * u)
+    })
 }
 
 /// A block of [`DofMatrix::set_sum`]: factor * matrix over all `matrices` and u v^T over all `products` (u, v).
+///
+/// Along the columns, as the entries lie in memory, and term by term: loops in which the compiler takes several entries at
+/// once.
 #[inline]
 fn set_block<T: Real, const N: usize, const M: usize, const L: usize, const K: usize>(
     block: &mut SMatrix<T, N, M>,
     matrices: [(T, &SMatrix<T, N, M>); L],
     products: [[(&SVector<T, N>, &SVector<T, M>); 2]; K],
 ) {
-    // Along the columns, as the entries lie in memory, so that the compiler takes several at once.
-    for (j, column) in block.data.0.iter_mut().enumerate() {
-        for (i, entry) in column.iter_mut().enumerate() {
-            let mut sum = T::zero();
+    with_the_fastest!(_f: |_| (), () => {
+        for (j, column) in block.data.0.iter_mut().enumerate() {
+            let mut sums = [T::zero(); N];
             for (factor, matrix) in matrices {
-                sum += matrix.data.0[j][i] * factor;
+                add_multiple(&mut sums, &matrix.data.0[j], factor);
             }
             for [(u, v), (y, z)] in products {
-                sum += u[i] * v[j] + y[i] * z[j];
+                let (v, z) = (v[j], z[j]);
+                for (sum, (&u, &y)) in sums.iter_mut().zip(u.data.0[0].iter().zip(&y.data.0[0])) {
+                    *sum += u * v + y * z;
+                }
             }
-            *entry = sum;
+            *column = sums;
         }
+    });
+}
+
+/// Adds a multiple of a column.
+#[inline(always)]
+fn add_multiple<T: Real, const N: usize>(to: &mut [T; N], column: &[T; N], factor: T) {
+    for (sum, &entry) in to.iter_mut().zip(column) {
+        *sum += entry * factor;
     }
 }
 

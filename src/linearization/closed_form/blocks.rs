@@ -14,23 +14,6 @@
 //! Where the machine has AVX2 and fused products and sums they are used, whatever the build was made for. The two ways
 //! round differently, no more.
 
-/// Evaluates a kernel with the arithmetic of the machine's vector units, if it has any that are known here.
-macro_rules! with_the_fastest {
-    ($f:ident: $with:expr, $without:expr => $kernel:expr) => {{
-        #[cfg(target_arch = "x86_64")]
-        if let Some(avx2) = fearless_simd::Level::new().as_avx2() {
-            let $f = $with(avx2);
-            return fearless_simd::Simd::vectorize(
-                avx2,
-                #[inline(always)]
-                || $kernel,
-            );
-        }
-        let $f = $without;
-        $kernel
-    }};
-}
-
 mod arithmetic;
 mod batch;
 #[cfg(target_arch = "x86_64")]
@@ -53,6 +36,7 @@ pub use target::{Full, Gradient, Packed, Target};
 use super::{Form, Matrices, Points, Sound, jets};
 use crate::closest_point::{Active, ClosestPoint};
 use crate::curve::Curve;
+use crate::linearization::fastest::with_the_fastest;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 use arithmetic::{Arithmetic, ByOne};

@@ -10,6 +10,7 @@ use super::{evaluate, write_all, write_d};
 use crate::closest_point::{Active, ClosestPoint};
 use crate::curve::Curve;
 use crate::linearization::Expansion;
+use crate::linearization::fastest::with_the_fastest;
 use crate::number::Lanes;
 use crate::pair::{DofVector, Pair};
 use nalgebra::SVector;
