@@ -28,16 +28,6 @@ lane_by_lane!(Sub, sub, -);
 lane_by_lane!(Mul, mul, *);
 lane_by_lane!(Div, div, /);
 
-impl Lanes {
-    /// a b + c with one rounding, of each lane.
-    #[inline(always)]
-    #[must_use]
-    pub fn mul_add(self, factor: Self, summand: Self) -> Self {
-        let (Self([a, b, c, d]), Self([e, f, g, h]), Self([i, j, k, l])) = (self, factor, summand);
-        Self([a.mul_add(e, i), b.mul_add(f, j), c.mul_add(g, k), d.mul_add(h, l)])
-    }
-}
-
 impl Neg for Lanes {
     type Output = Self;
     #[inline(always)]

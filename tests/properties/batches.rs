@@ -7,8 +7,9 @@ use crate::pairs::{Contacting, contacting, hermite};
 use crate::strategies::vector;
 use beamgap::closest_point::{Active, Beam, refine};
 use beamgap::curve::{Bezier, Hermite, Segment};
+use beamgap::linearization::closed_form::Form;
 use beamgap::linearization::closed_form::blocks::{
-    Encounter, Packed, write_all, write_all_batch, write_d, write_d_batch,
+    Encounter, Packed, write_all, write_all_batch, write_all_over, write_d, write_d_batch,
 };
 use beamgap::number::Lanes;
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -64,6 +65,30 @@ fn long_and_short(bent: &SVector<f64, 18>) -> Contacting<Bezier<6>, Segment, 18,
 }
 
 proptest! {
+    /// What a machine without vectors does in lanes, by the source of every scalar.
+    #[test]
+    fn numbers_in_lanes(cases in proptest::array::uniform4(contacting(hermite(), hermite()))) {
+        let form = Form::paper(Active::default());
+        let in_lanes = |of: fn(&Contacting<Hermite, Hermite, 12, 12>, usize) -> f64, i: usize| {
+            Lanes(cases.each_ref().map(|case| of(case, i)))
+        };
+        let q = DofVector {
+            beam: SVector::from_fn(|i, _| in_lanes(|case, i| case.q.beam[i], i)),
+            bar: SVector::from_fn(|i, _| in_lanes(|case, i| case.q.bar[i], i)),
+        };
+        let at = (in_lanes(|case, _| case.point.xi, 0), in_lanes(|case, _| case.point.xi_bar, 0));
+        let mut four = [Packed::<Lanes, 24, 300>::zeros(); 5];
+        prop_assert!(write_all_over(&cases[0].pair, &q, at, form, &mut targets(&mut four)));
+        for (i, Contacting { pair, q, point, .. }) in cases.iter().enumerate() {
+            let mut one = [Packed::<f64, 24, 300>::zeros(); 5];
+            prop_assert!(write_all_over(pair, q, (point.xi, point.xi_bar), form, &mut targets(&mut one)));
+            for (four, one) in four.iter().zip(&one) {
+                let bits = |numbers: Vec<f64>| numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+                prop_assert_eq!(bits(lane(four, i)), bits(alone(one)));
+            }
+        }
+    }
+
     /// The lanes have no fixed number of control vectors.
     #[test]
     fn batches_of_long_and_short_curves(bent in proptest::array::uniform4(vector::<18>())) {

@@ -1,14 +1,9 @@
-//! The blocks are the matrices: exactly over a prime field, within the rounding of both in `f64`, in every layout.
+//! The blocks are the matrices: exactly over a prime field, within the rounding of both in `f64`.
 
-#![expect(clippy::float_cmp, reason = "layouts hold the same bits")]
-#![expect(clippy::large_stack_arrays, reason = "five quantities of 21 dofs")]
-
-use crate::pairs::{Contacting, Movable, any_arc, any_helix, contacting, hermite, quadratic};
+use crate::pairs::{Contacting, Movable, contacting, hermite, quadratic};
 use beamgap::closest_point::Active;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
-use beamgap::linearization::closed_form::blocks::{
-    Full, Gradient, Packed, Targets, write_all, write_all_over, write_d,
-};
+use beamgap::linearization::closed_form::blocks::{Full, Targets, write_all, write_all_over};
 use beamgap::linearization::closed_form::form::{Distance, Elimination};
 use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, Sound, jets};
 use beamgap::linearization::{Expansion, Linearization};
@@ -36,7 +31,7 @@ pub(crate) fn targets<W>([d, xi, xi_bar, t, t_bar]: &mut [W; 5]) -> Targets<'_, 
 }
 
 /// Value, gradient and Hessian.
-fn flat<T: Real, const S: usize>(full: &Full<T, S>) -> Vec<T> {
+pub(crate) fn flat<T: Real, const S: usize>(full: &Full<T, S>) -> Vec<T> {
     [&[full.value], &full.gradient[..], full.hessian.as_flattened()].concat()
 }
 
@@ -66,7 +61,9 @@ fn by_matrices<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: u
 }
 
 /// The same of blocks.
-fn flat_expansion<T: Real, const N: usize, const M: usize>(quantity: Expansion<T, N, M>) -> Vec<T> {
+pub(crate) fn flat_expansion<T: Real, const N: usize, const M: usize>(
+    quantity: Expansion<T, N, M>,
+) -> Vec<T> {
     let mut all = vec![quantity.value];
     all.extend((0..N + M).map(|i| quantity.gradient.entry(i)));
     let entries = |i| (0..N + M).map(move |j| (i, j));
@@ -240,66 +237,5 @@ proptest! {
     #[test]
     fn within_rounding_at_small_gaps_and_angles(case in near()) {
         equal_within_rounding::<_, _, 9, 12, 21>(&case);
-    }
-
-    #[test]
-    fn layouts_agree(case in contacting(quadratic(), hermite())) {
-        let Contacting { pair, q, point, .. } = &case;
-        let (mut full, mut blocks) = ([Full::<f64, 21>::zeros(); 5], [Expansion::zero(); 5]);
-        let (mut packed, mut gradient) = ([Packed::<f64, 21, 231>::zeros(); 5], [Gradient::<f64, 21>::zeros(); 5]);
-        write_all(pair, q, point, &mut targets(&mut full));
-        write_all(pair, q, point, &mut targets(&mut blocks));
-        write_all(pair, q, point, &mut targets(&mut packed));
-        write_all(pair, q, point, &mut targets(&mut gradient));
-        for (i, full) in full.iter().enumerate() {
-            let values = [blocks[i].value, packed[i].value, gradient[i].value];
-            prop_assert_eq!(values, [full.value; 3]);
-            prop_assert!(packed[i].gradient == full.gradient && gradient[i].gradient == full.gradient);
-            for (j, row) in full.hessian.iter().enumerate() {
-                prop_assert_eq!(blocks[i].gradient.entry(j), full.gradient[j]);
-                for (k, entry) in row.iter().enumerate() {
-                    // Either triangle was written; what differs is the order of sums.
-                    let rounding = 1e-12 * row.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-                    prop_assert!((packed[i].entry(j, k) - entry).abs() <= rounding.max(1e-12));
-                    prop_assert!((blocks[i].hessian.entry(j, k) - entry).abs() <= rounding.max(1e-12));
-                    if k <= j {
-                        prop_assert_eq!(packed[i].entry(j, k), *entry);
-                        // Matrices lie in memory by their columns.
-                        prop_assert_eq!(blocks[i].hessian.entry(k, j), *entry);
-                    }
-                }
-            }
-        }
-        let mut d = Full::<f64, 21>::zeros();
-        write_d(pair, q, point, &mut d);
-        prop_assert!(d == full[0], "d alone is d");
-    }
-
-    /// Curves without shape functions are linearized all the same.
-    #[test]
-    fn curves_without_shape_functions(case in contacting(hermite(), any_arc())) {
-        let Contacting { pair, q, point, .. } = &case;
-        let mut full = [Full::<f64, 21>::zeros(); 5];
-        write_all(pair, q, point, &mut targets(&mut full));
-        let at = (point.xi, point.xi_bar);
-        let (jet, jet_bar) = jets(pair, q, at);
-        let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
-        let Linearization::<f64, 12, 9> { d, xi, xi_bar, t, t_bar, .. } =
-            Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact);
-        prop_assert_eq!(full.each_ref().map(flat), [d, xi, xi_bar, t, t_bar].map(flat_expansion));
-    }
-
-    /// So they are in halves, by dofs that are no multiple of three.
-    #[test]
-    fn halves_of_curves_without_shape_functions(case in contacting(any_helix(), hermite())) {
-        let Contacting { pair, q, point, .. } = &case;
-        let (mut full, mut packed) = ([Full::<f64, 22>::zeros(); 5], [Packed::<f64, 22, 253>::zeros(); 5]);
-        write_all(pair, q, point, &mut targets(&mut full));
-        write_all(pair, q, point, &mut targets(&mut packed));
-        for (full, packed) in full.iter().zip(&packed) {
-            prop_assert!(packed.gradient == full.gradient && packed.value == full.value);
-            let half: Vec<f64> = full.hessian.iter().enumerate().flat_map(|(i, row)| row[..=i].to_vec()).collect();
-            prop_assert_eq!(&packed.hessian[..], &half[..]);
-        }
     }
 }

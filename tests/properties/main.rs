@@ -17,6 +17,7 @@ mod families;
 mod faults;
 mod invariances;
 mod jets;
+mod layouts;
 mod ledger;
 mod numbers;
 mod oracles;

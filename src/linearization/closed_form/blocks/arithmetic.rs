@@ -84,7 +84,7 @@ pub(super) trait Arithmetic<T: Real>: Copy {
         self.set_from(to, [], spread, sum);
     }
 
-    /// The same with the factors times rows that are as long as `to` in `from`.
+    /// The same and, in `from`, factors times rows as long as `to`.
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,
         to: &mut [T],
@@ -93,7 +93,7 @@ pub(super) trait Arithmetic<T: Real>: Copy {
         sum: [(T, &Dofs<T, L>); K],
     );
 
-    /// The same for all dofs of a beam.
+    /// Those sums for all dofs of a beam.
     #[inline(always)]
     fn dofs<const L: usize, const J: usize, const K: usize>(
         self,
