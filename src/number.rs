@@ -6,6 +6,7 @@
 //! [`closest_point`](crate::closest_point).
 
 mod bounded;
+mod counted;
 mod degree;
 mod double_double;
 mod dual;
@@ -17,6 +18,7 @@ mod magnitude;
 mod prime;
 
 pub use bounded::{Bound, Bounded, BoundedBy};
+pub use counted::Counted;
 pub use degree::Degree;
 pub use double_double::DoubleDouble;
 pub use dual::{Differentiable, Dual};

@@ -27,6 +27,7 @@ mod page;
 mod peers;
 mod plot;
 mod record;
+mod roof;
 mod sharpness;
 mod sharpness_page;
 mod task;

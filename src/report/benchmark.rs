@@ -1,4 +1,4 @@
-//! The record of the benchmarks, `beamgap-benchmark/2`.
+//! The record of the benchmarks, `beamgap-benchmark/3`.
 
 use super::criterion::{Verdict, Verdicts, samples};
 use super::number::{number, rounded};
@@ -13,7 +13,7 @@ pub(super) const DENOMINATOR: &str = "closed form";
 /// All that was measured, and where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Benchmark {
-    /// `beamgap-benchmark/2`.
+    /// `beamgap-benchmark/3`.
     pub schema: String,
     /// Where and with what it was measured.
     pub environment: Environment,
@@ -50,6 +50,9 @@ pub struct Measured {
     pub error: f64,
     /// The largest error over what rounding, and truncation if there is any, allow: right if at most one.
     pub share: f64,
+    /// The multiply-adds of a pair, if they are counted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub multiply_adds: Option<usize>,
     /// All samples, in nanoseconds a pair, in the order they were taken.
     pub samples: Vec<f64>,
 }
@@ -76,7 +79,7 @@ impl Ratio {
 }
 
 impl Record for Benchmark {
-    const SCHEMA: &'static str = "beamgap-benchmark/2";
+    const SCHEMA: &'static str = "beamgap-benchmark/3";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -122,7 +125,7 @@ impl Benchmark {
             let Some(spread) = spread(&samples) else {
                 return Err(ReportError::NotTimed { scenario: scenario() });
             };
-            let Verdict { task, family, dofs, way, pairs, error, share } = verdict;
+            let Verdict { task, family, dofs, way, pairs, error, share, multiply_adds } = verdict;
             scenarios.push(Measured {
                 task,
                 family,
@@ -134,6 +137,7 @@ impl Benchmark {
                 ratio_to_closed_form: None,
                 error: rounded(error, 3),
                 share: rounded(share, 3),
+                multiply_adds,
                 samples,
             });
         }
@@ -167,9 +171,9 @@ impl Measured {
     /// and the one between them.
     pub(super) fn stored(&self) -> usize {
         let all = self.dofs * self.dofs;
-        match self.way.rsplit(", ").next() {
+        match self.way.split(", ").nth(1) {
             Some("in full") => all,
-            Some("packed") => self.dofs * (self.dofs + 1) / 2,
+            Some("packed" | "four at once" | "to memory") => self.dofs * (self.dofs + 1) / 2,
             _ => all - all / 4,
         }
     }

@@ -42,6 +42,8 @@ pub struct Verdict {
     pub error: f64,
     /// The largest error over what is allowed for it.
     pub share: f64,
+    /// The multiply-adds of a pair, if they are counted.
+    pub multiply_adds: Option<usize>,
 }
 
 impl Verdict {

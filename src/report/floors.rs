@@ -1,7 +1,7 @@
 //! The limits of the machine, measured with the rest: what no linearization can be faster than.
 
 use super::number::{number, rounded};
-use super::{ReportError, Samples, Task, spread};
+use super::{ReportError, Samples, spread};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -27,24 +27,6 @@ impl Floor {
             Self::MultiplyAdds => "multiply-adds",
             Self::Bytes => "bytes stored",
         }
-    }
-
-    /// How many of them the Hessians of a task ask for at least, if so many entries of each are stored.
-    ///
-    /// Multiply-adds: an entry of the Hessian of d is a sum of two products of a shape function's derivative with an entry
-    /// of a vector, one of any other of three; all that leads to these vectors comes on top. Bytes: each entry is stored
-    /// once.
-    pub fn least(self, task: Task, entries: usize) -> Option<usize> {
-        let others = match task {
-            Task::Distance => 0,
-            Task::All => 4,
-            _ => return None,
-        };
-        let of_an_entry = match self {
-            Self::MultiplyAdds => 2 + 3 * others,
-            Self::Bytes => size_of::<f64>() * (1 + others),
-        };
-        Some(entries * of_an_entry)
     }
 }
 
@@ -73,27 +55,19 @@ impl Floors {
         Ok(Self { multiply_adds: rate(Floor::MultiplyAdds, adds)?, bytes: rate(Floor::Bytes, bytes)? })
     }
 
-    /// How many nanoseconds so many take at best.
-    pub(super) fn least(&self, floor: Floor, amount: usize) -> f64 {
-        number(amount) / if floor == Floor::Bytes { self.bytes } else { self.multiply_adds }
+    /// How many nanoseconds so many multiply-adds, and so many bytes, take at best.
+    pub(super) fn least(&self, multiply_adds: f64, bytes: f64) -> [f64; 2] {
+        [multiply_adds / self.multiply_adds, bytes / self.bytes]
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Floor, Floors, Task};
-
-    #[test]
-    fn the_least_of_a_task_is_that_of_its_hessians() {
-        let [adds, bytes] = Floor::ALL.map(|floor| move |task| floor.least(task, 24 * 24));
-        assert_eq!((adds(Task::Distance), bytes(Task::Distance)), (Some(1152), Some(4608)));
-        assert_eq!((adds(Task::All), bytes(Task::All)), (Some(8064), Some(23_040)));
-        assert_eq!((adds(Task::ClosestPoint), bytes(Task::Directions)), (None, None));
-    }
+    use super::Floors;
 
     #[test]
     fn each_amount_is_held_against_its_own_limit() {
         let floors = Floors { multiply_adds: 24.0, bytes: 96.0 };
-        assert_eq!(Floor::ALL.map(|floor| floors.least(floor, 480).to_bits()), [20.0, 5.0].map(f64::to_bits));
+        assert_eq!(floors.least(480.0, 480.0).map(f64::to_bits), [20.0, 5.0].map(f64::to_bits));
     }
 }

@@ -17,13 +17,15 @@ type Drawn = Result<(), Box<dyn Error>>;
 const FONT: &str = "sans-serif";
 const GREY: RGBColor = RGBColor(205, 205, 205);
 /// Of the palette of Okabe and Ito.
-const COLOURS: [RGBColor; 6] = [
+const COLOURS: [RGBColor; 8] = [
     RGBColor(86, 180, 233),
     RGBColor(0, 158, 115),
     RGBColor(204, 121, 167),
     RGBColor(213, 94, 0),
     RGBColor(0, 114, 178),
     RGBColor(230, 159, 0),
+    RGBColor(128, 128, 128),
+    RGBColor(150, 110, 60),
 ];
 
 /// A picture of this size, as SVG.

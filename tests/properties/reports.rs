@@ -187,6 +187,7 @@ impl Left {
             pairs: 4,
             error: 1e-16,
             share,
+            multiply_adds: Some(1200),
         };
         let verdicts = Verdicts {
             environment: Environment::here("by hand"),

@@ -41,6 +41,26 @@ fn every_task_has_a_closed_form_or_a_search_and_ways_have_names_of_their_own() {
     assert!(has(Task::ClosestPoint, "search") && has(Task::ClosestPoint, "Newton"));
 }
 
+/// An entry of a Hessian is a sum of products, and all that leads to these does not depend on the layout: of d two, of xi
+/// and of xi_bar three, of t and t_bar two, and four among the dofs of their own beam.
+#[test]
+fn layouts_differ_by_the_multiply_adds_of_the_entries_that_they_hold_twice() {
+    let all = scenario::standard();
+    let of = |task: Task, way: &str| {
+        let found = all.iter().find(|of| of.task == task && of.way == way);
+        found.and_then(|of| of.multiply_adds).unwrap()
+    };
+    // Between the beams, and among the dofs of both.
+    for (task, mixed, own) in [(Task::Distance, 2, 2 + 2), (Task::All, 2 + 3 + 3 + 2 + 2, 4 + 6 + 6 + 6 + 6)]
+    {
+        let blocks = of(task, "closed form");
+        assert_eq!(of(task, "closed form, in full"), blocks + mixed * 12 * 12, "{task:?}");
+        // Six of the sixteen blocks of two control vectors of a beam.
+        assert_eq!(of(task, "closed form, packed"), blocks - own * 6 * 9, "{task:?}");
+    }
+    assert_eq!(all.iter().filter(|of| of.multiply_adds.is_some()).count(), 6);
+}
+
 fn error(numbers: [f64; 2]) -> Error {
     let exact = |value: f64, tolerance| Exact { value: DoubleDouble::from(value), tolerance };
     Error::of(&vec![numbers.to_vec()], &[vec![exact(8.0, 1e-12), exact(0.0, 0.0)]], |_| 0.0)

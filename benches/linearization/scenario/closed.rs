@@ -8,7 +8,9 @@ use beamgap::linearization::closed_form::blocks::{self, Full, Gradient, Packed, 
 use beamgap::linearization::closed_form::{Matrices, jets, linearize};
 use beamgap::linearization::{Expansion, Linearization};
 
-const WAY: &str = "closed form";
+pub(super) const WAY: &str = "closed form";
+pub(super) const IN_FULL: &str = "closed form, in full";
+pub(super) const PACKED: &str = "closed form, packed";
 const BY_TERMS: &str = "closed form, term by term";
 
 /// All that the closed form has for a pair of `S` dofs.
@@ -155,6 +157,3 @@ pub(super) fn layouts<
         ),
     ]
 }
-
-const IN_FULL: &str = "closed form, in full";
-const PACKED: &str = "closed form, packed";

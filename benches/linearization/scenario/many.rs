@@ -22,6 +22,9 @@ const PAIRS: usize = 4096;
 /// So many to a task of a thread, where the results stay in its cache.
 const CHUNK: usize = 128;
 
+/// The lanes by one thread.
+pub(super) const FOUR_AT_ONCE: &str = "closed form, four at once, 1 thread";
+
 type Hermites = Twins<Hermite, 12>;
 type Met = Encounter<'static, Hermite, Hermite, 12, 12>;
 /// `K` quantities of a pair.
@@ -158,8 +161,16 @@ impl Many {
             judges.iter().enumerate().map(of_pair).fold(Error::NONE, Error::worse)
         };
         let way = format!("{way}, {threads} {}", if threads == 1 { "thread" } else { "threads" });
-        let (runner, judge) = (Box::new(runner), Box::new(judge));
-        Scenario { task, family: Family::Hermite.name(), dofs: 24, way, pairs: PAIRS, runner, judge }
+        Scenario {
+            task,
+            family: Family::Hermite.name(),
+            dofs: 24,
+            way,
+            pairs: PAIRS,
+            multiply_adds: None,
+            runner: Box::new(runner),
+            judge: Box::new(judge),
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 mod automatic;
 mod closed;
 mod closest;
+mod counted;
 mod differences;
 pub(crate) mod error;
 mod input;
@@ -33,6 +34,8 @@ pub(crate) struct Scenario {
     pub(crate) way: String,
     /// How many pairs a run does.
     pub(crate) pairs: usize,
+    /// The multiply-adds of a pair, if they are counted.
+    pub(crate) multiply_adds: Option<usize>,
     runner: Box<dyn Fn() -> Runner + Send + Sync>,
     judge: Box<dyn Fn() -> Error + Send + Sync>,
 }
@@ -57,6 +60,7 @@ impl Scenario {
             pairs: self.pairs,
             error: relative,
             share,
+            multiply_adds: self.multiply_adds,
         }
     }
 
@@ -80,7 +84,7 @@ pub(crate) fn all() -> Vec<Scenario> {
     all.extend(variations::others(&inputs));
     all.extend(closest::others(&inputs));
     all.extend(sizes::scenarios());
-    all.extend(many::scenarios());
+    all.extend(counted::counted(many::scenarios()));
     all.sort_by_key(|scenario| scenario.task);
     all
 }
@@ -91,5 +95,5 @@ pub(crate) fn standard() -> Vec<Scenario> {
     let mut standard = matrices::standard(&input);
     standard.extend(variations::of_pair(input));
     standard.extend(closest::of_pair(input));
-    standard
+    counted::counted(standard)
 }

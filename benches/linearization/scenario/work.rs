@@ -64,7 +64,8 @@ where
     };
     let (family, dofs, way) = (input.family, N + M, way.to_owned());
     let judge = Box::new(move || judge(rows(&work(&input))));
-    Scenario { task, family, dofs, way, pairs: 1, runner: Box::new(runner), judge }
+    let runner = Box::new(runner);
+    Scenario { task, family, dofs, way, pairs: 1, multiply_adds: None, runner, judge }
 }
 
 /// One way to work on a pair that writes its result over memory of the caller.
@@ -94,7 +95,8 @@ where
         judge(rows(&to))
     };
     let (family, dofs, way) = (input.family, N + M, way.to_owned());
-    Scenario { task, family, dofs, way, pairs: 1, runner: Box::new(runner), judge: Box::new(judge) }
+    let (runner, judge) = (Box::new(runner), Box::new(judge));
+    Scenario { task, family, dofs, way, pairs: 1, multiply_adds: None, runner, judge }
 }
 
 /// Values, gradients and Hessians.

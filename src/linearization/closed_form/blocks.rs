@@ -69,9 +69,20 @@ pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     write(pair, q, point, to);
 }
 
-/// [`write_all`] over any scalar, in the form asked for; `false`, and nothing written, if a curve has no shape functions.
+/// [`write_d`] over any scalar, in the form asked for; `false`, and nothing written, if a curve has no shape functions.
 ///
-/// For those who check: [`write_all`] does the same, with fused products and sums.
+/// For those who check and count: [`write_d`] does the same, with fused products and sums.
+pub fn write_d_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<T, N, M>,
+    at: (T, T),
+    form: Form,
+    to: &mut impl Target<T, N, M>,
+) -> bool {
+    evaluate(ByOne, pair, q, at, Given(form), &mut DistanceAlone(to)).is_some()
+}
+
+/// [`write_all`] over any scalar, and otherwise [`write_d_over`].
 pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
     q: &DofVector<T, N, M>,

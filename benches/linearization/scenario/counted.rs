@@ -1,0 +1,67 @@
+//! The arithmetic of the closed form with the standard pair, counted.
+
+use super::closed::{IN_FULL, PACKED, WAY};
+use super::input::{Input, hermites};
+use super::many::FOUR_AT_ONCE;
+use super::{Scenario, Task};
+use beamgap::curve::Hermite;
+use beamgap::linearization::Expansion;
+use beamgap::linearization::closed_form::Form;
+use beamgap::linearization::closed_form::blocks::{
+    Full, Packed, Target, Targets, write_all_over, write_d_over,
+};
+use beamgap::number::Counted;
+use beamgap::pair::{DofVector, Pair};
+use nalgebra::SVector;
+
+/// The same scenarios of the standard family with their multiply-adds, where they are counted.
+pub(super) fn counted(mut scenarios: Vec<Scenario>) -> Vec<Scenario> {
+    for scenario in &mut scenarios {
+        scenario.multiply_adds = multiply_adds(scenario.task, &scenario.way);
+    }
+    scenarios
+}
+
+fn multiply_adds(task: Task, way: &str) -> Option<usize> {
+    let full = Full::<Counted, 24>::zeros();
+    let packed = Packed::<Counted, 24, 300>::zeros();
+    match task {
+        Task::Distance if way == WAY => Some(of_d(Expansion::zero())),
+        Task::Distance if way == IN_FULL => Some(of_d(full)),
+        Task::Distance if way == PACKED => Some(of_d(packed)),
+        Task::DistanceOfMany if way == FOUR_AT_ONCE => Some(of_d(packed)),
+        Task::All if way == WAY => Some(of_all(Expansion::zero())),
+        Task::All if way == IN_FULL => Some(of_all(full)),
+        Task::All if way == PACKED => Some(of_all(packed)),
+        Task::AllOfMany if way == FOUR_AT_ONCE => Some(of_all(packed)),
+        _ => None,
+    }
+}
+
+fn of_d(mut to: impl Target<Counted, 12, 12>) -> usize {
+    let Given { pair, q, at, form } = given();
+    Counted::count(|| assert!(write_d_over(&pair, &q, at, form, &mut to)))
+}
+
+fn of_all(to: impl Target<Counted, 12, 12> + Copy) -> usize {
+    let Given { pair, q, at, form } = given();
+    let mut five = [to; 5];
+    let [d, xi, xi_bar, t, t_bar] = &mut five;
+    let mut to = Targets { d, xi, xi_bar, t, t_bar };
+    Counted::count(|| assert!(write_all_over(&pair, &q, at, form, &mut to)))
+}
+
+struct Given {
+    pair: Pair<Hermite, Hermite>,
+    q: DofVector<Counted, 12, 12>,
+    at: (Counted, Counted),
+    form: Form,
+}
+
+fn given() -> Given {
+    let Input { pair, q, point, .. } = hermites();
+    let counted = |q: SVector<f64, 12>| q.map(Counted::given);
+    let q = DofVector { beam: counted(q.beam), bar: counted(q.bar) };
+    let at = (Counted::given(point.xi), Counted::given(point.xi_bar));
+    Given { pair, q, at, form: Form::paper(point.active()) }
+}

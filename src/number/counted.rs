@@ -1,0 +1,192 @@
+//! A number that counts what is done with it: the arithmetic that a formula cannot do without.
+
+use super::{Real, field_from_operators};
+use std::cell::Cell;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+/// Where a number comes from, as far as it decides what the next operation costs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Origin {
+    /// It is known before anything is computed.
+    Constant,
+    /// It is a product, which a sum may still take with it.
+    Product,
+    /// It is given, or any other result.
+    Other,
+}
+
+/// An `f64` whose operations are counted, on each thread by itself.
+///
+/// As one counts a product with the sum that it goes into, where processors have such an operation; a quotient, a root, a
+/// sine and a cosine are one each, although they take longer. A change of sign counts nothing, nor does what need not
+/// be computed: with constants alone, plus nought, times nought or one. So a count is of what is done at least.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted {
+    value: f64,
+    origin: Origin,
+}
+
+impl Counted {
+    /// A number that is not known before; what [`From`] makes is a constant.
+    pub fn given(value: f64) -> Self {
+        Self { value, origin: Origin::Other }
+    }
+
+    /// How many operations `work` does.
+    pub fn count(work: impl FnOnce()) -> usize {
+        let before = COUNT.get();
+        work();
+        COUNT.get() - before
+    }
+
+    fn is(self, value: f64) -> bool {
+        self.origin == Origin::Constant && self.value.to_bits() == value.to_bits()
+    }
+
+    /// The result of an operation.
+    fn new(value: f64, origin: Origin) -> Self {
+        COUNT.set(COUNT.get() + 1);
+        Self { value, origin }
+    }
+}
+
+impl From<f64> for Counted {
+    fn from(value: f64) -> Self {
+        Self { value, origin: Origin::Constant }
+    }
+}
+
+impl PartialEq for Counted {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl Add for Counted {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let value = self.value + other.value;
+        match (self.origin, other.origin) {
+            _ if self.is(0.0) => other,
+            _ if other.is(0.0) => self,
+            (Origin::Constant, Origin::Constant) => Self::from(value),
+            (Origin::Product, _) | (_, Origin::Product) => Self::given(value),
+            _ => Self::new(value, Origin::Other),
+        }
+    }
+}
+
+impl Sub for Counted {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Counted {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let value = self.value * other.value;
+        match (self.origin, other.origin) {
+            _ if self.is(0.0) || other.is(0.0) => Self::from(0.0),
+            _ if self.is(1.0) => other,
+            _ if other.is(1.0) => self,
+            _ if self.is(-1.0) => -other,
+            _ if other.is(-1.0) => -self,
+            (Origin::Constant, Origin::Constant) => Self::from(value),
+            _ => Self::new(value, Origin::Product),
+        }
+    }
+}
+
+impl Div for Counted {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        match (self.origin, other.origin) {
+            _ if self.is(0.0) => self,
+            _ if other.is(1.0) => self,
+            (Origin::Constant, Origin::Constant) => Self::from(value),
+            // Its inverse is a constant too.
+            (_, Origin::Constant) => Self::new(value, Origin::Product),
+            _ => Self::new(value, Origin::Other),
+        }
+    }
+}
+
+impl Neg for Counted {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        // -0.0 would be another constant.
+        if self.is(0.0) { self } else { Self { value: -self.value, ..self } }
+    }
+}
+
+field_from_operators!([] Counted);
+
+impl Real for Counted {
+    fn sqrt(self) -> Self {
+        let value = self.value.sqrt();
+        if self.origin == Origin::Constant { Self::from(value) } else { Self::new(value, Origin::Other) }
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.value.sin_cos();
+        if self.origin == Origin::Constant {
+            return (Self::from(sin), Self::from(cos));
+        }
+        (Self::new(sin, Origin::Other), Self::new(cos, Origin::Other))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Counted;
+    use crate::number::Real;
+    use num_traits::{One, Zero};
+    use std::hint::black_box;
+
+    fn operations(work: impl FnOnce([Counted; 4]) -> Counted) -> usize {
+        let given = [2.0, 3.0, 5.0, 7.0].map(Counted::given);
+        Counted::count(|| {
+            black_box(work(given));
+        })
+    }
+
+    #[test]
+    fn a_product_goes_into_the_sum_after_it() {
+        assert_eq!(operations(|[a, b, ..]| a * b), 1);
+        assert_eq!(operations(|[a, b, c, _]| a * b + c), 1);
+        assert_eq!(operations(|[a, b, c, _]| c - a * b), 1);
+        assert_eq!(operations(|[a, b, c, d]| a * b + c * d), 2);
+        assert_eq!(operations(|[a, b, c, d]| (a * b + c) + d), 2);
+        assert_eq!(operations(|[a, b, c, d]| a + b + c + d), 3);
+    }
+
+    #[test]
+    fn what_is_known_before_counts_nothing() {
+        let (zero, one, half) = (Counted::zero(), Counted::one(), Counted::from(0.5));
+        assert_eq!(operations(|[a, ..]| (a + zero) * one - zero * a), 0);
+        assert_eq!(operations(|[a, ..]| -a * -one / one), 0);
+        assert_eq!(operations(|_| (half * half + half).sqrt() / half), 0);
+        assert_eq!(operations(|[a, ..]| (a + one) * half), 2);
+        assert_eq!(operations(|[a, ..]| a - -zero), 0);
+    }
+
+    #[test]
+    fn what_takes_longer_is_one_operation_too() {
+        assert_eq!(operations(|[a, b, ..]| a / b), 1);
+        assert_eq!(operations(|[a, ..]| a.sqrt() + a), 2);
+        assert_eq!(operations(|[a, ..]| a.sin_cos().0), 2);
+        assert_eq!(operations(|[a, b, ..]| a / Counted::from(3.0) + b), 1);
+    }
+}
