@@ -40,7 +40,7 @@ pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;
-pub use floors::{FLOORS, Floor, Floors};
+pub use floors::Turns;
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
 pub use peers::{LeftOut, Peer, Peers};
@@ -48,8 +48,6 @@ pub use record::Record;
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 pub use task::Task;
 pub use teeth::{BiteRow, Teeth};
-
-use criterion::Samples;
 
 use crate::check::{self, Regime, Selection, Trial};
 use crate::ledger::Ledger;

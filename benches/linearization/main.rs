@@ -11,7 +11,7 @@ mod counts;
 mod floors;
 mod scenario;
 
-use beamgap::report::{Environment, FLOORS, Floor, Verdict, Verdicts, criterion_directory};
+use beamgap::report::{Environment, Verdict, Verdicts, criterion_directory};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group};
 use rayon::prelude::*;
 use scenario::Scenario;
@@ -20,8 +20,7 @@ use std::time::Duration;
 
 fn linearization(criterion: &mut Criterion) {
     let scenarios = scenario::all();
-    leave(judged(&scenarios));
-    limits(criterion);
+    leave(&scenarios, judged(&scenarios));
     for of_group in scenarios.chunk_by(|a, b| a.group() == b.group()) {
         let mut group = criterion.benchmark_group(of_group[0].group());
         group.sampling_mode(SamplingMode::Flat);
@@ -34,17 +33,6 @@ fn linearization(criterion: &mut Criterion) {
     }
 }
 
-/// What no way can be faster than, right before the standard pair: the speed of a machine changes.
-fn limits(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group(FLOORS);
-    group.sampling_mode(SamplingMode::Flat);
-    for floor in Floor::ALL {
-        let mut run = floors::kernel(floor);
-        group.bench_function(floor.name(), |bencher| bencher.iter(&mut run));
-    }
-    group.finish();
-}
-
 /// The verdicts, all of which must be good.
 fn judged(scenarios: &[Scenario]) -> Vec<Verdict> {
     let judged: Vec<_> = scenarios.par_iter().map(Scenario::verdict).collect();
@@ -54,14 +42,18 @@ fn judged(scenarios: &[Scenario]) -> Vec<Verdict> {
     judged
 }
 
-/// Writes down next to criterion's files what was judged, unless nothing is going to be timed.
-fn leave(scenarios: Vec<Verdict>) {
+/// Writes down next to criterion's files what was judged, and how far above the floors of the machine it is, unless
+/// nothing is going to be timed.
+fn leave(scenarios: &[Scenario], mut judged: Vec<Verdict>) {
     let is_given = |flag: &str| std::env::args().any(|argument| argument == flag);
     if !is_given("--bench") || is_given("--test") || is_given("--list") {
         return;
     }
     let environment = Environment::here("cargo bench");
-    let verdicts = Verdicts { environment, floors: floors::AMOUNTS, scenarios };
+    for (scenario, verdict) in scenarios.iter().zip(&mut judged) {
+        verdict.turns = floors::turns(scenario);
+    }
+    let verdicts = Verdicts { environment, scenarios: judged };
     verdicts.write(&criterion_directory()).expect("criterion's directory can be written to");
 }
 

@@ -3,7 +3,7 @@
 use super::criterion::{Verdict, Verdicts, samples};
 use super::number::{number, rounded};
 use super::record::format;
-use super::{Environment, Floors, Instructions, Peers, Record, ReportError, Task, spread};
+use super::{Environment, Instructions, Peers, Record, ReportError, Task, Turns, spread};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -17,8 +17,6 @@ pub struct Benchmark {
     pub schema: String,
     /// Where and with what it was measured.
     pub environment: Environment,
-    /// What one core does at best, measured in the same run.
-    pub floors: Floors,
     /// The scenarios, group by group.
     pub scenarios: Vec<Measured>,
     /// The counts of instructions, if there are any.
@@ -50,9 +48,9 @@ pub struct Measured {
     pub error: f64,
     /// The largest error over what rounding, and truncation if there is any, allow: right if at most one.
     pub share: f64,
-    /// The multiply-adds of a pair, if they are counted.
+    /// Its times next to those of the floors, if its arithmetic is counted.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub multiply_adds: Option<usize>,
+    pub turns: Option<Turns>,
     /// All samples, in nanoseconds a pair, in the order they were taken.
     pub samples: Vec<f64>,
 }
@@ -88,13 +86,12 @@ impl Record for Benchmark {
     /// One scenario a line.
     fn to_json(&self) -> Result<String, ReportError> {
         let environment = serde_json::to_string(&self.environment).map_err(format::<Self>)?;
-        let floors = serde_json::to_string(&self.floors).map_err(format::<Self>)?;
         let instructions = serde_json::to_string(&self.instructions).map_err(format::<Self>)?;
         let peers = serde_json::to_string(&self.peers).map_err(format::<Self>)?;
         let scenarios: Result<Vec<_>, _> = self.scenarios.iter().map(serde_json::to_string).collect();
         let scenarios = scenarios.map_err(format::<Self>)?.join(",\n");
         Ok(format!(
-            "{{\n\"schema\": \"{}\",\n\"environment\": {environment},\n\"floors\": {floors},\n\
+            "{{\n\"schema\": \"{}\",\n\"environment\": {environment},\n\
              \"scenarios\": [\n{scenarios}\n],\n\"instructions\": {instructions},\n\"peers\": {peers}\n}}\n",
             self.schema
         ))
@@ -125,7 +122,7 @@ impl Benchmark {
             let Some(spread) = spread(&samples) else {
                 return Err(ReportError::NotTimed { scenario: scenario() });
             };
-            let Verdict { task, family, dofs, way, pairs, error, share, multiply_adds } = verdict;
+            let Verdict { task, family, dofs, way, pairs, error, share, turns } = verdict;
             scenarios.push(Measured {
                 task,
                 family,
@@ -137,7 +134,7 @@ impl Benchmark {
                 ratio_to_closed_form: None,
                 error: rounded(error, 3),
                 share: rounded(share, 3),
-                multiply_adds,
+                turns: turns.map(Turns::rounded),
                 samples,
             });
         }
@@ -148,7 +145,6 @@ impl Benchmark {
         Ok(Self {
             schema: Self::SCHEMA.to_owned(),
             environment: verdicts.environment,
-            floors: Floors::read(&found, verdicts.floors)?,
             scenarios,
             instructions: None,
             peers: None,

@@ -22,7 +22,7 @@ impl Benchmark {
         let [d, all] = [Task::Distance, Task::All].map(|task| {
             let closed = self.below_the_roof().find(|of| of.task == task && of.measured.way == DENOMINATOR);
             closed.map_or_else(String::new, |of| {
-                format!("{}, {} times", time(of.measured.median), plain(of.times()))
+                format!("{}, {} times", time(of.measured.median), plain(of.times))
             })
         });
         format!(

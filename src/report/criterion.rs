@@ -4,7 +4,7 @@
 //! iterations and their time. All else they hold, and whatever else lies in their directory, is passed over.
 
 use super::task::group;
-use super::{Environment, ReportError};
+use super::{Environment, ReportError, Turns};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -19,8 +19,6 @@ pub const VERDICTS: &str = "beamgap-verdicts.json";
 pub struct Verdicts {
     /// Where they ran.
     pub environment: Environment,
-    /// How many multiply-adds and how many bytes the kernels of the floors do in a run.
-    pub floors: [usize; 2],
     /// The scenarios, in the order in which they are to be shown.
     pub scenarios: Vec<Verdict>,
 }
@@ -42,8 +40,8 @@ pub struct Verdict {
     pub error: f64,
     /// The largest error over what is allowed for it.
     pub share: f64,
-    /// The multiply-adds of a pair, if they are counted.
-    pub multiply_adds: Option<usize>,
+    /// Its times next to those of the floors, if its arithmetic is counted.
+    pub turns: Option<Turns>,
 }
 
 impl Verdict {

@@ -1,8 +1,8 @@
 //! The closed forms of the standard pair, in terms of what their machine does at best.
 
-use super::Task;
 use super::benchmark::{Benchmark, Measured};
 use super::number::number;
+use super::{Task, spread};
 
 /// A way whose arithmetic is counted.
 pub(super) struct Below<'a> {
@@ -11,8 +11,11 @@ pub(super) struct Below<'a> {
     /// What it takes for a pair.
     pub(super) multiply_adds: usize,
     pub(super) bytes: usize,
-    /// The nanoseconds that these take at best.
+    /// The nanoseconds of a pair, and those that its multiply-adds and its bytes take alone: medians over the turns.
+    pub(super) time: f64,
     pub(super) floors: [f64; 2],
+    /// The time over the higher floor: the median of the ratios of each turn.
+    pub(super) times: f64,
 }
 
 impl Below<'_> {
@@ -25,11 +28,6 @@ impl Below<'_> {
         format!("{}, {}", task.name(), self.measured.way.split(", ").nth(1).unwrap_or("in blocks"))
     }
 
-    /// The time over the higher floor.
-    pub(super) fn times(&self) -> f64 {
-        self.measured.median / self.floors[0].max(self.floors[1])
-    }
-
     /// Multiply-adds for a byte stored.
     pub(super) fn density(&self) -> f64 {
         number(self.multiply_adds) / number(self.bytes)
@@ -37,7 +35,12 @@ impl Below<'_> {
 
     /// Multiply-adds in a nanosecond.
     pub(super) fn rate(&self) -> f64 {
-        number(self.multiply_adds) / self.measured.median
+        number(self.multiply_adds) / self.time
+    }
+
+    /// Multiply-adds and bytes that the machine does in a nanosecond, if it does nothing else.
+    fn limits(&self) -> [f64; 2] {
+        [number(self.multiply_adds) / self.floors[0], number(self.bytes) / self.floors[1]]
     }
 }
 
@@ -47,12 +50,69 @@ impl Benchmark {
         let tasks = [(Task::Distance, 1), (Task::DistanceOfMany, 1), (Task::All, 5), (Task::AllOfMany, 5)];
         tasks.into_iter().flat_map(move |(task, quantities)| {
             self.of(task).filter_map(move |measured| {
-                let multiply_adds = measured.multiply_adds?;
+                let turns = measured.turns.as_ref()?;
                 // A quantity has a value and a gradient too.
                 let bytes = quantities * (measured.stored() + measured.dofs + 1) * size_of::<f64>();
-                let floors = self.floors.least(number(multiply_adds), number(bytes));
-                Some(Below { task, measured, multiply_adds, bytes, floors })
+                let median = |of: fn([f64; 3]) -> f64| {
+                    let samples: Vec<f64> = turns.with_floors(number(bytes)).map(of).collect();
+                    spread(&samples).map(|spread| spread.median)
+                };
+                Some(Below {
+                    task,
+                    measured,
+                    multiply_adds: turns.multiply_adds,
+                    bytes,
+                    time: median(|[time, ..]| time)?,
+                    floors: [median(|[_, floor, _]| floor)?, median(|[.., floor]| floor)?],
+                    times: median(|[time, floor, other]| time / floor.max(other))?,
+                })
             })
         })
+    }
+
+    /// The multiply-adds and the bytes stored in a nanosecond, at best.
+    pub(super) fn roof(&self) -> [f64; 2] {
+        let highest = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a.max(c), b.max(d)];
+        self.below_the_roof().map(|below| below.limits()).fold([0.0; 2], highest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Benchmark, Measured};
+    use crate::report::{Environment, Record, Turns};
+
+    fn measured(way: &str, turns: Option<Turns>) -> Measured {
+        Measured {
+            task: "all but the slips".to_owned(),
+            family: "hermite".to_owned(),
+            dofs: 24,
+            way: way.to_owned(),
+            pairs: 1,
+            median: 100.0,
+            interval: [90.0, 110.0],
+            ratio_to_closed_form: None,
+            error: 0.0,
+            share: 0.0,
+            turns,
+            samples: vec![100.0],
+        }
+    }
+
+    #[test]
+    fn a_machine_that_slows_down_changes_no_ratio() {
+        // Of 5 (300 + 24 + 1) numbers, at a byte in 0.01 and a multiply-add in 0.04 nanoseconds, then half as fast.
+        let samples = vec![[800.0, 0.04, 0.01], [1600.0, 0.08, 0.02], [1600.0, 0.08, 0.02]];
+        let turns = Some(Turns { multiply_adds: 10_000, samples });
+        let scenarios = vec![measured("closed form", None), measured("closed form, packed", turns)];
+        let (schema, environment) = (Benchmark::SCHEMA.to_owned(), Environment::here("by hand"));
+        let benchmark = Benchmark { schema, environment, scenarios, instructions: None, peers: None };
+        let rows: Vec<_> = benchmark.below_the_roof().collect();
+        let [row] = &rows[..] else { panic!("one way is counted") };
+        assert_eq!(row.name(), "all but the slips, packed");
+        assert_eq!((row.multiply_adds, row.bytes), (10_000, 13_000));
+        let found = [row.time, row.floors[0], row.floors[1], row.times];
+        assert_eq!(found.map(f64::to_bits), [1600.0, 800.0, 260.0, 2.0].map(f64::to_bits));
+        assert_eq!(benchmark.roof().map(f64::to_bits), [12.5, 50.0].map(f64::to_bits));
     }
 }

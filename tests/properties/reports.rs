@@ -3,8 +3,8 @@
 use beamgap::check::{self, Regime, Selection, Trial};
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, Benchmark, Count, Crosscheck, Difference, Environment, FLOORS, Floor, Floors, Instructions,
-    Measured, Record, ReportError, Sharpness, Task, VERDICTS, Verdict, Verdicts, median_interval, spread,
+    Accuracy, Benchmark, Count, Crosscheck, Difference, Environment, Instructions, Measured, Record,
+    ReportError, Sharpness, Task, VERDICTS, Verdict, Verdicts, median_interval, spread,
 };
 use beamgap::specimen::Family;
 use beamgap::subject::Subject;
@@ -187,11 +187,10 @@ impl Left {
             pairs: 4,
             error: 1e-16,
             share,
-            multiply_adds: Some(1200),
+            turns: None,
         };
         let verdicts = Verdicts {
             environment: Environment::here("by hand"),
-            floors: [3072, 4608],
             scenarios: ways.iter().map(verdict).collect(),
         };
         verdicts.write(&self.0).unwrap();
@@ -226,16 +225,13 @@ fn what_criterion_left_is_read_and_what_it_should_not_hold_is_passed_over() {
     left.verdicts(&[("closed form", 0.1), ("hyper-dual", 0.2)]);
     left.samples("closed form", 800.0);
     left.samples("hyper-dual", 160_000.0);
-    left.samples_of(FLOORS, Floor::MultiplyAdds.name(), 64.0);
-    left.samples_of(FLOORS, Floor::Bytes.name(), 96.0);
     left.samples("of an older version", 1.0);
     let broken = left.0.join("broken/new");
     fs::create_dir_all(&broken).unwrap();
     fs::write(broken.join("benchmark.json"), "{").unwrap();
     fs::write(broken.join("sample.json"), "{}").unwrap();
 
-    let Benchmark { scenarios, floors, .. } = Benchmark::read(&left.0).unwrap();
-    assert_eq!(floors, Floors { multiply_adds: 48.0, bytes: 48.0 });
+    let Benchmark { scenarios, .. } = Benchmark::read(&left.0).unwrap();
     let ways: Vec<&str> = scenarios.iter().map(|measured| measured.way.as_str()).collect();
     assert_eq!(ways, ["closed form", "hyper-dual"]);
     let Measured { task, family, dofs, median, ratio_to_closed_form, .. } = &scenarios[1];

@@ -60,7 +60,7 @@ impl Scenario {
             pairs: self.pairs,
             error: relative,
             share,
-            multiply_adds: self.multiply_adds,
+            turns: None,
         }
     }
 

@@ -17,18 +17,17 @@ impl Benchmark {
     /// [`ReportError::Draw`].
     pub fn roofline_to_svg(&self) -> Result<String, ReportError> {
         picture(SIZE, |area| {
+            let [most, bytes] = self.roof();
             let rows: Vec<_> = self.below_the_roof().collect();
-            let rates = || rows.iter().map(Below::rate).chain([self.floors.multiply_adds]);
+            let rates = || rows.iter().map(Below::rate).chain([most]);
             let density = rows.iter().map(Below::density);
-            let ridge = self.floors.multiply_adds / self.floors.bytes;
+            let ridge = most / bytes;
             let x =
                 Axis::decades(density.chain([ridge]), (90, 600), "multiply-adds for a byte stored", plain);
             let y = Axis::decades(rates(), (340, 60), "multiply-adds in a nanosecond", plain);
             frame(area, &x, &y, "Below the roof: two Hermite beams, 24 dofs")?;
-            let roof = |density: f64| {
-                (x.at(density), y.at((density * self.floors.bytes).min(self.floors.multiply_adds)))
-            };
-            line(area, roof(x.range.0.max(y.range.0 / self.floors.bytes)), roof(ridge), BLACK)?;
+            let roof = |density: f64| (x.at(density), y.at((density * bytes).min(most)));
+            line(area, roof(x.range.0.max(y.range.0 / bytes)), roof(ridge), BLACK)?;
             line(area, roof(ridge), roof(x.range.1), BLACK)?;
             for (i, row) in rows.iter().enumerate() {
                 let (colour, legend) = (COLOURS[i % COLOURS.len()], 80 + 22 * i32::try_from(i)?);
