@@ -35,7 +35,7 @@ pub use target::{Full, Gradient, Packed, Target};
 
 use super::{Form, Matrices, Points, Sound, jets};
 use crate::closest_point::{Active, ClosestPoint};
-use crate::curve::Curve;
+use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::fastest::with_the_fastest;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
@@ -104,7 +104,7 @@ fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     request: &mut impl Request<f64, N, M>,
 ) {
     let inside = point.active() == Active::default();
-    if !inside || fast(pair, q, point, Plain, request).is_none() {
+    if !(inside && may_have_shapes(pair)) || fast(pair, q, point, Plain, request).is_none() {
         write_rarer(pair, q, point, request);
     }
 }
@@ -118,12 +118,19 @@ fn write_rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     point: &ClosestPoint,
     request: &mut impl Request<f64, N, M>,
 ) {
-    if fast(pair, q, point, Best(point.active()), request).is_none() {
+    if !may_have_shapes(pair) || fast(pair, q, point, Best(point.active()), request).is_none() {
         let at = (point.xi, point.xi_bar);
         let (jet, jet_bar) = jets(pair, q, at);
         let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
         request.copy(&Matrices::with(Sound, &jet, &jet_bar, form), at, &pair.contact);
     }
+}
+
+/// Whether both curves are linear in their dofs: of others the jets need not be found to see that they have no shape
+/// functions.
+#[inline(always)]
+fn may_have_shapes<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(_: &Pair<A, B>) -> bool {
+    A::Dofs::<f64>::LINEAR && B::Dofs::<f64>::LINEAR
 }
 
 #[inline]

@@ -6,7 +6,7 @@ use super::choice::{Best, Choice, Plain};
 use super::in_lanes::InLanes;
 use super::request::{DistanceAlone, Request, Targets};
 use super::target::{Target, fill};
-use super::{evaluate, write_all, write_d};
+use super::{evaluate, may_have_shapes, write_all, write_d};
 use crate::closest_point::{Active, ClosestPoint};
 use crate::curve::Curve;
 use crate::linearization::Expansion;
@@ -125,7 +125,7 @@ fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, co
             && e.pair.curve_bar == first.pair.curve_bar
             && e.point.active() == Active::default()
     };
-    if !of.iter().all(alike) {
+    if !may_have_shapes(first.pair) || !of.iter().all(alike) {
         return None;
     }
     // Lanes that no pair is left for repeat the first.
