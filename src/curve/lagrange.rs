@@ -1,6 +1,6 @@
 //! Lagrange interpolation: the curve through `P` nodes that stand at equal distances of xi.
 
-use super::shapes::{by_order, control_vectors, count, times_linear, triangle};
+use super::shapes::{by_order, control_vectors, count, times, times_linear, triangle};
 use super::{Curve, Jet, Shapes};
 use crate::number::Real;
 use nalgebra::{SVector, Vector3};
@@ -35,6 +35,23 @@ impl<const P: usize> Lagrange<P> {
         Self
     }
 
+    /// ∏ (i - j), j ≠ i, for each node: exact, as products of integers.
+    const DENOMINATORS: [f64; P] = {
+        let mut denominators = [1.0; P];
+        let mut i = 0;
+        while i < P {
+            let mut j = 0;
+            while j < P {
+                if j != i {
+                    denominators[i] *= count(i) - count(j);
+                }
+                j += 1;
+            }
+            i += 1;
+        }
+        denominators
+    };
+
     /// s(xi), in which the nodes are 0, 1, .., P - 1, and its slope.
     fn stretched<T: Real>(xi: T) -> (T, T) {
         let slope = T::from(0.5 * (count(P) - 1.0));
@@ -56,13 +73,25 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
 
     fn jet<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Jet<T, Shapes<T, P>> {
         let (s, slope) = Self::stretched(xi);
-        let functions: [[T; 4]; P] = std::array::from_fn(|i| {
-            // N_i = ∏ (s - j) / ∏ (i - j), j ≠ i; the product of integers is exact.
-            let others = || (0..P).filter(move |&j| j != i).map(count);
-            let denominator: f64 = others().map(|j| count(i) - j).product();
-            let start = [T::one() / T::from(denominator), T::zero(), T::zero(), T::zero()];
-            others().fold(start, |f, j| times_linear(&f, s - T::from(j), slope))
-        });
+        let away = |j: usize| s - T::from(count(j));
+        // N_i = ∏ (s - j) / ∏ (i - j), j ≠ i: of the nodes before i and of those after it, each product from its neighbour's.
+        let [mut before, mut after] = [0, P - 1].map(|j| [[away(j), slope, T::zero(), T::zero()]; P]);
+        for i in 2..P {
+            before[i] = times_linear(&before[i - 1], away(i - 1), slope);
+            after[P - 1 - i] = times_linear(&after[P - i], away(P - i), slope);
+        }
+        let mut functions = [[T::zero(); 4]; P];
+        for i in 0..P {
+            let product = match (i, P - 1 - i) {
+                (0, _) => after[i],
+                (_, 0) => before[i],
+                (1, _) => times_linear(&after[i], away(0), slope),
+                (_, 1) => times_linear(&before[i], away(P - 1), slope),
+                _ => times(&before[i], &after[i]),
+            };
+            let factor = T::one() / T::from(Self::DENOMINATORS[i]);
+            functions[i] = product.map(|derivative| derivative * factor);
+        }
         Shapes::jet(by_order(&functions), q)
     }
 

@@ -62,6 +62,20 @@ pub(super) fn triangle<T: Real, const D: usize, const P: usize>(
     points[0]
 }
 
+/// f times g, both by value and derivatives up to the third, by Leibniz' rule.
+#[inline]
+pub(super) fn times<T: Real>(f: &[T; 4], g: &[T; 4]) -> [T; 4] {
+    let ([f0, f1, f2, f3], [g0, g1, g2, g3]) = (*f, *g);
+    let three = T::from(3.0);
+    let middle = f1 * g1;
+    [
+        f0 * g0,
+        f1 * g0 + f0 * g1,
+        f2 * g0 + (middle + middle) + f0 * g2,
+        f3 * g0 + (f2 * g1 + f1 * g2) * three + f0 * g3,
+    ]
+}
+
 /// f times a linear function, both by value and derivatives (f up to its third), by Leibniz' rule.
 #[inline]
 pub(super) fn times_linear<T: Real>(f: &[T; 4], value: T, slope: T) -> [T; 4] {
