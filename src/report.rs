@@ -36,7 +36,7 @@ mod teeth_page;
 
 pub use accuracy::{Accuracy, AccuracyRow, Losses};
 pub use benchmark::{Benchmark, Measured, Ratio};
-pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory};
+pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_turns};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 /// How many turns there are, and how long something takes its turn at least.
 const TURNS: usize = 101;
-const TURN: Duration = Duration::from_micros(20);
+const TURN: Duration = Duration::from_micros(100);
 
 /// Chains of multiply-adds that do not wait for each other: enough for two units of five clocks each.
 const CHAINS: usize = 12;

@@ -11,7 +11,7 @@ mod counts;
 mod floors;
 mod scenario;
 
-use beamgap::report::{Environment, Verdict, Verdicts, criterion_directory};
+use beamgap::report::{Environment, Verdict, Verdicts, criterion_directory, write_turns};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group};
 use rayon::prelude::*;
 use scenario::Scenario;
@@ -20,7 +20,12 @@ use std::time::Duration;
 
 fn linearization(criterion: &mut Criterion) {
     let scenarios = scenario::all();
-    leave(&scenarios, judged(&scenarios));
+    let directory = is_timing().then(criterion_directory);
+    let verdicts = Verdicts { environment: Environment::here("cargo bench"), scenarios: judged(&scenarios) };
+    if let Some(directory) = &directory {
+        verdicts.write(directory).expect(WRITABLE);
+    }
+    let mut turns = Vec::new();
     for of_group in scenarios.chunk_by(|a, b| a.group() == b.group()) {
         let mut group = criterion.benchmark_group(of_group[0].group());
         group.sampling_mode(SamplingMode::Flat);
@@ -28,9 +33,24 @@ fn linearization(criterion: &mut Criterion) {
             group.throughput(Throughput::Elements(scenario.pairs as u64));
             let mut run = scenario.runner();
             group.bench_function(&scenario.way, |bencher| bencher.iter(&mut run));
+            if directory.is_some() {
+                let of_scenario = floors::turns(scenario);
+                turns.extend(of_scenario.map(|turns| (scenario.group(), scenario.way.clone(), turns)));
+            }
         }
         group.finish();
     }
+    if let Some(directory) = &directory {
+        write_turns(directory, &turns).expect(WRITABLE);
+    }
+}
+
+const WRITABLE: &str = "criterion's directory can be written to";
+
+/// Whether something is going to be timed.
+fn is_timing() -> bool {
+    let is_given = |flag: &str| std::env::args().any(|argument| argument == flag);
+    is_given("--bench") && !is_given("--test") && !is_given("--list")
 }
 
 /// The verdicts, all of which must be good.
@@ -40,21 +60,6 @@ fn judged(scenarios: &[Scenario]) -> Vec<Verdict> {
         assert!(verdict.is_right(), "{scenario}: an error of {} times what is allowed", verdict.share);
     }
     judged
-}
-
-/// Writes down next to criterion's files what was judged, and how far above the floors of the machine it is, unless
-/// nothing is going to be timed.
-fn leave(scenarios: &[Scenario], mut judged: Vec<Verdict>) {
-    let is_given = |flag: &str| std::env::args().any(|argument| argument == flag);
-    if !is_given("--bench") || is_given("--test") || is_given("--list") {
-        return;
-    }
-    let environment = Environment::here("cargo bench");
-    for (scenario, verdict) in scenarios.iter().zip(&mut judged) {
-        verdict.turns = floors::turns(scenario);
-    }
-    let verdicts = Verdicts { environment, scenarios: judged };
-    verdicts.write(&criterion_directory()).expect("criterion's directory can be written to");
 }
 
 criterion_group! {

@@ -1,6 +1,6 @@
 //! The record of the benchmarks, `beamgap-benchmark/3`.
 
-use super::criterion::{Verdict, Verdicts, samples};
+use super::criterion::{Verdict, Verdicts, samples, turns};
 use super::number::{number, rounded};
 use super::record::format;
 use super::{Environment, Instructions, Peers, Record, ReportError, Task, Turns, spread};
@@ -106,6 +106,7 @@ impl Benchmark {
     pub fn read(directory: &Path) -> Result<Self, ReportError> {
         let found = samples(directory)?;
         let (verdicts, verified) = Verdicts::read(directory)?;
+        let mut turns = turns(directory, verified)?;
         let mut scenarios: Vec<Measured> = Vec::new();
         for verdict in verdicts.scenarios {
             let group = verdict.group();
@@ -113,7 +114,8 @@ impl Benchmark {
             if !verdict.is_right() {
                 return Err(ReportError::Wrong { scenario: scenario(), share: verdict.share });
             }
-            let timed = found.get(&(group.clone(), verdict.way.clone()));
+            let key = (group.clone(), verdict.way.clone());
+            let timed = found.get(&key);
             let Some(timed) = timed.filter(|timed| timed.written >= verified) else {
                 return Err(ReportError::NotTimed { scenario: scenario() });
             };
@@ -122,7 +124,7 @@ impl Benchmark {
             let Some(spread) = spread(&samples) else {
                 return Err(ReportError::NotTimed { scenario: scenario() });
             };
-            let Verdict { task, family, dofs, way, pairs, error, share, turns } = verdict;
+            let Verdict { task, family, dofs, way, pairs, error, share } = verdict;
             scenarios.push(Measured {
                 task,
                 family,
@@ -134,7 +136,7 @@ impl Benchmark {
                 ratio_to_closed_form: None,
                 error: rounded(error, 3),
                 share: rounded(share, 3),
-                turns: turns.map(Turns::rounded),
+                turns: turns.remove(&key).map(Turns::rounded),
                 samples,
             });
         }

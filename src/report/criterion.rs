@@ -14,6 +14,9 @@ use std::time::SystemTime;
 /// The file, next to criterion's, in which the benches leave their verdicts.
 pub const VERDICTS: &str = "beamgap-verdicts.json";
 
+/// The file in which they leave the turns of what was timed.
+const TURNS: &str = "beamgap-turns.json";
+
 /// What the benches found before they timed anything.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdicts {
@@ -40,8 +43,6 @@ pub struct Verdict {
     pub error: f64,
     /// The largest error over what is allowed for it.
     pub share: f64,
-    /// Its times next to those of the floors, if its arithmetic is counted.
-    pub turns: Option<Turns>,
 }
 
 impl Verdict {
@@ -88,6 +89,30 @@ impl Verdicts {
             .map_err(|source| ReportError::Format { what: path.display().to_string(), source })?;
         Ok((verdicts, written))
     }
+}
+
+/// Writes the turns of ways into criterion's directory, each with its group and its name.
+///
+/// # Errors
+/// [`ReportError::Write`].
+pub fn write_turns(directory: &Path, turns: &[(String, String, Turns)]) -> Result<(), ReportError> {
+    let json = serde_json::to_string(turns)
+        .map_err(|source| ReportError::Format { what: TURNS.to_owned(), source })?;
+    super::write(directory, TURNS, &json)
+}
+
+/// Those that were taken after `verified`, by group and way.
+pub(super) fn turns(
+    directory: &Path,
+    verified: SystemTime,
+) -> Result<BTreeMap<(String, String), Turns>, ReportError> {
+    let path = directory.join(TURNS);
+    let Some((text, _)) = read(&path).filter(|(_, written)| *written >= verified) else {
+        return Ok(BTreeMap::new());
+    };
+    let turns: Vec<(String, String, Turns)> = serde_json::from_str(&text)
+        .map_err(|source| ReportError::Format { what: path.display().to_string(), source })?;
+    Ok(turns.into_iter().map(|(group, way, turns)| ((group, way), turns)).collect())
 }
 
 /// All that criterion measured, by group and function.

@@ -4,7 +4,7 @@ use beamgap::check::{self, Regime, Selection, Trial};
 use beamgap::prove::prove;
 use beamgap::report::{
     Accuracy, Benchmark, Count, Crosscheck, Difference, Environment, Instructions, Measured, Record,
-    ReportError, Sharpness, Task, VERDICTS, Verdict, Verdicts, median_interval, spread,
+    ReportError, Sharpness, Task, Turns, VERDICTS, Verdict, Verdicts, median_interval, spread, write_turns,
 };
 use beamgap::specimen::Family;
 use beamgap::subject::Subject;
@@ -187,7 +187,6 @@ impl Left {
             pairs: 4,
             error: 1e-16,
             share,
-            turns: None,
         };
         let verdicts = Verdicts {
             environment: Environment::here("by hand"),
@@ -226,6 +225,9 @@ fn what_criterion_left_is_read_and_what_it_should_not_hold_is_passed_over() {
     left.samples("closed form", 800.0);
     left.samples("hyper-dual", 160_000.0);
     left.samples("of an older version", 1.0);
+    let turns = Turns { multiply_adds: 1500, samples: vec![[812.5, 0.5, 0.25]] };
+    let of_closed_form = ("d/hermite, 24 dofs".to_owned(), "closed form".to_owned(), turns.clone());
+    write_turns(&left.0, &[of_closed_form]).unwrap();
     let broken = left.0.join("broken/new");
     fs::create_dir_all(&broken).unwrap();
     fs::write(broken.join("benchmark.json"), "{").unwrap();
@@ -234,6 +236,7 @@ fn what_criterion_left_is_read_and_what_it_should_not_hold_is_passed_over() {
     let Benchmark { scenarios, .. } = Benchmark::read(&left.0).unwrap();
     let ways: Vec<&str> = scenarios.iter().map(|measured| measured.way.as_str()).collect();
     assert_eq!(ways, ["closed form", "hyper-dual"]);
+    assert_eq!([&scenarios[0].turns, &scenarios[1].turns], [&Some(turns), &None]);
     let Measured { task, family, dofs, median, ratio_to_closed_form, .. } = &scenarios[1];
     // The time of one of four pairs.
     assert_eq!((task.as_str(), family.as_str(), *dofs, *median), ("d", "hermite", 24, 40_000.0));

@@ -60,7 +60,6 @@ impl Scenario {
             pairs: self.pairs,
             error: relative,
             share,
-            turns: None,
         }
     }
 
