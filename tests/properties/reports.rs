@@ -139,7 +139,7 @@ fn the_cost_is_proportional_to_the_size_of_the_result() {
 
 #[test]
 fn a_record_of_another_schema_is_refused() {
-    let other = committed("benchmark.json").replace("beamgap-benchmark/2", "beamgap-benchmark/3");
+    let other = committed("benchmark.json").replace(Benchmark::SCHEMA, "beamgap-benchmark/0");
     assert!(matches!(Benchmark::from_json(&other), Err(ReportError::Schema { .. })));
 }
 
