@@ -13,9 +13,9 @@ pub fn run(trial: &Trial, seed: u64, selection: &Selection, done: impl Fn() + Sy
     selection
         .numbers()
         .into_par_iter()
-        .map(|number| {
+        .fold(Summary::default, |mut summary, number| {
             let case = Case::draw(seed, number);
-            let summary = Summary::of(&case, &compare(trial, &case));
+            summary.add(&case, &compare(trial, &case));
             done();
             summary
         })

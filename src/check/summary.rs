@@ -4,6 +4,7 @@ use super::arbitration::{Arbitration, DIFFERENCES};
 use super::draw::Case;
 use super::regime::Regime;
 use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
+use crate::closest_point::ClosestPoint;
 use crate::linearization::Quantity;
 use crate::specimen::Family;
 use std::collections::BTreeMap;
@@ -121,29 +122,38 @@ impl Differences {
 
 impl Summary {
     /// The summary of one case.
-    pub fn of(case: &Case, verdicts: &[(Option<crate::closest_point::ClosestPoint>, Verdict)]) -> Self {
+    pub fn of(case: &Case, verdicts: &[(Option<ClosestPoint>, Verdict)]) -> Self {
         let mut summary = Self::default();
-        let mut tally = Tally { cases: 1, ..Tally::default() };
+        summary.add(case, verdicts);
+        summary
+    }
+
+    /// Adds a case.
+    pub(super) fn add(&mut self, case: &Case, verdicts: &[(Option<ClosestPoint>, Verdict)]) {
+        let tally = self.regimes.entry(case.regime).or_default();
+        tally.cases += 1;
         let mut cells = [[Cell::default(); Order::ALL.len()]; Quantity::ALL.len()];
+        let mut compared = 0;
         for (point, verdict) in verdicts {
-            summary.differences.add(verdict);
+            self.differences.add(verdict);
             let entries = match verdict {
                 Verdict::Inconclusive(reason, _) => {
-                    tally.inconclusive.entry(*reason).or_insert((0, case.number)).0 += 1;
+                    let (count, first) = tally.inconclusive.entry(*reason).or_insert((0, case.number));
+                    (*count, *first) = (*count + 1, case.number.min(*first));
                     continue;
                 }
                 Verdict::Pass(entries) => entries,
                 Verdict::Mismatch(entries) => {
                     tally.mismatches += 1;
-                    let earlier = summary.mismatches.remove(&case.number);
+                    let earlier = self.mismatches.remove(&case.number);
                     let meaningful = entries.iter().filter(|entry| entry.is_meaningful()).copied();
                     let worst = meaningful
                         .chain(earlier)
                         .max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
-                    summary.mismatches.extend(worst.map(|worst| (case.number, worst)));
-                    let arbitrated = summary.arbitrations.remove(&case.number).into_iter();
+                    self.mismatches.extend(worst.map(|worst| (case.number, worst)));
+                    let arbitrated = self.arbitrations.remove(&case.number).into_iter();
                     let arbitrated = arbitrated.chain(Arbitration::of(entries)).reduce(Arbitration::and);
-                    summary.arbitrations.extend(arbitrated.map(|arbitrated| (case.number, arbitrated)));
+                    self.arbitrations.extend(arbitrated.map(|arbitrated| (case.number, arbitrated)));
                     entries
                 }
             };
@@ -152,27 +162,28 @@ impl Summary {
             } else {
                 tally.at_end += 1;
             }
-            *summary.pairs.entry((case.families[0], case.families[1])).or_default() += 1;
-            for family in case.families {
-                *summary.families.entry(family).or_default() += 1;
-            }
+            compared += 1;
             for entry in entries.iter().filter(|entry| entry.is_meaningful()) {
-                let cell = Cell {
+                cells[entry.quantity as usize][entry.order as usize].merge(&Cell {
                     scaled_error: entry.scaled_error(),
                     case: case.number,
                     over_tolerance: entry.over_tolerance(),
                     entries: 1,
-                };
-                cells[entry.quantity as usize][entry.order as usize].merge(&cell);
-                tally.worst.merge(&cell);
+                });
             }
         }
         for (quantity, cells) in Quantity::ALL.into_iter().zip(cells) {
-            let compared = Order::ALL.into_iter().zip(cells).filter(|(_, cell)| cell.entries > 0);
-            summary.cells.extend(compared.map(|(order, cell)| ((quantity, order), cell)));
+            for (order, cell) in Order::ALL.into_iter().zip(cells).filter(|(_, cell)| cell.entries > 0) {
+                self.cells.entry((quantity, order)).or_default().merge(&cell);
+                tally.worst.merge(&cell);
+            }
         }
-        summary.regimes.insert(case.regime, tally);
-        summary
+        if compared > 0 {
+            *self.pairs.entry((case.families[0], case.families[1])).or_default() += compared;
+            for family in case.families {
+                *self.families.entry(family).or_default() += compared;
+            }
+        }
     }
 
     /// The summary of both.

@@ -27,10 +27,8 @@ pub(super) fn rim(pair: &mut Pair, search: &Search) -> Result<Rim, ProjectionErr
         for end_bar in ENDS {
             let [x, y] = pair.nodes([end, end_bar]);
             let at = (x.centre, y.centre);
-            let geometry = [x.geometry, y.geometry];
-            let p = HalfSquare::new(&geometry[0], &geometry[1]);
-            let point = ClosestPoint::new(at, &geometry, &p, both);
-            rim.accept(point);
+            let p = HalfSquare::new(&x.geometry, &y.geometry);
+            rim.accept(ClosestPoint::new(at, &p, both));
         }
     }
     rim.open = gather(std::mem::take(&mut rim.open));

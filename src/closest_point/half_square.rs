@@ -1,7 +1,7 @@
 //! The gradient and the Hessian of half the squared distance at a pair of points, and their scale-free measures.
 
 use super::Active;
-use super::point::{STANDSTILL, WEAK};
+use super::point::{SINGULAR, STANDSTILL, WEAK};
 use crate::curve::Geometry;
 use nalgebra::{Matrix2, Vector2, Vector3};
 
@@ -30,8 +30,9 @@ pub struct HalfSquare {
     pub det: f64,
     /// t·t and t_bar·t_bar.
     pub(super) squares: [f64; 2],
-    /// t·t + t,xi·t,xi and its twin: the tangent's size even about a point where it vanishes.
-    sizes2: [f64; 2],
+    /// t,xi·t,xi and t,xixi·t,xixi, and those of the barred curve.
+    bends: [f64; 2],
+    twists: [f64; 2],
     /// The sum of the squares of the positions and the tangents.
     size2: f64,
 }
@@ -51,9 +52,10 @@ impl HalfSquare {
             b: x.t.dot(&x_bar.t),
             a_bar: q - squares[1],
             // det H = |t × t_bar|² + p t_bar² - q t² - p q with p = d·t,xi and q = d·t_bar,xi_bar.
-            det: x.t.cross(&x_bar.t).norm_squared() + p * squares[1] - q * squares[0] - p * q,
+            det: (x.t.cross(&x_bar.t).norm_squared() - p * q) + (p * squares[1] - q * squares[0]),
             squares,
-            sizes2: [squares[0] + x.t_xi.norm_squared(), squares[1] + x_bar.t_xi.norm_squared()],
+            bends: [x.t_xi.norm_squared(), x_bar.t_xi.norm_squared()],
+            twists: [x.t_xixi.norm_squared(), x_bar.t_xixi.norm_squared()],
             size2: x.x.norm_squared() + x_bar.x.norm_squared() + squares[0] + squares[1],
         }
     }
@@ -100,8 +102,33 @@ impl HalfSquare {
     /// The cosine of the angle between d and the gradient's tangent `i`, 0 if one of the two has no length.
     pub(super) fn cosine(&self, i: usize) -> f64 {
         let scale = self.distance * self.squares[i].sqrt();
-        let still = self.squares[i] <= STANDSTILL * STANDSTILL * self.sizes2[i];
+        let still = self.squares[i] <= STANDSTILL * STANDSTILL * self.size2_about(i);
         if self.is_crossing() || still { 0.0 } else { self.gradient[i] / scale }
+    }
+
+    /// t·t + t,xi·t,xi: the size of tangent `i` even about a point where it vanishes.
+    fn size2_about(&self, i: usize) -> f64 {
+        self.squares[i] + self.bends[i]
+    }
+
+    /// Whether the rounding of d may be what keeps a scaled eigenvalue of this size from being zero.
+    ///
+    /// What it contributes to the scaled Hessian is its error times the curvature, ‖t,xi‖ / t² at most.
+    pub(super) fn rounds_to_zero(&self, eigenvalue: f64) -> bool {
+        let [t2, t_bar2] = self.squares;
+        let [bend, bend_bar] = self.bends;
+        // 2 u v <= u² + v² settles it without a root wherever it is not close.
+        let high = (self.size2 + bend) * t_bar2 + (self.size2 + bend_bar) * t2;
+        (eigenvalue - SINGULAR) * (t2 * t_bar2) <= 8.0 * ROUNDING * high
+            && eigenvalue <= SINGULAR + 16.0 * self.rounding() * (bend.sqrt() / t2 + bend_bar.sqrt() / t_bar2)
+    }
+
+    /// Whether tangent `i` has no length, next to its change along the beam.
+    pub(super) fn stands_still(&self, i: usize) -> bool {
+        let (t2, bend, twist) = (self.squares[i], self.bends[i], self.twists[i]);
+        // (u + v)² <= 2 (u² + v²) settles it without a root wherever it is not close.
+        t2 <= 2.0 * STANDSTILL * STANDSTILL * (bend + twist)
+            && t2.sqrt() <= STANDSTILL * (bend.sqrt() + twist.sqrt())
     }
 
     /// The largest |cos| over the parameters that are not held.
@@ -129,12 +156,12 @@ impl HalfSquare {
 
     /// Whether d is zero to rounding.
     pub fn is_crossing(&self) -> bool {
-        self.distance <= self.rounding()
+        self.distance * self.distance <= ROUNDING * ROUNDING * self.size2
     }
 
     /// Whether the gradient in parameter `i` is zero to the tolerance of a multiplier.
     pub(super) fn is_weak(&self, i: usize) -> bool {
-        let t = self.sizes2[i].sqrt();
+        let t = self.size2_about(i).sqrt();
         self.gradient[i].abs() <= t * (WEAK * (self.distance + t) + self.rounding())
     }
 

@@ -10,8 +10,8 @@ const STEPS: usize = 60;
 const SMALL: f64 = 1e-7;
 /// Steps below this leave an error of their square: rounding.
 const LAST: f64 = 1e-8;
-/// The widest step that Taylor's polynomials are trusted for.
-const REACH: f64 = 0.25;
+/// The widest step, in both parameters together, that Taylor's polynomials are trusted for.
+const REACH: f64 = 0.5;
 
 /// Follows Newton's method from `start` to the last digit, with the `active` parameters held at their ends.
 ///
@@ -33,14 +33,13 @@ pub fn refine(
     let place = |held: bool, xi: f64| if held { 1.0_f64.copysign(xi) } else { xi.clamp(-1.0, 1.0) };
     let start = (place(active.xi, start.0), place(active.xi_bar, start.1));
     let cubic = beam.is_cubic() && bar.is_cubic();
-    let mut best = Iterate::at(beam, bar, start)?;
+    let mut current = Iterate::at(beam, bar, start)?;
     // At rounding level the least gradient is the best, and the steps may go on from a point that is worse.
-    let mut worse: Option<Iterate> = None;
+    let mut best: Option<Iterate> = None;
     let mut previous = f64::INFINITY;
     for _ in 0..STEPS {
-        let current = worse.as_ref().unwrap_or(&best);
         if current.half_square.is_stationary(active) {
-            break;
+            return settled(current.at, &current.half_square, active);
         }
         let step = current.half_square.step(active);
         if !(step.0.is_finite() && step.1.is_finite()) {
@@ -51,34 +50,41 @@ pub fn refine(
         if size == 0.0 || (size < SMALL && size >= 0.5 * previous) {
             break;
         }
-        if size <= f64::EPSILON && worse.is_none() {
+        if size <= 2.0 * f64::EPSILON && best.is_none() {
             // The last digits of the parameters move the points by less than their rounding.
-            best.at = next;
-            break;
+            return settled(next, &current.half_square, active);
         }
-        let at = current.ahead(next, active);
+        let at = current.ahead(next, size, active);
         let new = if cubic && current.evaluated && apart(current.at, at) < REACH {
             current.extrapolated(at)
         } else {
             Iterate::at(beam, bar, at)?
         };
         // Far away the gradient may grow for a while.
-        if size >= SMALL || new.half_square.slope(active) < best.half_square.slope(active) {
-            (best, worse) = (new, None);
-        } else {
-            worse = Some(new);
+        let least = &best.as_ref().unwrap_or(&current).half_square;
+        if size >= SMALL || new.half_square.slope(active) < least.slope(active) {
+            best = None;
+        } else if best.is_none() {
+            best = Some(current);
         }
+        current = new;
         previous = size;
     }
-    let p = &best.half_square;
-    let point = ClosestPoint::new(best.at, &best.geometry, p, active);
+    let end = best.as_ref().unwrap_or(&current);
+    settled(end.at, &end.half_square, active)
+}
+
+/// The point where the steps have ended, if they have become small.
+#[inline]
+fn settled(at: (f64, f64), p: &HalfSquare, active: Active) -> Result<ClosestPoint, ProjectionError> {
+    let point = ClosestPoint::new(at, p, active);
     // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged, unless
     // it leads out of the square.
     let (step, step_bar) = p.step(active);
     let settled = |held: bool, i: usize, at: f64, step: f64| {
-        held || p.is_weak(i) || (step.abs() < SMALL && (at + step).abs() <= 1.0)
+        held || (step.abs() < SMALL && (at + step).abs() <= 1.0) || p.is_weak(i)
     };
-    if settled(active.xi, 0, best.at.0, step) && settled(active.xi_bar, 1, best.at.1, step_bar) {
+    if settled(active.xi, 0, at.0, step) && settled(active.xi_bar, 1, at.1, step_bar) {
         Ok(point)
     } else {
         Err(ProjectionError::NotConverged { residual: point.residual })
@@ -120,8 +126,7 @@ impl Iterate {
     /// They are the curves themselves where these are cubic, and a step of any curve is worth two or three of
     /// Newton's. Where a step is not much smaller than the one before, the polynomials are left.
     #[inline]
-    fn ahead(&self, mut next: (f64, f64), active: Active) -> (f64, f64) {
-        let mut size = apart(self.at, next);
+    fn ahead(&self, mut next: (f64, f64), mut size: f64, active: Active) -> (f64, f64) {
         while size > LAST && size < REACH {
             let [x, x_bar] = self.geometry_at(next);
             let further = moved(next, HalfSquare::new(&x, &x_bar).step(active));
@@ -140,10 +145,10 @@ impl Iterate {
 #[inline]
 fn about(at: &Geometry<f64>, h: f64) -> Geometry<f64> {
     let Geometry { x, t, t_xi, t_xixi } = at;
-    let (square, third) = (0.5 * h * h, h * (1.0 / 3.0));
+    let square = h * h;
     Geometry {
-        x: (x + t * h) + (t_xi + t_xixi * third) * square,
-        t: (t + t_xi * h) + t_xixi * square,
+        x: (x + t * h) + (t_xi * 0.5 + t_xixi * (1.0 / 6.0) * h) * square,
+        t: (t + t_xi * h) + t_xixi * 0.5 * square,
         t_xi: t_xi + t_xixi * h,
         t_xixi: *t_xixi,
     }
@@ -155,8 +160,8 @@ fn moved(at: (f64, f64), step: (f64, f64)) -> (f64, f64) {
     ((at.0 + step.0).clamp(-1.0, 1.0), (at.1 + step.1).clamp(-1.0, 1.0))
 }
 
-/// How far two pairs of parameters are from each other.
+/// How far two pairs of parameters are from each other; not a number if one of the four is not.
 #[inline]
 fn apart(one: (f64, f64), other: (f64, f64)) -> f64 {
-    (one.0 - other.0).abs().max((one.1 - other.1).abs())
+    (one.0 - other.0).abs() + (one.1 - other.1).abs()
 }

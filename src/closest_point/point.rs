@@ -1,7 +1,6 @@
 //! One closest (or otherwise stationary) point: where it is, what it is and how well it is determined.
 
 use super::HalfSquare;
-use crate::curve::Geometry;
 
 /// Scaled eigenvalues below this are rounding: the point is singular.
 pub(super) const SINGULAR: f64 = 1.4e-14;
@@ -99,24 +98,16 @@ pub enum Degeneracy {
 }
 
 impl ClosestPoint {
-    /// Describes the point at the parameters (`xi`, `xi_bar`), of which `active` ones are held; `p` belongs to
-    /// `geometry`.
-    pub(super) fn new(
-        (xi, xi_bar): (f64, f64),
-        geometry: &[Geometry<f64>; 2],
-        p: &HalfSquare,
-        active: Active,
-    ) -> Self {
+    /// Describes the point at the parameters (`xi`, `xi_bar`), of which `active` ones are held.
+    pub(super) fn new((xi, xi_bar): (f64, f64), p: &HalfSquare, active: Active) -> Self {
         let end = active.xi.then(|| End::new(p, 0, xi));
         let end_bar = active.xi_bar.then(|| End::new(p, 1, xi_bar));
         let [low, high] = p.eigenvalues(active);
         let (conditioning, smallest) = (low, low.abs().min(high.abs()));
-        let still = [stands_still(&geometry[0]), stands_still(&geometry[1])];
+        let still = [p.stands_still(0), p.stands_still(1)];
         let degeneracy = if still[0] || still[1] {
             Some(Degeneracy::ZeroTangent { bar: !still[0] })
-        } else if smallest
-            <= SINGULAR + 16.0 * p.rounding() * (curvature(&geometry[0]) + curvature(&geometry[1]))
-        {
+        } else if p.rounds_to_zero(smallest) {
             Some(Degeneracy::Singular { conditioning: smallest })
         } else if let Some(end) = [end, end_bar].into_iter().flatten().find(|end| !end.strict) {
             Some(Degeneracy::WeakEnd { multiplier: end.multiplier })
@@ -168,21 +159,6 @@ impl End {
         let (side, sign) = if at < 0.0 { (Side::Lower, -1.0) } else { (Side::Upper, 1.0) };
         Self { side, strict: !p.is_weak(i), multiplier: 0.0 - sign * p.cosine(i) }
     }
-}
-
-/// A bound of the curvature: what a rounded d contributes to the scaled Hessian is its error times this.
-fn curvature(x: &Geometry<f64>) -> f64 {
-    x.t_xi.norm() / x.t.norm_squared()
-}
-
-/// Whether the tangent has no length, next to its change along the beam.
-fn stands_still(x: &Geometry<f64>) -> bool {
-    // (u + v)² <= 2 (u² + v²) settles it without a root wherever it is not close.
-    if x.t.norm_squared() > 2.0 * STANDSTILL * STANDSTILL * (x.t_xi.norm_squared() + x.t_xixi.norm_squared())
-    {
-        return false;
-    }
-    x.t.norm() <= STANDSTILL * (x.t_xi.norm() + x.t_xixi.norm())
 }
 
 impl Side {

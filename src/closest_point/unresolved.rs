@@ -51,7 +51,7 @@ impl Region {
         }
         let (x, x_bar) = (evaluate(pair.curves[0], xi)?, evaluate(pair.curves[1], xi_bar)?);
         let p = HalfSquare::new(&x, &x_bar);
-        Ok(ClosestPoint::new((xi, xi_bar), &[x, x_bar], &p, active))
+        Ok(ClosestPoint::new((xi, xi_bar), &p, active))
     }
 
     pub(super) fn unresolved(&self, point: ClosestPoint) -> Unresolved {

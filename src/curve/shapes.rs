@@ -47,19 +47,24 @@ pub(super) fn control_vectors<T: Real, const P: usize, const N: usize>(q: &SVect
 }
 
 /// Repeated linear interpolation, the scheme of Neville, de Casteljau and de Boor: at every level m = 1, 2, .. point i
-/// moves towards its right neighbour by the fraction `fraction(m, i)`, until one point is left.
+/// becomes `between(m, i, [it, its right neighbour])`, until one point is left.
 pub(super) fn triangle<T: Real, const D: usize, const P: usize>(
     mut points: [SVector<T, D>; P],
-    fraction: impl Fn(usize, usize) -> T,
+    between: impl Fn(usize, usize, [SVector<T, D>; 2]) -> SVector<T, D>,
 ) -> SVector<T, D> {
     const { assert!(P > 0, "a curve has at least one control vector") };
     for level in 1..P {
         for i in 0..P - level {
-            let u = fraction(level, i);
-            points[i] = points[i] * (T::one() - u) + points[i + 1] * u;
+            points[i] = between(level, i, [points[i], points[i + 1]]);
         }
     }
     points[0]
+}
+
+/// The point that divides the line between two by the fraction `u`, with one product.
+#[inline]
+pub(super) fn divided<T: Real, const D: usize>([from, to]: [SVector<T, D>; 2], u: T) -> SVector<T, D> {
+    from + (to - from) * u
 }
 
 /// f times g, both by value and derivatives up to the third, by Leibniz' rule.

@@ -17,18 +17,11 @@ type Square<T, const D: usize> = SMatrix<T, D, D>;
 
 /// Dof-derivatives of a curve with at most `D` dofs.
 #[derive(Clone, Debug)]
-pub(crate) struct Padded<T, const D: usize = DOFS> {
-    jacobians: [SMatrix<T, 3, D>; 3],
-    /// The shape functions of a curve linear in its dofs, or the second derivatives of the three components of x and
-    /// x,xi.
-    of: Kind<T, D>,
-}
-
-#[derive(Clone, Debug)]
-enum Kind<T, const D: usize> {
-    /// D / 3 functions each.
+pub(crate) enum Padded<T, const D: usize = DOFS> {
+    /// The shape functions of a curve linear in its dofs, D / 3 of each order.
     Linear([SVector<T, D>; 3]),
-    Nonlinear(Box<[[Square<T, D>; 3]; 2]>),
+    /// The Jacobians of another, and the second derivatives of the three components of x and of x,xi.
+    Nonlinear(Vec<SMatrix<T, 3, D>>, Vec<Square<T, D>>),
 }
 
 impl<T: Real, const D: usize> Padded<T, D> {
@@ -38,27 +31,28 @@ impl<T: Real, const D: usize> Padded<T, D> {
     /// If the curve has more dofs than there is room for.
     pub(crate) fn fill<U: DofDerivatives<T, N>, const N: usize>(jet: &Jet<T, U>) -> Jet<T, Self> {
         let dofs = &jet.dofs;
-        let jacobians = std::array::from_fn(|k| {
-            let mut padded = SMatrix::<T, 3, D>::zeros();
-            padded.columns_mut(0, N).copy_from(&dofs.jacobian(k));
-            padded
-        });
         let shapes = |k: usize| {
             let shapes = dofs.shapes(k)?;
             Some(SVector::from_fn(|i, _| shapes.get(i).copied().unwrap_or(T::zero())))
         };
-        let squares = |k: usize| {
-            [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis: Vector3<T>| {
-                let mut padded = Square::<T, D>::zeros();
-                padded.view_mut((0, 0), (N, N)).copy_from(&dofs.hessian(k, &axis));
-                padded
-            })
+        let padded = match [shapes(0), shapes(1), shapes(2)] {
+            [Some(x), Some(t), Some(t_xi)] => Self::Linear([x, t, t_xi]),
+            _ => Self::nonlinear(dofs),
         };
-        let of = match [shapes(0), shapes(1), shapes(2)] {
-            [Some(x), Some(t), Some(t_xi)] => Kind::Linear([x, t, t_xi]),
-            _ => Kind::Nonlinear(Box::new([squares(0), squares(1)])),
-        };
-        Jet { geometry: jet.geometry, dofs: Self { jacobians, of } }
+        Jet { geometry: jet.geometry, dofs: padded }
+    }
+
+    fn nonlinear<U: DofDerivatives<T, N>, const N: usize>(dofs: &U) -> Self {
+        let mut jacobians = vec![SMatrix::<T, 3, D>::zeros(); 3];
+        for (k, padded) in jacobians.iter_mut().enumerate() {
+            padded.columns_mut(0, N).copy_from(&dofs.jacobian(k));
+        }
+        let mut second = vec![Square::<T, D>::zeros(); 6];
+        for (i, padded) in second.iter_mut().enumerate() {
+            let axis = Vector3::ith(i % 3, T::one());
+            padded.view_mut((0, 0), (N, N)).copy_from(&dofs.hessian(i / 3, &axis));
+        }
+        Self::Nonlinear(jacobians, second)
     }
 
     /// Fills a direction up.
@@ -76,40 +70,54 @@ impl<T: Real, const D: usize> DofDerivatives<T, D> for Padded<T, D> {
     const LINEAR: bool = false;
 
     fn shapes(&self, k: usize) -> Option<&[T]> {
-        match &self.of {
-            Kind::Linear(shapes) => Some(&shapes[k].as_slice()[..D / 3]),
-            Kind::Nonlinear(_) => None,
+        match self {
+            Self::Linear(shapes) => Some(&shapes[k].as_slice()[..D / 3]),
+            Self::Nonlinear(..) => None,
         }
     }
 
     fn variation(&self, k: usize, dq: &SVector<T, D>) -> Vector3<T> {
-        self.jacobians[k] * dq
+        self.jacobian(k) * dq
     }
 
     fn second_variation(&self, k: usize, dq: &SVector<T, D>, linear_dq: &SVector<T, D>) -> Vector3<T> {
-        match &self.of {
-            Kind::Linear(_) => Vector3::zeros(),
-            Kind::Nonlinear(second) => Vector3::from_fn(|c, _| dq.dot(&(second[k][c] * linear_dq))),
+        match self {
+            Self::Linear(_) => Vector3::zeros(),
+            Self::Nonlinear(_, second) => Vector3::from_fn(|c, _| dq.dot(&(second[3 * k + c] * linear_dq))),
         }
     }
 
     fn gradient(&self, k: usize, w: &Vector3<T>) -> SVector<T, D> {
-        match &self.of {
-            Kind::Linear(shapes) => SVector::from_fn(|i, _| shapes[k][i / 3] * w[i % 3]),
-            Kind::Nonlinear(_) => self.jacobians[k].tr_mul(w),
+        match self {
+            Self::Linear(shapes) => {
+                let mut gradient = SVector::zeros();
+                for (i, &shape) in shapes[k].as_slice()[..D / 3].iter().enumerate() {
+                    for c in 0..3 {
+                        gradient[3 * i + c] = shape * w[c];
+                    }
+                }
+                gradient
+            }
+            Self::Nonlinear(jacobians, _) => jacobians[k].tr_mul(w),
         }
     }
 
     fn jacobian(&self, k: usize) -> SMatrix<T, 3, D> {
-        self.jacobians[k]
+        match self {
+            Self::Linear(shapes) => {
+                let entry = |c, i| if c == i % 3 { shapes[k][i / 3] } else { T::zero() };
+                SMatrix::from_fn(entry)
+            }
+            Self::Nonlinear(jacobians, _) => jacobians[k],
+        }
     }
 
     fn hessian(&self, k: usize, w: &Vector3<T>) -> Square<T, D> {
-        match &self.of {
-            Kind::Linear(_) => Square::zeros(),
-            Kind::Nonlinear(second) => {
-                let [x, y, z] = &second[k];
-                x * w[0] + y * w[1] + z * w[2]
+        match self {
+            Self::Linear(_) => Square::zeros(),
+            Self::Nonlinear(_, second) => {
+                let [x, y, z] = [0, 1, 2].map(|c| &second[3 * k + c]);
+                x.zip_zip_map(y, z, |x, y, z| x * w[0] + y * w[1] + z * w[2])
             }
         }
     }

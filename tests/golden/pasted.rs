@@ -28,7 +28,7 @@ fn x_x_delta() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).x.x.delta;
     let other = ad::vary(ad::Route::Chord(ad::chord(&pair, &q, point), 2), &pair, &q, point, &dq, &linear_dq).x.x.delta;
-    assert!((closed - other).abs() <= 1.0e-14, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 8.9e-15, "{closed:e}, not {other:e}");
 }
 }
 mod quadratic {
@@ -61,7 +61,7 @@ fn symmetry_of_x_z_second() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).x.z.second;
     let other = closed_form::vary(&pair, &q, point, &linear_dq, &dq).x.z.second;
-    assert!((closed - other).abs() <= 4.8e-15, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 4.3e-15, "{closed:e}, not {other:e}");
 }
 }
 mod cubic {
@@ -94,7 +94,7 @@ fn x_bar_z_linear() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).x_bar.z.linear;
     let other = ad::vary(ad::Route::Newton, &pair, &q, point, &dq, &linear_dq).x_bar.z.linear;
-    assert!((closed - other).abs() <= 2.5e-14, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 1.4e-15, "{closed:e}, not {other:e}");
 }
 }
 mod hermite {
@@ -127,7 +127,7 @@ fn d_vector_y_delta() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).d_vector.y.delta;
     let other = ad::vary(ad::Route::Stationary, &pair, &q, point, &dq, &linear_dq).d_vector.y.delta;
-    assert!((closed - other).abs() <= 3.7e-14, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 3.6e-14, "{closed:e}, not {other:e}");
 }
 }
 mod hermite_scaled {
@@ -226,7 +226,7 @@ fn t_bar_vector_z_delta() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t_bar_vector.z.delta;
     let other = ad::vary(ad::Route::Newton, &pair, &q, point, &dq, &linear_dq).t_bar_vector.z.delta;
-    assert!((closed - other).abs() <= 9.9e-16, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 9.2e-16, "{closed:e}, not {other:e}");
 }
 }
 mod nurbs {
@@ -259,7 +259,7 @@ fn t_value() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t.value;
     let other = ad::vary(ad::Route::Stationary, &pair, &q, point, &dq, &linear_dq).t.value;
-    assert!((closed - other).abs() <= 4.4e-15, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 4.3e-15, "{closed:e}, not {other:e}");
 }
 }
 mod nurbs_weighted {
@@ -292,7 +292,7 @@ fn xi_second() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).xi.second;
     let other = ad::vary(ad::Route::Stationary, &pair, &q, point, &dq, &linear_dq).xi.second;
-    assert!((closed - other).abs() <= 1.6e-12, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 1.9e-12, "{closed:e}, not {other:e}");
 }
 }
 mod arc {
@@ -325,7 +325,7 @@ fn g_n_linear() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).g_n.linear;
     let other = ad::vary(ad::Route::Chord(ad::chord(&pair, &q, point), 2), &pair, &q, point, &dq, &linear_dq).g_n.linear;
-    assert!((closed - other).abs() <= 2.8e-14, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 2.0e-14, "{closed:e}, not {other:e}");
 }
 }
 mod helix {

@@ -2,11 +2,12 @@
 
 use super::{ROUTES, compare, judged};
 use crate::check::arbitration::DIFFERENCES;
+use crate::check::site::Site;
 use crate::check::{
     Case, Compared, Comparison, Inconclusive, Oracles, Order, Specimen, Trial, Verdict, Written,
 };
 use crate::linearization::closed_form::Label;
-use crate::linearization::{COMPONENTS, Quantity};
+use crate::linearization::{COMPONENTS, Varied};
 use crate::pair::Contact;
 use crate::specimen::Family;
 use crate::subject::{Fault, Kind, SCALARS, Subject};
@@ -52,7 +53,8 @@ fn every_number_is_compared_with_every_route() {
 
 #[test]
 fn a_tolerance_holds_the_bounds_of_both_sides() {
-    for (_, verdict) in found(Oracles::All, 7, 0) {
+    let case = Case::draw(7, 0);
+    for (point, verdict) in found(Oracles::All, 7, 0) {
         for entry in verdict.entries() {
             assert!(
                 entry.tolerance >= entry.bound && entry.tolerance < 1e-9 * entry.scale.max(1e-3),
@@ -65,10 +67,14 @@ fn a_tolerance_holds_the_bounds_of_both_sides() {
             let rounding = 0.5 * f64::EPSILON * entry.other.abs();
             assert!(entry.against != DIFFERENCES || entry.tolerance >= entry.bound + rounding, "{entry:?}");
         }
-        // AD computes a length as the closed form does, and is as uncertain.
-        let value = |entry: &&Comparison| entry.quantity == Quantity::D && entry.order == Order::Value;
-        let own = verdict.entries().iter().filter(value).find(|entry| entry.against == ROUTES[2]).unwrap();
-        assert!(own.tolerance > 1.5 * own.bound, "{own:?}");
+        let site = Site::new(case.beams(), &case.contact, &point.unwrap()).unwrap();
+        let of_other = site.chord().into_iter().flat_map(Varied::parts).map(|part| part.bound[0]);
+        let own = || verdict.entries().iter().filter(|entry| entry.against == ROUTES[2]);
+        assert_eq!(own().count(), 4 * COMPONENTS);
+        for (entry, of_other) in own().zip(of_other) {
+            assert_eq!(entry.tolerance.to_bits(), (entry.bound + of_other).to_bits(), "{entry:?}");
+        }
+        assert!(own().any(|entry| entry.tolerance > 1.5 * entry.bound), "neither side is exact");
     }
 }
 
