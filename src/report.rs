@@ -17,7 +17,6 @@ mod crosscheck;
 mod crosscheck_page;
 mod environment;
 mod error;
-mod floors;
 mod instructions;
 mod interval;
 mod ledger;
@@ -33,6 +32,7 @@ mod sharpness_page;
 mod task;
 mod teeth;
 mod teeth_page;
+mod turns;
 
 pub use accuracy::{Accuracy, AccuracyRow, Losses};
 pub use benchmark::{Benchmark, Measured, Ratio};
@@ -40,7 +40,6 @@ pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_turn
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;
-pub use floors::Turns;
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
 pub use peers::{LeftOut, Peer, Peers};
@@ -48,6 +47,7 @@ pub use record::Record;
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 pub use task::Task;
 pub use teeth::{BiteRow, Teeth};
+pub use turns::Turns;
 
 use crate::check::{self, Regime, Selection, Trial};
 use crate::ledger::Ledger;

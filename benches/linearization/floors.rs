@@ -1,15 +1,11 @@
-//! A way in turns with two kernels that show what a core's arithmetic and its stores can do.
+//! Two kernels that show what a core's arithmetic and its stores can do.
 
-use crate::scenario::{Runner, Scenario};
-use beamgap::report::Turns;
+use crate::scenario::Runner;
+use crate::turns::Timed;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Level, Simd, f64x4, prelude::*, x86::Avx2};
 use std::hint::black_box;
-use std::time::{Duration, Instant};
-
-/// How many turns there are, and how long something takes its turn at least.
-const TURNS: usize = 101;
-const TURN: Duration = Duration::from_micros(100);
+use std::time::Duration;
 
 /// Chains of multiply-adds that do not wait for each other: enough for two units of five clocks each.
 const CHAINS: usize = 12;
@@ -18,47 +14,10 @@ const LENGTH: usize = 64;
 /// The numbers that are stored: a Hessian of 24 dofs.
 const NUMBERS: usize = 24 * 24;
 
-/// The scenario and the kernels in turns, if its arithmetic is counted.
-pub(crate) fn turns(scenario: &Scenario) -> Option<Turns> {
-    let multiply_adds = scenario.multiply_adds?;
+/// Both in turns of such a length, for one multiply-add and for one byte stored.
+pub(crate) fn floors(turn: Duration) -> [Timed; 2] {
     let [chains, stores] = kernels();
-    let multiply_adds_alone = Timed::new(chains, CHAINS * LENGTH * 4);
-    let stores_alone = Timed::new(stores, NUMBERS * size_of::<f64>());
-    let mut ways = [Timed::new(scenario.runner(), scenario.pairs), multiply_adds_alone, stores_alone];
-    let samples = (0..TURNS).map(|_| ways.each_mut().map(Timed::turn)).collect();
-    Some(Turns { multiply_adds, samples })
-}
-
-/// What does so much in a run, run so many times a turn.
-struct Timed {
-    run: Runner,
-    amount: usize,
-    runs: u32,
-}
-
-impl Timed {
-    /// With as many runs as fill a turn.
-    fn new(run: Runner, amount: usize) -> Self {
-        let mut timed = Self { run, amount, runs: 1 };
-        while timed.elapsed() < TURN {
-            timed.runs *= 2;
-        }
-        timed
-    }
-
-    fn elapsed(&mut self) -> Duration {
-        let start = Instant::now();
-        for _ in 0..self.runs {
-            (self.run)();
-        }
-        start.elapsed()
-    }
-
-    /// The nanoseconds of one of what it does.
-    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-    fn turn(&mut self) -> f64 {
-        self.elapsed().as_nanos() as f64 / f64::from(self.runs) / self.amount as f64
-    }
+    [Timed::new(chains, CHAINS * LENGTH * 4, turn), Timed::new(stores, NUMBERS * size_of::<f64>(), turn)]
 }
 
 /// Multiply-adds, and stores, as fast as this machine can.

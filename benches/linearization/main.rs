@@ -10,6 +10,7 @@
 mod counts;
 mod floors;
 mod scenario;
+mod turns;
 
 use beamgap::report::{Environment, Verdict, Verdicts, criterion_directory, write_turns};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group};
@@ -25,7 +26,7 @@ fn linearization(criterion: &mut Criterion) {
     if let Some(directory) = &directory {
         verdicts.write(directory).expect(WRITABLE);
     }
-    let mut turns = Vec::new();
+    let mut all_turns = Vec::new();
     for of_group in scenarios.chunk_by(|a, b| a.group() == b.group()) {
         let mut group = criterion.benchmark_group(of_group[0].group());
         group.sampling_mode(SamplingMode::Flat);
@@ -34,14 +35,14 @@ fn linearization(criterion: &mut Criterion) {
             let mut run = scenario.runner();
             group.bench_function(&scenario.way, |bencher| bencher.iter(&mut run));
             if directory.is_some() {
-                let of_scenario = floors::turns(scenario);
-                turns.extend(of_scenario.map(|turns| (scenario.group(), scenario.way.clone(), turns)));
+                let of_scenario = turns::turns(scenario, of_group);
+                all_turns.extend(of_scenario.map(|turns| (scenario.group(), scenario.way.clone(), turns)));
             }
         }
         group.finish();
     }
     if let Some(directory) = &directory {
-        write_turns(directory, &turns).expect(WRITABLE);
+        write_turns(directory, &all_turns).expect(WRITABLE);
     }
 }
 

@@ -1,4 +1,4 @@
-//! The record of the benchmarks, `beamgap-benchmark/3`.
+//! The record of the benchmarks, `beamgap-benchmark/4`.
 
 use super::criterion::{Verdict, Verdicts, samples, turns};
 use super::number::{number, rounded};
@@ -13,7 +13,7 @@ pub(super) const DENOMINATOR: &str = "closed form";
 /// All that was measured, and where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Benchmark {
-    /// `beamgap-benchmark/3`.
+    /// `beamgap-benchmark/4`.
     pub schema: String,
     /// Where and with what it was measured.
     pub environment: Environment,
@@ -48,7 +48,7 @@ pub struct Measured {
     pub error: f64,
     /// The largest error over what rounding, and truncation if there is any, allow: right if at most one.
     pub share: f64,
-    /// Its times next to those of the floors, if its arithmetic is counted.
+    /// Its times next to those of the floors, if its arithmetic is counted, or to those of one thread, if it has more.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turns: Option<Turns>,
     /// All samples, in nanoseconds a pair, in the order they were taken.
@@ -77,7 +77,7 @@ impl Ratio {
 }
 
 impl Record for Benchmark {
-    const SCHEMA: &'static str = "beamgap-benchmark/3";
+    const SCHEMA: &'static str = "beamgap-benchmark/4";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -184,5 +184,28 @@ impl Measured {
             return Some(Ratio { value: 1.0, interval: [1.0; 2] });
         }
         Some(spread(&self.samples)?.over(&spread(&closed.samples)?).rounded())
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::{Measured, Turns};
+
+    /// A way with the standard pair.
+    pub(in super::super) fn measured(way: &str, turns: Option<Turns>) -> Measured {
+        Measured {
+            task: "all but the slips".to_owned(),
+            family: "hermite".to_owned(),
+            dofs: 24,
+            way: way.to_owned(),
+            pairs: 1,
+            median: 100.0,
+            interval: [90.0, 110.0],
+            ratio_to_closed_form: None,
+            error: 0.0,
+            share: 0.0,
+            turns,
+            samples: vec![100.0],
+        }
     }
 }

@@ -71,7 +71,7 @@ impl Benchmark {
     fn standard(&self, task: Task) -> Block {
         let rows = self.of(task).filter(|measured| measured.family == STANDARD).map(|measured| {
             let [low, high] = measured.interval.map(time);
-            let times = measured.ratio_to_closed_form.as_ref().map_or_else(String::new, Ratio::in_words);
+            let times = measured.ratio_to_closed_form.map_or_else(String::new, Ratio::in_words);
             let times = if measured.way == DENOMINATOR { "1".to_owned() } else { times };
             vec![
                 measured.way.clone(),
@@ -149,24 +149,34 @@ impl Benchmark {
     }
 
     fn many(&self) -> Vec<Block> {
-        let pairs = count(self.of(Task::AllOfMany).map(|of| of.pairs as u64).max().unwrap_or(0));
+        let pairs = || self.of(Task::AllOfMany).map(|of| of.pairs as u64);
+        let [most, least] = [pairs().max(), pairs().min()].map(|pairs| count(pairs.unwrap_or(0)));
         let rows =
             [Task::DistanceOfMany, Task::AllOfMany].into_iter().flat_map(|task| self.of(task)).map(|of| {
                 let [low, high] = of.interval.map(time);
                 let (interval, rate) = (format!("{low} to {high}"), plain(1e9 / of.median));
-                vec![of.task.clone(), of.way.clone(), time(of.median), interval, rate, verdict(of.share)]
+                let speed_up = of.speed_up().map_or_else(String::new, Ratio::in_words);
+                let (task, way, median) = (of.task.clone(), of.way.clone(), time(of.median));
+                vec![task, way, median, interval, rate, speed_up, verdict(of.share)]
             });
+        let head = [
+            "task",
+            "way",
+            "#time of a pair",
+            "#95 % interval",
+            "#pairs in a second",
+            "#times as many as one thread",
+            VERDICT,
+        ];
         vec![
             Block::heading("Many pairs"),
             Block::text(&format!(
-                "{pairs} pairs of Hermite beams, one by one or four in the lanes of a vector, each result written where the \
-                 last one was, as an assembly does that takes it from there; or by one call for all, each result in \
-                 memory of its own, which then waits for memory.",
+                "{most} pairs of Hermite beams, one by one or four in the lanes of a vector, each result written where the \
+                 last one was, as an assembly does that takes it from there; or {least} by one call, each result in memory of \
+                 its own, which then waits for memory. How many times as many pairs two threads do as one was measured \
+                 with both in turns, on two cores.",
             )),
-            Block::table(
-                &["task", "way", "#time of a pair", "#95 % interval", "#pairs in a second", VERDICT],
-                rows.collect(),
-            ),
+            Block::table(&head, rows.collect()),
         ]
     }
 
@@ -231,7 +241,7 @@ fn instructions(of: &Instructions) -> [Block; 3] {
 
 impl Ratio {
     /// The ratio with its interval.
-    fn in_words(&self) -> String {
+    fn in_words(self) -> String {
         let [low, high] = self.interval.map(plain);
         if self.is_different() {
             format!("**{}** ({low} to {high})", plain(self.value))

@@ -8,7 +8,7 @@ impl Benchmark {
     /// The sentences of the front page, none of them of numbers that are not in the record.
     pub fn claims(&self) -> Vec<String> {
         let mut claims = vec![self.closed_form(), self.automatic(), self.differences()];
-        claims.extend([self.closest_point(), self.growth()]);
+        claims.extend([self.threads(), self.closest_point(), self.growth()]);
         claims.extend(self.peers.as_ref().map(peers));
         claims
     }
@@ -28,6 +28,24 @@ impl Benchmark {
         format!(
             "Two Hermite beams, 24 dofs, on one core, in closed form: d with gradient and Hessian in {d} what its \
              arithmetic and stores would take if this machine did nothing else; all quantities but the slips in {all}."
+        )
+    }
+
+    fn threads(&self) -> String {
+        let tasks = [Task::DistanceOfMany, Task::AllOfMany];
+        let speed_ups = |to_memory: bool| {
+            let ways = tasks.into_iter().flat_map(|task| self.of(task));
+            let (least, most) = range(
+                ways.filter(|of| of.way.contains("to memory") == to_memory)
+                    .filter_map(Measured::speed_up)
+                    .map(|ratio| ratio.value),
+            );
+            format!("{} to {}", plain(least), plain(most))
+        };
+        format!(
+            "Two threads do {} times as many pairs as one, or {} times if each result goes to memory of its own.",
+            speed_ups(false),
+            speed_ups(true)
         )
     }
 

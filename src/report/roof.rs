@@ -50,21 +50,21 @@ impl Benchmark {
         let tasks = [(Task::Distance, 1), (Task::DistanceOfMany, 1), (Task::All, 5), (Task::AllOfMany, 5)];
         tasks.into_iter().flat_map(move |(task, quantities)| {
             self.of(task).filter_map(move |measured| {
-                let turns = measured.turns.as_ref()?;
                 // A quantity has a value and a gradient too.
                 let bytes = quantities * (measured.stored() + measured.dofs + 1) * size_of::<f64>();
-                let median = |of: fn([f64; 3]) -> f64| {
-                    let samples: Vec<f64> = turns.with_floors(number(bytes)).map(of).collect();
+                let (multiply_adds, turns) = measured.with_floors(number(bytes))?;
+                let median = |of: fn(&[f64; 3]) -> f64| {
+                    let samples: Vec<f64> = turns.iter().map(of).collect();
                     spread(&samples).map(|spread| spread.median)
                 };
                 Some(Below {
                     task,
                     measured,
-                    multiply_adds: turns.multiply_adds,
+                    multiply_adds,
                     bytes,
-                    time: median(|[time, ..]| time)?,
-                    floors: [median(|[_, floor, _]| floor)?, median(|[.., floor]| floor)?],
-                    times: median(|[time, floor, other]| time / floor.max(other))?,
+                    time: median(|[time, ..]| *time)?,
+                    floors: [median(|[_, floor, _]| *floor)?, median(|[.., floor]| *floor)?],
+                    times: median(|[time, floor, other]| time / floor.max(*other))?,
                 })
             })
         })
@@ -79,31 +79,14 @@ impl Benchmark {
 
 #[cfg(test)]
 mod tests {
-    use super::{Benchmark, Measured};
-    use crate::report::{Environment, Record, Turns};
-
-    fn measured(way: &str, turns: Option<Turns>) -> Measured {
-        Measured {
-            task: "all but the slips".to_owned(),
-            family: "hermite".to_owned(),
-            dofs: 24,
-            way: way.to_owned(),
-            pairs: 1,
-            median: 100.0,
-            interval: [90.0, 110.0],
-            ratio_to_closed_form: None,
-            error: 0.0,
-            share: 0.0,
-            turns,
-            samples: vec![100.0],
-        }
-    }
+    use crate::report::benchmark::tests::measured;
+    use crate::report::{Benchmark, Environment, Record, Turns};
 
     #[test]
     fn a_machine_that_slows_down_changes_no_ratio() {
         // Of 5 (300 + 24 + 1) numbers, at a byte in 0.01 and a multiply-add in 0.04 nanoseconds, then half as fast.
         let samples = vec![[800.0, 0.04, 0.01], [1600.0, 0.08, 0.02], [1600.0, 0.08, 0.02]];
-        let turns = Some(Turns { multiply_adds: 10_000, samples });
+        let turns = Some(Turns::Floors { multiply_adds: 10_000, samples });
         let scenarios = vec![measured("closed form", None), measured("closed form, packed", turns)];
         let (schema, environment) = (Benchmark::SCHEMA.to_owned(), Environment::here("by hand"));
         let benchmark = Benchmark { schema, environment, scenarios, instructions: None, peers: None };

@@ -225,7 +225,7 @@ fn what_criterion_left_is_read_and_what_it_should_not_hold_is_passed_over() {
     left.samples("closed form", 800.0);
     left.samples("hyper-dual", 160_000.0);
     left.samples("of an older version", 1.0);
-    let turns = Turns { multiply_adds: 1500, samples: vec![[812.5, 0.5, 0.25]] };
+    let turns = Turns::Floors { multiply_adds: 1500, samples: vec![[812.5, 0.5, 0.25]] };
     let of_closed_form = ("d/hermite, 24 dofs".to_owned(), "closed form".to_owned(), turns.clone());
     write_turns(&left.0, &[of_closed_form]).unwrap();
     let broken = left.0.join("broken/new");

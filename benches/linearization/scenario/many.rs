@@ -17,8 +17,9 @@ use std::sync::Arc;
 
 /// So many pairs of different shape, over and over.
 const DIFFERENT: usize = 8;
-/// So many in a run.
-const PAIRS: usize = 4096;
+/// So many in a run, and so many where each result has memory of its own.
+const PAIRS: usize = 131_072;
+const TO_MEMORY: usize = 4096;
 /// So many to a task of a thread, where the results stay in its cache.
 const CHUNK: usize = 128;
 
@@ -127,11 +128,12 @@ impl Many {
     fn to_memory<const K: usize>(&self, task: Task, threads: usize, batch: Batch<K>) -> Scenario {
         let (pairs, count) = (self.pairs.clone(), NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN));
         let runner = move || -> Runner {
-            let (pairs, mut to) = (pairs.clone(), vec![[Packed::zeros(); K]; PAIRS / 4]);
-            Box::new(move || batch(black_box(&pairs), black_box(&mut to), count))
+            let (pairs, mut to) = (pairs.clone(), vec![[Packed::zeros(); K]; TO_MEMORY / 4]);
+            Box::new(move || batch(black_box(&pairs[..TO_MEMORY]), black_box(&mut to), count))
         };
         let rows = self.rows_of_four(batch, count);
-        self.scenario::<K>((task, "closed form, to memory", threads), runner, rows)
+        let scenario = self.scenario::<K>((task, "closed form, to memory", threads), runner, rows);
+        Scenario { pairs: TO_MEMORY, ..scenario }
     }
 
     /// What a batch yields for one of the first pairs.
@@ -160,7 +162,7 @@ impl Many {
             let of_pair = |(i, judge): (usize, &Judge)| Error::of(&rows(i), &judge.truth()[..3 * K], |_| 0.0);
             judges.iter().enumerate().map(of_pair).fold(Error::NONE, Error::worse)
         };
-        let way = format!("{way}, {threads} {}", if threads == 1 { "thread" } else { "threads" });
+        let way = by_threads(way, threads);
         Scenario {
             task,
             family: Family::Hermite.name(),
@@ -172,6 +174,11 @@ impl Many {
             judge: Box::new(judge),
         }
     }
+}
+
+/// The name of a way by so many threads.
+pub(super) fn by_threads(way: &str, threads: usize) -> String {
+    format!("{way}, {threads} {}", if threads == 1 { "thread" } else { "threads" })
 }
 
 fn pool(threads: usize) -> ThreadPool {

@@ -63,6 +63,11 @@ impl Scenario {
         }
     }
 
+    /// The name of the same way by one thread, if this is one by two.
+    pub(crate) fn by_one_thread(&self) -> Option<String> {
+        Some(many::by_threads(self.way.strip_suffix(&many::by_threads("", 2))?, 1))
+    }
+
     /// The task and the beams, which the ways of a group have in common.
     pub(crate) fn group(&self) -> String {
         self.task.group(self.family, self.dofs)

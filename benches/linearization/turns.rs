@@ -1,0 +1,62 @@
+//! Ways in turns with what they are held against.
+
+use crate::floors::floors;
+use crate::scenario::{Runner, Scenario};
+use beamgap::report::Turns;
+use std::time::{Duration, Instant};
+
+/// How many turns there are.
+const TURNS: usize = 101;
+/// How long a turn is at least next to the floors.
+const SHORT: Duration = Duration::from_micros(100);
+/// The same with threads, which a system may leave on one core for some milliseconds after they wake.
+const LONG: Duration = Duration::from_millis(50);
+
+/// The turns of a scenario of the group: with the floors if its arithmetic is counted, with one thread if it has more.
+pub(crate) fn turns(scenario: &Scenario, group: &[Scenario]) -> Option<Turns> {
+    let timed = |scenario: &Scenario, turn| Timed::new(scenario.runner(), scenario.pairs, turn);
+    if let Some(multiply_adds) = scenario.multiply_adds {
+        let [multiply_add, store] = floors(SHORT);
+        let samples = in_turns([timed(scenario, SHORT), multiply_add, store]);
+        return Some(Turns::Floors { multiply_adds, samples });
+    }
+    let by_one = scenario.by_one_thread()?;
+    let by_one = group.iter().find(|other| other.way == by_one)?;
+    Some(Turns::OneThread { samples: in_turns([timed(scenario, LONG), timed(by_one, LONG)]) })
+}
+
+fn in_turns<const K: usize>(mut ways: [Timed; K]) -> Vec<[f64; K]> {
+    (0..TURNS).map(|_| ways.each_mut().map(Timed::turn)).collect()
+}
+
+/// What does so much in a run, run so many times a turn.
+pub(crate) struct Timed {
+    run: Runner,
+    amount: usize,
+    runs: u32,
+}
+
+impl Timed {
+    /// With as many runs as fill a turn.
+    pub(crate) fn new(run: Runner, amount: usize, turn: Duration) -> Self {
+        let mut timed = Self { run, amount, runs: 1 };
+        while timed.elapsed() < turn {
+            timed.runs *= 2;
+        }
+        timed
+    }
+
+    fn elapsed(&mut self) -> Duration {
+        let start = Instant::now();
+        for _ in 0..self.runs {
+            (self.run)();
+        }
+        start.elapsed()
+    }
+
+    /// The nanoseconds of one of what it does.
+    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+    fn turn(&mut self) -> f64 {
+        self.elapsed().as_nanos() as f64 / f64::from(self.runs) / self.amount as f64
+    }
+}

@@ -1,0 +1,71 @@
+//! Ways in turns: whatever changes the speed of the machine for longer than a turn changes all that take turns.
+
+use super::benchmark::{Measured, Ratio};
+use super::number::{number, rounded};
+use super::spread;
+use serde::{Deserialize, Serialize};
+
+/// What a way took its turns with, and the times of every turn in nanoseconds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "with", rename_all = "snake_case")]
+pub enum Turns {
+    /// Two kernels, one that multiplies and adds and one that stores.
+    Floors {
+        /// The multiply-adds of a pair.
+        multiply_adds: usize,
+        /// The time of a pair, of a multiply-add and of a byte stored.
+        samples: Vec<[f64; 3]>,
+    },
+    /// The same way by one thread.
+    OneThread {
+        /// The time of a pair by all threads, and by one.
+        samples: Vec<[f64; 2]>,
+    },
+}
+
+impl Turns {
+    /// With so many digits as a time has.
+    pub(super) fn rounded(self) -> Self {
+        fn all<const K: usize>(samples: Vec<[f64; K]>) -> Vec<[f64; K]> {
+            samples.into_iter().map(|turn| turn.map(|time| rounded(time, 5))).collect()
+        }
+        match self {
+            Self::Floors { multiply_adds, samples } => Self::Floors { multiply_adds, samples: all(samples) },
+            Self::OneThread { samples } => Self::OneThread { samples: all(samples) },
+        }
+    }
+}
+
+impl Measured {
+    /// The multiply-adds of a pair, and in each turn its time, and what they and so many bytes would take.
+    pub(super) fn with_floors(&self, bytes: f64) -> Option<(usize, Vec<[f64; 3]>)> {
+        let Some(Turns::Floors { multiply_adds, samples }) = &self.turns else { return None };
+        let amount = number(*multiply_adds);
+        let with_floors =
+            samples.iter().map(|&[time, of_one, of_byte]| [time, amount * of_one, bytes * of_byte]);
+        Some((*multiply_adds, with_floors.collect()))
+    }
+
+    /// How many times as many pairs as one thread it does: the median of the ratios of each turn.
+    pub(super) fn speed_up(&self) -> Option<Ratio> {
+        let Some(Turns::OneThread { samples }) = &self.turns else { return None };
+        let ratios: Vec<f64> = samples.iter().map(|[by_all, by_one]| by_one / by_all).collect();
+        spread(&ratios).map(|spread| Ratio { value: spread.median, interval: spread.interval })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ratio, Turns};
+    use crate::report::benchmark::tests::measured;
+
+    #[test]
+    fn threads_are_compared_turn_by_turn() {
+        // The machine is twice as slow in every other turn.
+        let samples = vec![[50.0, 95.0], [100.0, 190.0], [50.0, 80.0], [100.0, 195.0], [50.0, 95.0]];
+        let of = measured("closed form, 2 threads", Some(Turns::OneThread { samples }));
+        let Ratio { value, interval: [low, high] } = of.speed_up().unwrap();
+        assert_eq!([value, low, high].map(f64::to_bits), [1.9, 1.6, 1.95].map(f64::to_bits));
+        assert!(of.with_floors(1.0).is_none() && measured("closed form", None).speed_up().is_none());
+    }
+}
