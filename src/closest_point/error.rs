@@ -1,4 +1,4 @@
-//! The ways in which a half_square of one centroid onto the other can fail. None depends on the unit of length.
+//! The ways in which a projection of one centroid onto the other can fail. None depends on the unit of length.
 
 use thiserror::Error;
 
@@ -6,8 +6,8 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ProjectionError {
-    /// A position, a derivative, a bound or a start is infinite or not a number.
-    #[error("a curve, its bound or the start is not finite")]
+    /// A position, a derivative, a bound or a start is infinite or not a number, or a square of one is.
+    #[error("a curve, its bound or the start is not finite, or too large to be squared")]
     NonFinite,
     /// All points of one curve coincide, so that it has no tangent.
     #[error("the {} curve is a single point", if *.bar { "barred" } else { "first" })]

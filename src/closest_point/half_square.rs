@@ -60,6 +60,13 @@ impl HalfSquare {
         }
     }
 
+    /// Whether the squares of all numbers of both curves are finite, and with them the numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        let [bend, bend_bar] = self.bends;
+        let [twist, twist_bar] = self.twists;
+        (self.size2 + (bend + bend_bar) + (twist + twist_bar)).is_finite()
+    }
+
     /// D = a a_bar + b².
     #[doc(alias = "Eq. (52)")]
     pub fn determinant(&self) -> f64 {

@@ -1,6 +1,5 @@
 //! Newton's method for one stationary point.
 
-use super::tree::evaluate;
 use super::{Active, Centroid, ClosestPoint, HalfSquare, ProjectionError};
 use crate::curve::Geometry;
 
@@ -19,8 +18,9 @@ const REACH: f64 = 0.5;
 /// the point is a minimum is for [`ClosestPoint::kind`] to say.
 ///
 /// # Errors
-/// [`ProjectionError::NonFinite`] if the start or a curve is not finite, [`ProjectionError::Singular`] if the Hessian is
-/// exactly singular on the way, [`ProjectionError::NotConverged`] if the steps do not become small or end at an end.
+/// [`ProjectionError::NonFinite`] if the start, a curve or a square of its numbers is not finite,
+/// [`ProjectionError::Singular`] if the Hessian is exactly singular on the way, [`ProjectionError::NotConverged`] if
+/// the steps do not become small or end at an end.
 pub fn refine(
     beam: &dyn Centroid,
     bar: &dyn Centroid,
@@ -103,8 +103,11 @@ struct Iterate {
 impl Iterate {
     #[inline(always)]
     fn at(beam: &dyn Centroid, bar: &dyn Centroid, at: (f64, f64)) -> Result<Self, ProjectionError> {
-        let geometry = [evaluate(beam, at.0)?, evaluate(bar, at.1)?];
+        let geometry = [beam.geometry(at.0), bar.geometry(at.1)];
         let half_square = HalfSquare::new(&geometry[0], &geometry[1]);
+        if !half_square.is_finite() {
+            return Err(ProjectionError::NonFinite);
+        }
         Ok(Self { at, geometry, half_square, evaluated: true })
     }
 

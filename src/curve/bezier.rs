@@ -34,7 +34,7 @@ impl<const P: usize, const N: usize> Curve<N> for Bezier<P> {
         let half = T::from(0.5);
         let (u, v) = ((T::one() + xi) * half, (T::one() - xi) * half);
         // With both weights, so that the curve starts and ends in its control points to the last digit.
-        triangle(control_vectors::<T, P, N>(q), |_, _, [from, to]| from * v + to * u)
+        triangle(control_vectors::<T, P, N>(q), |_, _, point, to| *point = *point * v + to * u)
     }
 
     fn jet<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Jet<T, Shapes<T, P>> {

@@ -1,6 +1,6 @@
 //! One span of a B-spline of any degree.
 
-use super::shapes::{by_order, control_vectors, count, divided, times_linear, triangle};
+use super::shapes::{by_order, control_vectors, count, go, times_linear, triangle};
 use super::{Curve, CurveError, Jet, Shapes};
 use crate::number::Real;
 use nalgebra::{SVector, Vector3};
@@ -78,9 +78,9 @@ impl<const P: usize> BSpline<P> {
         points: [SVector<T, D>; P],
         xi: T,
     ) -> SVector<T, D> {
-        triangle(points, |level, i, points| {
+        triangle(points, |level, i, point, to| {
             let (left, right) = (T::from(self.left[P - 1 - level - i]), T::from(self.right[i]));
-            divided(points, (xi - left) / (right - left))
+            go(point, to, (xi - left) / (right - left));
         })
     }
 

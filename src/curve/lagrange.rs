@@ -1,6 +1,6 @@
 //! Lagrange interpolation: the curve through `P` nodes that stand at equal distances of xi.
 
-use super::shapes::{by_order, control_vectors, count, divided, times, times_linear, triangle};
+use super::shapes::{by_order, control_vectors, count, go, times, times_linear, triangle};
 use super::{Curve, Jet, Shapes};
 use crate::number::Real;
 use nalgebra::{SVector, Vector3};
@@ -64,11 +64,11 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
 
     fn position<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Vector3<T> {
         let (s, _) = Self::stretched(xi);
-        triangle(control_vectors::<T, P, N>(q), |level, i, points| {
+        triangle(control_vectors::<T, P, N>(q), |level, i, point, to| {
             let (away, width) = (s - T::from(count(i)), count(level));
             // By a power of two one may as well multiply.
             let u = if level.is_power_of_two() { away * T::from(1.0 / width) } else { away / T::from(width) };
-            divided(points, u)
+            go(point, to, u);
         })
     }
 

@@ -31,8 +31,8 @@ impl<T: Real, const P: usize> Shapes<T, P> {
 #[inline(always)]
 pub(super) fn combine<T: Real, const P: usize, const N: usize>(n: &[T; P], q: &SVector<T, N>) -> Vector3<T> {
     const { assert!(N == 3 * P, "a curve of P control vectors has 3 P dofs") };
-    let mut sum = Vector3::zeros();
-    for (i, &n) in n.iter().enumerate() {
+    let mut sum = Vector3::from_fn(|c, _| q[c] * n[0]);
+    for (i, &n) in n.iter().enumerate().skip(1) {
         for c in 0..3 {
             sum[c] += q[3 * i + c] * n;
         }
@@ -47,24 +47,29 @@ pub(super) fn control_vectors<T: Real, const P: usize, const N: usize>(q: &SVect
 }
 
 /// Repeated linear interpolation, the scheme of Neville, de Casteljau and de Boor: at every level m = 1, 2, .. point i
-/// becomes `between(m, i, [it, its right neighbour])`, until one point is left.
+/// moves towards its right neighbour, `towards(m, i, it, its neighbour)`, until one point is left.
+///
+/// Each where it is: vectors of dual numbers are kilobytes, and copied slowly.
 pub(super) fn triangle<T: Real, const D: usize, const P: usize>(
     mut points: [SVector<T, D>; P],
-    between: impl Fn(usize, usize, [SVector<T, D>; 2]) -> SVector<T, D>,
+    towards: impl Fn(usize, usize, &mut SVector<T, D>, &SVector<T, D>),
 ) -> SVector<T, D> {
     const { assert!(P > 0, "a curve has at least one control vector") };
     for level in 1..P {
         for i in 0..P - level {
-            points[i] = between(level, i, [points[i], points[i + 1]]);
+            let (before, after) = points.split_at_mut(i + 1);
+            towards(level, i, &mut before[i], &after[0]);
         }
     }
     points[0]
 }
 
-/// The point that divides the line between two by the fraction `u`, with one product.
+/// Moves a point towards another by the fraction `u` of the way, with one product.
 #[inline]
-pub(super) fn divided<T: Real, const D: usize>([from, to]: [SVector<T, D>; 2], u: T) -> SVector<T, D> {
-    from + (to - from) * u
+pub(super) fn go<T: Real, const D: usize>(point: &mut SVector<T, D>, to: &SVector<T, D>, u: T) {
+    let from: &SVector<T, D> = point;
+    let way = (to - from) * u;
+    *point += way;
 }
 
 /// f times g, both by value and derivatives up to the third, by Leibniz' rule.

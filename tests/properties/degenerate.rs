@@ -235,6 +235,14 @@ fn input_that_is_not_finite() {
         assert_eq!(refine(&x, &bar, (0.0, 0.0), Active::default()), Err(ProjectionError::NonFinite));
         assert_eq!(refine(&x, &x, (bad, 0.0), Active::default()), Err(ProjectionError::NonFinite));
     }
+    // Finite, but their squares are not.
+    for huge in
+        [line([0.0, 0.0, 1e155], [0.0, 1.0, 0.0], -1.0, 1.0), line([0.0; 3], [0.0, 1e155, 0.0], -1.0, 1.0)]
+    {
+        assert_eq!(refine(&x, &huge, (0.0, 0.5), Active::default()), Err(ProjectionError::NonFinite));
+        assert_eq!(refine(&huge, &x, (0.5, 0.0), Active::default()), Err(ProjectionError::NonFinite));
+        assert_eq!(closest_points(&x, &huge, &Search::default()), Err(ProjectionError::NonFinite));
+    }
 }
 
 #[test]
