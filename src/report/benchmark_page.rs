@@ -149,8 +149,9 @@ impl Benchmark {
     }
 
     fn many(&self) -> Vec<Block> {
-        let pairs = || self.of(Task::AllOfMany).map(|of| of.pairs as u64);
-        let [most, least] = [pairs().max(), pairs().min()].map(|pairs| count(pairs.unwrap_or(0)));
+        let pairs = |task| self.of(task).map(|of| of.pairs as u64);
+        let most = count(pairs(Task::AllOfMany).max().unwrap_or(0));
+        let [d, all] = [Task::DistanceOfMany, Task::AllOfMany].map(|of| count(pairs(of).min().unwrap_or(0)));
         let rows =
             [Task::DistanceOfMany, Task::AllOfMany].into_iter().flat_map(|task| self.of(task)).map(|of| {
                 let [low, high] = of.interval.map(time);
@@ -172,9 +173,10 @@ impl Benchmark {
             Block::heading("Many pairs"),
             Block::text(&format!(
                 "{most} pairs of Hermite beams, one by one or four in the lanes of a vector, each result written where the \
-                 last one was, as an assembly does that takes it from there; or {least} by one call, each result in memory of \
-                 its own, which then waits for memory. How many times as many pairs two threads do as one was measured \
-                 with both in turns, on two cores.",
+                 last one was, as an assembly does that takes it from there; or by one call, {d} for d and {all} for all, each \
+                 result in memory of its own, which then waits for memory. How many times as many pairs two threads do \
+                 as one was measured with both in turns, on {} cores.",
+                self.environment.cores
             )),
             Block::table(&head, rows.collect()),
         ]

@@ -17,9 +17,10 @@ use std::sync::Arc;
 
 /// So many pairs of different shape, over and over.
 const DIFFERENT: usize = 8;
-/// So many in a run, and so many where each result has memory of its own.
+/// So many in a run.
 const PAIRS: usize = 131_072;
-const TO_MEMORY: usize = 4096;
+/// So many quantities where each result has memory of its own: 98 MB, more than a cache has.
+const TO_MEMORY: usize = 40_960;
 /// So many to a task of a thread, where the results stay in its cache.
 const CHUNK: usize = 128;
 
@@ -127,13 +128,14 @@ impl Many {
     /// The whole batch by one call, each result in memory of its own.
     fn to_memory<const K: usize>(&self, task: Task, threads: usize, batch: Batch<K>) -> Scenario {
         let (pairs, count) = (self.pairs.clone(), NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN));
+        let many = TO_MEMORY / K;
         let runner = move || -> Runner {
-            let (pairs, mut to) = (pairs.clone(), vec![[Packed::zeros(); K]; TO_MEMORY / 4]);
-            Box::new(move || batch(black_box(&pairs[..TO_MEMORY]), black_box(&mut to), count))
+            let (pairs, mut to) = (pairs.clone(), vec![[Packed::zeros(); K]; many / 4]);
+            Box::new(move || batch(black_box(&pairs[..many]), black_box(&mut to), count))
         };
         let rows = self.rows_of_four(batch, count);
         let scenario = self.scenario::<K>((task, "closed form, to memory", threads), runner, rows);
-        Scenario { pairs: TO_MEMORY, ..scenario }
+        Scenario { pairs: many, ..scenario }
     }
 
     /// What a batch yields for one of the first pairs.
