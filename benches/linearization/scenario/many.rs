@@ -19,7 +19,7 @@ use std::sync::Arc;
 const DIFFERENT: usize = 8;
 /// So many in a run.
 const PAIRS: usize = 131_072;
-/// So many quantities where each result has memory of its own: 98 MB, more than a cache has.
+/// So many quantities where each result has memory of its own: 98 MB, far more than the caches of one core.
 const TO_MEMORY: usize = 40_960;
 /// So many to a task of a thread, where the results stay in its cache.
 const CHUNK: usize = 128;
