@@ -105,7 +105,15 @@ pub(super) trait Arithmetic<T: Real>: Copy {
         dofs
     }
 
-    /// Calls `f` with every control vector of a beam of `L` dofs, and each of its axes in turn.
+    /// Calls `f` with every control vector of a beam of `L` dofs.
+    #[inline(always)]
+    fn each_vector<const L: usize>(self, mut f: impl FnMut(usize)) {
+        for a in 0..L / 3 {
+            f(a);
+        }
+    }
+
+    /// Calls `f` with every control vector and axis, of a control vector with one axis after the other.
     #[inline(always)]
     fn each<const L: usize>(self, mut f: impl FnMut(usize, usize)) {
         for a in 0..L / 3 {

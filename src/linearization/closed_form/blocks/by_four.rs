@@ -121,6 +121,36 @@ impl Arithmetic<f64> for ByFour {
         spread
     }
 
+    /// The first ones by themselves, as most beams have no more: how long the rows of each are is known to the compiler.
+    #[inline(always)]
+    fn each_vector<const L: usize>(self, mut f: impl FnMut(usize)) {
+        if L >= 3 {
+            f(0);
+        }
+        if L >= 6 {
+            f(1);
+        }
+        if L >= 9 {
+            f(2);
+        }
+        if L >= 12 {
+            f(3);
+        }
+        for a in 4..L / 3 {
+            f(a);
+        }
+    }
+
+    #[inline(always)]
+    fn each<const L: usize>(self, mut f: impl FnMut(usize, usize)) {
+        for i in 0..3 {
+            self.each_vector::<L>(
+                #[inline(always)]
+                |a| f(a, i),
+            );
+        }
+    }
+
     #[inline(always)]
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,

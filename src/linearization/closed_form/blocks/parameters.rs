@@ -77,20 +77,26 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
             let components = [d[i], u[i], u_bar[i]];
             parameter.set(f, &mut rows, (i, components), (beam, g), &along, -x);
             parameter.set(f, &mut rows_bar, (i, components), (bar, g_bar), &along_bar, -y);
-            for a in 0..N / 3 {
-                let r = 3 * a + i;
-                let [s, s_xi, bend] = [beam.shapes.n[r], beam.shapes.n_xi[r], bend[r]];
-                let (row, row_bar) = to.row(r);
-                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi), (bend, g.xi)]);
-                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi), (bend, g_bar.xi)]);
-            }
-            for a in 0..M / 3 {
-                let r = 3 * a + i;
-                let [s, s_xi, bend] = [bar.shapes.n[r], bar.shapes.n_xi[r], bend_bar[r]];
-                let (row, row_bar) = to.row_bar(r);
-                f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi_bar), (bend, g.xi_bar)]);
-                f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi_bar), (bend, g_bar.xi_bar)]);
-            }
+            f.each_vector::<N>(
+                #[inline(always)]
+                |a| {
+                    let r = 3 * a + i;
+                    let [s, s_xi, bend] = [beam.shapes.n[r], beam.shapes.n_xi[r], bend[r]];
+                    let (row, row_bar) = to.row(a, i);
+                    f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi), (bend, g.xi)]);
+                    f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi), (bend, g_bar.xi)]);
+                },
+            );
+            f.each_vector::<M>(
+                #[inline(always)]
+                |a| {
+                    let r = 3 * a + i;
+                    let [s, s_xi, bend] = [bar.shapes.n[r], bar.shapes.n_xi[r], bend_bar[r]];
+                    let (row, row_bar) = to.row_bar(a, i);
+                    f.set(row, [], [(s, &rows.hat), (s_xi, &rows.xi_bar), (bend, g.xi_bar)]);
+                    f.set(row_bar, [], [(s, &rows_bar.hat), (s_xi, &rows_bar.xi_bar), (bend, g_bar.xi_bar)]);
+                },
+            );
         }
     }
 }

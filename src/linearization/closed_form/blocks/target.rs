@@ -17,14 +17,14 @@ pub trait Target<T, const N: usize, const M: usize> {
     /// The gradient, beam and bar beam.
     fn gradient(&mut self) -> (&mut [T], &mut [T]);
 
-    /// The row of the Hessian that belongs to dof `i` of the beam.
+    /// The row of the Hessian that belongs to coordinate `i` of the beam's control vector `a`.
     ///
-    /// Of a control vector the rows of x, y and z are asked for in this order, again and again: what a row is given beyond
-    /// its own end, in memory of those after it, is written over by these.
-    fn row(&mut self, i: usize) -> (&mut [T], &mut [T]);
+    /// Its lengths depend on `a` alone. Of a control vector the rows of x, y and z are asked for in this order, again and
+    /// again: what a row is given beyond its own end, in memory of those after it, is written over by these.
+    fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
 
-    /// The row of the Hessian that belongs to dof `i` of the bar beam.
-    fn row_bar(&mut self, i: usize) -> (&mut [T], &mut [T]);
+    /// The row of the Hessian that belongs to coordinate `i` of the bar beam's control vector `a`.
+    fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
 }
 
 /// The blocks of both beams and the one between them.
@@ -43,13 +43,13 @@ impl<T: Real, const N: usize, const M: usize> Target<T, N, M> for Expansion<T, N
 
     /// The block between the beams is written with the bar beam's rows, as it lies in memory.
     #[inline(always)]
-    fn row(&mut self, i: usize) -> (&mut [T], &mut [T]) {
-        (&mut self.hessian.beam.data.0[i], &mut [])
+    fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        (&mut self.hessian.beam.data.0[3 * a + i], &mut [])
     }
 
     #[inline(always)]
-    fn row_bar(&mut self, i: usize) -> (&mut [T], &mut [T]) {
-        (&mut self.hessian.mixed.data.0[i], &mut self.hessian.bar.data.0[i])
+    fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        (&mut self.hessian.mixed.data.0[3 * a + i], &mut self.hessian.bar.data.0[3 * a + i])
     }
 }
 
@@ -89,13 +89,13 @@ impl<T: Real, const N: usize, const M: usize, const S: usize> Target<T, N, M> fo
     }
 
     #[inline(always)]
-    fn row(&mut self, i: usize) -> (&mut [T], &mut [T]) {
-        self.hessian[i].split_at_mut(N)
+    fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        self.hessian[3 * a + i].split_at_mut(N)
     }
 
     #[inline(always)]
-    fn row_bar(&mut self, i: usize) -> (&mut [T], &mut [T]) {
-        self.hessian[N + i].split_at_mut(N)
+    fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        self.hessian[N + 3 * a + i].split_at_mut(N)
     }
 }
 
@@ -113,19 +113,6 @@ pub struct Packed<T, const S: usize, const H: usize> {
 }
 
 impl<T: Real, const S: usize, const H: usize> Packed<T, S, H> {
-    /// Where the rows start, and where they end with the last control vector that they have dofs of.
-    const ROWS: [(usize, usize); S] = {
-        let mut rows = [(0, 0); S];
-        let mut i = 0;
-        while i < S {
-            let start = i * (i + 1) / 2;
-            let whole = i - i % 3 + 3;
-            rows[i] = (start, start + if whole < S { whole } else { S });
-            i += 1;
-        }
-        rows
-    };
-
     /// Zeros, to be written over.
     pub fn zeros() -> Self {
         Self { hessian: [T::zero(); H], gradient: [T::zero(); S], value: T::zero() }
@@ -137,11 +124,14 @@ impl<T: Real, const S: usize, const H: usize> Packed<T, S, H> {
         self.hessian[i * (i + 1) / 2 + j]
     }
 
-    /// The row of a dof as far as the diagonal, and on to the end of its control vector.
+    /// The row of coordinate `i` of control vector `a` of the beam after so many dofs, as far as the diagonal and on to the
+    /// end of the control vector.
     #[inline(always)]
-    fn row_of(&mut self, i: usize) -> &mut [T] {
-        let (start, end) = Self::ROWS[i];
-        self.hessian.get_mut(start..end).unwrap_or_default()
+    fn row_after(&mut self, dofs: usize, a: usize, i: usize) -> &mut [T] {
+        let first = dofs + 3 * a;
+        let r = first + i;
+        let start = r * (r + 1) / 2;
+        self.hessian.get_mut(start..start + (first + 3).min(S)).unwrap_or_default()
     }
 }
 
@@ -162,13 +152,13 @@ impl<T: Real, const N: usize, const M: usize, const S: usize, const H: usize> Ta
     }
 
     #[inline(always)]
-    fn row(&mut self, i: usize) -> (&mut [T], &mut [T]) {
-        (self.row_of(i), &mut [])
+    fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        (self.row_after(0, a, i), &mut [])
     }
 
     #[inline(always)]
-    fn row_bar(&mut self, i: usize) -> (&mut [T], &mut [T]) {
-        self.row_of(N + i).split_at_mut_checked(N).unwrap_or_default()
+    fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        self.row_after(N, a, i).split_at_mut_checked(N).unwrap_or_default()
     }
 }
 
@@ -204,12 +194,12 @@ impl<T: Real, const N: usize, const M: usize, const S: usize> Target<T, N, M> fo
     }
 
     #[inline(always)]
-    fn row(&mut self, _: usize) -> (&mut [T], &mut [T]) {
+    fn row(&mut self, _: usize, _: usize) -> (&mut [T], &mut [T]) {
         Default::default()
     }
 
     #[inline(always)]
-    fn row_bar(&mut self, _: usize) -> (&mut [T], &mut [T]) {
+    fn row_bar(&mut self, _: usize, _: usize) -> (&mut [T], &mut [T]) {
         Default::default()
     }
 }
@@ -232,14 +222,14 @@ impl<T, W: Target<T, N, M>, const N: usize, const M: usize> Target<T, M, N> for 
     }
 
     #[inline(always)]
-    fn row(&mut self, i: usize) -> (&mut [T], &mut [T]) {
-        let (beam, bar) = self.0.row_bar(i);
+    fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        let (beam, bar) = self.0.row_bar(a, i);
         (bar, beam)
     }
 
     #[inline(always)]
-    fn row_bar(&mut self, i: usize) -> (&mut [T], &mut [T]) {
-        let (beam, bar) = self.0.row(i);
+    fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        let (beam, bar) = self.0.row(a, i);
         (bar, beam)
     }
 }
@@ -272,9 +262,9 @@ pub(super) fn fill<T: Real, W: Real, const N: usize, const M: usize>(
         copy(row_bar, &|j| from.hessian.entry(i, N + j));
     };
     for i in 0..N {
-        row(i, to.row(i));
+        row(i, to.row(i / 3, i % 3));
     }
     for i in 0..M {
-        row(N + i, to.row_bar(i));
+        row(N + i, to.row_bar(i / 3, i % 3));
     }
 }
