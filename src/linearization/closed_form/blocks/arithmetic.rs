@@ -66,9 +66,6 @@ pub(super) trait Arithmetic<T: Real>: Copy {
     /// A vector over and over.
     fn tile(self, v: Self::Vector) -> Self::Tile;
 
-    /// The unit vector along an axis, times `factor`, over and over.
-    fn tile_along(self, axis: usize, factor: T) -> Self::Tile;
-
     /// Shape functions, each times `sign`, spread over their dofs.
     fn spread<const L: usize>(self, shapes: &[T], sign: T) -> Dofs<T, L>;
 
@@ -92,6 +89,22 @@ pub(super) trait Arithmetic<T: Real>: Copy {
         spread: [(&Dofs<T, L>, Self::Tile); J],
         sum: [(T, &Dofs<T, L>); K],
     );
+
+    /// Sets `to` to the sum of the factors times vectors over the dofs in `sum`, and of the shape functions times the factor
+    /// in the dofs along one axis.
+    #[inline(always)]
+    fn set_along<const L: usize, const K: usize>(
+        self,
+        to: &mut Dofs<T, L>,
+        (shapes, axis, factor): (&Dofs<T, L>, usize, T),
+        sum: [(T, &Dofs<T, L>); K],
+    ) {
+        self.set(to, [], sum);
+        let ((to, _), (shapes, _)) = (to.as_chunks_mut::<3>(), shapes.as_chunks::<3>());
+        for (to, shapes) in to.iter_mut().zip(shapes) {
+            to[axis % 3] = self.mul_add(factor, shapes[axis % 3], to[axis % 3]);
+        }
+    }
 
     /// Those sums for all dofs of a beam.
     #[inline(always)]
@@ -209,13 +222,6 @@ impl<T: Real> Arithmetic<T> for ByOne {
 
     #[inline(always)]
     fn tile(self, v: [T; 3]) -> [T; 3] {
-        v
-    }
-
-    #[inline(always)]
-    fn tile_along(self, axis: usize, factor: T) -> [T; 3] {
-        let mut v = [T::zero(); 3];
-        v[axis] = factor;
         v
     }
 

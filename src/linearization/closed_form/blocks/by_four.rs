@@ -87,15 +87,22 @@ impl Arithmetic<f64> for ByFour {
         ]
     }
 
+    /// In one pass: what is stored and loaded again four by four is waited for.
     #[inline(always)]
-    fn tile_along(self, axis: usize, factor: f64) -> [f64x4<Avx2>; 3] {
+    fn set_along<const L: usize, const K: usize>(
+        self,
+        to: &mut Dofs<f64, L>,
+        (shapes, axis, factor): (&Dofs<f64, L>, usize, f64),
+        sum: [(f64, &Dofs<f64, L>); K],
+    ) {
         let factor = self.splat(factor);
         let [first, second, third] = AXES[axis % 3];
-        [
+        let tile = [
             factor * f64x4::load_array(self.0, first),
             factor * f64x4::load_array(self.0, second),
             factor * f64x4::load_array(self.0, third),
-        ]
+        ];
+        self.set(to, [(shapes, tile)], sum);
     }
 
     #[inline(always)]

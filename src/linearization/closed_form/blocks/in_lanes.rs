@@ -102,13 +102,6 @@ impl Arithmetic<Lanes> for InLanes {
     }
 
     #[inline(always)]
-    fn tile_along(self, axis: usize, factor: Lanes) -> [Four; 3] {
-        let mut v = [Lanes([0.0; 4]); 3];
-        v[axis] = factor;
-        self.vector(v)
-    }
-
-    #[inline(always)]
     fn spread<const L: usize>(self, shapes: &[Lanes], sign: Lanes) -> Dofs<Lanes, L> {
         let mut spread = Dofs::zeros();
         for (to, shape) in spread.chunks_exact_mut(3).zip(shapes) {

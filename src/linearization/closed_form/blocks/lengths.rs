@@ -38,9 +38,9 @@ pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const 
         return;
     }
     // (t,ξ·t,ξ − κ²)/t is the part of t,ξ across t, times t,ξ: no cancellation.
-    let bend = f.times(inverse, f.times_plus(-kappa, w, *t_xi));
-    let in_g = f.dot(w, *t_xixi) + f.dot(bend, *t_xi);
-    let b: Dofs<T, N> = f.dofs([(s_xixi, tile), (s_xi, f.tile(bend))], []);
+    let across = f.times(inverse, f.times_plus(-kappa, w, *t_xi));
+    let in_g = f.dot(w, *t_xixi) + f.dot(across, *t_xi);
+    let b: Dofs<T, N> = f.dofs([(s_xixi, tile), (s_xi, f.tile(across))], []);
     let m: Dofs<T, N> = f.dofs([], [(one, &b), (in_g, g)]);
     let m_other: Dofs<T, M> = f.dofs([], [(in_g, g_other)]);
     // The rows of A₁ᵀ(I − wwᵀ)A₁/t that belong to u,ξ
@@ -49,15 +49,14 @@ pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const 
         #[inline(always)]
         |i| f.dofs([(s_xi, f.tile(f.times_plus(by_w[i], w, f.along(i, inverse))))], []),
     );
-    let across = [&x, &y, &z];
     f.each_vector::<N>(
         #[inline(always)]
         |a| {
-            for i in 0..3 {
+            for (i, across) in [&x, &y, &z].into_iter().enumerate() {
                 let r = 3 * a + i;
                 let (from, from_other) = of_parameter.row(a, i);
                 let (row, row_other) = to.row(a, i);
-                f.set_from(row, [(kappa, from)], [], [(g[r], &m), (b[r], g), (s_xi[r], across[i])]);
+                f.set_from(row, [(kappa, from)], [], [(g[r], &m), (b[r], g), (s_xi[r], across)]);
                 f.set_from(row_other, [(kappa, from_other)], [], [(m[r], g_other)]);
             }
         },

@@ -24,12 +24,12 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     pub(super) fn write_xi<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
         &self,
         f: A,
-        at: T,
+        (at, bending): (T, &Bending<T>),
         xi: &mut W,
         t: &mut W,
     ) {
         let Self { beam, g, g_bar, inverse: [p, q, _], u, .. } = self;
-        self.write_parameter(f, at, (g.xi, g_bar.xi), ([*p, *q], *u), xi);
+        self.write_parameter(f, (at, bending), (g.xi, g_bar.xi), ([*p, *q], *u), xi);
         write_length(f, beam, (g.xi, g_bar.xi), xi, t);
     }
 
@@ -38,13 +38,19 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     pub(super) fn write_xi_bar<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
         &self,
         f: A,
-        at: T,
+        (at, bending): (T, &Bending<T>),
         xi_bar: &mut W,
         t_bar: &mut W,
     ) {
         let Self { bar, g, g_bar, inverse: [_, q, q_bar], u_bar, .. } = self;
         let minus_u_bar = f.times(-T::one(), *u_bar);
-        self.write_parameter(f, at, (g.xi_bar, g_bar.xi_bar), ([-*q, *q_bar], minus_u_bar), xi_bar);
+        self.write_parameter(
+            f,
+            (at, bending),
+            (g.xi_bar, g_bar.xi_bar),
+            ([-*q, *q_bar], minus_u_bar),
+            xi_bar,
+        );
         write_length(f, bar, (g_bar.xi_bar, g.xi_bar), &mut Swapped(xi_bar), &mut Swapped(t_bar));
     }
 
@@ -53,7 +59,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     fn write_parameter<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
         &self,
         f: A,
-        at: T,
+        (at, bending): (T, &Bending<T>),
         (of_beam, of_bar): (&Dofs<T, N>, &Dofs<T, M>),
         ([x, y], m): ([T; 2], V),
         to: &mut W,
@@ -67,7 +73,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         }
         let Self { beam, bar, g, g_bar, .. } = self;
         let (d, u, u_bar) = (f.components(self.d), f.components(self.u), f.components(self.u_bar));
-        let parameter = Parameter::new(f, self, ([x, y], m));
+        let parameter = Parameter::new(f, (self, bending), ([x, y], m));
         let (along, along_bar) = parameter.along(f, self);
         // −x d·δᵤu,ξξ and −y d·δᵤū,ξ̄ξ̄
         let bend: Dofs<T, N> = f.dofs([(beam.shapes.n_xixi, f.tile(parameter.bend))], []);
@@ -98,6 +104,30 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
                 },
             );
         }
+    }
+}
+
+/// What both parameters take of the bending of the beams.
+pub(super) struct Bending<T> {
+    /// t·t,ξ + d·t,ξξ/2 and −t̄·t̄,ξ̄ + d·t̄,ξ̄ξ̄/2.
+    own: T,
+    own_bar: T,
+    /// t̄·t,ξ and t·t̄,ξ̄.
+    other: T,
+    other_bar: T,
+}
+
+impl<T: Real> Bending<T> {
+    #[inline(always)]
+    pub(super) fn new<A: Arithmetic<T>, const N: usize, const M: usize>(
+        f: A,
+        frame: &Frame<'_, T, A::Vector, N, M>,
+    ) -> Self {
+        let Frame { beam, bar, d, .. } = frame;
+        let half = <T as From<f64>>::from(0.5);
+        let own = f.mul_add(half, f.dot(*d, beam.t_xixi), f.dot(beam.t, beam.t_xi));
+        let own_bar = f.mul_add(half, f.dot(*d, bar.t_xixi), -f.dot(bar.t, bar.t_xi));
+        Self { own, own_bar, other: f.dot(bar.t, beam.t_xi), other_bar: f.dot(beam.t, bar.t_xi) }
     }
 }
 
@@ -159,18 +189,17 @@ impl<T: Real, V: Copy> Parameter<T, V> {
     #[inline(always)]
     fn new<A: Arithmetic<T, Vector = V>, const N: usize, const M: usize>(
         f: A,
-        frame: &Frame<'_, T, V, N, M>,
+        (frame, bending): (&Frame<'_, T, V, N, M>, &Bending<T>),
         ([x, y], m): ([T; 2], V),
     ) -> Self {
         let Frame { beam, bar, d, inverse: [p, q, q_bar], u, u_bar, .. } = frame;
         let (p, q, q_bar, d, u, u_bar) = (*p, *q, *q_bar, *d, *u, *u_bar);
         let half = <T as From<f64>>::from(0.5);
+        let Bending { own, own_bar, other, other_bar } = *bending;
         // The multiples of g and ḡ in w and w̄: those in α, β, ᾱ and β̄.
-        let straight = f.mul_add(half, f.dot(d, beam.t_xixi), f.dot(beam.t, beam.t_xi));
-        let straight_bar = f.mul_add(half, f.dot(d, bar.t_xixi), -f.dot(bar.t, bar.t_xi));
-        let g = f.mul_add(half, f.dot(m, beam.t_xi), -(x * straight));
-        let bar_g_bar = -f.mul_add(half, f.dot(m, bar.t_xi), y * straight_bar);
-        let (g_bar, bar_g) = (x * f.dot(bar.t, beam.t_xi), -(y * f.dot(beam.t, bar.t_xi)));
+        let g = f.mul_add(half, f.dot(m, beam.t_xi), -(x * own));
+        let bar_g_bar = -f.mul_add(half, f.dot(m, bar.t_xi), y * own_bar);
+        let (g_bar, bar_g) = (x * other, -(y * other_bar));
         let (in_beam, in_bar) = (f.mul_add(g_bar, q, -(g * p)), -f.mul_add(g_bar, q_bar, g * q));
         let w = [
             f.combined([(-x, beam.t_xi), (g, u), (-g_bar, u_bar)]),
@@ -227,8 +256,8 @@ impl<T: Real, V: Copy> Parameter<T, V> {
         let hat = [(u, &along.w), (-u_bar, &along.w_bar), (w[0][i], g), (w_bar[0][i], g_bar)];
         let xi = [(d, &along.v), (w[1][i], g), (w_bar[1][i], g_bar)];
         let xi_bar = [(d, &along.v_bar), (w[2][i], g), (w_bar[2][i], g_bar)];
-        f.set(&mut rows.hat, [(s_xi, f.tile_along(i, along_tangent))], hat);
-        f.set(&mut rows.xi, [(s, f.tile_along(i, -self.x))], xi);
-        f.set(&mut rows.xi_bar, [(s, f.tile_along(i, -self.y))], xi_bar);
+        f.set_along(&mut rows.hat, (s_xi, i, along_tangent), hat);
+        f.set_along(&mut rows.xi, (s, i, -self.x), xi);
+        f.set_along(&mut rows.xi_bar, (s, i, -self.y), xi_bar);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::arithmetic::Arithmetic;
 use super::frame::Frame;
+use super::parameters::Bending;
 use super::target::{Target, copy};
 use crate::curve::DofDerivatives;
 use crate::linearization::Linearization;
@@ -61,8 +62,9 @@ impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, 
     #[inline(always)]
     fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, at: (T, T)) {
         frame.write_d(f, self.d);
-        frame.write_xi(f, at.0, self.xi, self.t);
-        frame.write_xi_bar(f, at.1, self.xi_bar, self.t_bar);
+        let bending = Bending::new(f, frame);
+        frame.write_xi(f, (at.0, &bending), self.xi, self.t);
+        frame.write_xi_bar(f, (at.1, &bending), self.xi_bar, self.t_bar);
     }
 
     fn copy(
