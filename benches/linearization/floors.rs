@@ -20,6 +20,26 @@ pub(crate) fn floors(turn: Duration) -> [Timed; 2] {
     [Timed::new(chains, CHAINS * LENGTH * 4, turn), Timed::new(stores, NUMBERS * size_of::<f64>(), turn)]
 }
 
+/// How often a thread runs its chains before it ends: some milliseconds, in which starting it does not show.
+const RUNS: usize = 1 << 15;
+
+/// Multiply-adds alone by so many threads, in turns of such a length, for one of them.
+pub(crate) fn multiply_adds_by(threads: usize, turn: Duration) -> Timed {
+    let run = || {
+        let [mut chains, _] = kernels();
+        (0..RUNS).for_each(|_| chains());
+    };
+    let by_all = move || {
+        std::thread::scope(|scope| {
+            for _ in 1..threads {
+                scope.spawn(run);
+            }
+            run();
+        });
+    };
+    Timed::new(Box::new(by_all), threads * RUNS * CHAINS * LENGTH * 4, turn)
+}
+
 /// Multiply-adds, and stores, as fast as this machine can.
 fn kernels() -> [Runner; 2] {
     let mut numbers = Numbers([0.0; NUMBERS]);

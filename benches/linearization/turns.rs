@@ -1,6 +1,6 @@
 //! Ways in turns with what they are held against.
 
-use crate::floors::floors;
+use crate::floors::{floors, multiply_adds_by};
 use crate::scenario::{Runner, Scenario};
 use beamgap::report::Turns;
 use std::time::{Duration, Instant};
@@ -12,7 +12,7 @@ const SHORT: Duration = Duration::from_micros(100);
 /// The same with threads, which a system may leave on one core for some milliseconds after they wake.
 const LONG: Duration = Duration::from_millis(50);
 
-/// The turns of a scenario of the group: with the floors if its arithmetic is counted, with one thread if it has more.
+/// The turns of a scenario of the group: with the floors if its arithmetic is counted, with one thread if it has two.
 pub(crate) fn turns(scenario: &Scenario, group: &[Scenario]) -> Option<Turns> {
     let timed = |scenario: &Scenario, turn| Timed::new(scenario.runner(), scenario.pairs, turn);
     if let Some(multiply_adds) = scenario.multiply_adds {
@@ -22,7 +22,9 @@ pub(crate) fn turns(scenario: &Scenario, group: &[Scenario]) -> Option<Turns> {
     }
     let by_one = scenario.by_one_thread()?;
     let by_one = group.iter().find(|other| other.way == by_one)?;
-    Some(Turns::OneThread { samples: in_turns([timed(scenario, LONG), timed(by_one, LONG)]) })
+    let [of_all, of_one] = [2, 1].map(|threads| multiply_adds_by(threads, LONG));
+    let ways = [timed(scenario, LONG), timed(by_one, LONG), of_all, of_one];
+    Some(Turns::OneThread { samples: in_turns(ways) })
 }
 
 fn in_turns<const K: usize>(mut ways: [Timed; K]) -> Vec<[f64; K]> {

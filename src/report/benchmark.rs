@@ -1,4 +1,4 @@
-//! The record of the benchmarks, `beamgap-benchmark/4`.
+//! The record of the benchmarks, `beamgap-benchmark/5`.
 
 use super::criterion::{Verdict, Verdicts, samples, turns};
 use super::number::{number, rounded};
@@ -13,7 +13,7 @@ pub(super) const DENOMINATOR: &str = "closed form";
 /// All that was measured, and where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Benchmark {
-    /// `beamgap-benchmark/4`.
+    /// `beamgap-benchmark/5`.
     pub schema: String,
     /// Where and with what it was measured.
     pub environment: Environment,
@@ -77,7 +77,7 @@ impl Ratio {
 }
 
 impl Record for Benchmark {
-    const SCHEMA: &'static str = "beamgap-benchmark/4";
+    const SCHEMA: &'static str = "beamgap-benchmark/5";
 
     fn schema(&self) -> &str {
         &self.schema

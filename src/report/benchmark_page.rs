@@ -156,9 +156,10 @@ impl Benchmark {
             [Task::DistanceOfMany, Task::AllOfMany].into_iter().flat_map(|task| self.of(task)).map(|of| {
                 let [low, high] = of.interval.map(time);
                 let (interval, rate) = (format!("{low} to {high}"), plain(1e9 / of.median));
-                let speed_up = of.speed_up().map_or_else(String::new, Ratio::in_words);
+                let [speed_up, of_arithmetic] = [of.speed_up(), of.speed_up_of_arithmetic()]
+                    .map(|ratio| ratio.map_or_else(String::new, Ratio::in_words));
                 let (task, way, median) = (of.task.clone(), of.way.clone(), time(of.median));
-                vec![task, way, median, interval, rate, speed_up, verdict(of.share)]
+                vec![task, way, median, interval, rate, speed_up, of_arithmetic, verdict(of.share)]
             });
         let head = [
             "task",
@@ -167,6 +168,7 @@ impl Benchmark {
             "#95 % interval",
             "#pairs in a second",
             "#times as many as one thread",
+            "#of multiply-adds alone",
             VERDICT,
         ];
         vec![
@@ -175,7 +177,8 @@ impl Benchmark {
                 "{most} pairs of Hermite beams, one by one or four in the lanes of a vector, each result written where the \
                  last one was, as an assembly does that takes it from there; or by one call, {d} for d and {all} for all, each \
                  result in memory of its own, which then waits for memory. How many times as many pairs two threads do \
-                 as one was measured with both in turns, on {} cores.",
+                 as one was measured with both in turns, on {} cores; and in the same turns how many times as many multiply-adds \
+                 in registers, with no memory and nothing else to do: what the cores themselves give.",
                 self.environment.cores
             )),
             Block::table(&head, rows.collect()),

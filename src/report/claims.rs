@@ -1,6 +1,6 @@
 //! What the front page claims of the benchmarks, in words made of the record alone.
 
-use super::benchmark::{Benchmark, DENOMINATOR, Measured};
+use super::benchmark::{Benchmark, DENOMINATOR, Measured, Ratio};
 use super::number::{count, error, number, plain, time};
 use super::{Peers, Task};
 
@@ -33,19 +33,18 @@ impl Benchmark {
 
     fn threads(&self) -> String {
         let tasks = [Task::DistanceOfMany, Task::AllOfMany];
-        let speed_ups = |to_memory: bool| {
-            let ways = tasks.into_iter().flat_map(|task| self.of(task));
-            let (least, most) = range(
-                ways.filter(|of| of.way.contains("to memory") == to_memory)
-                    .filter_map(Measured::speed_up)
-                    .map(|ratio| ratio.value),
-            );
+        let ways = || tasks.into_iter().flat_map(|task| self.of(task));
+        let to_memory = |of: &&Measured| of.way.contains("to memory");
+        let in_words = |ratios: &mut dyn Iterator<Item = Ratio>| {
+            let (least, most) = range(ratios.map(|ratio| ratio.value));
             format!("{} to {}", plain(least), plain(most))
         };
         format!(
-            "Two threads do {} times as many pairs as one, or {} times if each result goes to memory of its own.",
-            speed_ups(false),
-            speed_ups(true)
+            "Two threads do {} times as many pairs as one, or {} times if each result goes to memory of its own; where \
+             they only multiply and add in registers, {} times as much.",
+            in_words(&mut ways().filter(|of| !to_memory(of)).filter_map(Measured::speed_up)),
+            in_words(&mut ways().filter(to_memory).filter_map(Measured::speed_up)),
+            in_words(&mut ways().filter_map(Measured::speed_up_of_arithmetic))
         )
     }
 

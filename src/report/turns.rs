@@ -16,10 +16,10 @@ pub enum Turns {
         /// The time of a pair, of a multiply-add and of a byte stored.
         samples: Vec<[f64; 3]>,
     },
-    /// The same way by one thread.
+    /// The same way by one thread, and by as many as the way has and by one a kernel that only multiplies and adds.
     OneThread {
-        /// The time of a pair by all threads, and by one.
-        samples: Vec<[f64; 2]>,
+        /// The time of a pair by all threads and by one, and of a multiply-add by all and by one.
+        samples: Vec<[f64; 4]>,
     },
 }
 
@@ -46,10 +46,20 @@ impl Measured {
         Some((*multiply_adds, with_floors.collect()))
     }
 
-    /// How many times as many pairs as one thread it does: the median of the ratios of each turn.
+    /// How many times as many pairs as one thread it does.
     pub(super) fn speed_up(&self) -> Option<Ratio> {
+        self.over_one_thread(|&[by_all, by_one, ..]| by_one / by_all)
+    }
+
+    /// How many times as many multiply-adds as one thread its threads do where they do nothing else.
+    pub(super) fn speed_up_of_arithmetic(&self) -> Option<Ratio> {
+        self.over_one_thread(|&[.., by_all, by_one]| by_one / by_all)
+    }
+
+    /// The median of the ratios of each turn.
+    fn over_one_thread(&self, ratio: impl Fn(&[f64; 4]) -> f64) -> Option<Ratio> {
         let Some(Turns::OneThread { samples }) = &self.turns else { return None };
-        let ratios: Vec<f64> = samples.iter().map(|[by_all, by_one]| by_one / by_all).collect();
+        let ratios: Vec<f64> = samples.iter().map(ratio).collect();
         spread(&ratios).map(|spread| Ratio { value: spread.median, interval: spread.interval })
     }
 }
@@ -62,10 +72,15 @@ mod tests {
     #[test]
     fn threads_are_compared_turn_by_turn() {
         // The machine is twice as slow in every other turn.
-        let samples = vec![[50.0, 95.0], [100.0, 190.0], [50.0, 80.0], [100.0, 195.0], [50.0, 95.0]];
+        let of_pairs = [[50.0, 95.0], [100.0, 190.0], [50.0, 80.0], [100.0, 195.0], [50.0, 95.0]];
+        let samples = of_pairs.map(|[by_all, by_one]| [by_all, by_one, 0.5 * by_all, by_all]).to_vec();
         let of = measured("closed form, 2 threads", Some(Turns::OneThread { samples }));
         let Ratio { value, interval: [low, high] } = of.speed_up().unwrap();
         assert_eq!([value, low, high].map(f64::to_bits), [1.9, 1.6, 1.95].map(f64::to_bits));
+        assert_eq!(
+            of.speed_up_of_arithmetic().unwrap().interval.map(f64::to_bits),
+            [2.0; 2].map(f64::to_bits)
+        );
         assert!(of.with_floors(1.0).is_none() && measured("closed form", None).speed_up().is_none());
     }
 }
