@@ -178,7 +178,7 @@ impl Benchmark {
                  last one was, as an assembly does that takes it from there; or by one call, {d} for d and {all} for all, each \
                  result in memory of its own, which then waits for memory. How many times as many pairs two threads do \
                  as one was measured with both in turns, on {} cores; and in the same turns how many times as many multiply-adds \
-                 in registers, with no memory and nothing else to do: what the cores themselves give.",
+                 in registers, with no memory and nothing else to do, by threads of some milliseconds.",
                 self.environment.cores
             )),
             Block::table(&head, rows.collect()),

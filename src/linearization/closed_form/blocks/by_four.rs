@@ -128,13 +128,9 @@ impl Arithmetic<f64> for ByFour {
         spread
     }
 
-    /// Up to four by themselves, as most beams have no more: how long the rows of each are is known to the compiler.
+    /// The first ones by themselves, as most beams have no more: how long the rows of each are is known to the compiler.
     #[inline(always)]
     fn each_vector<const L: usize>(self, mut f: impl FnMut(usize)) {
-        if L > 12 {
-            (0..L / 3).for_each(f);
-            return;
-        }
         if L >= 3 {
             f(0);
         }
@@ -147,19 +143,13 @@ impl Arithmetic<f64> for ByFour {
         if L >= 12 {
             f(3);
         }
+        for a in 4..L / 3 {
+            f(a);
+        }
     }
 
-    /// Of up to four the axes one after the other.
     #[inline(always)]
     fn each<const L: usize>(self, mut f: impl FnMut(usize, usize)) {
-        if L > 12 {
-            for a in 0..L / 3 {
-                f(a, 0);
-                f(a, 1);
-                f(a, 2);
-            }
-            return;
-        }
         for i in 0..3 {
             self.each_vector::<L>(
                 #[inline(always)]
