@@ -20,8 +20,8 @@ pub(crate) fn floors(turn: Duration) -> [Timed; 2] {
     [Timed::new(chains, CHAINS * LENGTH * 4, turn), Timed::new(stores, NUMBERS * size_of::<f64>(), turn)]
 }
 
-/// How often a thread runs its chains before it ends: some milliseconds, in which starting it does not show.
-const RUNS: usize = 1 << 15;
+/// How often a thread runs its chains before it ends: longer than a turn, so that starting it does not show.
+const RUNS: usize = 1 << 19;
 
 /// Multiply-adds alone by so many threads, in turns of such a length, for one of them.
 pub(crate) fn multiply_adds_by(threads: usize, turn: Duration) -> Timed {

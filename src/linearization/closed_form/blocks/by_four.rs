@@ -128,28 +128,40 @@ impl Arithmetic<f64> for ByFour {
         spread
     }
 
-    /// The first ones by themselves, as most beams have no more: how long the rows of each are is known to the compiler.
+    /// Up to four by themselves, as most beams have no more: how long the rows of each are is known to the compiler.
     #[inline(always)]
     fn each_vector<const L: usize>(self, mut f: impl FnMut(usize)) {
-        if L >= 3 {
+        if L / 3 > 4 {
+            for a in 0..L / 3 {
+                f(a);
+            }
+            return;
+        }
+        if L / 3 > 0 {
             f(0);
         }
-        if L >= 6 {
+        if L / 3 > 1 {
             f(1);
         }
-        if L >= 9 {
+        if L / 3 > 2 {
             f(2);
         }
-        if L >= 12 {
+        if L / 3 > 3 {
             f(3);
-        }
-        for a in 4..L / 3 {
-            f(a);
         }
     }
 
+    /// Of up to four control vectors the axes one after the other, whose rows then stay in registers.
     #[inline(always)]
     fn each<const L: usize>(self, mut f: impl FnMut(usize, usize)) {
+        if L / 3 > 4 {
+            for a in 0..L / 3 {
+                f(a, 0);
+                f(a, 1);
+                f(a, 2);
+            }
+            return;
+        }
         for i in 0..3 {
             self.each_vector::<L>(
                 #[inline(always)]
