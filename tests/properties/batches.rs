@@ -9,7 +9,7 @@ use beamgap::closest_point::{Active, Beam, refine};
 use beamgap::curve::{Bezier, Hermite, Segment};
 use beamgap::linearization::closed_form::Form;
 use beamgap::linearization::closed_form::blocks::{
-    Encounter, Packed, write_all, write_all_batch, write_all_over, write_d, write_d_batch,
+    Encounter, Gradient, Packed, write_all, write_all_batch, write_all_over, write_d, write_d_batch,
 };
 use beamgap::number::Lanes;
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -17,18 +17,16 @@ use nalgebra::SVector;
 use proptest::prelude::*;
 use std::num::NonZeroUsize;
 
-/// Each of at most eight pairs is the same in its lane as alone, on any number of threads.
+/// Each of at most eight pairs is the same in its lane as alone.
 fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>], rounding: f64) {
     let encounters: Vec<_> =
         cases.iter().map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point }).collect();
-    let threads = |count| NonZeroUsize::new(count).unwrap();
+    let one = NonZeroUsize::MIN;
     let zeros = Packed::<Lanes, 24, 300>::zeros();
-    let (mut d, mut all, mut shared) = ([zeros; 2], [[zeros; 5]; 2], [[zeros; 5]; 2]);
-    assert_eq!(write_d_batch(&encounters, &mut d, threads(1)), cases.len());
-    assert_eq!(write_all_batch(&encounters, &mut all, threads(1)), cases.len());
-    assert_eq!(write_all_batch(&encounters, &mut shared, threads(3)), cases.len());
-    assert!(all == shared, "threads make no difference");
-    assert_eq!(write_d_batch(&encounters, &mut d[..1], threads(1)), cases.len().min(4));
+    let (mut d, mut all) = ([zeros; 2], [[zeros; 5]; 2]);
+    assert_eq!(write_d_batch(&encounters, &mut d, one), cases.len());
+    assert_eq!(write_all_batch(&encounters, &mut all, one), cases.len());
+    assert_eq!(write_d_batch(&encounters, &mut d[..1], one), cases.len().min(4));
     for (i, Contacting { pair, q, point, .. }) in cases.iter().enumerate() {
         let mut one_by_one = [Packed::<f64, 24, 300>::zeros(); 5];
         write_all(pair, q, point, &mut targets(&mut one_by_one));
@@ -110,6 +108,34 @@ proptest! {
     #[test]
     fn batches(cases in proptest::collection::vec(contacting(hermite(), hermite()), 1..=6)) {
         equal_in_lanes(&cases, 1e-12);
+    }
+
+    /// However many threads there are, and whether or not the memory is for all pairs, each is done as in a batch of four.
+    #[test]
+    fn batches_by_threads(
+        cases in proptest::collection::vec(contacting(hermite(), hermite()), 5),
+        count in 1..=300_usize,
+        memory in 1..=80_usize,
+        threads in 1..=5_usize,
+    ) {
+        let encounters: Vec<_> = cases
+            .iter()
+            .map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point })
+            .cycle()
+            .take(count)
+            .collect();
+        let zeros = Gradient::<Lanes, 24>::zeros();
+        let (mut d, mut all) = (vec![zeros; memory], vec![[zeros; 5]; memory]);
+        let (mut d_of_four, mut all_of_four) = (d.clone(), all.clone());
+        let threads = NonZeroUsize::new(threads).unwrap();
+        let written = count.min(4 * memory);
+        prop_assert_eq!(write_d_batch(&encounters, &mut d, threads), written);
+        prop_assert_eq!(write_all_batch(&encounters, &mut all, threads), written);
+        for (i, four) in encounters[..written].chunks(4).enumerate() {
+            write_d_batch(four, &mut d_of_four[i..=i], NonZeroUsize::MIN);
+            write_all_batch(four, &mut all_of_four[i..=i], NonZeroUsize::MIN);
+        }
+        prop_assert!(d == d_of_four && all == all_of_four);
     }
 
     /// So it is where pairs ask for another form than the paper's, or for several.

@@ -15,6 +15,10 @@ use crate::number::Lanes;
 use crate::pair::{DofVector, Pair};
 use nalgebra::SVector;
 use std::num::NonZeroUsize;
+use std::sync::{Mutex, PoisonError};
+
+/// So many times four pairs a thread takes at once: some microseconds' work, next to which taking it does not show.
+const TASK: usize = 16;
 
 /// A pair at a closest point: what a search for contacts hands on.
 #[derive(Debug)]
@@ -33,8 +37,9 @@ pub struct Encounter<'a, A, B, const N: usize, const M: usize> {
 /// written too, with what is of no use. Pairs of the same curves are to stand next to one another: four of them are done
 /// at once, others one by one, as are those whose points ask for different [forms](super::super::Form).
 ///
-/// The pairs are shared among so many threads; one allocates nothing. Results of some dozens of pairs stay in the cache for
-/// whoever assembles them; those of thousands do not, so memory of that size is best used over and over.
+/// The pairs are dealt to so many threads, which each call starts anew: that is worth it for thousands of pairs. One
+/// thread allocates nothing. Results of some dozens of pairs stay in the cache for whoever assembles them; those of
+/// thousands do not, so memory of that size is best used over and over.
 pub fn write_d_batch<A, B, W, const N: usize, const M: usize>(
     of: &[Encounter<'_, A, B, N, M>],
     to: &mut [W],
@@ -85,6 +90,8 @@ fn targets<W>([d, xi, xi_bar, t, t_bar]: &mut [W; 5]) -> Targets<'_, W> {
 }
 
 /// Calls `write` with every four pairs and the memory for them.
+///
+/// A thread that is done takes the next: neither do all pairs cost the same, nor are all cores equally fast.
 fn share<E: Sync, W: Send>(
     of: &[E],
     to: &mut [W],
@@ -92,23 +99,26 @@ fn share<E: Sync, W: Send>(
     write: impl Fn(&[E], &mut W) + Sync,
 ) -> usize {
     let count = of.len().min(4 * to.len());
-    let write_some = |of: &[E], to: &mut [W]| {
-        for (of, to) in of.chunks(4).zip(to) {
-            write(of, to);
+    let tasks = of[..count].chunks(4 * TASK).zip(to.chunks_mut(TASK));
+    let threads = threads.get().min(tasks.len());
+    let tasks = Mutex::new(tasks);
+    let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let work = || {
+        while let Some((of, to)) = next() {
+            for (of, to) in of.chunks(4).zip(to) {
+                write(of, to);
+            }
         }
     };
-    let each = count.div_ceil(4).div_ceil(threads.get()).max(1);
-    let (own, others) = of[..count].split_at(count.min(4 * each));
-    let (to_own, to_others) = to.split_at_mut(each.min(to.len()));
-    if others.is_empty() {
-        write_some(own, to_own);
+    if threads < 2 {
+        work();
         return count;
     }
     std::thread::scope(|scope| {
-        for (of, to) in others.chunks(4 * each).zip(to_others.chunks_mut(each)) {
-            scope.spawn(|| write_some(of, to));
+        for _ in 1..threads {
+            scope.spawn(work);
         }
-        write_some(own, to_own);
+        work();
     });
     count
 }
