@@ -150,8 +150,11 @@ impl Benchmark {
 
     fn many(&self) -> Vec<Block> {
         let pairs = |task| self.of(task).map(|of| of.pairs as u64);
-        let most = count(pairs(Task::AllOfMany).max().unwrap_or(0));
-        let [d, all] = [Task::DistanceOfMany, Task::AllOfMany].map(|of| count(pairs(of).min().unwrap_or(0)));
+        let numbers = |of_d: Option<u64>, of_all: Option<u64>| {
+            format!("{} for d and {} for all", count(of_d.unwrap_or(0)), count(of_all.unwrap_or(0)))
+        };
+        let in_cache = numbers(pairs(Task::DistanceOfMany).max(), pairs(Task::AllOfMany).max());
+        let to_memory = numbers(pairs(Task::DistanceOfMany).min(), pairs(Task::AllOfMany).min());
         let rows =
             [Task::DistanceOfMany, Task::AllOfMany].into_iter().flat_map(|task| self.of(task)).map(|of| {
                 let [low, high] = of.interval.map(time);
@@ -167,18 +170,17 @@ impl Benchmark {
             "#time of a pair",
             "#95 % interval",
             "#pairs in a second",
-            "#times as many as one thread",
-            "#of multiply-adds alone",
+            "#times one thread",
+            "#multiply-adds alone",
             VERDICT,
         ];
         vec![
             Block::heading("Many pairs"),
             Block::text(&format!(
-                "{most} pairs of Hermite beams, one by one or four in the lanes of a vector, each result written where the \
-                 last one was, as an assembly does that takes it from there; or by one call, {d} for d and {all} for all, each \
-                 result in memory of its own, which then waits for memory. How many times as many pairs two threads do \
-                 as one was measured with both in turns, on {} cores; and in the same turns how many times as many multiply-adds \
-                 in registers, with no memory and nothing else to do, by threads of some milliseconds.",
+                "Pairs of Hermite beams, {in_cache}, one by one or four in the lanes of a vector, each result written where \
+                 the last one was, as an assembly does that takes it from there; or by one call, {to_memory}, each result in \
+                 memory of its own, which then waits for memory. How many times as many pairs two threads do as one was measured with both in turns, on {} cores; and in the same turns how many times as many multiply-adds \
+                 in registers, with no memory and nothing else to do, each thread for a whole turn.",
                 self.environment.cores
             )),
             Block::table(&head, rows.collect()),

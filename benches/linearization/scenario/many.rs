@@ -17,8 +17,8 @@ use std::sync::Arc;
 
 /// So many pairs of different shape, over and over.
 const DIFFERENT: usize = 8;
-/// So many in a run.
-const PAIRS: usize = 131_072;
+/// So many quantities in a run, which then takes so long that waking a thread does not show.
+const IN_CACHE: usize = 655_360;
 /// So many quantities where each result has memory of its own: 98 MB, far more than the caches of one core.
 const TO_MEMORY: usize = 40_960;
 /// So many to a task of a thread, where the results stay in its cache.
@@ -49,7 +49,7 @@ pub(super) fn scenarios() -> Vec<Scenario> {
     // For as long as the program runs.
     let different: &[Hermites] = drawn(Family::Hermite, DIFFERENT, |_| Hermite::new()).leak();
     let met = |Twins { pair, q, point, .. }: &'static Hermites| Met { pair, q, point };
-    let pairs: Arc<[Met]> = different.iter().map(met).cycle().take(PAIRS).collect();
+    let pairs: Arc<[Met]> = different.iter().map(met).cycle().take(IN_CACHE).collect();
     let judges = different.iter().map(|&input| Judge::new(move || truth::expansions(&input))).collect();
     let many = Many { pairs, judges };
     let mut all = Vec::new();
@@ -88,7 +88,7 @@ impl Many {
             let (pool, pairs) = (pool(threads), pairs.clone());
             Box::new(move || {
                 pool.install(|| {
-                    pairs.par_chunks(CHUNK).for_each(|chunk| {
+                    pairs[..IN_CACHE / K].par_chunks(CHUNK).for_each(|chunk| {
                         let mut to = [Expansion::zero(); K];
                         for pair in chunk {
                             work(black_box(pair), black_box(&mut to));
@@ -112,7 +112,7 @@ impl Many {
             let (pool, pairs) = (pool(threads), pairs.clone());
             Box::new(move || {
                 pool.install(|| {
-                    pairs.par_chunks(CHUNK).for_each(|chunk| {
+                    pairs[..IN_CACHE / K].par_chunks(CHUNK).for_each(|chunk| {
                         let mut to = [[Packed::zeros(); K]];
                         for four in chunk.chunks(4) {
                             batch(black_box(four), black_box(&mut to), NonZeroUsize::MIN);
@@ -170,7 +170,7 @@ impl Many {
             family: Family::Hermite.name(),
             dofs: 24,
             way,
-            pairs: PAIRS,
+            pairs: IN_CACHE / K,
             multiply_adds: None,
             runner: Box::new(runner),
             judge: Box::new(judge),

@@ -99,21 +99,25 @@ fn share<E: Sync, W: Send>(
     write: impl Fn(&[E], &mut W) + Sync,
 ) -> usize {
     let count = of.len().min(4 * to.len());
-    let tasks = of[..count].chunks(4 * TASK).zip(to.chunks_mut(TASK));
+    let of = &of[..count];
+    let write_some = |of: &[E], to: &mut [W]| {
+        for (of, to) in of.chunks(4).zip(to) {
+            write(of, to);
+        }
+    };
+    let tasks = of.chunks(4 * TASK).zip(to.chunks_mut(TASK));
     let threads = threads.get().min(tasks.len());
+    if threads < 2 {
+        write_some(of, to);
+        return count;
+    }
     let tasks = Mutex::new(tasks);
     let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
     let work = || {
         while let Some((of, to)) = next() {
-            for (of, to) in of.chunks(4).zip(to) {
-                write(of, to);
-            }
+            write_some(of, to);
         }
     };
-    if threads < 2 {
-        work();
-        return count;
-    }
     std::thread::scope(|scope| {
         for _ in 1..threads {
             scope.spawn(work);
