@@ -179,8 +179,9 @@ impl Benchmark {
             Block::text(&format!(
                 "Pairs of Hermite beams, {in_cache}, one by one or four in the lanes of a vector, each result written where \
                  the last one was, as an assembly does that takes it from there; or by one call, {to_memory}, each result in \
-                 memory of its own, which then waits for memory. How many times as many pairs two threads do as one was measured with both in turns, on {} cores; and in the same turns how many times as many multiply-adds \
-                 in registers, with no memory and nothing else to do, each thread for a whole turn.",
+                 memory of its own, which then waits for memory. How many times as many pairs two threads do as one was \
+                 measured with both in turns, on {} cores; and in the same turns how many times as many multiply-adds in \
+                 registers, with no memory and nothing else to do, each thread for a whole turn.",
                 self.environment.cores
             )),
             Block::table(&head, rows.collect()),
