@@ -35,7 +35,7 @@ mod teeth_page;
 mod turns;
 
 pub use accuracy::{Accuracy, AccuracyRow, Losses};
-pub use benchmark::{Benchmark, Measured, Ratio};
+pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_turns};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;

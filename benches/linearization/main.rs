@@ -35,7 +35,7 @@ fn linearization(criterion: &mut Criterion) {
             let mut run = scenario.runner();
             group.bench_function(&scenario.way, |bencher| bencher.iter(&mut run));
             if directory.is_some() {
-                let of_scenario = turns::turns(scenario, of_group);
+                let of_scenario = turns::turns(scenario, of_group).into_iter();
                 all_turns.extend(of_scenario.map(|turns| (scenario.group(), scenario.way.clone(), turns)));
             }
         }

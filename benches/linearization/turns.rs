@@ -2,29 +2,34 @@
 
 use crate::floors::{floors, multiply_adds_by};
 use crate::scenario::{Runner, Scenario};
-use beamgap::report::Turns;
+use beamgap::report::{CLOSED_FORM, Turns};
 use std::time::{Duration, Instant};
 
 /// How many turns there are.
 const TURNS: usize = 101;
-/// How long a turn is at least next to the floors.
+/// How long a turn is at least.
 const SHORT: Duration = Duration::from_micros(100);
 /// The same with threads, which a system may leave on one core for some milliseconds after they wake.
 const LONG: Duration = Duration::from_millis(50);
 
-/// The turns of a scenario of the group: with the floors if its arithmetic is counted, with one thread if it has two.
-pub(crate) fn turns(scenario: &Scenario, group: &[Scenario]) -> Option<Turns> {
+/// The turns of a scenario of the group: with the closed form if there is one and this is another way, with the floors if
+/// its arithmetic is counted, with one thread if it has two.
+pub(crate) fn turns(scenario: &Scenario, group: &[Scenario]) -> Vec<Turns> {
     let timed = |scenario: &Scenario, turn| Timed::new(scenario.runner(), scenario.pairs, turn);
-    if let Some(multiply_adds) = scenario.multiply_adds {
+    let find = |way: &str| group.iter().find(|other| other.way == way && other.way != scenario.way);
+    let with_closed_form = find(CLOSED_FORM).map(|closed_form| Turns::ClosedForm {
+        samples: in_turns([timed(scenario, SHORT), timed(closed_form, SHORT)]),
+    });
+    let with_floors = scenario.multiply_adds.map(|multiply_adds| {
         let [multiply_add, store] = floors(SHORT);
-        let samples = in_turns([timed(scenario, SHORT), multiply_add, store]);
-        return Some(Turns::Floors { multiply_adds, samples });
-    }
-    let by_one = scenario.by_one_thread()?;
-    let by_one = group.iter().find(|other| other.way == by_one)?;
-    let [of_all, of_one] = [2, 1].map(|threads| multiply_adds_by(threads, LONG));
-    let ways = [timed(scenario, LONG), timed(by_one, LONG), of_all, of_one];
-    Some(Turns::OneThread { samples: in_turns(ways) })
+        Turns::Floors { multiply_adds, samples: in_turns([timed(scenario, SHORT), multiply_add, store]) }
+    });
+    let with_one_thread = scenario.by_one_thread().and_then(|way| find(&way)).map(|by_one| {
+        let [of_all, of_one] = [2, 1].map(|threads| multiply_adds_by(threads, LONG));
+        let ways = [timed(scenario, LONG), timed(by_one, LONG), of_all, of_one];
+        Turns::OneThread { samples: in_turns(ways) }
+    });
+    [with_closed_form, with_floors, with_one_thread].into_iter().flatten().collect()
 }
 
 fn in_turns<const K: usize>(mut ways: [Timed; K]) -> Vec<[f64; K]> {

@@ -1,4 +1,4 @@
-//! The record of the benchmarks, `beamgap-benchmark/5`.
+//! The record of the benchmarks, `beamgap-benchmark/6`.
 
 use super::criterion::{Verdict, Verdicts, samples, turns};
 use super::number::{number, rounded};
@@ -7,13 +7,13 @@ use super::{Environment, Instructions, Peers, Record, ReportError, Task, Turns, 
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// What the other ways of a group are divided by.
-pub(super) const DENOMINATOR: &str = "closed form";
+/// The way that the others of a group are divided by.
+pub const CLOSED_FORM: &str = "closed form";
 
 /// All that was measured, and where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Benchmark {
-    /// `beamgap-benchmark/5`.
+    /// `beamgap-benchmark/6`.
     pub schema: String,
     /// Where and with what it was measured.
     pub environment: Environment,
@@ -42,25 +42,26 @@ pub struct Measured {
     pub median: f64,
     /// The 95 % interval of the median.
     pub interval: [f64; 2],
-    /// The ratio to the closed form of the same group, if there is one.
+    /// How many times as long as the closed form it takes, turn by turn, if there is one for the same task and beams.
     pub ratio_to_closed_form: Option<Ratio>,
     /// The largest error, relative to the largest number of its kind; measured before the time was.
     pub error: f64,
     /// The largest error over what rounding, and truncation if there is any, allow: right if at most one.
     pub share: f64,
-    /// Its times next to those of the floors, if its arithmetic is counted, or to those of one thread, if it has more.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub turns: Option<Turns>,
+    /// Its times next to those of the closed form, if there is one; of the floors, if its arithmetic is counted; of one
+    /// thread, if it has more.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub turns: Vec<Turns>,
     /// All samples, in nanoseconds a pair, in the order they were taken.
     pub samples: Vec<f64>,
 }
 
-/// A ratio of two times.
+/// A ratio of two times that were taken in turns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ratio {
-    /// The ratio of the medians.
+    /// The median of the ratios of the turns.
     pub value: f64,
-    /// What holds it with 95 % at least.
+    /// Its 95 % interval.
     pub interval: [f64; 2],
 }
 
@@ -77,7 +78,7 @@ impl Ratio {
 }
 
 impl Record for Benchmark {
-    const SCHEMA: &'static str = "beamgap-benchmark/5";
+    const SCHEMA: &'static str = "beamgap-benchmark/6";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -125,7 +126,7 @@ impl Benchmark {
                 return Err(ReportError::NotTimed { scenario: scenario() });
             };
             let Verdict { task, family, dofs, way, pairs, error, share } = verdict;
-            scenarios.push(Measured {
+            let mut measured = Measured {
                 task,
                 family,
                 dofs,
@@ -136,13 +137,11 @@ impl Benchmark {
                 ratio_to_closed_form: None,
                 error: rounded(error, 3),
                 share: rounded(share, 3),
-                turns: turns.remove(&key).map(Turns::rounded),
+                turns: turns.remove(&key).into_iter().flatten().map(Turns::rounded).collect(),
                 samples,
-            });
-        }
-        let ratios: Vec<_> = scenarios.iter().map(|measured| measured.ratio(&scenarios)).collect();
-        for (measured, ratio) in scenarios.iter_mut().zip(ratios) {
-            measured.ratio_to_closed_form = ratio;
+            };
+            measured.ratio_to_closed_form = measured.over_closed_form().map(Ratio::rounded);
+            scenarios.push(measured);
         }
         Ok(Self {
             schema: Self::SCHEMA.to_owned(),
@@ -160,11 +159,6 @@ impl Benchmark {
 }
 
 impl Measured {
-    /// Whether both do the same task on the same beams.
-    pub(super) fn is_of_the_group_of(&self, other: &Self) -> bool {
-        (&self.task, &self.family, self.dofs) == (&other.task, &other.family, other.dofs)
-    }
-
     /// How many entries of a Hessian are stored: all, those of a triangle, or the blocks of both beams, which are alike,
     /// and the one between them.
     pub(super) fn stored(&self) -> usize {
@@ -175,16 +169,6 @@ impl Measured {
             _ => all - all / 4,
         }
     }
-
-    /// The ratio to the closed form of the same group among `all`.
-    fn ratio(&self, all: &[Self]) -> Option<Ratio> {
-        let same = |other: &&Self| other.is_of_the_group_of(self);
-        let closed = all.iter().filter(same).find(|other| other.way == DENOMINATOR)?;
-        if closed.way == self.way {
-            return Some(Ratio { value: 1.0, interval: [1.0; 2] });
-        }
-        Some(spread(&self.samples)?.over(&spread(&closed.samples)?).rounded())
-    }
 }
 
 #[cfg(test)]
@@ -192,7 +176,7 @@ pub(super) mod tests {
     use super::{Measured, Turns};
 
     /// A way with the standard pair.
-    pub(in super::super) fn measured(way: &str, turns: Option<Turns>) -> Measured {
+    pub(in super::super) fn measured(way: &str, turns: Vec<Turns>) -> Measured {
         Measured {
             task: "all but the slips".to_owned(),
             family: "hermite".to_owned(),

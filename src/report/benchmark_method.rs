@@ -1,6 +1,6 @@
 //! How the benchmarks were measured, and what they do not say.
 
-use super::benchmark::{Benchmark, DENOMINATOR};
+use super::benchmark::{Benchmark, CLOSED_FORM};
 use super::number::count;
 use super::page::Block;
 
@@ -24,8 +24,10 @@ impl Benchmark {
                     count(samples as u64)
                 ),
                 format!(
-                    "A ratio is the time of the way over the time of the **{DENOMINATOR}** of the same task and beams. Its \
-                     interval comes from the 97.5 % intervals of both medians. Where it holds 1 the table says so."
+                    "A ratio is the time of the way over the time of the **{CLOSED_FORM}** of the same task and beams: the \
+                     median over turns in each of which both ran, one after the other, with its 95 % interval. Where that \
+                     holds 1 the table says so. A machine that changes its speed changes the times and not the ratios, so \
+                     these are not always the quotients of the times in their tables."
                 ),
                 "The error is the largest distance from the closed form in double-double, relative to the largest number of that \
                  value, gradient or Hessian. What is allowed for each number is the sum of the running error bounds of both \
@@ -48,8 +50,9 @@ const SILENCE: [&str; 5] = [
     "Nothing about other processors, compilers or flags.",
     "Nothing about other programs but those listed: a speed-up over the automatic differentiation of this crate is none over \
      another's. How far apart honest ways of automatic differentiation are among themselves, the tables show.",
-    "The samples of one scenario follow each other, so whatever else the machine did meanwhile is in some rows and not in \
-     others. The intervals say how much the samples scatter, not how far a busy machine shifts them all.",
+    "The samples of one time follow each other, so whatever else the machine did meanwhile is in some rows and not in \
+     others. Their intervals say how much the samples scatter, not how far a busy machine shifts them all; ratios are \
+     taken in turns for that reason.",
     "One pair of each family stands for all; its numbers are in the cache. An assembly that writes every Hessian to memory \
      waits for memory.",
     "The errors are those of one well-conditioned pair. How errors grow is the business of the crosscheck.",

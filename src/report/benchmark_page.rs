@@ -1,6 +1,6 @@
 //! The benchmarks as pages, from the record alone.
 
-use super::benchmark::{Benchmark, DENOMINATOR, Measured, Ratio};
+use super::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 use super::number::{count, error, number, plain, time};
 use super::page::{Block, html, markdown};
 use super::{Instructions, ReportError, Task};
@@ -72,7 +72,7 @@ impl Benchmark {
         let rows = self.of(task).filter(|measured| measured.family == STANDARD).map(|measured| {
             let [low, high] = measured.interval.map(time);
             let times = measured.ratio_to_closed_form.map_or_else(String::new, Ratio::in_words);
-            let times = if measured.way == DENOMINATOR { "1".to_owned() } else { times };
+            let times = if measured.way == CLOSED_FORM { "1".to_owned() } else { times };
             vec![
                 measured.way.clone(),
                 time(measured.median),
@@ -101,10 +101,8 @@ impl Benchmark {
         let cell = |way: &str, (family, dofs): (&str, usize)| {
             let is_it = |of: &&Measured| of.way == way && of.family == family && of.dofs == dofs;
             self.of(task).find(is_it).map_or_else(String::new, |of| match &of.ratio_to_closed_form {
-                Some(ratio) if of.way != DENOMINATOR => {
-                    format!("{} ({})", time(of.median), plain(ratio.value))
-                }
-                _ => time(of.median),
+                Some(ratio) => format!("{} ({})", time(of.median), plain(ratio.value)),
+                None => time(of.median),
             })
         };
         let row = |way: &&str| {

@@ -1,6 +1,6 @@
 //! What the front page claims of the benchmarks, in words made of the record alone.
 
-use super::benchmark::{Benchmark, DENOMINATOR, Measured, Ratio};
+use super::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 use super::number::{count, error, number, plain, time};
 use super::{Peers, Task};
 
@@ -20,7 +20,7 @@ impl Benchmark {
 
     fn closed_form(&self) -> String {
         let [d, all] = [Task::Distance, Task::All].map(|task| {
-            let closed = self.below_the_roof().find(|of| of.task == task && of.measured.way == DENOMINATOR);
+            let closed = self.below_the_roof().find(|of| of.task == task && of.measured.way == CLOSED_FORM);
             closed.map_or_else(String::new, |of| {
                 format!("{}, {} times", time(of.measured.median), plain(of.times))
             })

@@ -91,7 +91,7 @@ impl Verdicts {
     }
 }
 
-/// Writes the turns of ways into criterion's directory, each with its group and its name.
+/// Writes the turns of ways into criterion's directory, each with the group and the name of the way.
 ///
 /// # Errors
 /// [`ReportError::Write`].
@@ -105,14 +105,18 @@ pub fn write_turns(directory: &Path, turns: &[(String, String, Turns)]) -> Resul
 pub(super) fn turns(
     directory: &Path,
     verified: SystemTime,
-) -> Result<BTreeMap<(String, String), Turns>, ReportError> {
+) -> Result<BTreeMap<(String, String), Vec<Turns>>, ReportError> {
     let path = directory.join(TURNS);
     let Some((text, _)) = read(&path).filter(|(_, written)| *written >= verified) else {
         return Ok(BTreeMap::new());
     };
     let turns: Vec<(String, String, Turns)> = serde_json::from_str(&text)
         .map_err(|source| ReportError::Format { what: path.display().to_string(), source })?;
-    Ok(turns.into_iter().map(|(group, way, turns)| ((group, way), turns)).collect())
+    let mut of_ways = BTreeMap::new();
+    for (group, way, turns) in turns {
+        of_ways.entry((group, way)).or_insert_with(Vec::new).push(turns);
+    }
+    Ok(of_ways)
 }
 
 /// All that criterion measured, by group and function.

@@ -1,6 +1,5 @@
-//! Medians with intervals that assume no distribution, and their ratios.
+//! Medians with intervals that assume no distribution.
 
-use super::Ratio;
 use super::number::number;
 
 /// Measured times, summed up.
@@ -10,8 +9,6 @@ pub struct Spread {
     pub median: f64,
     /// The 95 % interval of the median.
     pub interval: [f64; 2],
-    /// The 97.5 % interval of the median, for ratios.
-    pub wide: [f64; 2],
 }
 
 /// Sums times up; nothing if there are none.
@@ -21,7 +18,7 @@ pub fn spread(samples: &[f64]) -> Option<Spread> {
     let middle = sorted.len() / 2;
     let upper = *sorted.get(middle)?;
     let median = if sorted.len().is_multiple_of(2) { 0.5 * (sorted[middle - 1] + upper) } else { upper };
-    Some(Spread { median, interval: median_interval(&sorted, 0.95), wide: median_interval(&sorted, 0.975) })
+    Some(Spread { median, interval: median_interval(&sorted, 0.95) })
 }
 
 /// The interval that holds the median with at least the probability `level`, from two of the `sorted` samples.
@@ -47,17 +44,4 @@ pub fn median_interval(sorted: &[f64], level: f64) -> [f64; 2] {
     }
     let outer = rank.saturating_sub(1);
     [sorted[outer], sorted[n - 1 - outer]]
-}
-
-impl Spread {
-    /// How many times as long as `other` this is.
-    ///
-    /// The interval divides the ends of both 97.5 % intervals crosswise. They are both right with 95 % at least
-    /// (Bonferroni), and then so is the ratio's.
-    pub fn over(&self, other: &Self) -> Ratio {
-        Ratio {
-            value: self.median / other.median,
-            interval: [self.wide[0] / other.wide[1], self.wide[1] / other.wide[0]],
-        }
-    }
 }

@@ -9,6 +9,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "with", rename_all = "snake_case")]
 pub enum Turns {
+    /// The closed form of the same task on the same beams.
+    ClosedForm {
+        /// The time of a pair, and that by the closed form.
+        samples: Vec<[f64; 2]>,
+    },
     /// Two kernels, one that multiplies and adds and one that stores.
     Floors {
         /// The multiply-adds of a pair.
@@ -30,6 +35,7 @@ impl Turns {
             samples.into_iter().map(|turn| turn.map(|time| rounded(time, 5))).collect()
         }
         match self {
+            Self::ClosedForm { samples } => Self::ClosedForm { samples: all(samples) },
             Self::Floors { multiply_adds, samples } => Self::Floors { multiply_adds, samples: all(samples) },
             Self::OneThread { samples } => Self::OneThread { samples: all(samples) },
         }
@@ -39,11 +45,21 @@ impl Turns {
 impl Measured {
     /// The multiply-adds of a pair, and in each turn its time, and what they and so many bytes would take.
     pub(super) fn with_floors(&self, bytes: f64) -> Option<(usize, Vec<[f64; 3]>)> {
-        let Some(Turns::Floors { multiply_adds, samples }) = &self.turns else { return None };
-        let amount = number(*multiply_adds);
-        let with_floors =
-            samples.iter().map(|&[time, of_one, of_byte]| [time, amount * of_one, bytes * of_byte]);
-        Some((*multiply_adds, with_floors.collect()))
+        self.turns.iter().find_map(|turns| {
+            let Turns::Floors { multiply_adds, samples } = turns else { return None };
+            let amount = number(*multiply_adds);
+            let with_floors =
+                samples.iter().map(|&[time, of_one, of_byte]| [time, amount * of_one, bytes * of_byte]);
+            Some((*multiply_adds, with_floors.collect()))
+        })
+    }
+
+    /// How many times as long as the closed form it takes.
+    pub(super) fn over_closed_form(&self) -> Option<Ratio> {
+        self.turns.iter().find_map(|turns| {
+            let Turns::ClosedForm { samples } = turns else { return None };
+            median(samples, |&[time, of_closed_form]| time / of_closed_form)
+        })
     }
 
     /// How many times as many pairs as one thread it does.
@@ -56,12 +72,18 @@ impl Measured {
         self.over_one_thread(|&[.., by_all, by_one]| by_one / by_all)
     }
 
-    /// The median of the ratios of each turn.
     fn over_one_thread(&self, ratio: impl Fn(&[f64; 4]) -> f64) -> Option<Ratio> {
-        let Some(Turns::OneThread { samples }) = &self.turns else { return None };
-        let ratios: Vec<f64> = samples.iter().map(ratio).collect();
-        spread(&ratios).map(|spread| Ratio { value: spread.median, interval: spread.interval })
+        self.turns.iter().find_map(|turns| {
+            let Turns::OneThread { samples } = turns else { return None };
+            median(samples, &ratio)
+        })
     }
+}
+
+/// The median of the ratios of each turn.
+fn median<const K: usize>(samples: &[[f64; K]], ratio: impl Fn(&[f64; K]) -> f64) -> Option<Ratio> {
+    let ratios: Vec<f64> = samples.iter().map(ratio).collect();
+    spread(&ratios).map(|spread| Ratio { value: spread.median, interval: spread.interval })
 }
 
 #[cfg(test)]
@@ -70,17 +92,26 @@ mod tests {
     use crate::report::benchmark::tests::measured;
 
     #[test]
+    fn ways_are_compared_with_the_closed_form_turn_by_turn() {
+        let samples = vec![[600.0, 150.0], [1500.0, 300.0], [630.0, 150.0]];
+        let of = measured("hyper-dual", vec![Turns::ClosedForm { samples }]);
+        assert_eq!(of.over_closed_form().unwrap().value.to_bits(), 4.2_f64.to_bits());
+        assert!(of.speed_up().is_none() && of.with_floors(1.0).is_none());
+    }
+
+    #[test]
     fn threads_are_compared_turn_by_turn() {
         // The machine is twice as slow in every other turn.
         let of_pairs = [[50.0, 95.0], [100.0, 190.0], [50.0, 80.0], [100.0, 195.0], [50.0, 95.0]];
         let samples = of_pairs.map(|[by_all, by_one]| [by_all, by_one, 0.5 * by_all, by_all]).to_vec();
-        let of = measured("closed form, 2 threads", Some(Turns::OneThread { samples }));
+        let of = measured("closed form, 2 threads", vec![Turns::OneThread { samples }]);
         let Ratio { value, interval: [low, high] } = of.speed_up().unwrap();
         assert_eq!([value, low, high].map(f64::to_bits), [1.9, 1.6, 1.95].map(f64::to_bits));
         assert_eq!(
             of.speed_up_of_arithmetic().unwrap().interval.map(f64::to_bits),
             [2.0; 2].map(f64::to_bits)
         );
-        assert!(of.with_floors(1.0).is_none() && measured("closed form", None).speed_up().is_none());
+        assert!(of.with_floors(1.0).is_none() && of.over_closed_form().is_none());
+        assert!(measured("closed form", vec![]).speed_up().is_none());
     }
 }

@@ -7,8 +7,8 @@ use super::{Scenario, Task};
 use beamgap::linearization::closed_form::blocks::{self, Full, Gradient, Packed, Targets};
 use beamgap::linearization::closed_form::{Matrices, jets, linearize};
 use beamgap::linearization::{Expansion, Linearization};
+use beamgap::report::CLOSED_FORM;
 
-pub(super) const WAY: &str = "closed form";
 pub(super) const IN_FULL: &str = "closed form, in full";
 pub(super) const PACKED: &str = "closed form, packed";
 const BY_TERMS: &str = "closed form, term by term";
@@ -41,7 +41,7 @@ pub(super) fn scenarios<
             judge.of_first(21),
         ),
         written(
-            (Task::GradientOfDistance, WAY),
+            (Task::GradientOfDistance, CLOSED_FORM),
             input,
             |p, to| blocks::write_d(&p.pair, &p.q, &p.point, to),
             Gradient::<f64, S>::zeros,
@@ -49,7 +49,7 @@ pub(super) fn scenarios<
             judge.of_gradients(1),
         ),
         written(
-            (Task::Gradients, WAY),
+            (Task::Gradients, CLOSED_FORM),
             input,
             |p, [d, xi, xi_bar, t, t_bar]: &mut [Gradient<f64, S>; 5]| {
                 blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
@@ -70,7 +70,7 @@ pub(super) fn distance<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const
     let work = |p: &Input<A, B, N, M>, to: &mut Expansion<f64, N, M>| {
         blocks::write_d(&p.pair, &p.q, &p.point, to);
     };
-    written((task, WAY), input, work, Expansion::zero, |of| rows(&[of]), judge.of_first(3))
+    written((task, CLOSED_FORM), input, work, Expansion::zero, |of| rows(&[of]), judge.of_first(3))
 }
 
 /// All quantities but the slips.
@@ -84,7 +84,7 @@ pub(super) fn all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: u
         blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
     };
     let memory = || [Expansion::zero(); 5];
-    written((task, WAY), input, work, memory, |of| rows(&of.each_ref()), judge.of_first(15))
+    written((task, CLOSED_FORM), input, work, memory, |of| rows(&of.each_ref()), judge.of_first(15))
 }
 
 fn d_by_terms<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(

@@ -1,6 +1,6 @@
 //! The arithmetic of the closed form with the standard pair, counted.
 
-use super::closed::{IN_FULL, PACKED, WAY};
+use super::closed::{IN_FULL, PACKED};
 use super::input::{Input, hermites};
 use super::many::FOUR_AT_ONCE;
 use super::{Scenario, Task};
@@ -12,6 +12,7 @@ use beamgap::linearization::closed_form::blocks::{
 };
 use beamgap::number::Counted;
 use beamgap::pair::{DofVector, Pair};
+use beamgap::report::CLOSED_FORM;
 use nalgebra::SVector;
 
 /// The same scenarios of the standard family with their multiply-adds, where they are counted.
@@ -26,11 +27,11 @@ fn multiply_adds(task: Task, way: &str) -> Option<usize> {
     let full = Full::<Counted, 24>::zeros();
     let packed = Packed::<Counted, 24, 300>::zeros();
     match task {
-        Task::Distance if way == WAY => Some(of_d(Expansion::zero())),
+        Task::Distance if way == CLOSED_FORM => Some(of_d(Expansion::zero())),
         Task::Distance if way == IN_FULL => Some(of_d(full)),
         Task::Distance if way == PACKED => Some(of_d(packed)),
         Task::DistanceOfMany if way == FOUR_AT_ONCE => Some(of_d(packed)),
-        Task::All if way == WAY => Some(of_all(Expansion::zero())),
+        Task::All if way == CLOSED_FORM => Some(of_all(Expansion::zero())),
         Task::All if way == IN_FULL => Some(of_all(full)),
         Task::All if way == PACKED => Some(of_all(packed)),
         Task::AllOfMany if way == FOUR_AT_ONCE => Some(of_all(packed)),

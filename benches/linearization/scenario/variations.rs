@@ -7,6 +7,7 @@ use super::{Scenario, Task};
 use beamgap::linearization::ad::{self, Route, chord};
 use beamgap::linearization::closed_form::vary;
 use beamgap::linearization::{Quantities, Varied};
+use beamgap::report::CLOSED_FORM;
 
 /// The other families that the matrices are of.
 pub(super) fn others(of: &Inputs) -> Vec<Scenario> {
@@ -25,7 +26,7 @@ pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const 
 ) -> [Scenario; 4] {
     let judge = Judge::new(move || truth::directions(&input));
     let ways: [Way<A, B, Quantities<Varied<f64>>, N, M>; 4] = [
-        ("closed form", |p| vary(&p.pair, &p.q, &p.point, &p.dq, &p.linear_dq)),
+        (CLOSED_FORM, |p| vary(&p.pair, &p.q, &p.point, &p.dq, &p.linear_dq)),
         ("hyper-dual, chord", |p| by(Route::Chord(chord(&p.pair, &p.q, &p.point), 2), p)),
         ("hyper-dual, Newton", |p| by(Route::Newton, p)),
         ("hyper-dual, stationary", |p| by(Route::Stationary, p)),

@@ -1,7 +1,7 @@
 //! Ratios to the closed form, on a logarithmic axis.
 
 use super::{Area, COLOURS, Drawn, GREY, picture, text};
-use crate::report::benchmark::{Benchmark, DENOMINATOR, Measured};
+use crate::report::benchmark::{Benchmark, Measured};
 use crate::report::number::{count, plain};
 use crate::report::{ReportError, Task};
 use plotters::prelude::*;
@@ -53,9 +53,6 @@ impl<'a> Panel<'a> {
         let mut panel = Self { task: task.name(), ways: Vec::new(), decades: (0, 1) };
         for measured in record.of(task).filter(|measured| colour(measured).is_some()) {
             let Some(ratio) = measured.ratio_to_closed_form else { continue };
-            if measured.way == DENOMINATOR {
-                continue;
-            }
             while ratio.interval[1] >= 10_f64.powi(panel.decades.1) {
                 panel.decades.1 += 1;
             }
