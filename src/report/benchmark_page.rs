@@ -87,34 +87,34 @@ impl Benchmark {
         Block::table(&head.map(|name: &str| name), rows.collect())
     }
 
-    /// Ways down, families across.
+    /// Ways and families, whichever there are more of down and the others across.
     fn by_family(&self, task: Task) -> Block {
-        let (mut ways, mut groups): (Vec<&str>, Vec<(&str, usize)>) = (Vec::new(), Vec::new());
+        let (mut ways, mut families): (Vec<&str>, Vec<(&str, usize)>) = (Vec::new(), Vec::new());
         for Measured { way, family, dofs, .. } in self.of(task) {
             if !ways.contains(&way.as_str()) {
                 ways.push(way);
             }
-            if !groups.contains(&(family, *dofs)) {
-                groups.push((family, *dofs));
+            if !families.contains(&(family, *dofs)) {
+                families.push((family, *dofs));
             }
         }
-        let cell = |way: &str, (family, dofs): (&str, usize)| {
-            let is_it = |of: &&Measured| of.way == way && of.family == family && of.dofs == dofs;
-            self.of(task).find(is_it).map_or_else(String::new, |of| match &of.ratio_to_closed_form {
-                Some(ratio) => format!("{} ({})", time(of.median), plain(ratio.value)),
-                None => time(of.median),
-            })
+        let find = |way: &str, (family, dofs): (&str, usize)| {
+            self.of(task).find(|of| of.way == way && of.family == family && of.dofs == dofs)
         };
-        let row = |way: &&str| {
-            let cells = groups.iter().map(|&group| cell(way, group));
-            let share = self.of(task).filter(|of| of.way == *way).map(|of| of.share).fold(0.0, f64::max);
-            std::iter::once((*way).to_owned()).chain(cells).chain([verdict(share)]).collect()
-        };
-        let names = groups.iter().map(|(family, dofs)| format!("#{family}, {dofs}"));
-        let names = std::iter::once("beams, dofs".to_owned()).chain(names);
-        let head: Vec<String> = names.chain([format!("{VERDICT} at most")]).collect();
-        let head: Vec<&str> = head.iter().map(String::as_str).collect();
-        Block::table(&head, ways.iter().map(row).collect())
+        let of_way = |way: &&str| families.iter().map(|&family| find(way, family)).collect();
+        let mut cells: Vec<Vec<Option<&Measured>>> = ways.iter().map(of_way).collect();
+        let mut down: Vec<String> = ways.iter().map(|&way| way.to_owned()).collect();
+        let mut across: Vec<String> =
+            families.iter().map(|(family, dofs)| format!("{family}, {dofs}")).collect();
+        if across.len() > down.len() {
+            cells = (0..across.len()).map(|i| cells.iter().map(|row| row[i]).collect()).collect();
+            std::mem::swap(&mut down, &mut across);
+        }
+        let rows =
+            down.into_iter().zip(cells).map(|(name, of)| std::iter::once(name).chain(row(of)).collect());
+        let head = across.iter().map(|name| format!("#{name}")).chain([format!("{VERDICT} at most")]);
+        let head: Vec<String> = std::iter::once("beams, dofs".to_owned()).chain(head).collect();
+        Block::table(&head.iter().map(String::as_str).collect::<Vec<_>>(), rows.collect())
     }
 
     fn sizes(&self) -> Result<Vec<Block>, ReportError> {
@@ -221,6 +221,16 @@ impl Benchmark {
             Block::table(&head, rows.collect()),
         ])
     }
+}
+
+/// The times of a row with their ratios, and the worst verdict of them.
+fn row(of: Vec<Option<&Measured>>) -> Vec<String> {
+    let cell = |of: &Measured| match &of.ratio_to_closed_form {
+        Some(ratio) => format!("{} ({})", time(of.median), plain(ratio.value)),
+        None => time(of.median),
+    };
+    let share = of.iter().flatten().map(|of| of.share).fold(0.0, f64::max);
+    of.into_iter().map(|of| of.map_or_else(String::new, cell)).chain([verdict(share)]).collect()
 }
 
 /// The head of a column of verdicts.

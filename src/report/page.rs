@@ -109,9 +109,11 @@ pub(super) fn html(title: &str, blocks: &[Block]) -> String {
 const STYLE: &str = "
 body { font: 16px/1.5 sans-serif; max-width: 78rem; margin: 2rem auto; padding: 0 1rem; color: #111; background: #fff; }
 p, ul, figure { max-width: 60rem; }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; margin: 1rem 0; }
 table { border-collapse: collapse; font-size: 0.9rem; }
-th, td { text-align: left; padding: 0.15rem 0.7rem; border-bottom: 1px solid #ddd; white-space: nowrap; }
+th, td { text-align: left; padding: 0.15rem 0.7rem; border-bottom: 1px solid #ddd; vertical-align: top; }
+th { vertical-align: bottom; }
+td:not(:last-child) { white-space: nowrap; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 figure { margin: 1rem 0; }
 svg { max-width: 100%; height: auto; }
