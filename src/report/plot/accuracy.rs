@@ -1,12 +1,16 @@
 //! Each way as a point: how far off its numbers are, against how long they take.
 
-use super::{Axis, COLOURS, dot, frame, picture, text};
+use super::{Area, Axis, COLOURS, Drawn, dot, frame, picture, text};
 use crate::report::benchmark::{Benchmark, Measured};
 use crate::report::number::{error, time};
 use crate::report::{ReportError, Task};
+use plotters::style::RGBColor;
 use plotters::style::text_anchor::HPos;
 
 const SIZE: (u32, u32) = (860, 480);
+
+/// Where it is, and the number of its way.
+type Dot = ((i32, i32), usize);
 
 impl Benchmark {
     /// Error over time, of all ways with the pair of Hermite beams.
@@ -27,6 +31,7 @@ impl Benchmark {
                     ways.push(&of.way);
                 }
             }
+            let number = |way: &str| ways.iter().position(|other| *other == way).map_or(0, |i| i + 1);
             let x = Axis::decades(of_tasks.iter().map(|of| of.median), (90, 580), "time of a pair", time);
             let label = |value: f64| error(Some(value));
             let name = "largest error, of the largest number of its kind";
@@ -36,19 +41,34 @@ impl Benchmark {
                 let legend = 64 + 20 * i32::try_from(i)?;
                 dot(area, (604, legend), COLOURS[i])?;
                 text(area, task.name(), (616, legend), 13, HPos::Left)?;
+                let of_task = of_tasks.iter().filter(|of| of.task == task.name());
+                let mut dots: Vec<_> =
+                    of_task.map(|of| ((x.at(of.median), y.at(of.error)), number(&of.way))).collect();
+                dots.sort_unstable();
+                numbered(area, &dots, COLOURS[i], if i == 0 { HPos::Right } else { HPos::Left })?;
             }
             for (i, way) in ways.iter().enumerate() {
                 let legend = 124 + 20 * i32::try_from(i)?;
                 text(area, &format!("{}  {way}", i + 1), (600, legend), 13, HPos::Left)?;
             }
-            for of in of_tasks {
-                let number = ways.iter().position(|way| *way == of.way).map_or(0, |i| i + 1);
-                let colour = COLOURS[usize::from(of.task == Task::All.name())];
-                let (across, up) = (x.at(of.median), y.at(of.error));
-                dot(area, (across, up), colour)?;
-                text(area, &number.to_string(), (across + 7, up - 7), 11, HPos::Left)?;
-            }
             Ok(())
         })
     }
+}
+
+/// Dots from left to right, with one text for those that touch: the end `anchor` of the text is next to them.
+fn numbered(area: &Area, dots: &[Dot], colour: RGBColor, anchor: HPos) -> Drawn {
+    for &(at, _) in dots {
+        dot(area, at, colour)?;
+    }
+    let touch = |((x, y), _): &Dot, ((next, up), _): &Dot| next - x < 12 && (up - y).abs() < 8;
+    for dots in dots.chunk_by(touch) {
+        let mut numbers: Vec<usize> = dots.iter().map(|(_, number)| *number).collect();
+        numbers.sort_unstable();
+        let numbers: Vec<String> = numbers.iter().map(usize::to_string).collect();
+        let [(first, y), (last, up)] = [dots[0].0, dots[dots.len() - 1].0];
+        let at = if matches!(anchor, HPos::Right) { (first - 7, y - 7) } else { (last + 7, up + 7) };
+        text(area, &numbers.join(", "), at, 11, anchor)?;
+    }
+    Ok(())
 }
