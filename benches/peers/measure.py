@@ -37,10 +37,12 @@ def off(got, right):
 class Pairs:
     """The pairs, drawn and kept by the crate."""
 
-    def __init__(self, crate, driver, seed, count):
-        stride = ctypes.c_size_t()
-        draw = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_uint64, ctypes.c_size_t, ctypes.c_void_p)(crate["draw_cases"].value)
-        self.first, self.count = draw(seed, count, ctypes.addressof(stride)), count
+    def __init__(self, crate, driver, seed, count, gaps=()):
+        stride, gaps = ctypes.c_size_t(), np.array(gaps, np.float64)
+        sizes = [ctypes.c_uint64, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]
+        draw = ctypes.CFUNCTYPE(ctypes.c_void_p, *sizes)(crate["draw_cases"].value)
+        self.first = draw(seed, count, gaps.ctypes.data, len(gaps), ctypes.addressof(stride))
+        self.count = count
         self.stride = stride.value
         memory = np.zeros(1 << 18)
         skip = (-memory.ctypes.data % 64) // 8
@@ -98,7 +100,7 @@ def main(given, here, root, build, flags, debian):
     subprocess.run(["cargo", "build", "--release", "--manifest-path", here / "Cargo.toml", "--target-dir", build / "rust"], check=True)
     crate = Library(build / "rust" / "release" / "libpeers.so")
     driver = workshop.compiled("driver", here / "driver.c", "driver")
-    pairs = Pairs(crate, driver, given.seed, given.pairs)
+    pairs = Pairs(crate, driver, given.seed, given.pairs, given.gaps)
     all_ways = ways(workshop, crate, root, debian, pairs.dofs())
     os.sched_setaffinity(0, {cpu})
     known = {}

@@ -1,7 +1,7 @@
 //! The pairs that every peer is given.
 
-use beamgap::closest_point::{Beam, ClosestPoint, Search, closest_points};
-use beamgap::curve::Hermite;
+use beamgap::closest_point::{Active, Beam, ClosestPoint, Kind, Search, closest_points, refine};
+use beamgap::curve::{Curve, Hermite};
 use beamgap::nalgebra::SVector;
 use beamgap::pair::{Contact, DofVector, Pair};
 
@@ -71,14 +71,57 @@ fn draw(random: &mut Random) -> Option<Case> {
     Some(Case { plain, xi: point.xi, xi_bar: point.xi_bar, q, point })
 }
 
+/// The same pair with its beams at another gap, on either side of each other; none if its closest point is then another.
+fn moved(random: &mut Random, mut case: Case, gap: f64) -> Option<Case> {
+    let (x, x_bar) = (PAIR.curve.jet(&case.q.beam, case.xi).geometry, PAIR.curve_bar.jet(&case.q.bar, case.xi_bar).geometry);
+    let d = x.x - x_bar.x;
+    let by = d * (1.0 - (gap * x.t.norm() / d.norm()).copysign(random.next()));
+    for (i, dof) in case.q.bar.iter_mut().enumerate() {
+        // The points move, the tangents do not.
+        if i % 6 < 3 {
+            *dof += by[i % 3];
+        }
+    }
+    let at = Beam { curve: &PAIR.curve, q: &case.q.beam };
+    let at_bar = Beam { curve: &PAIR.curve_bar, q: &case.q.bar };
+    let point = refine(&at, &at_bar, (case.xi, case.xi_bar), Active::default()).ok()?;
+    let near = (point.xi - case.xi).abs().max((point.xi_bar - case.xi_bar).abs()) < 1e-6;
+    if !near || point.kind != Kind::Minimum || point.degeneracy().is_some() {
+        return None;
+    }
+    case.plain[12..].copy_from_slice(case.q.bar.as_slice());
+    (case.xi, case.xi_bar, case.point) = (point.xi, point.xi_bar, point);
+    Some(case)
+}
+
 /// Draws `count` pairs, to be kept for good, and sets `stride` to their distance in bytes.
 ///
+/// Their gaps are those drawn, or one of the `gaps`, in lengths of a tangent, at random.
+///
 /// # Safety
-/// `stride` can be written to.
+/// `stride` can be written to, and `gaps` points to so many numbers.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn draw_cases(seed: u64, count: usize, stride: *mut usize) -> *const f64 {
+pub unsafe extern "C" fn draw_cases(
+    seed: u64,
+    count: usize,
+    gaps: *const f64,
+    gap_count: usize,
+    stride: *mut usize,
+) -> *const f64 {
+    // SAFETY: the caller's promise.
+    let gaps = unsafe { std::slice::from_raw_parts(gaps, gap_count) };
     let mut random = Random(seed);
-    let cases: Vec<Case> = std::iter::repeat_with(|| draw(&mut random)).flatten().take(count).collect();
+    let cases: Vec<Case> = std::iter::repeat_with(|| {
+        let case = draw(&mut random)?;
+        if gaps.is_empty() {
+            return Some(case);
+        }
+        let gap = gaps[((random.next() + 1.0) * 0.5 * gaps.len() as f64) as usize];
+        moved(&mut random, case, gap)
+    })
+    .flatten()
+    .take(count)
+    .collect();
     // SAFETY: the caller's promise.
     unsafe { *stride = size_of::<Case>() };
     cases.leak().as_ptr().cast()

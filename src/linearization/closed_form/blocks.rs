@@ -42,8 +42,8 @@ use crate::pair::{DofVector, Pair};
 use arithmetic::{Arithmetic, ByOne};
 #[cfg(target_arch = "x86_64")]
 use by_four::ByFour;
-use choice::{Best, Choice, Given, Plain};
-use frame::{Frame, Gradients, Variations, points, squares};
+use choice::{Best, Choice, Chosen, Given, Regular};
+use frame::{Frame, Gradients, Products, Variations, along, points};
 use request::{DistanceAlone, Request};
 use side::{Side, Spread, shapes, spread};
 
@@ -95,7 +95,8 @@ pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M
 
 /// What is asked for, by the form that loses the fewest digits.
 ///
-/// The paper's, inside both beams and at wide angles and gaps, has a kernel of its own, in which there is nothing to choose.
+/// The common normal with the paper's system, inside both beams and at wide angles, has a kernel of its own, in which there is
+/// nothing to choose.
 #[inline]
 fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B>,
@@ -104,12 +105,12 @@ fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     request: &mut impl Request<f64, N, M>,
 ) {
     let inside = point.active() == Active::default();
-    if !(inside && may_have_shapes(pair)) || fast(pair, q, point, Plain, request).is_none() {
+    if !(inside && may_have_shapes(pair)) || fast(pair, q, point, Regular, request).is_none() {
         write_rarer(pair, q, point, request);
     }
 }
 
-/// At ends, at small angles and gaps, and of curves without shape functions.
+/// At ends, at small angles, beyond the radius of curvature, and of curves without shape functions.
 #[cold]
 #[inline(never)]
 fn write_rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
@@ -140,7 +141,7 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     point: &ClosestPoint,
     choice: impl Choice<f64>,
     request: &mut impl Request<f64, N, M>,
-) -> Option<()> {
+) -> Option<Chosen<f64>> {
     let at = (point.xi, point.xi_bar);
     with_the_fastest!(f: ByFour, ByOne => evaluate(f, pair, q, at, choice, request))
 }
@@ -154,7 +155,7 @@ fn evaluate<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     at: (T, T),
     choice: impl Choice<T>,
     request: &mut impl Request<T, N, M>,
-) -> Option<()> {
+) -> Option<Chosen<T>> {
     let dofs = pair.curve.jet(&q.beam, at.0).dofs;
     let dofs_bar = pair.curve_bar.jet(&q.bar, at.1).dofs;
     let (of_beam, of_bar) = (shapes(&dofs)?, shapes(&dofs_bar)?);
@@ -163,20 +164,20 @@ fn evaluate<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     let beam = Side::new(f, of_beam, &q.beam, Spread { n: &n, n_xi: &n_xi, n_xixi: &n_xixi });
     let (n, n_xi, n_xixi) = spread(f, of_bar, -one);
     let bar = Side::new(f, of_bar, &q.bar, Spread { n: &n, n_xi: &n_xi, n_xixi: &n_xixi });
-    let (d, squares) = squares(f, &beam, &bar);
+    let products = Products::new(f, &beam, &bar);
     let chosen = choice.choose(
-        squares,
+        #[inline(always)]
+        || products.squares(f, &beam, &bar),
         #[inline(always)]
         || points(f, &beam, &bar),
     )?;
-    let variations = Variations::new(f, (&beam, &bar), (d, squares), chosen);
-    let [p, q, q_bar] = variations.inverse;
-    let (xi, xi_bar) = variations.along(f, &beam, [-p, q], d);
+    let Variations { over_c2, inverse, u, u_bar } = Variations::new(f, (&beam, &bar), &products, chosen);
+    let [p, q, q_bar] = inverse;
+    let (xi, xi_bar) = along(f, &beam, (u, u_bar), ([-p, q], products.d));
     let g = Gradients { xi: &xi, xi_bar: &xi_bar };
-    let (xi, xi_bar) = variations.along(f, &bar, [-q, -q_bar], d);
+    let (xi, xi_bar) = along(f, &bar, (u, u_bar), ([-q, -q_bar], products.d));
     let g_bar = Gradients { xi: &xi, xi_bar: &xi_bar };
-    let Variations { inverse, u, u_bar } = variations;
-    let frame = Frame { beam: &beam, bar: &bar, g, g_bar, d, squares, chosen, inverse, u, u_bar };
+    let frame = Frame { beam: &beam, bar: &bar, g, g_bar, products, over_c2, chosen, inverse, u, u_bar };
     request.write(f, &frame, at);
-    Some(())
+    Some(chosen)
 }

@@ -31,8 +31,9 @@
 //! | H_d | (t/d)² + 1/sin²θ | 1/sin θ + k/sin²θ with k = abs(d·t,ξ)/t², the gap over the radius of curvature |
 //! | H_ξ, straight beams | 1/sin²θ | 1/sin θ, as for a change of the dofs in their last digits |
 //!
-//! So the normal is better at small d and for straight beams, and the paper's (40) where curvature alone keeps nearly parallel
-//! beams apart, or where a tangent is short next to d; the cross products are never worse.
+//! So at wide angles the normal is never worse as long as abs(t,ξ) d² < t (t² + d²): at every gap below the radius of
+//! curvature. The paper's (40) is better where curvature alone keeps nearly parallel beams apart, or where a tangent is short
+//! next to its change and to d; the cross products are never worse.
 
 use super::Points;
 use crate::closest_point::Active;
@@ -40,14 +41,14 @@ use crate::curve::Geometry;
 use crate::number::Real;
 use nalgebra::Vector3;
 
-/// The gap, in lengths of a tangent, from which on (40) loses next to nothing at a wide angle.
-const NEAR: f64 = 1.0 / 8.0;
-/// The gap from which on it loses no more than the normal at any.
+/// The gap, in lengths of a tangent, from which on (40) loses no more than the normal at a small angle.
 const FAR: f64 = 1.0 / 2.0;
-/// k/sin θ from which on it loses no more than the normal.
+/// k/sin θ from which on it loses no more than the normal at a small angle.
 const CURVED: f64 = 1.0 / 8.0;
 /// The squared sine of the angle from which on (52) loses next to nothing.
 const WIDE: f64 = 1.0 / 16.0;
+/// The range of |t × t̄|² in which products of eight lengths neither overflow nor underflow.
+const RANGE: std::ops::Range<f64> = 1e-70..1e70;
 
 /// Which parameters are held at a point, and by which formulas the rest is linearized there.
 ///
@@ -100,35 +101,30 @@ impl Form {
 
     /// The formulas that lose the fewest digits at a point, up to a small factor.
     ///
-    /// The cross products where sin θ < 1/4; the normal where k < sin θ/8 and d < t/8, or where d < t/2 will do as
-    /// sin θ < 1/4, for both beams; those of the paper elsewhere.
+    /// The cross products where sin θ < 1/4. The normal where sin θ < 1/4, k < sin θ/8 and d < t/2 for both beams, or where
+    /// sin θ >= 1/4 and abs(t,ξ) d² < t (t² + d²) for both; the length elsewhere.
     ///
     /// The choice depends on ratios of lengths alone. Next to it the two forms agree within what either loses.
     #[inline]
     pub fn at(points: &Points<f64>, active: Active) -> Self {
         let Points { beam, bar, d } = points;
         let apart = Self::apart(points, active);
-        let c = points.cross();
-        let (c2, [t2, t_bar2]) = (c.dot(&c), [beam, bar].map(|x| x.t.dot(&x.t)));
-        // sin²θ = c·c/(t²t̄²)
-        let narrow = c2 < WIDE * t2 * t_bar2;
-        let near = if narrow { FAR } else { NEAR };
+        let squares = Squares::at(points);
+        let Squares { t2: [t2, t_bar2], c2, .. } = squares;
         let is_near = |x: &Geometry<f64>, t2: f64, other: f64| {
             let turn = d.dot(&x.t_xi);
-            d.dot(d) < near * near * t2 && turn * turn * other < CURVED * CURVED * c2 * t2
+            d.dot(d) < FAR * FAR * t2 && turn * turn * other < CURVED * CURVED * c2 * t2
         };
-        let near = is_near(beam, t2, t_bar2) && is_near(bar, t_bar2, t2);
+        let (wide, normal) = if squares.is_wide() {
+            (true, squares.favour_normal())
+        } else {
+            (false, is_near(beam, t2, t_bar2) && is_near(bar, t_bar2, t2))
+        };
         Self {
             active,
-            distance: if near { apart.distance } else { Distance::Length },
-            system: if narrow { apart.system } else { Elimination::Products },
+            distance: if normal { apart.distance } else { Distance::Length },
+            system: if wide { Elimination::Products } else { apart.system },
         }
-    }
-
-    /// Whether [`Form::at`] is sure to be the paper's, by t·t, t̄·t̄, t·t̄ and d·d alone: true at wide angles and gaps.
-    #[inline(always)]
-    pub fn is_plain([t2, t_bar2, b, d2]: [f64; 4]) -> bool {
-        t2 * t_bar2 - b * b > 1.01 * WIDE * t2 * t_bar2 && d2 >= NEAR * NEAR * t2.min(t_bar2)
     }
 
     /// The form with n the other way round.
@@ -160,6 +156,72 @@ impl Form {
             Distance::Normal { reversed } if self.is_inside() => Some(if reversed { -1.0 } else { 1.0 }),
             _ => None,
         }
+    }
+}
+
+/// The squares of the lengths that decide between the forms at wide angles.
+#[derive(Clone, Copy, Debug)]
+pub struct Squares<T> {
+    /// t·t and t̄·t̄.
+    pub t2: [T; 2],
+    /// t,ξ·t,ξ and its twin.
+    pub t_xi2: [T; 2],
+    /// d·d.
+    pub d2: T,
+    /// c·c with c = t × t̄.
+    pub c2: T,
+}
+
+impl<T: Real> Squares<T> {
+    /// Those of both beams at their contact points.
+    #[inline]
+    pub fn at(points: &Points<T>) -> Self {
+        let Points { beam, bar, d } = points;
+        let c = points.cross();
+        let square = |v: &Vector3<T>| v.dot(v);
+        Self {
+            t2: [square(&beam.t), square(&bar.t)],
+            t_xi2: [square(&beam.t_xi), square(&bar.t_xi)],
+            d2: square(d),
+            c2: square(&c),
+        }
+    }
+
+    /// The same over another number type.
+    #[inline(always)]
+    pub fn map<U>(&self, number: impl Fn(T) -> U) -> Squares<U> {
+        let [t2, t_bar2] = self.t2;
+        let [t_xi2, t_bar_xi2] = self.t_xi2;
+        Squares {
+            t2: [number(t2), number(t_bar2)],
+            t_xi2: [number(t_xi2), number(t_bar_xi2)],
+            d2: number(self.d2),
+            c2: number(self.c2),
+        }
+    }
+}
+
+impl Squares<f64> {
+    /// Whether sin²θ = c·c/(t²t̄²) is so large that (52) loses next to nothing.
+    #[inline(always)]
+    fn is_wide(&self) -> bool {
+        let [t2, t_bar2] = self.t2;
+        self.c2 >= WIDE * (t2 * t_bar2)
+    }
+
+    /// Whether the normal loses no more than (40) at a wide angle: abs(t,ξ) d² < t (t² + d²) for both beams.
+    #[inline(always)]
+    fn favour_normal(&self) -> bool {
+        let Self { t2: [t2, t_bar2], t_xi2: [t_xi2, t_bar_xi2], d2, .. } = *self;
+        let (sum, sum_bar) = (t2 + d2, t_bar2 + d2);
+        let d4 = d2 * d2;
+        t_xi2 * d4 < t2 * (sum * sum) && t_bar_xi2 * d4 < t_bar2 * (sum_bar * sum_bar)
+    }
+
+    /// Whether [`Form::at`] takes the normal and the paper's system, in numbers whose products are in range.
+    #[inline(always)]
+    pub fn is_regular(&self) -> bool {
+        self.is_wide() && self.favour_normal() && RANGE.contains(&self.c2)
     }
 }
 
@@ -204,7 +266,7 @@ pub fn weights<T: Real>(points: &Points<T>, n: &Vector3<T>, det: T) -> [T; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::{Active, Distance, Elimination, Form, Points, inverse_gram, unit_normal, weights};
+    use super::{Active, Distance, Elimination, Form, Points, Squares, inverse_gram, unit_normal, weights};
     use crate::curve::Geometry;
     use crate::linearization::closed_form::Projection;
     use nalgebra::{Matrix3, Matrix3x2, Vector3};
@@ -263,7 +325,8 @@ mod tests {
         };
         let normal = |reversed| Distance::Normal { reversed };
         let (products, crossed) = (Elimination::Products, Elimination::CrossProducts);
-        assert_eq!(at(1.5, 0.5), (Distance::Length, products));
+        assert_eq!(at(1.5, 0.5), (normal(false), products));
+        assert_eq!(at(1.5, 8.0), (Distance::Length, products));
         assert_eq!(at(1.5, 1e-2), (normal(false), products));
         assert_eq!(at(1.5, -1e-2), (normal(true), products));
         assert_eq!(at(1.5, 0.0), (normal(false), products));
@@ -276,13 +339,13 @@ mod tests {
         let mut straight = points(1e-5, 0.25);
         (straight.beam.t_xi, straight.bar.t_xi) = (Vector3::zeros(), Vector3::zeros());
         assert_eq!(Form::at(&straight, Active::default()).distance, normal(false));
-        // A slow parametrization: the tangent is short, and its change nearly along it.
+        // A slow parametrization: the tangent is short next to its change.
         let mut slow = points(1.5, 1e-2);
         slow.beam.t *= 1e-3;
         assert_eq!(Form::at(&slow, Active::default()).distance, Distance::Length);
-        assert!(Form::is_plain([1.5 * 1.5, 0.75 * 0.75, 0.01, 0.25]));
-        assert!(!Form::is_plain([1.5 * 1.5, 0.75 * 0.75, 0.01, 0.005]));
-        assert!(!Form::is_plain([1.5 * 1.5, 0.75 * 0.75, 1.5 * 0.75, 0.25]));
+        assert!(Squares::at(&points(1.5, 1e-9)).is_regular());
+        assert!(!Squares::at(&points(1e-2, 0.25)).is_regular());
+        assert!(!Squares::at(&slow).is_regular());
         let held = Form::at(&points(1e-2, 1e-5), Active { xi: true, xi_bar: false });
         assert_eq!((held.sign(), held.is_crossed()), (None, false));
     }

@@ -63,6 +63,9 @@ pub(super) trait Arithmetic<T: Real>: Copy {
     /// The scalar product.
     fn dot(self, u: Self::Vector, v: Self::Vector) -> T;
 
+    /// The vector product.
+    fn cross(self, u: Self::Vector, v: Self::Vector) -> Self::Vector;
+
     /// A vector over and over.
     fn tile(self, v: Self::Vector) -> Self::Tile;
 
@@ -218,6 +221,11 @@ impl<T: Real> Arithmetic<T> for ByOne {
     #[inline(always)]
     fn dot(self, u: [T; 3], v: [T; 3]) -> T {
         u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+    }
+
+    #[inline(always)]
+    fn cross(self, u: [T; 3], v: [T; 3]) -> [T; 3] {
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
     }
 
     #[inline(always)]

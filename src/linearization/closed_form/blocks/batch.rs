@@ -1,7 +1,7 @@
 //! Many pairs at once: four in the lanes of a vector, through the very source that evaluates one.
 
 use super::arithmetic::ByOne;
-use super::choice::{Best, Choice, Plain};
+use super::choice::{ALL, Chosen, Regular};
 #[cfg(target_arch = "x86_64")]
 use super::in_lanes::InLanes;
 use super::request::{DistanceAlone, Request, Targets};
@@ -35,7 +35,7 @@ pub struct Encounter<'a, A, B, const N: usize, const M: usize> {
 ///
 /// Pair i is written to lane i % 4 of `to[i / 4]`, as far as there are both. What is left of the last four lanes is
 /// written too, with what is of no use. Pairs of the same curves are to stand next to one another: four of them are done
-/// at once, others one by one, as are those whose points ask for different [forms](super::super::Form).
+/// at once, others one by one, as are single lanes whose points ask for another [form](super::super::Form).
 ///
 /// The pairs are dealt to so many threads, which each call starts anew: that is worth it for thousands of pairs. One
 /// thread allocates nothing. Results of some dozens of pairs stay in the cache for whoever assembles them; those of
@@ -51,13 +51,11 @@ where
     W: Target<Lanes, N, M> + Send,
 {
     share(of, to, threads, |of, to| {
-        if in_lanes(of, &mut DistanceAlone(to)).is_none() {
+        one_by_one(of, in_lanes(of, &mut DistanceAlone(to)), |lane, Encounter { pair, q, point }| {
             let mut one = Expansion::zero();
-            for (lane, Encounter { pair, q, point }) in of.iter().enumerate() {
-                write_d(pair, q, point, &mut one);
-                fill(&one, to, |to: &mut Lanes, from| to.0[lane] = from);
-            }
-        }
+            write_d(pair, q, point, &mut one);
+            fill(&one, to, |to: &mut Lanes, from| to.0[lane] = from);
+        });
     })
 }
 
@@ -73,20 +71,36 @@ where
     W: Target<Lanes, N, M> + Send,
 {
     share(of, to, threads, |of, to| {
-        if in_lanes(of, &mut targets(to)).is_none() {
+        one_by_one(of, in_lanes(of, &mut targets(to)), |lane, Encounter { pair, q, point }| {
             let mut one = [Expansion::zero(); 5];
-            for (lane, Encounter { pair, q, point }) in of.iter().enumerate() {
-                write_all(pair, q, point, &mut targets(&mut one));
-                for (one, to) in one.iter().zip(&mut *to) {
-                    fill(one, to, |to: &mut Lanes, from| to.0[lane] = from);
-                }
+            write_all(pair, q, point, &mut targets(&mut one));
+            for (one, to) in one.iter().zip(&mut *to) {
+                fill(one, to, |to: &mut Lanes, from| to.0[lane] = from);
             }
-        }
+        });
     })
 }
 
 fn targets<W>([d, xi, xi_bar, t, t_bar]: &mut [W; 5]) -> Targets<'_, W> {
     Targets { d, xi, xi_bar, t, t_bar }
+}
+
+/// Calls `write` with each of these lanes, given by bits, and its pair.
+#[inline(always)]
+fn one_by_one<E>(of: &[E], lanes: u8, write: impl FnMut(usize, &E)) {
+    if lanes != 0 {
+        exceptions(of, lanes, write);
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn exceptions<E>(of: &[E], lanes: u8, mut write: impl FnMut(usize, &E)) {
+    for (lane, e) in of.iter().enumerate() {
+        if lanes & (1 << lane) != 0 {
+            write(lane, e);
+        }
+    }
 }
 
 /// Calls `write` with every four pairs and the memory for them.
@@ -127,48 +141,39 @@ fn share<E: Sync, W: Send>(
     count
 }
 
-/// At most four pairs of the same curves, inside both beams, at points that ask for the same form.
+/// Writes at most four pairs of the same curves; returns the lanes, by bits, that are left to do one by one.
 #[inline]
 fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, const M: usize>(
     of: &[Encounter<'_, A, B, N, M>],
     request: &mut impl Request<Lanes, N, M>,
-) -> Option<()> {
-    let first = of.first()?;
+) -> u8 {
+    let Some(first) = of.first() else { return 0 };
     let alike = |e: &Encounter<'_, A, B, N, M>| {
-        e.pair.curve == first.pair.curve
-            && e.pair.curve_bar == first.pair.curve_bar
-            && e.point.active() == Active::default()
+        e.pair.curve == first.pair.curve && e.pair.curve_bar == first.pair.curve_bar
     };
     if !may_have_shapes(first.pair) || !of.iter().all(alike) {
-        return None;
+        return ALL;
     }
+    let held = of
+        .iter()
+        .enumerate()
+        .fold(0, |held, (lane, e)| held | u8::from(e.point.active() != Active::default()) << lane);
     // Lanes that no pair is left for repeat the first.
     let lane = |i| of.get(i).unwrap_or(first);
     let four = [first, lane(1), lane(2), lane(3)];
-    fast(four, Plain, request).or_else(|| rarer(four, request))
-}
-
-/// At ends, at small angles and gaps.
-#[cold]
-#[inline(never)]
-fn rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    four: [&Encounter<'_, A, B, N, M>; 4],
-    request: &mut impl Request<Lanes, N, M>,
-) -> Option<()> {
-    fast(four, Best(Active::default()), request)
+    if held == ALL { ALL } else { fast(four, request).map_or(ALL, |chosen| chosen.exceptions | held) }
 }
 
 #[inline]
 fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     four: [&Encounter<'_, A, B, N, M>; 4],
-    choice: impl Choice<Lanes>,
     request: &mut impl Request<Lanes, N, M>,
-) -> Option<()> {
+) -> Option<Chosen<Lanes>> {
     let [a, b, c, d] = four;
     let q = gather([a.q, b.q, c.q, d.q]);
     let [a, b, c, d] = [a.point, b.point, c.point, d.point];
     let at = (Lanes([a.xi, b.xi, c.xi, d.xi]), Lanes([a.xi_bar, b.xi_bar, c.xi_bar, d.xi_bar]));
-    with_the_fastest!(f: InLanes, ByOne => evaluate(f, four[0].pair, &q, at, choice, request))
+    with_the_fastest!(f: InLanes, ByOne => evaluate(f, four[0].pair, &q, at, Regular, request))
 }
 
 /// The dofs of four pairs, one pair in each lane.

@@ -78,6 +78,13 @@ impl Arithmetic<f64> for ByFour {
         product[0] + product[1] + product[2]
     }
 
+    /// (u v.yzx - u.yzx v).yzx: three exchanges of components.
+    #[inline(always)]
+    fn cross(self, u: f64x4<Avx2>, v: f64x4<Avx2>) -> f64x4<Avx2> {
+        let turned = |v: f64x4<Avx2>| f64x4::load_array(self.0, [v[1], v[2], v[0], v[0]]);
+        turned(u.mul_sub(turned(v), turned(u) * v))
+    }
+
     #[inline(always)]
     fn tile(self, v: f64x4<Avx2>) -> [f64x4<Avx2>; 3] {
         [

@@ -1,6 +1,7 @@
 //! Which form is taken at a point.
 
 use crate::closest_point::Active;
+use crate::linearization::closed_form::form::{Distance, Elimination, Squares};
 use crate::linearization::closed_form::{Form, Points};
 use crate::number::{Lanes, Real};
 
@@ -10,46 +11,84 @@ pub(super) struct Chosen<T> {
     pub(super) form: Form,
     /// The sign of its normal to t × t_bar: that of the form but where lanes differ.
     pub(super) sign: T,
+    /// The lanes, by bits, for which the form does not hold.
+    pub(super) exceptions: u8,
 }
 
 impl<T: Real> Chosen<T> {
     #[inline(always)]
     fn new(form: Form) -> Self {
-        Self { form, sign: T::from(form.sign().unwrap_or(1.0)) }
+        Self { form, sign: T::from(form.sign().unwrap_or(1.0)), exceptions: 0 }
     }
 
-    /// The paper's, inside both beams.
+    /// Along the normal with this sign, inside both beams.
     #[inline(always)]
-    fn plain() -> Self {
-        Self { form: Form::paper(Active { xi: false, xi_bar: false }), sign: T::one() }
+    fn along_normal(sign: T, exceptions: u8) -> Self {
+        let form = Form {
+            active: Active { xi: false, xi_bar: false },
+            distance: Distance::Normal { reversed: false },
+            system: Elimination::Products,
+        };
+        Self { form, sign, exceptions }
     }
 }
 
 /// A choice between the forms.
 pub(super) trait Choice<T> {
-    /// The form at a point where t·t, t̄·t̄, t·t̄ and d·d are `squares`; nothing if it is not among the choices.
-    fn choose(self, squares: [T; 4], points: impl FnOnce() -> Points<T>) -> Option<Chosen<T>>;
+    /// The form at a point with these squares and this c·d; nothing if it is not among the choices.
+    fn choose(
+        self,
+        squares: impl FnOnce() -> (Squares<T>, T),
+        points: impl FnOnce() -> Points<T>,
+    ) -> Option<Chosen<T>>;
 }
 
-/// The paper's form inside both beams, where no other keeps more digits.
+/// The common normal and the paper's system, inside both beams, where no other form keeps more digits.
 #[derive(Clone, Copy)]
-pub(super) struct Plain;
+pub(super) struct Regular;
 
-impl Choice<f64> for Plain {
+impl Choice<f64> for Regular {
     #[inline(always)]
-    fn choose(self, squares: [f64; 4], _: impl FnOnce() -> Points<f64>) -> Option<Chosen<f64>> {
-        if Form::is_plain(squares) { Some(Chosen::plain()) } else { None }
+    fn choose(
+        self,
+        squares: impl FnOnce() -> (Squares<f64>, f64),
+        _: impl FnOnce() -> Points<f64>,
+    ) -> Option<Chosen<f64>> {
+        let (squares, height) = squares();
+        squares.is_regular().then(
+            #[inline(always)]
+            || Chosen::along_normal(1.0_f64.copysign(height), 0),
+        )
     }
 }
 
-impl Choice<Lanes> for Plain {
+impl Choice<Lanes> for Regular {
     #[inline(always)]
-    fn choose(self, squares: [Lanes; 4], _: impl FnOnce() -> Points<Lanes>) -> Option<Chosen<Lanes>> {
-        let [t2, t_bar2, b, d2] = squares;
-        let plain = (0..4).all(|i| Form::is_plain([t2.0[i], t_bar2.0[i], b.0[i], d2.0[i]]));
-        if plain { Some(Chosen::plain()) } else { None }
+    fn choose(
+        self,
+        squares: impl FnOnce() -> (Squares<Lanes>, Lanes),
+        _: impl FnOnce() -> Points<Lanes>,
+    ) -> Option<Chosen<Lanes>> {
+        let (squares, height) = squares();
+        let mut exceptions = 0;
+        let mut sign = Lanes([1.0; 4]);
+        for lane in 0..4 {
+            let regular = squares.map(
+                #[inline(always)]
+                |x| x.0[lane],
+            );
+            exceptions |= u8::from(!regular.is_regular()) << lane;
+            sign.0[lane] = sign.0[lane].copysign(height.0[lane]);
+        }
+        (exceptions != ALL).then(
+            #[inline(always)]
+            || Chosen::along_normal(sign, exceptions),
+        )
     }
 }
+
+/// All four lanes.
+pub(super) const ALL: u8 = 0b1111;
 
 /// The form that loses the fewest digits.
 #[derive(Clone, Copy)]
@@ -57,20 +96,12 @@ pub(super) struct Best(pub(super) Active);
 
 impl Choice<f64> for Best {
     #[inline]
-    fn choose(self, _: [f64; 4], points: impl FnOnce() -> Points<f64>) -> Option<Chosen<f64>> {
+    fn choose(
+        self,
+        _: impl FnOnce() -> (Squares<f64>, f64),
+        points: impl FnOnce() -> Points<f64>,
+    ) -> Option<Chosen<f64>> {
         Some(Chosen::new(Form::at(&points(), self.0)))
-    }
-}
-
-impl Choice<Lanes> for Best {
-    /// One for all lanes, but for the sign of the normal.
-    #[inline]
-    fn choose(self, _: [Lanes; 4], points: impl FnOnce() -> Points<Lanes>) -> Option<Chosen<Lanes>> {
-        let points = points();
-        let forms = [0, 1, 2, 3].map(|lane| Form::at(&points.map(|x: Lanes| x.0[lane]), self.0));
-        let alike = forms.iter().all(|form| *form == forms[0] || *form == forms[0].reversed());
-        let sign = Lanes(forms.map(|form| form.sign().unwrap_or(1.0)));
-        alike.then_some(Chosen { form: forms[0], sign })
     }
 }
 
@@ -80,7 +111,11 @@ pub(super) struct Given(pub(super) Form);
 
 impl<T: Real> Choice<T> for Given {
     #[inline]
-    fn choose(self, _: [T; 4], _: impl FnOnce() -> Points<T>) -> Option<Chosen<T>> {
+    fn choose(
+        self,
+        _: impl FnOnce() -> (Squares<T>, T),
+        _: impl FnOnce() -> Points<T>,
+    ) -> Option<Chosen<T>> {
         Some(Chosen::new(self.0))
     }
 }

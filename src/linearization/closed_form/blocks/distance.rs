@@ -1,12 +1,9 @@
 //! The distance, its gradient and its Hessian.
 
 use super::arithmetic::{Arithmetic, Dofs, by_axis};
-use super::frame::{Frame, points};
+use super::frame::{Frame, Products};
 use super::target::Target;
-use crate::linearization::closed_form::form::{unit_normal, weights};
-use crate::linearization::closed_form::{Projection, Sound};
 use crate::number::Real;
-use nalgebra::Vector3;
 
 /// The distance, its normal n and the rows of K, its Hessian in the positions.
 struct Distance<T, V> {
@@ -70,8 +67,8 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     /// n = d/d   K = (I − nnᵀ + t uᵀ + t̄ ūᵀ)/d
     #[inline(always)]
     fn by_length<A: Arithmetic<T, Vector = V>>(&self, f: A) -> Distance<T, V> {
-        let Self { beam, bar, d, squares, u, u_bar, .. } = self;
-        let value = squares[3].sqrt();
+        let Self { beam, bar, products: Products { d, .. }, u, u_bar, .. } = self;
+        let value = f.dot(*d, *d).sqrt();
         let curvature = T::one() / value;
         let n = f.times(curvature, *d);
         let (by_t, by_t_bar) = (f.times(curvature, beam.t), f.times(curvature, bar.t));
@@ -87,17 +84,27 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         Distance { value, n, k: [x, y, z] }
     }
 
-    /// n = ± t × t̄/|t × t̄|   K = T W Tᵀ with T = [t, −t̄]
-    #[inline]
+    /// n = ± c/|c| with c = t × t̄   K = T W Tᵀ with T = [t, −t̄]
+    ///
+    /// W = (TᵀT)⁻¹ E H⁻¹ with (TᵀT)⁻¹ = [[t̄·t̄, b], [b, t·t]]/c·c, E = diag(n·t,ξ, −n·t̄,ξ̄) and H⁻¹ = [[p, −q], [−q, −q̄]].
+    #[inline(always)]
     fn along_normal<A: Arithmetic<T, Vector = V>>(&self, f: A) -> Distance<T, V> {
-        let points = points(f, self.beam, self.bar);
-        let n = unit_normal(&(points.cross() * self.chosen.sign));
-        let det = Projection::with(&Sound, &points, self.chosen.form).det();
-        let [w_11, w_12, w_22] = weights(&points, &n, -det);
-        let (t, t_bar) = (points.beam.t, points.bar.t);
-        let (by_t, by_t_bar) = (t * w_11 - t_bar * w_12, t_bar * w_22 - t * w_12);
-        let vector = |v: Vector3<T>| f.vector(v.into());
-        let (x, y, z) = by_axis(|i| vector(by_t * t[i] + by_t_bar * t_bar[i]));
-        Distance { value: n.dot(&points.d), n: vector(n), k: [x, y, z] }
+        let Self { beam, bar, products, over_c2, chosen, inverse: [p, q, q_bar], .. } = self;
+        let Products { tangents: [t2, t_bar2, b], c, c2, c_d, .. } = *products;
+        let scale = chosen.sign * c2.sqrt() * *over_c2;
+        let n = f.times(scale, c);
+        let by_c2 = scale * *over_c2;
+        let (e, e_bar) = (by_c2 * f.dot(c, beam.t_xi), -by_c2 * f.dot(c, bar.t_xi));
+        let (q_e, b_e_bar) = (*q * e, b * e_bar);
+        let w_11 = f.mul_add(*p * t_bar2, e, -(*q * b_e_bar));
+        let minus_w_12 = f.mul_add(t_bar2, q_e, *q_bar * b_e_bar);
+        let w_22 = -f.mul_add(b, q_e, *q_bar * t2 * e_bar);
+        let by_t = f.components(f.combined([(w_11, beam.t), (minus_w_12, bar.t)]));
+        let by_t_bar = f.components(f.combined([(w_22, bar.t), (minus_w_12, beam.t)]));
+        let (x, y, z) = by_axis(
+            #[inline(always)]
+            |i| f.combined([(by_t[i], beam.t), (by_t_bar[i], bar.t)]),
+        );
+        Distance { value: scale * c_d, n, k: [x, y, z] }
     }
 }

@@ -12,7 +12,7 @@
 //! every row of H. The rows of these variations are found first; a dof's row is a sum of them.
 
 use super::arithmetic::{Arithmetic, Dofs};
-use super::frame::{Frame, Gradients};
+use super::frame::{Frame, Gradients, Products};
 use super::lengths::write_length;
 use super::side::{Side, Spread};
 use super::target::{Swapped, Target};
@@ -72,7 +72,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
             return;
         }
         let Self { beam, bar, g, g_bar, .. } = self;
-        let (d, u, u_bar) = (f.components(self.d), f.components(self.u), f.components(self.u_bar));
+        let (d, u, u_bar) = (f.components(self.products.d), f.components(self.u), f.components(self.u_bar));
         let parameter = Parameter::new(f, (self, bending), ([x, y], m));
         let (along, along_bar) = parameter.along(f, self);
         // −x d·δᵤu,ξξ and −y d·δᵤū,ξ̄ξ̄
@@ -123,7 +123,7 @@ impl<T: Real> Bending<T> {
         f: A,
         frame: &Frame<'_, T, A::Vector, N, M>,
     ) -> Self {
-        let Frame { beam, bar, d, .. } = frame;
+        let Frame { beam, bar, products: Products { d, .. }, .. } = frame;
         let half = <T as From<f64>>::from(0.5);
         let own = f.mul_add(half, f.dot(*d, beam.t_xixi), f.dot(beam.t, beam.t_xi));
         let own_bar = f.mul_add(half, f.dot(*d, bar.t_xixi), -f.dot(bar.t, bar.t_xi));
@@ -192,7 +192,7 @@ impl<T: Real, V: Copy> Parameter<T, V> {
         (frame, bending): (&Frame<'_, T, V, N, M>, &Bending<T>),
         ([x, y], m): ([T; 2], V),
     ) -> Self {
-        let Frame { beam, bar, d, inverse: [p, q, q_bar], u, u_bar, .. } = frame;
+        let Frame { beam, bar, products: Products { d, .. }, inverse: [p, q, q_bar], u, u_bar, .. } = frame;
         let (p, q, q_bar, d, u, u_bar) = (*p, *q, *q_bar, *d, *u, *u_bar);
         let half = <T as From<f64>>::from(0.5);
         let Bending { own, own_bar, other, other_bar } = *bending;
