@@ -48,7 +48,8 @@ const CURVED: f64 = 1.0 / 8.0;
 /// The squared sine of the angle from which on (52) loses next to nothing.
 const WIDE: f64 = 1.0 / 16.0;
 /// The range of |t × t̄|² in which products of eight lengths neither overflow nor underflow.
-const RANGE: std::ops::Range<f64> = 1e-70..1e70;
+const SMALL: f64 = 1e-70;
+const LARGE: f64 = 1e70;
 
 /// Which parameters are held at a point, and by which formulas the rest is linearized there.
 ///
@@ -159,17 +160,17 @@ impl Form {
     }
 }
 
-/// The squares of the lengths that decide between the forms at wide angles.
+/// The products that decide between the forms at wide angles.
 #[derive(Clone, Copy, Debug)]
 pub struct Squares<T> {
     /// t·t and t̄·t̄.
     pub t2: [T; 2],
     /// t,ξ·t,ξ and its twin.
     pub t_xi2: [T; 2],
-    /// d·d.
-    pub d2: T,
     /// c·c with c = t × t̄.
     pub c2: T,
+    /// c·d, whose square is c·c d·d as d is along c.
+    pub c_d: T,
 }
 
 impl<T: Real> Squares<T> {
@@ -182,8 +183,8 @@ impl<T: Real> Squares<T> {
         Self {
             t2: [square(&beam.t), square(&bar.t)],
             t_xi2: [square(&beam.t_xi), square(&bar.t_xi)],
-            d2: square(d),
             c2: square(&c),
+            c_d: c.dot(d),
         }
     }
 
@@ -195,8 +196,8 @@ impl<T: Real> Squares<T> {
         Squares {
             t2: [number(t2), number(t_bar2)],
             t_xi2: [number(t_xi2), number(t_bar_xi2)],
-            d2: number(self.d2),
             c2: number(self.c2),
+            c_d: number(self.c_d),
         }
     }
 }
@@ -212,16 +213,20 @@ impl Squares<f64> {
     /// Whether the normal loses no more than (40) at a wide angle: abs(t,ξ) d² < t (t² + d²) for both beams.
     #[inline(always)]
     fn favour_normal(&self) -> bool {
-        let Self { t2: [t2, t_bar2], t_xi2: [t_xi2, t_bar_xi2], d2, .. } = *self;
-        let (sum, sum_bar) = (t2 + d2, t_bar2 + d2);
+        let Self { t2: [t2, t_bar2], t_xi2: [t_xi2, t_bar_xi2], c2, c_d } = *self;
+        // All lengths but those of t and t,ξ times that of c.
+        let d2 = c_d * c_d;
+        let (sum, sum_bar) = (t2 * c2 + d2, t_bar2 * c2 + d2);
         let d4 = d2 * d2;
-        t_xi2 * d4 < t2 * (sum * sum) && t_bar_xi2 * d4 < t_bar2 * (sum_bar * sum_bar)
+        (t_xi2 * d4 < t2 * (sum * sum)) & (t_bar_xi2 * d4 < t_bar2 * (sum_bar * sum_bar))
     }
 
     /// Whether [`Form::at`] takes the normal and the paper's system, in numbers whose products are in range.
+    ///
+    /// One branch for all conditions: the kernel goes on with what it needs anyway while they are decided.
     #[inline(always)]
     pub fn is_regular(&self) -> bool {
-        self.is_wide() && self.favour_normal() && RANGE.contains(&self.c2)
+        self.is_wide() & self.favour_normal() & (self.c2 > SMALL) & (self.c2 < LARGE)
     }
 }
 

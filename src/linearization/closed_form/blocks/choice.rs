@@ -35,10 +35,10 @@ impl<T: Real> Chosen<T> {
 
 /// A choice between the forms.
 pub(super) trait Choice<T> {
-    /// The form at a point with these squares and this c·d; nothing if it is not among the choices.
+    /// The form at a point with these products; nothing if it is not among the choices.
     fn choose(
         self,
-        squares: impl FnOnce() -> (Squares<T>, T),
+        squares: impl FnOnce() -> Squares<T>,
         points: impl FnOnce() -> Points<T>,
     ) -> Option<Chosen<T>>;
 }
@@ -51,13 +51,13 @@ impl Choice<f64> for Regular {
     #[inline(always)]
     fn choose(
         self,
-        squares: impl FnOnce() -> (Squares<f64>, f64),
+        squares: impl FnOnce() -> Squares<f64>,
         _: impl FnOnce() -> Points<f64>,
     ) -> Option<Chosen<f64>> {
-        let (squares, height) = squares();
+        let squares = squares();
         squares.is_regular().then(
             #[inline(always)]
-            || Chosen::along_normal(1.0_f64.copysign(height), 0),
+            || Chosen::along_normal(1.0_f64.copysign(squares.c_d), 0),
         )
     }
 }
@@ -66,10 +66,10 @@ impl Choice<Lanes> for Regular {
     #[inline(always)]
     fn choose(
         self,
-        squares: impl FnOnce() -> (Squares<Lanes>, Lanes),
+        squares: impl FnOnce() -> Squares<Lanes>,
         _: impl FnOnce() -> Points<Lanes>,
     ) -> Option<Chosen<Lanes>> {
-        let (squares, height) = squares();
+        let squares = squares();
         let mut exceptions = 0;
         let mut sign = Lanes([1.0; 4]);
         for lane in 0..4 {
@@ -78,7 +78,7 @@ impl Choice<Lanes> for Regular {
                 |x| x.0[lane],
             );
             exceptions |= u8::from(!regular.is_regular()) << lane;
-            sign.0[lane] = sign.0[lane].copysign(height.0[lane]);
+            sign.0[lane] = sign.0[lane].copysign(squares.c_d.0[lane]);
         }
         (exceptions != ALL).then(
             #[inline(always)]
@@ -98,7 +98,7 @@ impl Choice<f64> for Best {
     #[inline]
     fn choose(
         self,
-        _: impl FnOnce() -> (Squares<f64>, f64),
+        _: impl FnOnce() -> Squares<f64>,
         points: impl FnOnce() -> Points<f64>,
     ) -> Option<Chosen<f64>> {
         Some(Chosen::new(Form::at(&points(), self.0)))
@@ -111,11 +111,7 @@ pub(super) struct Given(pub(super) Form);
 
 impl<T: Real> Choice<T> for Given {
     #[inline]
-    fn choose(
-        self,
-        _: impl FnOnce() -> (Squares<T>, T),
-        _: impl FnOnce() -> Points<T>,
-    ) -> Option<Chosen<T>> {
+    fn choose(self, _: impl FnOnce() -> Squares<T>, _: impl FnOnce() -> Points<T>) -> Option<Chosen<T>> {
         Some(Chosen::new(self.0))
     }
 }

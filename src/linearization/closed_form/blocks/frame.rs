@@ -60,17 +60,17 @@ impl<T: Real, V: Copy> Products<T, V> {
         Self { d, tangents, c, c2: f.dot(c, c), c_d: f.dot(c, d) }
     }
 
-    /// What decides between the forms, and c·d.
+    /// What decides between the forms.
     #[inline(always)]
     pub(super) fn squares<A: Arithmetic<T, Vector = V>, const N: usize, const M: usize>(
         &self,
         f: A,
         beam: &Side<'_, T, V, N>,
         bar: &Side<'_, T, V, M>,
-    ) -> (Squares<T>, T) {
+    ) -> Squares<T> {
         let [t2, t_bar2, _] = self.tangents;
         let t_xi2 = [f.dot(beam.t_xi, beam.t_xi), f.dot(bar.t_xi, bar.t_xi)];
-        (Squares { t2: [t2, t_bar2], t_xi2, d2: f.dot(self.d, self.d), c2: self.c2 }, self.c_d)
+        Squares { t2: [t2, t_bar2], t_xi2, c2: self.c2, c_d: self.c_d }
     }
 }
 

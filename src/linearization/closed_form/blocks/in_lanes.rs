@@ -98,11 +98,7 @@ impl Arithmetic<Lanes> for InLanes {
 
     #[inline(always)]
     fn cross(self, u: [Four; 3], v: [Four; 3]) -> [Four; 3] {
-        [
-            u[1].mul_sub(v[2], u[2] * v[1]),
-            u[2].mul_sub(v[0], u[0] * v[2]),
-            u[0].mul_sub(v[1], u[1] * v[0]),
-        ]
+        [u[1].mul_sub(v[2], u[2] * v[1]), u[2].mul_sub(v[0], u[0] * v[2]), u[0].mul_sub(v[1], u[1] * v[0])]
     }
 
     #[inline(always)]
