@@ -45,7 +45,7 @@ pub use variations::{variations, variations_with};
 /// those of the signed distance along n = t × t_bar/|t × t_bar|; its sign, and that of n, is a choice. Elsewhere n points
 /// from the bar beam to the beam, and d is positive.
 ///
-/// The same but for the slips, faster and into memory of one's own, is [`blocks::write_all`].
+/// It is [`blocks::write_linearization`], which writes into memory of the caller: the kernel.
 ///
 /// # Example
 /// See the crate's front page.
@@ -54,9 +54,9 @@ pub fn linearize<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
 ) -> Linearization<f64, N, M> {
-    let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
-    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
-    Matrices::with(Sound, &jet, &jet_bar, form).all((point.xi, point.xi_bar), &pair.contact)
+    let mut all = Linearization::ZEROS;
+    blocks::write_linearization(pair, q, point, &mut all);
+    all
 }
 
 /// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair, by

@@ -3,7 +3,7 @@
 use super::fastest::with_the_fastest;
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{ArrayStorage, SMatrix, SVector};
 
 /// A symmetric matrix over the dofs of both beams: the two square blocks in full, and the block between them.
 ///
@@ -196,4 +196,19 @@ impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
         let zero = Expansion::zero;
         Self { d: zero(), t: zero(), t_bar: zero(), xi: zero(), xi_bar: zero(), g_t: zero(), g_t_bar: zero() }
     }
+}
+
+impl<const N: usize, const M: usize> Linearization<f64, N, M> {
+    /// [`Linearization::zeros`] as a constant: zeros are then written once, to where the result is returned.
+    pub(super) const ZEROS: Self = {
+        const fn matrix<const R: usize, const C: usize>() -> SMatrix<f64, R, C> {
+            SMatrix::from_array_storage(ArrayStorage([[0.0; R]; C]))
+        }
+        let zero = Expansion {
+            hessian: DofMatrix { beam: matrix(), mixed: matrix(), bar: matrix() },
+            gradient: DofVector { beam: matrix(), bar: matrix() },
+            value: 0.0,
+        };
+        Self { d: zero, t: zero, t_bar: zero, xi: zero, xi_bar: zero, g_t: zero, g_t_bar: zero }
+    };
 }

@@ -3,7 +3,9 @@
 use crate::pairs::{Contacting, Movable, contacting, hermite, quadratic};
 use beamgap::closest_point::Active;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
-use beamgap::linearization::closed_form::blocks::{Full, Targets, write_all, write_all_over};
+use beamgap::linearization::closed_form::blocks::{
+    Full, Targets, write_all_with_slips, write_all_with_slips_over,
+};
 use beamgap::linearization::closed_form::form::{Distance, Elimination};
 use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, Sound, jets};
 use beamgap::linearization::{Expansion, Linearization};
@@ -14,7 +16,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-/// The form of small gaps and angles.
+/// The form of small angles.
 const APART: Form = Form {
     active: Active { xi: false, xi_bar: false },
     distance: Distance::Normal { reversed: false },
@@ -41,10 +43,11 @@ fn by_blocks<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usi
     q: &DofVector<T, N, M>,
     at: (T, T),
     form: Form,
-) -> [Vec<T>; 5] {
-    let mut full = [Full::<T, S>::zeros(); 5];
-    assert!(write_all_over(pair, q, at, form, &mut targets(&mut full)));
-    full.each_ref().map(flat)
+) -> [Vec<T>; 7] {
+    let (mut full, mut slips) = ([Full::<T, S>::zeros(); 5], [Full::<T, S>::zeros(); 2]);
+    assert!(write_all_with_slips_over(pair, q, at, form, &mut targets(&mut full), slips.each_mut()));
+    let ([d, xi, xi_bar, t, t_bar], [g_t, g_t_bar]) = (full.each_ref(), slips.each_ref());
+    [d, xi, xi_bar, t, t_bar, g_t, g_t_bar].map(flat)
 }
 
 /// The same by the matrices.
@@ -53,11 +56,11 @@ fn by_matrices<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: u
     q: &DofVector<T, N, M>,
     at: (T, T),
     form: Form,
-) -> [Vec<T>; 5] {
+) -> [Vec<T>; 7] {
     let (jet, jet_bar) = jets(pair, q, at);
-    let Linearization { d, xi, xi_bar, t, t_bar, .. } =
+    let Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar } =
         Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact);
-    [d, xi, xi_bar, t, t_bar].map(flat_expansion)
+    [d, xi, xi_bar, t, t_bar, g_t, g_t_bar].map(flat_expansion)
 }
 
 /// The same of blocks.
@@ -104,7 +107,9 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
             q.beam[start + c] += (d - (x.x - x_bar.x))[c];
         }
     }
-    for form in [Form::paper(active), Form { active, ..APART }, Form { active, ..APART }.reversed()] {
+    let apart = Form { active, ..APART };
+    let regular = Form { system: Elimination::Products, ..apart };
+    for form in [Form::paper(active), apart, apart.reversed(), regular, regular.reversed()] {
         let blocks = by_blocks::<_, _, _, N, M, S>(pair, &q, at, form);
         assert!(blocks == by_matrices(pair, &q, at, form), "{form:?}");
     }
@@ -160,14 +165,14 @@ fn equal_within_rounding<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
     case: &Contacting<A, B, N, M>,
 ) -> f64 {
     let Contacting { pair, q, point, .. } = case;
-    let mut fast = [Full::<f64, S>::zeros(); 5];
-    write_all(pair, q, point, &mut targets(&mut fast));
+    let (mut five, mut slips) = ([Full::<f64, S>::zeros(); 5], [Full::<f64, S>::zeros(); 2]);
+    write_all_with_slips(pair, q, point, &mut targets(&mut five), slips.each_mut());
     let form = form_at(case);
     let q = DofVector { beam: q.beam.map(Bounded::from), bar: q.bar.map(Bounded::from) };
     let at = parameters(case);
     let (ours, theirs) = (by_blocks::<_, _, _, N, M, S>(pair, &q, at, form), by_matrices(pair, &q, at, form));
     let mut widest = 0.0_f64;
-    for (i, fast) in fast.iter().enumerate() {
+    for (i, fast) in five.iter().chain(&slips).enumerate() {
         let largest = theirs[i].iter().fold(0.0_f64, |largest, x| largest.max(x.value.abs()));
         for ((x, ours), theirs) in flat(fast).iter().zip(&ours[i]).zip(&theirs[i]) {
             let tolerance = ours.bound + theirs.bound;
@@ -204,7 +209,7 @@ fn bounds_are_narrow() {
 }
 
 fn pair<A, B>(curve: A, curve_bar: B) -> Pair<A, B> {
-    Pair { curve, curve_bar, contact: Contact::default() }
+    Pair { curve, curve_bar, contact: Contact { xi_0: 0.25, xi_bar_0: -0.5, ..Contact::default() } }
 }
 
 fn numbers() -> impl Strategy<Value = (Vec<u64>, Active)> {

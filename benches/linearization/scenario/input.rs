@@ -5,7 +5,8 @@ use beamgap::closest_point::{Beam, ClosestPoint, Search, closest_points};
 use beamgap::curve::{
     Arc, BSpline, Bezier, Cubic, Curve, Helix, Hermite, Nurbs, NurbsWeighted, Quadratic, Segment,
 };
-use beamgap::linearization::closed_form::{Form, jets};
+use beamgap::linearization::closed_form::form::Squares;
+use beamgap::linearization::closed_form::{Points, jets};
 use beamgap::pair::{Contact, DofVector, Pair};
 use beamgap::specimen::{Family, Specimen};
 use nalgebra::{SVector, Vector3};
@@ -42,8 +43,8 @@ pub(super) fn hermites() -> Twins<Hermite, 12> {
 
 /// A pair of the standard family at a small gap or angle, where the closed form takes another form.
 pub(super) fn near() -> Twins<Hermite, 12> {
-    let near = pairs(Family::Hermite, |_| Hermite::new()).find(|input| !input.is_plain());
-    Input { family: "hermite, near", ..near.expect("some of the pairs are") }
+    let near = pairs(Family::Hermite, |_| Hermite::new()).find(|input| !input.is_regular());
+    Input { family: "hermite, small angle", ..near.expect("some of the pairs are") }
 }
 
 /// A pair of each other family.
@@ -91,7 +92,7 @@ pub(super) fn drawn<C: TimedCurve<N>, const N: usize>(
     count: usize,
     curve: impl Fn(&Specimen) -> C,
 ) -> Vec<Twins<C, N>> {
-    pairs(family, curve).filter(Input::is_plain).take(count).collect()
+    pairs(family, curve).filter(Input::is_regular).take(count).collect()
 }
 
 /// The well-conditioned pairs of two beams of a family that the gate draws.
@@ -119,13 +120,11 @@ impl<C: TimedCurve<N>, const N: usize> Input<C, C, N, N> {
         Some(Self { family: case.families[0].name(), pair, q, dq, linear_dq, point })
     }
 
-    /// Whether the point is one for the paper's form.
-    fn is_plain(&self) -> bool {
+    /// Whether the point is one for the kernel's fast form.
+    fn is_regular(&self) -> bool {
         let Self { pair, q, point, .. } = self;
         let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
-        let (x, x_bar) = (jet.geometry, jet_bar.geometry);
-        let d = x.x - x_bar.x;
-        Form::is_plain([x.t.dot(&x.t), x_bar.t.dot(&x_bar.t), x.t.dot(&x_bar.t), d.dot(&d)])
+        Squares::at(&Points::new(&jet.geometry, &jet_bar.geometry)).is_regular()
     }
 
     /// Two gently bent beams that cross, by points at the parameters `nodes` of a family that has a point for each.

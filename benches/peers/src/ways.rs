@@ -74,6 +74,10 @@ way!(linearize_all, linearize_all_read: Linearization<f64, 12, 12>, |case, to| {
     *to = linearize(&PAIR, &case.q, &case.point);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
+way!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to| {
+    blocks::write_linearization(&PAIR, &case.q, &case.point, to);
+}, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
+
 way!(blocks_d_full, blocks_d_full_read: Row, |case, to| {
     blocks::write_d(&PAIR, &case.q, &case.point, to);
 }, |d, full| write_rows(std::slice::from_ref(d), full));

@@ -27,6 +27,7 @@ mod lengths;
 mod parameters;
 mod request;
 mod side;
+mod slips;
 mod target;
 
 pub use batch::{Encounter, write_all_batch, write_d_batch};
@@ -36,6 +37,7 @@ pub use target::{Full, Gradient, Packed, Target};
 use super::{Form, Matrices, Points, Sound, jets};
 use crate::closest_point::{Active, ClosestPoint};
 use crate::curve::{Curve, DofDerivatives};
+use crate::linearization::Linearization;
 use crate::linearization::fastest::with_the_fastest;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
@@ -44,7 +46,7 @@ use arithmetic::{Arithmetic, ByOne};
 use by_four::ByFour;
 use choice::{Best, Choice, Chosen, Given, Regular};
 use frame::{Frame, Gradients, Products, Variations, along, points};
-use request::{DistanceAlone, Request};
+use request::{DistanceAlone, Request, WithSlips};
 use side::{Side, Spread, shapes, spread};
 
 /// d with its derivatives, at a closest point of the pair, written over `to`.
@@ -69,6 +71,37 @@ pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     write(pair, q, point, to);
 }
 
+/// All scalar quantities with the slips, at a closest point of the pair, written over `to` and `slips`, g_T and g_T_bar.
+#[inline]
+pub fn write_all_with_slips<
+    A: Curve<N>,
+    B: Curve<M>,
+    W: Target<f64, N, M>,
+    const N: usize,
+    const M: usize,
+>(
+    pair: &Pair<A, B>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+    to: &mut Targets<'_, W>,
+    slips: [&mut W; 2],
+) {
+    let origin = (pair.contact.xi_0, pair.contact.xi_bar_0);
+    write(pair, q, point, &mut WithSlips { targets: to, slips, origin });
+}
+
+/// [`write_all_with_slips`] into a [`Linearization`].
+#[inline]
+pub fn write_linearization<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+    to: &mut Linearization<f64, N, M>,
+) {
+    let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar } = to;
+    write_all_with_slips(pair, q, point, &mut Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar]);
+}
+
 /// [`write_d`] over any scalar, in the form asked for; `false`, and nothing written, if a curve has no shape functions.
 ///
 /// For those who check and count: [`write_d`] does the same, with fused products and sums.
@@ -91,6 +124,25 @@ pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M
     to: &mut Targets<'_, impl Target<T, N, M>>,
 ) -> bool {
     evaluate(ByOne, pair, q, at, Given(form), to).is_some()
+}
+
+/// [`write_all_with_slips`] over any scalar, and otherwise [`write_d_over`].
+pub fn write_all_with_slips_over<T, A, B, W, const N: usize, const M: usize>(
+    pair: &Pair<A, B>,
+    q: &DofVector<T, N, M>,
+    at: (T, T),
+    form: Form,
+    to: &mut Targets<'_, W>,
+    slips: [&mut W; 2],
+) -> bool
+where
+    T: Real,
+    A: Curve<N>,
+    B: Curve<M>,
+    W: Target<T, N, M>,
+{
+    let origin = (pair.contact.xi_0, pair.contact.xi_bar_0);
+    evaluate(ByOne, pair, q, at, Given(form), &mut WithSlips { targets: to, slips, origin }).is_some()
 }
 
 /// What is asked for, by the form that loses the fewest digits.

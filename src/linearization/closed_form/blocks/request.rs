@@ -3,7 +3,8 @@
 use super::arithmetic::Arithmetic;
 use super::frame::Frame;
 use super::parameters::Bending;
-use super::target::{Target, copy};
+use super::slips::write_slip;
+use super::target::{Swapped, Target, copy};
 use crate::curve::DofDerivatives;
 use crate::linearization::Linearization;
 use crate::linearization::closed_form::Matrices;
@@ -73,11 +74,54 @@ impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, 
         at: (T, T),
         contact: &Contact,
     ) {
-        let Linearization { d, xi, xi_bar, t, t_bar, .. } = matrices.all(at, contact);
-        copy(&d, self.d);
-        copy(&xi, self.xi);
-        copy(&xi_bar, self.xi_bar);
-        copy(&t, self.t);
-        copy(&t_bar, self.t_bar);
+        self.copy_from(&matrices.all(at, contact));
+    }
+}
+
+impl<W> Targets<'_, W> {
+    fn copy_from<T: Real, const N: usize, const M: usize>(&mut self, all: &Linearization<T, N, M>)
+    where
+        W: Target<T, N, M>,
+    {
+        let Linearization { d, xi, xi_bar, t, t_bar, .. } = all;
+        copy(d, self.d);
+        copy(xi, self.xi);
+        copy(xi_bar, self.xi_bar);
+        copy(t, self.t);
+        copy(t_bar, self.t_bar);
+    }
+}
+
+/// Memory for all scalar quantities of a pair, and where the slips are measured from.
+pub(super) struct WithSlips<'a, 'b, W> {
+    pub(super) targets: &'b mut Targets<'a, W>,
+    pub(super) slips: [&'b mut W; 2],
+    pub(super) origin: (f64, f64),
+}
+
+impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, M> for WithSlips<'_, '_, W> {
+    #[inline(always)]
+    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, at: (T, T)) {
+        self.targets.write(f, frame, at);
+        let Targets { xi, xi_bar, t, t_bar, .. } = &mut *self.targets;
+        let Frame { g, g_bar, .. } = frame;
+        let [g_t, g_t_bar] = &mut self.slips;
+        let (slip, slip_bar) = (at.0 - T::from(self.origin.0), at.1 - T::from(self.origin.1));
+        write_slip(f, slip, (g.xi, g_bar.xi), (*xi, *t), *g_t);
+        let (xi_bar, t_bar) = (&mut Swapped(*xi_bar), &mut Swapped(*t_bar));
+        write_slip(f, slip_bar, (g_bar.xi_bar, g.xi_bar), (xi_bar, t_bar), &mut Swapped(*g_t_bar));
+    }
+
+    fn copy(
+        &mut self,
+        matrices: &Matrices<'_, T, impl DofDerivatives<T, N>, impl DofDerivatives<T, M>, N, M>,
+        at: (T, T),
+        contact: &Contact,
+    ) {
+        let all = matrices.all(at, contact);
+        self.targets.copy_from(&all);
+        let [g_t, g_t_bar] = &mut self.slips;
+        copy(&all.g_t, *g_t);
+        copy(&all.g_t_bar, *g_t_bar);
     }
 }
