@@ -27,6 +27,7 @@ pub use newton::refine;
 pub use point::{Active, ClosestPoint, Degeneracy, End, Kind, Side};
 
 use crate::curve::{Curve, Geometry};
+use crate::pair::{self, DofVector};
 use ends::Rim;
 use nalgebra::SVector;
 use search::{Inside, Pair};
@@ -66,6 +67,45 @@ impl<C: Curve<N>, const N: usize> Centroid for Beam<'_, C, N> {
 
     fn is_cubic(&self) -> bool {
         self.curve.is_cubic()
+    }
+}
+
+impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> pair::Pair<A, B, N, M> {
+    /// All minima of the distance between the two curves: [`closest_points`] with the default limits.
+    ///
+    /// # Errors
+    /// Those of [`closest_points`].
+    #[doc(alias = "closest point projection")]
+    #[doc(alias = "CPP")]
+    pub fn closest_points(&self, q: &DofVector<f64, N, M>) -> Result<ClosestPoints, ProjectionError> {
+        self.closest_points_with(q, &Search::default())
+    }
+
+    /// The same with other limits.
+    ///
+    /// # Errors
+    /// Those of [`closest_points`].
+    pub fn closest_points_with(
+        &self,
+        q: &DofVector<f64, N, M>,
+        options: &Search,
+    ) -> Result<ClosestPoints, ProjectionError> {
+        let beam = Beam { curve: &self.curve, q: &q.beam };
+        closest_points(&beam, &Beam { curve: &self.curve_bar, q: &q.bar }, options)
+    }
+
+    /// One stationary point by Newton's method from nearby: [`refine`].
+    ///
+    /// # Errors
+    /// Those of [`refine`].
+    pub fn refine(
+        &self,
+        q: &DofVector<f64, N, M>,
+        start: (f64, f64),
+        active: Active,
+    ) -> Result<ClosestPoint, ProjectionError> {
+        let beam = Beam { curve: &self.curve, q: &q.beam };
+        refine(&beam, &Beam { curve: &self.curve_bar, q: &q.bar }, start, active)
     }
 }
 

@@ -6,19 +6,19 @@ pub mod linearization;
 pub mod number;
 pub mod pair;
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "check")]
 pub mod check;
-#[cfg(feature = "cli")]
+#[cfg(feature = "check")]
 pub mod ledger;
-#[cfg(feature = "cli")]
+#[cfg(feature = "check")]
 pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
-#[cfg(feature = "cli")]
+#[cfg(feature = "check")]
 pub mod specimen;
-#[cfg(feature = "cli")]
+#[cfg(feature = "check")]
 pub mod subject;
-#[cfg(feature = "cli")]
+#[cfg(feature = "check")]
 pub mod teeth;
 
 pub use nalgebra;

@@ -1,17 +1,63 @@
 //! Two beams that may touch: their curves, their sections, and vectors over the dofs of both.
 
+use crate::curve::Curve;
 use crate::number::Real;
 use nalgebra::SVector;
+use thiserror::Error;
 
-/// A beam and a bar beam; the two may be of different families and sizes.
+/// A beam of `N` dofs and a bar beam of `M` dofs; the two may be of different families.
+///
+/// [`Pair::closest_points`] finds where the two are closest, [`Pair::linearize`] linearizes the gap there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pair<A, B> {
+pub struct Pair<A, B, const N: usize, const M: usize> {
     /// The curve of the beam.
     pub curve: A,
     /// The curve of the bar beam.
     pub curve_bar: B,
     /// Radii and reference parameters.
     pub contact: Contact,
+}
+
+impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
+    /// Two curves without thickness, whose slips are measured from their middles.
+    pub fn new(curve: A, curve_bar: B) -> Self {
+        Self { curve, curve_bar, contact: Contact::default() }
+    }
+
+    /// The same with radii and reference parameters.
+    #[must_use]
+    pub fn with_contact(self, contact: Contact) -> Self {
+        Self { contact, ..self }
+    }
+
+    /// The dofs of both beams, from the numbers of each.
+    ///
+    /// # Errors
+    /// [`LengthError`] if there are not `N` and `M` numbers.
+    pub fn dofs(&self, beam: &[f64], bar: &[f64]) -> Result<DofVector<f64, N, M>, LengthError> {
+        DofVector::from_slices(beam, bar)
+    }
+}
+
+/// Memory or input of the wrong length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("{found} numbers where {expected} were expected")]
+pub struct LengthError {
+    /// How many numbers there should be.
+    pub expected: usize,
+    /// How many there are.
+    pub found: usize,
+}
+
+impl LengthError {
+    /// Whether a slice has this length.
+    ///
+    /// # Errors
+    /// If it has another.
+    pub(crate) fn check<T>(slice: &[T], expected: usize) -> Result<(), Self> {
+        let found = slice.len();
+        if found == expected { Ok(()) } else { Err(Self { expected, found }) }
+    }
 }
 
 /// What a pair of beams has besides its centroids.
@@ -37,6 +83,12 @@ pub struct DofVector<T, const N: usize, const M: usize> {
     pub bar: SVector<T, M>,
 }
 
+impl<T: Real, const N: usize, const M: usize> From<([T; N], [T; M])> for DofVector<T, N, M> {
+    fn from((beam, bar): ([T; N], [T; M])) -> Self {
+        Self { beam: beam.into(), bar: bar.into() }
+    }
+}
+
 impl<T: Real, const N: usize, const M: usize> DofVector<T, N, M> {
     /// The zero vector.
     #[inline]
@@ -54,6 +106,38 @@ impl<T: Real, const N: usize, const M: usize> DofVector<T, N, M> {
     #[inline]
     pub fn of_bar(bar: SVector<T, M>) -> Self {
         Self { beam: SVector::zeros(), bar }
+    }
+
+    /// The vector of the numbers of each beam.
+    ///
+    /// # Errors
+    /// [`LengthError`] if there are not `N` and `M` numbers.
+    pub fn from_slices(beam: &[T], bar: &[T]) -> Result<Self, LengthError> {
+        LengthError::check(beam, N)?;
+        LengthError::check(bar, M)?;
+        Ok(Self { beam: SVector::from_column_slice(beam), bar: SVector::from_column_slice(bar) })
+    }
+
+    /// The vector of all numbers, beam before bar beam.
+    ///
+    /// # Errors
+    /// [`LengthError`] if there are not `N` + `M` numbers.
+    pub fn from_slice(all: &[T]) -> Result<Self, LengthError> {
+        LengthError::check(all, N + M)?;
+        let (beam, bar) = all.split_at(N);
+        Self::from_slices(beam, bar)
+    }
+
+    /// Writes all numbers, beam before bar beam.
+    ///
+    /// # Errors
+    /// [`LengthError`] if there is not room for just `N` + `M` numbers.
+    pub fn write_to(&self, to: &mut [T]) -> Result<(), LengthError> {
+        LengthError::check(to, N + M)?;
+        let (beam, bar) = to.split_at_mut(N);
+        beam.copy_from_slice(self.beam.as_slice());
+        bar.copy_from_slice(self.bar.as_slice());
+        Ok(())
     }
 
     /// self + factor * other.
@@ -96,3 +180,6 @@ impl<T: Real, const N: usize, const M: usize> DofVector<T, N, M> {
         e
     }
 }
+
+#[cfg(test)]
+mod tests;

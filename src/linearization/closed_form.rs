@@ -50,7 +50,7 @@ pub use variations::{variations, variations_with};
 /// # Example
 /// See the crate's front page.
 pub fn linearize<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
 ) -> Linearization<f64, N, M> {
@@ -59,10 +59,28 @@ pub fn linearize<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     all
 }
 
+impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
+    /// d, t, t_bar, xi, xi_bar, g_T and g_T_bar with gradients and Hessians at a closest point: [`linearize`].
+    #[must_use]
+    pub fn linearize(&self, q: &DofVector<f64, N, M>, point: &ClosestPoint) -> Linearization<f64, N, M> {
+        linearize(self, q, point)
+    }
+
+    /// The same, written over `to`: half the time, as [`Pair::linearize`] clears and copies its result.
+    pub fn linearize_into(
+        &self,
+        q: &DofVector<f64, N, M>,
+        point: &ClosestPoint,
+        to: &mut Linearization<f64, N, M>,
+    ) {
+        blocks::write_linearization(self, q, point, to);
+    }
+}
+
 /// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair, by
 /// the formulas that [`linearize`] takes.
 pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     dq: &DofVector<f64, N, M>,
@@ -79,7 +97,7 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 /// The jets of both curves.
 #[expect(clippy::type_complexity, reason = "a pair of jets has no shorter name")]
 pub fn jets<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     (xi, xi_bar): (T, T),
 ) -> (Jet<T, A::Dofs<T>>, Jet<T, B::Dofs<T>>) {

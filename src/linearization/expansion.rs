@@ -2,8 +2,8 @@
 
 use super::fastest::with_the_fastest;
 use crate::number::Real;
-use crate::pair::{Contact, DofVector};
-use nalgebra::{ArrayStorage, SMatrix, SVector};
+use crate::pair::{DofVector, LengthError};
+use nalgebra::{ArrayStorage, DMatrix, SMatrix, SVector};
 
 /// A symmetric matrix over the dofs of both beams: the two square blocks in full, and the block between them.
 ///
@@ -56,6 +56,41 @@ impl<T: Real, const N: usize, const M: usize> DofMatrix<T, N, M> {
             + bilinear(&dq.beam, &self.mixed, &linear_dq.bar)
             + bilinear(&linear_dq.beam, &self.mixed, &dq.bar)
             + bilinear(&dq.bar, &self.bar, &linear_dq.bar)
+    }
+
+    /// The whole matrix, beam before bar beam.
+    pub fn to_dense(&self) -> DMatrix<T> {
+        DMatrix::from_fn(N + M, N + M, |i, j| self.entry(i, j))
+    }
+
+    /// Writes the whole matrix row by row; as it is symmetric, that is column by column.
+    ///
+    /// # Errors
+    /// [`LengthError`] if there is not room for just (`N` + `M`)² numbers.
+    pub fn write_dense(&self, to: &mut [T]) -> Result<(), LengthError> {
+        let size = N + M;
+        LengthError::check(to, size * size)?;
+        for (i, row) in to.chunks_exact_mut(size).enumerate() {
+            for (j, to) in row.iter_mut().enumerate() {
+                *to = self.entry(i, j);
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the upper triangle column by column, the packed storage of LAPACK's `uplo = 'U'`: the entry of rows i <= j at
+    /// i + j (j + 1)/2.
+    ///
+    /// # Errors
+    /// [`LengthError`] if there is not room for just S (S + 1)/2 numbers with S = `N` + `M`.
+    pub fn write_packed(&self, to: &mut [T]) -> Result<(), LengthError> {
+        let size = N + M;
+        LengthError::check(to, size * (size + 1) / 2)?;
+        let entries = (0..size).flat_map(|j| (0..=j).map(move |i| (i, j)));
+        for (to, (i, j)) in to.iter_mut().zip(entries) {
+            *to = self.entry(i, j);
+        }
+        Ok(())
     }
 
     /// Sets the entry of two dofs and its mirror image, counted through both beams.
@@ -177,6 +212,8 @@ pub struct Linearization<T, const N: usize, const M: usize> {
     pub g_t: Expansion<T, N, M>,
     /// g_T_bar.
     pub g_t_bar: Expansion<T, N, M>,
+    /// r + r_bar, the sum of the radii.
+    pub radii: T,
 }
 
 impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
@@ -184,17 +221,26 @@ impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
     #[must_use]
     #[doc(alias = "gap")]
     #[doc(alias = "Eq. (19)")]
-    pub fn g_n(&self, contact: &Contact) -> Expansion<T, N, M> {
+    #[doc(alias = "normal gap")]
+    pub fn g_n(&self) -> Expansion<T, N, M> {
         // Eq. (11), (18), (19): g_N = d − (r + r̄)   δg_N = δd   Δδg_N = Δδd
-        let radii = T::from(contact.radius) + T::from(contact.radius_bar);
-        Expansion { value: self.d.value - radii, ..self.d }
+        Expansion { value: self.d.value - self.radii, ..self.d }
     }
 
     /// Zeros, to be written over by [`Matrices::write_all`](crate::linearization::closed_form::Matrices::write_all).
     #[inline]
     pub fn zeros() -> Self {
         let zero = Expansion::zero;
-        Self { d: zero(), t: zero(), t_bar: zero(), xi: zero(), xi_bar: zero(), g_t: zero(), g_t_bar: zero() }
+        Self {
+            d: zero(),
+            t: zero(),
+            t_bar: zero(),
+            xi: zero(),
+            xi_bar: zero(),
+            g_t: zero(),
+            g_t_bar: zero(),
+            radii: T::zero(),
+        }
     }
 }
 
@@ -209,6 +255,9 @@ impl<const N: usize, const M: usize> Linearization<f64, N, M> {
             gradient: DofVector { beam: matrix(), bar: matrix() },
             value: 0.0,
         };
-        Self { d: zero, t: zero, t_bar: zero, xi: zero, xi_bar: zero, g_t: zero, g_t_bar: zero }
+        Self { d: zero, t: zero, t_bar: zero, xi: zero, xi_bar: zero, g_t: zero, g_t_bar: zero, radii: 0.0 }
     };
 }
+
+#[cfg(test)]
+mod tests;

@@ -39,7 +39,7 @@ pub(crate) fn flat<T: Real, const S: usize>(full: &Full<T, S>) -> Vec<T> {
 
 /// The very operations of `f64` over any scalar.
 fn by_blocks<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, const S: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
     form: Form,
@@ -52,13 +52,13 @@ fn by_blocks<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usi
 
 /// The same by the matrices.
 fn by_matrices<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
     form: Form,
 ) -> [Vec<T>; 7] {
     let (jet, jet_bar) = jets(pair, q, at);
-    let Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar } =
+    let Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar, .. } =
         Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact);
     [d, xi, xi_bar, t, t_bar, g_t, g_t_bar].map(flat_expansion)
 }
@@ -76,7 +76,7 @@ pub(crate) fn flat_expansion<T: Real, const N: usize, const M: usize>(
 
 /// Whatever the dofs, once the bar beam is moved to where the point is stationary.
 fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     numbers: &[u64],
     active: Active,
 ) where
@@ -208,7 +208,7 @@ fn bounds_are_narrow() {
     narrow::<_, _, 9, 12, 21>(near(), 1e-3);
 }
 
-fn pair<A, B>(curve: A, curve_bar: B) -> Pair<A, B> {
+fn pair<A, B, const N: usize, const M: usize>(curve: A, curve_bar: B) -> Pair<A, B, N, M> {
     Pair { curve, curve_bar, contact: Contact { xi_0: 0.25, xi_bar_0: -0.5, ..Contact::default() } }
 }
 

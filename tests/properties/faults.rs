@@ -107,7 +107,7 @@ fn committed_teeth_bite_where_others_do_not() {
 #[test]
 fn a_planted_fault_is_told_shrunk_and_laid_to_the_closed_form() {
     let fault = ["--plant", "Dd|d|: d.turned = sign"];
-    let few = ["--cases", "30", "--regime", "generic", "--family", "hermite"];
+    let few = ["--cases", "100", "--regime", "generic", "--family", "hermite"];
     let output = run(&[&["check", "--format", "json"], &few[..], &fault].concat());
     assert_eq!(output.status.code(), Some(1));
     let told = json(&output);

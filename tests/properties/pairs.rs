@@ -10,7 +10,7 @@ use proptest::prelude::*;
 /// A pair at a point that is stationary in the parameters that are free.
 #[derive(Clone, Debug)]
 pub(crate) struct Contacting<A, B, const N: usize, const M: usize> {
-    pub(crate) pair: Pair<A, B>,
+    pub(crate) pair: Pair<A, B, N, M>,
     pub(crate) q: DofVector<f64, N, M>,
     pub(crate) point: ClosestPoint,
     pub(crate) dq: DofVector<f64, N, M>,
@@ -124,7 +124,7 @@ pub(crate) fn contacting<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
 
 /// The stationary point near `at`.
 pub(crate) fn refined<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     at: (f64, f64),
     active: Active,

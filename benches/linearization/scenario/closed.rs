@@ -35,7 +35,7 @@ pub(super) fn scenarios<
             (Task::WithSlips, BY_TERMS),
             input,
             |p| linearize(&p.pair, &p.q, &p.point),
-            |Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar }| {
+            |Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar, .. }| {
                 rows(&[d, xi, xi_bar, t, t_bar, g_t, g_t_bar])
             },
             judge.of_first(21),

@@ -53,7 +53,7 @@ fn of_all(to: impl Target<Counted, 12, 12> + Copy) -> usize {
 }
 
 struct Given {
-    pair: Pair<Hermite, Hermite>,
+    pair: Pair<Hermite, Hermite, 12, 12>,
     q: DofVector<Counted, 12, 12>,
     at: (Counted, Counted),
     form: Form,

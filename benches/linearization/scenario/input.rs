@@ -22,7 +22,7 @@ const CONDITIONED: f64 = 0.2;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Input<A, B, const N: usize, const M: usize> {
     pub(super) family: &'static str,
-    pub(super) pair: Pair<A, B>,
+    pub(super) pair: Pair<A, B, N, M>,
     pub(super) q: DofVector<f64, N, M>,
     pub(super) dq: DofVector<f64, N, M>,
     pub(super) linear_dq: DofVector<f64, N, M>,
@@ -147,7 +147,7 @@ impl<C: TimedCurve<N>, const N: usize> Input<C, C, N, N> {
 
 /// The closest point, if it is inside both beams and regular.
 fn closest<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
 ) -> Option<ClosestPoint> {
     let found = closest_points(

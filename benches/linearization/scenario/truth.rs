@@ -223,7 +223,7 @@ fn parameters<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize
 const STEPS: usize = 3;
 
 fn geometry<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     (xi, xi_bar): (T, T),
 ) -> [Geometry<T>; 2] {

@@ -6,7 +6,7 @@ use beamgap::nalgebra::SVector;
 use beamgap::pair::{Contact, DofVector, Pair};
 
 /// What is compared: two cubic Hermite curves.
-pub(crate) type Hermites = Pair<Hermite, Hermite>;
+pub(crate) type Hermites = Pair<Hermite, Hermite, 12, 12>;
 
 /// The curves of every pair.
 pub(crate) const PAIR: Hermites = Pair {

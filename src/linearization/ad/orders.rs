@@ -26,7 +26,7 @@ pub fn expand_by_orders<
     const C: usize,
     const K: usize,
 >(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDualRow<C>>) -> [HyperDualRow<C>; K],
@@ -60,7 +60,7 @@ pub fn expand_by_orders<
 /// d with gradient and Hessian, by the envelope theorem: xi and xi_bar to first order.
 #[doc(alias = "envelope theorem")]
 pub fn expand_d_by_orders<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const C: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
 ) -> Expansion<f64, N, M> {
@@ -94,7 +94,7 @@ pub fn expand_by_rows<
 >(
     chord: Chord<f64>,
     steps: usize,
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDualRow<C>>) -> [HyperDualRow<C>; K],
@@ -118,7 +118,7 @@ pub fn expand_by_rows<
 
 /// A pair at its closest point.
 struct Site<'a, A, B, const N: usize, const M: usize> {
-    pair: &'a Pair<A, B>,
+    pair: &'a Pair<A, B, N, M>,
     q: &'a DofVector<f64, N, M>,
     point: &'a ClosestPoint,
 }

@@ -56,7 +56,7 @@ pub fn hyper_dual(
 
 /// The real chord matrix of a pair at its closest point, for [`Route::Chord`] and [`expand_by_vector_dual`].
 pub fn chord<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
 ) -> Chord<f64> {
@@ -68,7 +68,7 @@ pub fn chord<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 /// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair.
 pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     route: Route,
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     dq: &DofVector<f64, N, M>,
@@ -99,7 +99,7 @@ pub fn seeded<const N: usize>(
 /// Each entry of a Hessian costs one hyper-dual evaluation; the lower triangle is copied from the upper.
 pub fn expand_by_sweep<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const K: usize>(
     route: Route,
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDual64>) -> [HyperDual64; K],
@@ -134,7 +134,7 @@ pub fn expand_by_vector_dual<
 >(
     chord: Chord<f64>,
     steps: usize,
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<Dual2SVec64<S>>) -> [Dual2SVec64<S>; K],

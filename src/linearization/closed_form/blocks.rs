@@ -52,7 +52,7 @@ use side::{Side, Spread, shapes, spread};
 /// d with its derivatives, at a closest point of the pair, written over `to`.
 #[inline]
 pub fn write_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     to: &mut impl Target<f64, N, M>,
@@ -63,7 +63,7 @@ pub fn write_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 /// All scalar quantities but the slips, at a closest point of the pair, written over `to`.
 #[inline]
 pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     to: &mut Targets<'_, impl Target<f64, N, M>>,
@@ -80,7 +80,7 @@ pub fn write_all_with_slips<
     const N: usize,
     const M: usize,
 >(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     to: &mut Targets<'_, W>,
@@ -93,12 +93,13 @@ pub fn write_all_with_slips<
 /// [`write_all_with_slips`] into a [`Linearization`].
 #[inline]
 pub fn write_linearization<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     to: &mut Linearization<f64, N, M>,
 ) {
-    let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar } = to;
+    let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = to;
+    *radii = pair.contact.radius + pair.contact.radius_bar;
     write_all_with_slips(pair, q, point, &mut Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar]);
 }
 
@@ -106,7 +107,7 @@ pub fn write_linearization<A: Curve<N>, B: Curve<M>, const N: usize, const M: us
 ///
 /// For those who check and count: [`write_d`] does the same, with fused products and sums.
 pub fn write_d_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
     form: Form,
@@ -117,7 +118,7 @@ pub fn write_d_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: 
 
 /// [`write_all`] over any scalar, and otherwise [`write_d_over`].
 pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
     form: Form,
@@ -128,7 +129,7 @@ pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M
 
 /// [`write_all_with_slips`] over any scalar, and otherwise [`write_d_over`].
 pub fn write_all_with_slips_over<T, A, B, W, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
     form: Form,
@@ -151,7 +152,7 @@ where
 /// nothing to choose.
 #[inline]
 fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     request: &mut impl Request<f64, N, M>,
@@ -166,7 +167,7 @@ fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 #[cold]
 #[inline(never)]
 fn write_rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     request: &mut impl Request<f64, N, M>,
@@ -182,13 +183,13 @@ fn write_rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 /// Whether both curves are linear in their dofs: of others the jets need not be found to see that they have no shape
 /// functions.
 #[inline(always)]
-fn may_have_shapes<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(_: &Pair<A, B>) -> bool {
+fn may_have_shapes<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(_: &Pair<A, B, N, M>) -> bool {
     A::Dofs::<f64>::LINEAR && B::Dofs::<f64>::LINEAR
 }
 
 #[inline]
 fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     choice: impl Choice<f64>,
@@ -202,7 +203,7 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 #[inline(always)]
 fn evaluate<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     f: impl Arithmetic<T>,
-    pair: &Pair<A, B>,
+    pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
     choice: impl Choice<T>,

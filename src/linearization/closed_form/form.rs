@@ -31,8 +31,8 @@
 //! | H_d | (t/d)² + 1/sin²θ | 1/sin θ + k/sin²θ with k = abs(d·t,ξ)/t², the gap over the radius of curvature |
 //! | H_ξ, straight beams | 1/sin²θ | 1/sin θ, as for a change of the dofs in their last digits |
 //!
-//! So at wide angles the normal is never worse as long as abs(t,ξ) d² < t (t² + d²): at every gap below the radius of
-//! curvature. The paper's (40) is better where curvature alone keeps nearly parallel beams apart, or where a tangent is short
+//! So at wide angles the normal is never worse as long as abs(t,ξ)² d⁴ < t⁴ (t² + d²): at every gap below the
+//! radius of curvature. The paper's (40) is better where curvature alone keeps nearly parallel beams apart, or where a tangent is short
 //! next to its change and to d; the cross products are never worse.
 
 use super::Points;
@@ -103,7 +103,7 @@ impl Form {
     /// The formulas that lose the fewest digits at a point, up to a small factor.
     ///
     /// The cross products where sin θ < 1/4. The normal where sin θ < 1/4, k < sin θ/8 and d < t/2 for both beams, or where
-    /// sin θ >= 1/4 and abs(t,ξ) d² < t (t² + d²) for both; the length elsewhere.
+    /// sin θ >= 1/4 and abs(t,ξ)² d⁴ < t⁴ (t² + d²) for both; the length elsewhere.
     ///
     /// The choice depends on ratios of lengths alone. Next to it the two forms agree within what either loses.
     #[inline]
@@ -210,21 +210,23 @@ impl Squares<f64> {
         self.c2 >= WIDE * (t2 * t_bar2)
     }
 
-    /// Whether the normal loses no more than (40) at a wide angle: abs(t,ξ) d² < t (t² + d²) for both beams.
+    /// Whether the normal loses no more than (40) at a wide angle: abs(t,ξ)² d⁴ < t⁴ (t² + d²) for both beams.
     #[inline(always)]
+    #[expect(clippy::needless_bitwise_bool, reason = "without a branch")]
     fn favour_normal(&self) -> bool {
         let Self { t2: [t2, t_bar2], t_xi2: [t_xi2, t_bar_xi2], c2, c_d } = *self;
         // All lengths but those of t and t,ξ times that of c.
         let d2 = c_d * c_d;
         let (sum, sum_bar) = (t2 * c2 + d2, t_bar2 * c2 + d2);
         let d4 = d2 * d2;
-        (t_xi2 * d4 < t2 * (sum * sum)) & (t_bar_xi2 * d4 < t_bar2 * (sum_bar * sum_bar))
+        (t_xi2 * d4 < t2 * t2 * (c2 * sum)) & (t_bar_xi2 * d4 < t_bar2 * t_bar2 * (c2 * sum_bar))
     }
 
     /// Whether [`Form::at`] takes the normal and the paper's system, in numbers whose products are in range.
     ///
     /// One branch for all conditions: the kernel goes on with what it needs anyway while they are decided.
     #[inline(always)]
+    #[expect(clippy::needless_bitwise_bool, reason = "without a branch")]
     pub fn is_regular(&self) -> bool {
         self.is_wide() & self.favour_normal() & (self.c2 > SMALL) & (self.c2 < LARGE)
     }

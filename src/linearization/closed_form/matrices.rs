@@ -128,7 +128,8 @@ where
     /// [`Matrices::all`], written over `to`.
     #[inline]
     pub fn write_all(&self, (at, at_bar): (T, T), contact: &Contact, to: &mut Linearization<T, N, M>) {
-        let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar } = to;
+        let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = to;
+        *radii = T::from(contact.radius) + T::from(contact.radius_bar);
         self.write_d(d);
         (xi.value, xi.gradient) = (at, self.at.g);
         (xi_bar.value, xi_bar.gradient) = (at_bar, self.at.g_bar);

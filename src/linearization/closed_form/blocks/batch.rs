@@ -24,7 +24,7 @@ const TASK: usize = 16;
 #[derive(Debug)]
 pub struct Encounter<'a, A, B, const N: usize, const M: usize> {
     /// The curves.
-    pub pair: &'a Pair<A, B>,
+    pub pair: &'a Pair<A, B, N, M>,
     /// Their dofs.
     pub q: &'a DofVector<f64, N, M>,
     /// A closest point of the two.
