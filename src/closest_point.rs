@@ -225,10 +225,12 @@ fn assemble(
     Ok(ClosestPoints { minima, stationary, unresolved, statistics })
 }
 
-/// Adds a point unless it is known, be it from both sides of an end.
+/// Adds a point unless it is known, be it from both sides of an end; of those that rounding cannot tell apart a minimum stays.
 fn add(points: &mut Vec<ClosestPoint>, point: ClosestPoint) {
-    if !points.iter().any(|known| known.is_same(&point)) {
-        points.push(point);
+    match points.iter_mut().find(|known| known.is_same(&point)) {
+        Some(known) if known.kind != Kind::Minimum => *known = point,
+        Some(_) => {}
+        None => points.push(point),
     }
 }
 
@@ -239,6 +241,7 @@ impl ClosestPoints {
     ///
     /// # Errors
     /// [`ProjectionError::Singular`] if a continuum of points is at least as near,
+    /// [`ProjectionError::IllConditioned`] if rounding takes most digits of the derivatives of its parameters,
     /// [`ProjectionError::NoInteriorMinimum`] if every minimum is at an end.
     pub fn interior(&self) -> Result<&ClosestPoint, ProjectionError> {
         let nearest = self.minima.iter().find(|point| point.is_interior());
@@ -250,7 +253,14 @@ impl ClosestPoints {
                 return Err(ProjectionError::Singular { conditioning });
             }
         }
-        nearest.ok_or(ProjectionError::NoInteriorMinimum)
+        let nearest = nearest.ok_or(ProjectionError::NoInteriorMinimum)?;
+        match nearest.degeneracy() {
+            Some(Degeneracy::Singular { conditioning }) => Err(ProjectionError::Singular { conditioning }),
+            Some(Degeneracy::IllConditioned { conditioning, gradient_error }) => {
+                Err(ProjectionError::IllConditioned { conditioning, gradient_error })
+            }
+            _ => Ok(nearest),
+        }
     }
 
     /// Whether no region was left open, so that all minima, saddles and maxima are listed.
@@ -258,3 +268,6 @@ impl ClosestPoints {
         self.unresolved.is_empty()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -53,7 +53,8 @@ impl<'a> Site<'a> {
         point: &ClosestPoint,
     ) -> Result<Self, Inconclusive> {
         match point.degeneracy() {
-            None => {}
+            // What few digits there are is what the tolerances say.
+            None | Some(Degeneracy::IllConditioned { .. }) => {}
             Some(Degeneracy::Crossing) => return Err(Inconclusive::Crossing),
             Some(Degeneracy::WeakEnd { .. }) => return Err(Inconclusive::WeakEnd),
             Some(Degeneracy::ZeroTangent { .. }) => return Err(Inconclusive::ZeroTangent),

@@ -1,5 +1,6 @@
 //! The ways in which a projection of one centroid onto the other can fail. None depends on the unit of length.
 
+use super::Side;
 use thiserror::Error;
 
 /// Why there is no closest point to work with.
@@ -24,6 +25,25 @@ pub enum ProjectionError {
     /// Every minimum has a parameter at an end of its beam.
     #[error("no minimum of the distance lies inside both beams")]
     NoInteriorMinimum,
+    /// The closest point is too near a fold, where it splits or vanishes, for derivatives of its parameters.
+    #[error(
+        "the closest point is ill-conditioned: the smallest scaled eigenvalue is {conditioning:e}, \
+         gradients of its parameters may be off by {gradient_error:e} of their size"
+    )]
+    IllConditioned {
+        /// The smallest eigenvalue of the Hessian for unit tangents.
+        conditioning: f64,
+        /// The relative error of the gradients of xi and xi_bar.
+        gradient_error: f64,
+    },
+    /// Newton's method leads out of a beam: a minimum may lie at this end, with the parameter held.
+    #[error("Newton's method leads out of the {} beam at xi = {}", if *.bar { "barred" } else { "first" }, side.parameter())]
+    AtEnd {
+        /// Whether it is the barred beam.
+        bar: bool,
+        /// Its end.
+        side: Side,
+    },
     /// Newton's method found no stationary point from the given start.
     #[error("Newton's method did not converge: the residual is {residual:e}")]
     NotConverged {

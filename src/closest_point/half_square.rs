@@ -184,6 +184,32 @@ impl HalfSquare {
         ROUNDING * self.size2.sqrt()
     }
 
+    /// How far parameter `i` may be off, by the rounding of the gradient over an eigenvalue of this size.
+    pub(super) fn uncertainty(&self, i: usize, eigenvalue: f64) -> f64 {
+        self.rounding() / eigenvalue / self.squares[i].sqrt()
+    }
+
+    /// The relative error of the parameters' gradients by the rounding of the positions, where the smallest eigenvalue, for
+    /// unit tangents, has this size.
+    ///
+    /// The closest point is off by rounding / eigenvalue, and the eigenvalue changes along a beam by 3 t,xi / t² + d t,xixi / t³
+    /// times that at most; straight beams have neither.
+    pub(super) fn gradient_error(&self, eigenvalue: f64, active: Active) -> f64 {
+        let change = |held: bool, i: usize| {
+            let (t2, bend, twist) = (self.squares[i], self.bends[i].sqrt(), self.twists[i].sqrt());
+            if held { 0.0 } else { (3.0 * bend + self.distance * twist / t2.sqrt()) / t2 }
+        };
+        self.rounding() * (change(active.xi, 0) + change(active.xi_bar, 1)) / (eigenvalue * eigenvalue)
+    }
+
+    /// Whether the gradient in parameter `i` is what so small a step makes of it: g = -H step.
+    ///
+    /// It is not where the numerators of the step cancel, between nearly parallel tangents.
+    pub(super) fn explains_gradient(&self, i: usize, step: f64) -> bool {
+        let own = [self.a, self.a_bar][i];
+        self.gradient[i].abs() <= 2.0 * step * (own.abs() + self.b.abs())
+    }
+
     /// The Newton step in the parameters that are not held; not finite if the Hessian is singular.
     pub(super) fn step(&self, active: Active) -> (f64, f64) {
         let [g, g_bar] = self.gradient;

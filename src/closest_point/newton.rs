@@ -1,6 +1,6 @@
 //! Newton's method for one stationary point.
 
-use super::{Active, Centroid, ClosestPoint, HalfSquare, ProjectionError};
+use super::{Active, Centroid, ClosestPoint, HalfSquare, ProjectionError, Side};
 use crate::curve::Geometry;
 
 /// The most steps. A simple zero takes two or three from nearby, a multiple one gains a bit a step.
@@ -19,8 +19,8 @@ const REACH: f64 = 0.5;
 ///
 /// # Errors
 /// [`ProjectionError::NonFinite`] if the start, a curve or a square of its numbers is not finite,
-/// [`ProjectionError::Singular`] if the Hessian is exactly singular on the way, [`ProjectionError::NotConverged`] if
-/// the steps do not become small or end at an end.
+/// [`ProjectionError::Singular`] if the Hessian is singular on the way, or so nearly that its steps say nothing,
+/// [`ProjectionError::AtEnd`] if the steps lead out of a beam, [`ProjectionError::NotConverged`] if they do not become small.
 pub fn refine(
     beam: &dyn Centroid,
     bar: &dyn Centroid,
@@ -81,14 +81,23 @@ fn settled(at: (f64, f64), p: &HalfSquare, active: Active) -> Result<ClosestPoin
     // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged, unless
     // it leads out of the square.
     let (step, step_bar) = p.step(active);
-    let settled = |held: bool, i: usize, at: f64, step: f64| {
-        held || (step.abs() < SMALL && (at + step).abs() <= 1.0) || p.is_weak(i)
+    let stopped = |held: bool, i: usize, at: f64, step: f64| {
+        if held || p.is_weak(i) {
+            None
+        } else if (at + step).abs() > 1.0 && at.abs() >= 1.0 {
+            Some(ProjectionError::AtEnd {
+                bar: i == 1,
+                side: if at < 0.0 { Side::Lower } else { Side::Upper },
+            })
+        } else if step.abs() >= SMALL || (at + step).abs() > 1.0 {
+            Some(ProjectionError::NotConverged { residual: point.residual })
+        } else if p.explains_gradient(i, SMALL) {
+            None
+        } else {
+            Some(ProjectionError::Singular { conditioning: point.conditioning })
+        }
     };
-    if settled(active.xi, 0, at.0, step) && settled(active.xi_bar, 1, at.1, step_bar) {
-        Ok(point)
-    } else {
-        Err(ProjectionError::NotConverged { residual: point.residual })
-    }
+    stopped(active.xi, 0, at.0, step).or(stopped(active.xi_bar, 1, at.1, step_bar)).map_or(Ok(point), Err)
 }
 
 /// A pair of parameters with all that is known there.

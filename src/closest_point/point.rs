@@ -9,6 +9,13 @@ pub(super) const STANDSTILL: f64 = 9e-13;
 /// Scaled multipliers below this are zero: the end is weakly active.
 pub(super) const WEAK: f64 = 9e-13;
 
+/// Scaled eigenvalues from this on leave gradients of the parameters most of their digits.
+const CLEAR: f64 = 1e-3;
+/// The relative error of these gradients from which on a point is ill-conditioned.
+const TOO_LARGE: f64 = 1e-4;
+/// The parameters of a minimum of fourth order are known to the fourth root of the rounding of d².
+const FOURTH_ORDER: f64 = 1.7e-4;
+
 /// A stationary point of the distance over the square of the two parameters, or over one of its edges or corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -32,6 +39,8 @@ pub struct ClosestPoint {
     /// It is 1 - |cos θ| for straight beams at the angle θ, and infinite if no parameter is free.
     pub conditioning: f64,
     degeneracy: Option<Degeneracy>,
+    /// How far xi and xi_bar may be off, where that is more than some digits.
+    uncertainty: [f64; 2],
 }
 
 /// What a stationary point of the distance is.
@@ -95,6 +104,13 @@ pub enum Degeneracy {
     },
     /// The centroids cross, d = 0: the parameters have derivatives, the distance has none.
     Crossing,
+    /// D is so near 0 that rounding takes most digits of the parameters' derivatives; those of the distance keep theirs.
+    IllConditioned {
+        /// The scaled eigenvalue of the Hessian that is smallest in size.
+        conditioning: f64,
+        /// The relative error of the gradients of xi and xi_bar, about rounding / conditioning² for curved beams.
+        gradient_error: f64,
+    },
 }
 
 impl ClosestPoint {
@@ -111,10 +127,20 @@ impl ClosestPoint {
             Some(Degeneracy::Singular { conditioning: smallest })
         } else if let Some(end) = [end, end_bar].into_iter().flatten().find(|end| !end.strict) {
             Some(Degeneracy::WeakEnd { multiplier: end.multiplier })
+        } else if p.is_crossing() {
+            Some(Degeneracy::Crossing)
         } else {
-            p.is_crossing().then_some(Degeneracy::Crossing)
+            let gradient_error = if smallest < CLEAR { p.gradient_error(smallest, active) } else { 0.0 };
+            (gradient_error > TOO_LARGE)
+                .then_some(Degeneracy::IllConditioned { conditioning: smallest, gradient_error })
+        };
+        let uncertainty = if smallest < CLEAR {
+            [0, 1].map(|i| p.uncertainty(i, smallest).min(FOURTH_ORDER))
+        } else {
+            [0.0; 2]
         };
         Self {
+            uncertainty,
             xi,
             xi_bar,
             end,
@@ -137,10 +163,12 @@ impl ClosestPoint {
         self.active() == Active::default()
     }
 
-    /// Whether two descriptions are of the same point.
+    /// Whether two descriptions are of the same point, as far as rounding lets them be told apart.
     pub(super) fn is_same(&self, other: &Self) -> bool {
-        self.active() == other.active()
-            && (self.xi - other.xi).abs().max((self.xi_bar - other.xi_bar).abs()) < 1e-9
+        let near = |i: usize, difference: f64| {
+            difference.abs() < (self.uncertainty[i] + other.uncertainty[i]).max(1e-9)
+        };
+        self.active() == other.active() && near(0, self.xi - other.xi) && near(1, self.xi_bar - other.xi_bar)
     }
 
     /// Whether all ends that hold a parameter do so strictly.

@@ -1,0 +1,133 @@
+//! Points that rounding leaves few digits, and steps that lead nowhere: each has an outcome of its own.
+
+use super::{Active, Centroid, ClosestPoints, ProjectionError, Search, Side, closest_points, refine};
+use crate::curve::Geometry;
+use nalgebra::Vector3;
+
+/// scale (x + t s + c s²/2), a parabola.
+struct Parabola {
+    x: Vector3<f64>,
+    t: Vector3<f64>,
+    c: Vector3<f64>,
+    scale: f64,
+}
+
+impl Centroid for Parabola {
+    fn geometry(&self, s: f64) -> Geometry<f64> {
+        let Self { x, t, c, scale } = self;
+        Geometry {
+            x: (x + t * s + c * (0.5 * s * s)) * *scale,
+            t: (t + c * s) * *scale,
+            t_xi: c * *scale,
+            t_xixi: Vector3::zeros(),
+        }
+    }
+
+    fn third_derivative_bound(&self) -> f64 {
+        0.0
+    }
+
+    fn is_cubic(&self) -> bool {
+        true
+    }
+}
+
+fn line(x: [f64; 3], t: [f64; 3], scale: f64) -> Parabola {
+    Parabola { x: x.into(), t: t.into(), c: Vector3::zeros(), scale }
+}
+
+/// The parabola (s, 0, s²/2) and the line (0, s, h): d² = h² + (1 - h) s² + s⁴/4 + s_bar².
+fn fold(h: f64, scale: f64, swapped: bool) -> ClosestPoints {
+    let parabola = Parabola { c: Vector3::z(), ..line([0.0; 3], [1.0, 0.0, 0.0], scale) };
+    let line = line([0.0, 0.0, h], [0.0, 1.0, 0.0], scale);
+    let [beam, bar] = if swapped { [&line, &parabola] } else { [&parabola, &line] };
+    closest_points(beam, bar, &Search::default()).unwrap()
+}
+
+#[test]
+fn a_minimum_of_fourth_order_is_one_point_without_derivatives() {
+    for (scale, swapped) in [(1.0, false), (1.0, true), (1024.0, false), (f64::exp2(-20.0), true)] {
+        for e in [0.0, 1e-14, -1e-14, 1e-13, 1e-12, -1e-12, 1e-11, 1e-10] {
+            let found = fold(1.0 + e, scale, swapped);
+            let count = found.minima.iter().filter(|point| point.is_interior()).count();
+            assert!(count <= 1 || e >= 1e-11, "{count} minima at {e:e}: {:?}", found.minima);
+            let refused = matches!(
+                found.interior(),
+                Err(ProjectionError::Singular { .. } | ProjectionError::IllConditioned { .. })
+            );
+            assert!(refused, "{e:e}: {:?}", found.interior());
+        }
+    }
+}
+
+#[test]
+fn the_error_of_gradients_is_told_before_it_is_large() {
+    // At h = 1 + e the minimum is s = sqrt(2e), its smallest scaled eigenvalue 2e/(1 + 2e).
+    for exponent in 2..=32 {
+        let e = f64::exp2(-f64::from(exponent));
+        for h in [1.0 + e, 1.0 - e] {
+            let found = fold(h, 1.0, false);
+            let s = if h > 1.0 { (2.0 * e).sqrt() } else { 0.0 };
+            let near =
+                found.minima.iter().map(|point| (point.xi.abs() - s).abs()).fold(f64::INFINITY, f64::min);
+            match found.interior() {
+                Ok(point) => {
+                    assert!(e > 1e-6 && point.degeneracy().is_none(), "{e:e}");
+                    assert!(near < 1e-14 / e, "{near:e} at {e:e}");
+                }
+                Err(ProjectionError::IllConditioned { conditioning, gradient_error }) => {
+                    // No less than u/lambda², and no more than 100 times that.
+                    let ratio = gradient_error * conditioning * conditioning / f64::EPSILON;
+                    assert!(e < 1e-4 && (1.0..200.0).contains(&ratio), "{ratio} at {e:e}");
+                }
+                Err(error) => panic!("{error} at {e:e}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn straight_beams_keep_their_derivatives_at_small_angles() {
+    for exponent in 1..=17 {
+        let angle = f64::exp2(-f64::from(exponent));
+        let beam = line([0.125, 0.0, 0.25], [1.0, 0.0, 0.0], 1.0);
+        let bar = line([0.125, 0.0, 0.0], [angle.cos(), angle.sin(), 0.0], 1.0);
+        let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+        assert!(found.interior().unwrap().degeneracy().is_none(), "{angle:e}");
+    }
+}
+
+#[test]
+fn a_start_that_no_step_leaves_is_no_minimum() {
+    for exponent in 24..=40 {
+        let angle = f64::exp2(-f64::from(exponent));
+        let beam = line([0.5, 0.0, 1.0], [1.0, 0.0, 0.0], 1.0);
+        let bar = line([0.0; 3], [angle.cos(), angle.sin(), 0.0], 1.0);
+        for start in [(0.25, 0.5), (0.1, -0.3), (-0.5, 0.5), (0.3, 0.1)] {
+            match refine(&beam, &bar, start, Active::default()) {
+                Ok(point) => assert!(point.residual < 1e-7, "{point:?} at {angle:e}"),
+                Err(error) => assert!(!matches!(error, ProjectionError::NonFinite), "{error}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn an_end_in_the_way_is_named() {
+    let beam = line([0.0, 0.0, 1.0], [1.0, 0.0, 0.0], 1.0);
+    for (y, side) in [(3.0, Side::Lower), (-3.0, Side::Upper)] {
+        let bar = line([0.0, y, 0.0], [0.0, 1.0, 0.0], 1.0);
+        let inside = Active::default();
+        let error = refine(&beam, &bar, (0.1, 0.2), inside).unwrap_err();
+        assert_eq!(error, ProjectionError::AtEnd { bar: true, side });
+        let swapped = refine(&bar, &beam, (0.2, 0.1), inside).unwrap_err();
+        assert_eq!(swapped, ProjectionError::AtEnd { bar: false, side });
+        let held = Active { xi_bar: true, ..inside };
+        let at_end = refine(&beam, &bar, (0.1, side.parameter()), held).unwrap();
+        assert_eq!((at_end.xi, at_end.end_bar.unwrap().side), (0.0, side));
+    }
+    assert_eq!(
+        ProjectionError::AtEnd { bar: true, side: Side::Lower }.to_string(),
+        "Newton's method leads out of the barred beam at xi = -1"
+    );
+}
