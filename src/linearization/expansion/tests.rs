@@ -39,7 +39,7 @@ fn a_pair_is_linearized_by_the_kernel() {
     let found = pair.closest_points(&q).unwrap();
     let point = found.interior().unwrap();
     let all = pair.linearize(&q, point);
-    // Eq. (11), (15)
+    // g_N = d - (r + r_bar) and g_T = (xi - xi_0) t
     assert!((all.g_n().value - (point.distance - 0.15)).abs() < 1e-15);
     assert_eq!([all.g_t.value], [(point.xi + 0.2) * all.t.value]);
     assert_eq!((all.g_n().gradient, all.g_n().hessian), (all.d.gradient, all.d.hessian));
