@@ -86,7 +86,8 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
 
     /// n = ± c/|c| with c = t × t̄   K = T W Tᵀ with T = [t, −t̄]
     ///
-    /// W = (TᵀT)⁻¹ E H⁻¹ with (TᵀT)⁻¹ = [[t̄·t̄, b], [b, t·t]]/c·c, E = diag(n·t,ξ, −n·t̄,ξ̄) and H⁻¹ = [[p, −q], [−q, −q̄]].
+    /// This K is that of [`Self::by_length`] without its quotient by d: as H = TᵀT + d E, it has W = (TᵀT)⁻¹ E H⁻¹ with
+    /// (TᵀT)⁻¹ = [[t̄·t̄, b], [b, t·t]]/c·c, E = diag(n·t,ξ, −n·t̄,ξ̄) and H⁻¹ = [[p, −q], [−q, −q̄]].
     #[inline(always)]
     fn along_normal<A: Arithmetic<T, Vector = V>>(&self, f: A) -> Distance<T, V> {
         let Self { beam, bar, products, over_c2, chosen, inverse: [p, q, q_bar], .. } = self;

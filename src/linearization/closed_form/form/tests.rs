@@ -1,0 +1,63 @@
+//! The parts of both forms, and the choice between them.
+
+use super::{Active, Distance, Elimination, Form, Points, Squares, inverse_gram};
+use crate::curve::Geometry;
+use nalgebra::Vector3;
+
+/// Curved beams whose tangents are at the angle `angle` and whose gap is d.
+fn points(angle: f64, d: f64) -> Points<f64> {
+    let geometry = |x: [f64; 3], t: [f64; 3], t_xi: [f64; 3]| Geometry {
+        x: x.into(),
+        t: t.into(),
+        t_xi: t_xi.into(),
+        t_xixi: Vector3::zeros(),
+    };
+    let (sin, cos) = angle.sin_cos();
+    let beam = geometry([0.25, 0.5, d], [1.5, 0.0, 0.0], [0.25, -0.5, 0.75]);
+    let bar = geometry([0.25, 0.5, 0.0], [0.75 * cos, 0.75 * sin, 0.0], [0.5, 0.25, 0.5]);
+    Points { beam, bar, d: beam.x - bar.x }
+}
+
+#[test]
+fn the_inverse_of_the_gram_matrix_is_one() {
+    let Points { beam, bar, .. } = points(0.75, 0.0);
+    let [g11, g12, g22] = inverse_gram(&beam.t, &bar.t);
+    let (t2, b, t_bar2) = (beam.t.dot(&beam.t), beam.t.dot(&bar.t), bar.t.dot(&bar.t));
+    let product = [g11 * t2 + g12 * b, g11 * b + g12 * t_bar2, g12 * t2 + g22 * b, g12 * b + g22 * t_bar2];
+    for (entry, of_unit) in product.into_iter().zip([1.0, 0.0, 0.0, 1.0]) {
+        assert!((entry - of_unit).abs() < 1e-15, "{product:?}");
+    }
+}
+
+#[test]
+fn the_form_is_that_of_the_smaller_loss() {
+    let at = |angle, d| {
+        let Form { distance, system, .. } = Form::at(&points(angle, d), Active::default());
+        (distance, system)
+    };
+    let normal = |reversed| Distance::Normal { reversed };
+    let (products, crossed) = (Elimination::Products, Elimination::CrossProducts);
+    assert_eq!(at(1.5, 0.5), (normal(false), products));
+    assert_eq!(at(1.5, 8.0), (Distance::Length, products));
+    assert_eq!(at(1.5, 1e-2), (normal(false), products));
+    assert_eq!(at(1.5, -1e-2), (normal(true), products));
+    assert_eq!(at(1.5, 0.0), (normal(false), products));
+    assert_eq!(at(1e-2, 1e-2), (Distance::Length, crossed));
+    assert_eq!(at(1e-2, 1e-4), (normal(false), crossed));
+    // Parallel tangents have no common normal, not even where the centroids cross.
+    assert_eq!(at(0.0, 1e-9), (Distance::Length, crossed));
+    assert_eq!(at(0.0, 0.0), (Distance::Length, crossed));
+    // Nor do straight ones lose anything by theirs.
+    let mut straight = points(1e-5, 0.25);
+    (straight.beam.t_xi, straight.bar.t_xi) = (Vector3::zeros(), Vector3::zeros());
+    assert_eq!(Form::at(&straight, Active::default()).distance, normal(false));
+    // A slow parametrization: the tangent is short next to its change.
+    let mut slow = points(1.5, 1e-2);
+    slow.beam.t *= 1e-3;
+    assert_eq!(Form::at(&slow, Active::default()).distance, Distance::Length);
+    assert!(Squares::at(&points(1.5, 1e-9)).is_regular());
+    assert!(!Squares::at(&points(1e-2, 0.25)).is_regular());
+    assert!(!Squares::at(&slow).is_regular());
+    let held = Form::at(&points(1e-2, 1e-5), Active { xi: true, xi_bar: false });
+    assert_eq!((held.sign(), held.is_crossed()), (None, false));
+}
