@@ -5,8 +5,7 @@ use beamgap::closest_point::{Beam, ClosestPoint, Search, closest_points};
 use beamgap::curve::{
     Arc, BSpline, Bezier, Cubic, Curve, Helix, Hermite, Nurbs, NurbsWeighted, Quadratic, Segment,
 };
-use beamgap::linearization::closed_form::form::Squares;
-use beamgap::linearization::closed_form::{Points, jets};
+use beamgap::linearization::closed_form::jets;
 use beamgap::pair::{Contact, DofVector, Pair};
 use beamgap::specimen::{Family, Specimen};
 use nalgebra::{SVector, Vector3};
@@ -41,10 +40,10 @@ pub(super) fn hermites() -> Twins<Hermite, 12> {
     drawn(Family::Hermite, 1, |_| Hermite::new())[0]
 }
 
-/// A pair of the standard family at a small gap or angle, where the closed form takes another form.
+/// A pair of the standard family at a small gap or angle.
 pub(super) fn near() -> Twins<Hermite, 12> {
-    let near = pairs(Family::Hermite, |_| Hermite::new()).find(|input| !input.is_regular());
-    Input { family: "hermite, small angle", ..near.expect("some of the pairs are") }
+    let near = pairs(Family::Hermite, |_| Hermite::new()).find(|input| !input.is_wide());
+    Input { family: "hermite, near", ..near.expect("some of the pairs are") }
 }
 
 /// A pair of each other family.
@@ -92,7 +91,7 @@ pub(super) fn drawn<C: TimedCurve<N>, const N: usize>(
     count: usize,
     curve: impl Fn(&Specimen) -> C,
 ) -> Vec<Twins<C, N>> {
-    pairs(family, curve).filter(Input::is_regular).take(count).collect()
+    pairs(family, curve).filter(Input::is_wide).take(count).collect()
 }
 
 /// The well-conditioned pairs of two beams of a family that the gate draws.
@@ -120,11 +119,15 @@ impl<C: TimedCurve<N>, const N: usize> Input<C, C, N, N> {
         Some(Self { family: case.families[0].name(), pair, q, dq, linear_dq, point })
     }
 
-    /// Whether the point is one for the kernel's fast form.
-    fn is_regular(&self) -> bool {
+    /// Whether both the gap and the angle are wide: an eighth of a tangent, and a sine of a quarter.
+    fn is_wide(&self) -> bool {
         let Self { pair, q, point, .. } = self;
         let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
-        Squares::at(&Points::new(&jet.geometry, &jet_bar.geometry)).is_regular()
+        let (x, x_bar) = (jet.geometry, jet_bar.geometry);
+        let [t2, t_bar2] = [x.t, x_bar.t].map(|t| t.norm_squared());
+        let b = x.t.dot(&x_bar.t);
+        t2 * t_bar2 - b * b > 1.01 / 16.0 * t2 * t_bar2
+            && (x.x - x_bar.x).norm_squared() >= t2.min(t_bar2) / 64.0
     }
 
     /// Two gently bent beams that cross, by points at the parameters `nodes` of a family that has a point for each.
