@@ -33,6 +33,8 @@ pub struct HalfSquare {
     /// t,xi·t,xi and t,xixi·t,xixi, and those of the barred curve.
     bends: [f64; 2],
     twists: [f64; 2],
+    /// The third derivatives: three times in xi, twice in xi and once in xi_bar, and so on.
+    third: [f64; 4],
     /// The sum of the squares of the positions and the tangents.
     size2: f64,
 }
@@ -56,6 +58,12 @@ impl HalfSquare {
             squares,
             bends: [x.t_xi.norm_squared(), x_bar.t_xi.norm_squared()],
             twists: [x.t_xixi.norm_squared(), x_bar.t_xixi.norm_squared()],
+            third: [
+                3.0 * x.t.dot(&x.t_xi) + d.dot(&x.t_xixi),
+                -x_bar.t.dot(&x.t_xi),
+                -x.t.dot(&x_bar.t_xi),
+                3.0 * x_bar.t.dot(&x_bar.t_xi) - d.dot(&x_bar.t_xixi),
+            ],
             size2: x.x.norm_squared() + x_bar.x.norm_squared() + squares[0] + squares[1],
         }
     }
@@ -190,16 +198,26 @@ impl HalfSquare {
     }
 
     /// The relative error of the parameters' gradients by the rounding of the positions, where the smallest eigenvalue, for
-    /// unit tangents, has this size.
+    /// unit tangents, is this.
     ///
-    /// The closest point is off by rounding / eigenvalue, and the eigenvalue changes along a beam by 3 t,xi / t² + d t,xixi / t³
-    /// times that at most; straight beams have neither.
+    /// The closest point is off by rounding / eigenvalue along the eigenvector v, and the eigenvalue changes by the third
+    /// derivative of F along v times that. Straight beams have none, nor have symmetric ones.
     pub(super) fn gradient_error(&self, eigenvalue: f64, active: Active) -> f64 {
-        let change = |held: bool, i: usize| {
-            let (t2, bend, twist) = (self.squares[i], self.bends[i].sqrt(), self.twists[i].sqrt());
-            if held { 0.0 } else { (3.0 * bend + self.distance * twist / t2.sqrt()) / t2 }
+        let [t, t_bar] = self.squares.map(f64::sqrt);
+        let (a, b, c) = (self.a / self.squares[0], -self.b / t / t_bar, -self.a_bar / self.squares[1]);
+        let v = match (active.xi, active.xi_bar) {
+            (true, _) => Vector2::y(),
+            (false, true) => Vector2::x(),
+            (false, false) if (a - eigenvalue).abs() > (c - eigenvalue).abs() => {
+                Vector2::new(-b, a - eigenvalue)
+            }
+            (false, false) => Vector2::new(c - eigenvalue, -b),
         };
-        self.rounding() * (change(active.xi, 0) + change(active.xi_bar, 1)) / (eigenvalue * eigenvalue)
+        let v = v.normalize();
+        let (x, y) = (v.x / t, v.y / t_bar);
+        let [xxx, xxy, xyy, yyy] = self.third;
+        let third = x * x * (xxx * x + 3.0 * xxy * y) + y * y * (3.0 * xyy * x + yyy * y);
+        self.rounding() * third.abs() / (eigenvalue * eigenvalue)
     }
 
     /// Whether the gradient in parameter `i` is what so small a step makes of it: g = -H step.

@@ -81,23 +81,19 @@ fn settled(at: (f64, f64), p: &HalfSquare, active: Active) -> Result<ClosestPoin
     // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged, unless
     // it leads out of the square.
     let (step, step_bar) = p.step(active);
-    let stopped = |held: bool, i: usize, at: f64, step: f64| {
-        if held || p.is_weak(i) {
-            None
-        } else if (at + step).abs() > 1.0 && at.abs() >= 1.0 {
-            Some(ProjectionError::AtEnd {
-                bar: i == 1,
-                side: if at < 0.0 { Side::Lower } else { Side::Upper },
-            })
-        } else if step.abs() >= SMALL || (at + step).abs() > 1.0 {
-            Some(ProjectionError::NotConverged { residual: point.residual })
-        } else if p.explains_gradient(i, SMALL) {
-            None
-        } else {
-            Some(ProjectionError::Singular { conditioning: point.conditioning })
-        }
-    };
-    stopped(active.xi, 0, at.0, step).or(stopped(active.xi_bar, 1, at.1, step_bar)).map_or(Ok(point), Err)
+    let free = [(0, active.xi, at.0, step), (1, active.xi_bar, at.1, step_bar)];
+    let free = || free.into_iter().filter(|&(i, held, ..)| !held && !p.is_weak(i));
+    let leaves = |at: f64, step: f64| (at + step).abs() > 1.0;
+    if let Some((i, _, at, _)) = free().find(|&(_, _, at, step)| at.abs() >= 1.0 && leaves(at, step)) {
+        return Err(ProjectionError::AtEnd { bar: i == 1, side: Side::nearest(at) });
+    }
+    if free().any(|(_, _, at, step)| step.is_nan() || step.abs() >= SMALL || leaves(at, step)) {
+        return Err(ProjectionError::NotConverged { residual: point.residual });
+    }
+    if !free().all(|(i, ..)| p.explains_gradient(i, SMALL)) {
+        return Err(ProjectionError::Singular { conditioning: point.conditioning });
+    }
+    Ok(point)
 }
 
 /// A pair of parameters with all that is known there.

@@ -12,7 +12,7 @@ pub(super) const WEAK: f64 = 9e-13;
 /// Scaled eigenvalues from this on leave gradients of the parameters most of their digits.
 const CLEAR: f64 = 1e-3;
 /// The relative error of these gradients from which on a point is ill-conditioned.
-const TOO_LARGE: f64 = 1e-4;
+const TOO_LARGE: f64 = 1e-6;
 /// The parameters of a minimum of fourth order are known to the fourth root of the rounding of d².
 const FOURTH_ORDER: f64 = 1.7e-4;
 
@@ -108,7 +108,7 @@ pub enum Degeneracy {
     IllConditioned {
         /// The scaled eigenvalue of the Hessian that is smallest in size.
         conditioning: f64,
-        /// The relative error of the gradients of xi and xi_bar, about rounding / conditioning² for curved beams.
+        /// The relative error of the gradients of xi and xi_bar, about rounding / conditioning² at a fold.
         gradient_error: f64,
     },
 }
@@ -130,7 +130,7 @@ impl ClosestPoint {
         } else if p.is_crossing() {
             Some(Degeneracy::Crossing)
         } else {
-            let gradient_error = if smallest < CLEAR { p.gradient_error(smallest, active) } else { 0.0 };
+            let gradient_error = if smallest < CLEAR { p.gradient_error(low, active) } else { 0.0 };
             (gradient_error > TOO_LARGE)
                 .then_some(Degeneracy::IllConditioned { conditioning: smallest, gradient_error })
         };
@@ -184,12 +184,17 @@ impl ClosestPoint {
 
 impl End {
     fn new(p: &HalfSquare, i: usize, at: f64) -> Self {
-        let (side, sign) = if at < 0.0 { (Side::Lower, -1.0) } else { (Side::Upper, 1.0) };
-        Self { side, strict: !p.is_weak(i), multiplier: 0.0 - sign * p.cosine(i) }
+        let side = Side::nearest(at);
+        Self { side, strict: !p.is_weak(i), multiplier: 0.0 - side.parameter() * p.cosine(i) }
     }
 }
 
 impl Side {
+    /// The end that a parameter is nearest to.
+    pub(super) fn nearest(at: f64) -> Self {
+        if at < 0.0 { Self::Lower } else { Self::Upper }
+    }
+
     /// The parameter of this end.
     pub fn parameter(self) -> f64 {
         match self {
