@@ -49,11 +49,9 @@ pub trait Centroid {
 
 /// A [`Curve`] with its degrees of freedom.
 #[derive(Clone, Copy, Debug)]
-pub struct Beam<'a, C, const N: usize> {
-    /// The family of the curve.
-    pub curve: &'a C,
-    /// The degrees of freedom.
-    pub q: &'a SVector<f64, N>,
+struct Beam<'a, C, const N: usize> {
+    curve: &'a C,
+    q: &'a SVector<f64, N>,
 }
 
 impl<C: Curve<N>, const N: usize> Centroid for Beam<'_, C, N> {
@@ -90,8 +88,8 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> pair::Pair<A, B, 
         q: &DofVector<f64, N, M>,
         options: &Search,
     ) -> Result<ClosestPoints, ProjectionError> {
-        let beam = Beam { curve: &self.curve, q: &q.beam };
-        closest_points(&beam, &Beam { curve: &self.curve_bar, q: &q.bar }, options)
+        let (beam, bar) = self.centroids(q);
+        closest_points(&beam, &bar, options)
     }
 
     /// One stationary point by Newton's method from nearby: [`refine`].
@@ -104,8 +102,17 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> pair::Pair<A, B, 
         start: (f64, f64),
         active: Active,
     ) -> Result<ClosestPoint, ProjectionError> {
+        let (beam, bar) = self.centroids(q);
+        refine(&beam, &bar, start, active)
+    }
+
+    /// Both curves as the search sees them.
+    pub fn centroids<'a>(
+        &'a self,
+        q: &'a DofVector<f64, N, M>,
+    ) -> (impl Centroid + use<'a, A, B, N, M>, impl Centroid + use<'a, A, B, N, M>) {
         let beam = Beam { curve: &self.curve, q: &q.beam };
-        refine(&beam, &Beam { curve: &self.curve_bar, q: &q.bar }, start, active)
+        (beam, Beam { curve: &self.curve_bar, q: &q.bar })
     }
 }
 

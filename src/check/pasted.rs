@@ -30,20 +30,17 @@ pub fn test_source(case: &Written, minimum: usize, entry: &Comparison) -> String
     format!(
         "#[test]
 fn {name}() {{
-    use beamgap::closest_point::{{Beam, Search, closest_points}};
     use beamgap::curve::{curves};
     use beamgap::linearization::{side};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{{Contact, DofVector, Pair}};
 
     let contact = {contact};
-    let pair = Pair {{ curve: {curve}, curve_bar: {curve_bar}, contact }};
+    let pair = Pair::new({curve}, {curve_bar}).with_contact(contact);
     let q = {q};
     let dq = {dq};
     let linear_dq = {linear_dq};
-    let beam = Beam {{ curve: &pair.curve, q: &q.beam }};
-    let bar = Beam {{ curve: &pair.curve_bar, q: &q.bar }};
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[{minimum}];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).{field};
@@ -74,7 +71,7 @@ fn other(entry: &Comparison) -> String {
                 _ => "hessian.along(&dq, &linear_dq)",
             };
             let scalar = quantity(entry.quantity);
-            return format!("closed_form::linearize(&pair, &q, point).{scalar}.{contracted}");
+            return format!("pair.linearize(&q, point).{scalar}.{contracted}");
         }
         (_, "hyper-dual, stationary") => "ad::Route::Stationary",
         (_, "own hyper-dual, chord") => "ad::Route::Chord(ad::chord(&pair, &q, point), 2)",

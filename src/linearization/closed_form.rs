@@ -31,39 +31,30 @@ mod variations;
 
 pub use form::Form;
 pub use frozen::Frozen;
-pub use jets::{Jets, MatrixTerms};
+pub(crate) use jets::Jets;
 pub use matrices::{Matrices, VectorQuantity};
-pub use operands::{Between, First, Operands, Second, Side};
-pub use projection::{Crossed, Points, Projection, System};
-pub use terms::{Label, Sound, Terms};
-pub use variations::{variations, variations_with};
-
-/// All scalar quantities with gradients and Hessians, at a closest point of the pair, by the formulas that lose the
-/// fewest digits there ([`Form::at`]).
-///
-/// Where the centroids cross inside both beams, d = 0 and d as a length has no derivatives. What is returned there are
-/// those of the signed distance along n = t × t_bar/|t × t_bar|; its sign, and that of n, is a choice. Elsewhere n points
-/// from the bar beam to the beam, and d is positive.
-///
-/// It is [`blocks::write_linearization`], which writes into memory of the caller: the kernel.
-///
-/// # Example
-/// See the crate's front page.
-pub fn linearize<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-) -> Linearization<f64, N, M> {
-    let mut all = Linearization::ZEROS;
-    blocks::write_linearization(pair, q, point, &mut all);
-    all
-}
+pub(crate) use operands::Operands;
+pub use projection::{Points, Projection};
+pub(crate) use projection::System;
+pub(crate) use terms::{Label, Sound, Terms};
+pub use variations::variations;
+pub(crate) use variations::variations_with;
 
 impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
-    /// d, t, t_bar, xi, xi_bar, g_T and g_T_bar with gradients and Hessians at a closest point: [`linearize`].
+    /// All scalar quantities with gradients and Hessians, at a closest point of the pair, by the formulas that lose the
+    /// fewest digits there ([`Form::at`]): the kernel.
+    ///
+    /// Where the centroids cross inside both beams, d = 0 and d as a length has no derivatives. What is returned there are
+    /// those of the signed distance along n = t × t_bar/|t × t_bar|; its sign, and that of n, is a choice. Elsewhere n
+    /// points from the bar beam to the beam, and d is positive.
+    ///
+    /// # Example
+    /// See the crate's front page.
     #[must_use]
     pub fn linearize(&self, q: &DofVector<f64, N, M>, point: &ClosestPoint) -> Linearization<f64, N, M> {
-        linearize(self, q, point)
+        let mut all = Linearization::ZEROS;
+        blocks::write_linearization(self, q, point, &mut all);
+        all
     }
 
     /// The same, written over `to`: half the time, as [`Pair::linearize`] clears and copies its result.
@@ -78,7 +69,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
 }
 
 /// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair, by
-/// the formulas that [`linearize`] takes.
+/// the formulas that [`Pair::linearize`] takes.
 pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,

@@ -1,14 +1,13 @@
 mod segment {
 #[test]
 fn x_x_delta() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::Segment;
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Segment::new(), curve_bar: Segment::new(), contact };
+    let pair = Pair::new(Segment::new(), Segment::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([-1.0, 0.0, 0.25, 1.0, 0.0, 0.25]),
         bar: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
@@ -21,9 +20,7 @@ fn x_x_delta() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).x.x.delta;
@@ -34,14 +31,13 @@ fn x_x_delta() {
 mod quadratic {
 #[test]
 fn symmetry_of_x_z_second() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{Quadratic, Segment};
     use beamgap::linearization::closed_form;
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Segment::new(), curve_bar: Quadratic::new(), contact };
+    let pair = Pair::new(Segment::new(), Quadratic::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
         bar: SVector::from([-1.0, 0.0, 0.25, 0.0, 0.0, 0.0, 1.0, 0.0, 0.25]),
@@ -54,9 +50,7 @@ fn symmetry_of_x_z_second() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).x.z.second;
@@ -67,14 +61,13 @@ fn symmetry_of_x_z_second() {
 mod cubic {
 #[test]
 fn x_bar_z_linear() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{Cubic, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Cubic::new(), curve_bar: Segment::new(), contact };
+    let pair = Pair::new(Cubic::new(), Segment::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([-1.0, 0.0, 0.25, -0.5, 0.0, 0.0625, 0.5, 0.0, 0.0625, 1.0, 0.0, 0.25]),
         bar: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
@@ -87,9 +80,7 @@ fn x_bar_z_linear() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).x_bar.z.linear;
@@ -100,14 +91,13 @@ fn x_bar_z_linear() {
 mod hermite {
 #[test]
 fn d_vector_y_delta() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{Hermite, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Segment::new(), curve_bar: Hermite::new(), contact };
+    let pair = Pair::new(Segment::new(), Hermite::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
         bar: SVector::from([-1.0, 0.0, 0.25, 1.0, 0.0, -0.5, 1.0, 0.0, 0.25, 1.0, 0.0, 0.5]),
@@ -120,9 +110,7 @@ fn d_vector_y_delta() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).d_vector.y.delta;
@@ -133,14 +121,13 @@ fn d_vector_y_delta() {
 mod hermite_scaled {
 #[test]
 fn t_vector_x_value() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{Hermite, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Hermite::scaled_by(2.0), curve_bar: Segment::new(), contact };
+    let pair = Pair::new(Hermite::scaled_by(2.0), Segment::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([-1.0, 0.0, 0.25, 1.0, 0.0, -0.5, 1.0, 0.0, 0.25, 1.0, 0.0, 0.5]),
         bar: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
@@ -153,9 +140,7 @@ fn t_vector_x_value() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t_vector.x.value;
@@ -166,14 +151,13 @@ fn t_vector_x_value() {
 mod bezier {
 #[test]
 fn t_vector_z_second() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{Bezier, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Segment::new(), curve_bar: Bezier::<6>::new(), contact };
+    let pair = Pair::new(Segment::new(), Bezier::<6>::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
         bar: SVector::from([-1.0, 0.0, 0.25, -0.5, 0.0, 0.0625, -0.5, 0.0, 0.0625, 0.5, 0.0, 0.0625, 0.5, 0.0, 0.0625, 1.0, 0.0, 0.25]),
@@ -186,9 +170,7 @@ fn t_vector_z_second() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t_vector.z.second;
@@ -199,14 +181,13 @@ fn t_vector_z_second() {
 mod bspline {
 #[test]
 fn t_bar_vector_z_delta() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{BSpline, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: BSpline::<4>::new(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]).unwrap(), curve_bar: Segment::new(), contact };
+    let pair = Pair::new(BSpline::<4>::new(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]).unwrap(), Segment::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([-3.0, 0.0, 2.25, -1.0, 0.0, 0.25, 1.0, 0.0, 0.25, 3.0, 0.0, 2.25]),
         bar: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
@@ -219,9 +200,7 @@ fn t_bar_vector_z_delta() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t_bar_vector.z.delta;
@@ -232,14 +211,13 @@ fn t_bar_vector_z_delta() {
 mod nurbs {
 #[test]
 fn t_value() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{Nurbs, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Segment::new(), curve_bar: Nurbs::<3>::new(&[0.0, 1.0, 2.0, 3.0], [1.0, 0.5, 2.0]).unwrap(), contact };
+    let pair = Pair::new(Segment::new(), Nurbs::<3>::new(&[0.0, 1.0, 2.0, 3.0], [1.0, 0.5, 2.0]).unwrap()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
         bar: SVector::from([-2.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 1.0]),
@@ -252,9 +230,7 @@ fn t_value() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t.value;
@@ -265,14 +241,13 @@ fn t_value() {
 mod nurbs_weighted {
 #[test]
 fn xi_second() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{NurbsWeighted, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: NurbsWeighted::<4>::new(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]).unwrap(), curve_bar: Segment::new(), contact };
+    let pair = Pair::new(NurbsWeighted::<4>::new(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0]).unwrap(), Segment::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([-3.0, 0.0, 2.25, 1.0, -1.0, 0.0, 0.25, 2.0, 1.0, 0.0, 0.25, 1.0, 3.0, 0.0, 2.25, 0.5]),
         bar: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
@@ -285,9 +260,7 @@ fn xi_second() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).xi.second;
@@ -298,14 +271,13 @@ fn xi_second() {
 mod arc {
 #[test]
 fn g_n_linear() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{Arc, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Segment::new(), curve_bar: Arc::new(0.75), contact };
+    let pair = Pair::new(Segment::new(), Arc::new(0.75)).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
         bar: SVector::from([0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, -1.5]),
@@ -318,9 +290,7 @@ fn g_n_linear() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).g_n.linear;
@@ -331,14 +301,13 @@ fn g_n_linear() {
 mod helix {
 #[test]
 fn matrix_of_d_delta() {
-    use beamgap::closest_point::{Beam, Search, closest_points};
     use beamgap::curve::{Helix, Segment};
     use beamgap::linearization::closed_form;
     use beamgap::nalgebra::SVector;
     use beamgap::pair::{Contact, DofVector, Pair};
 
     let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
-    let pair = Pair { curve: Helix::new(0.75), curve_bar: Segment::new(), contact };
+    let pair = Pair::new(Helix::new(0.75), Segment::new()).with_contact(contact);
     let q = DofVector {
         beam: SVector::from([0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.5, -1.5]),
         bar: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
@@ -351,13 +320,11 @@ fn matrix_of_d_delta() {
         beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0]),
         bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
     };
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let found = closest_points(&beam, &bar, &Search::default()).unwrap();
+    let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[0];
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).d.delta;
-    let other = closed_form::linearize(&pair, &q, point).d.gradient.along(&dq);
+    let other = pair.linearize(&q, point).d.gradient.along(&dq);
     assert!((closed - other).abs() <= 3.9e-14, "{closed:e}, not {other:e}");
 }
 }

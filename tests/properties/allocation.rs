@@ -24,7 +24,7 @@ fn nothing_is_allocated_in_an_evaluation() {
             one,
         );
         assert_eq!(std::hint::black_box((written, &four)).0, 4);
-        std::hint::black_box(closed_form::linearize(pair, q, point));
+        std::hint::black_box(pair.linearize(q, point));
         std::hint::black_box(closed_form::vary(pair, q, point, dq, linear_dq));
         std::hint::black_box(ad::vary(ad::Route::Newton, pair, q, point, dq, linear_dq));
         std::hint::black_box(ad::expand_by_orders::<_, _, 12, 12, 8, 1>(pair, q, point, |q| [q.xi]));

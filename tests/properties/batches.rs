@@ -5,14 +5,14 @@
 use crate::blocks::{brought_near, targets};
 use crate::pairs::{Contacting, contacting, hermite};
 use crate::strategies::vector;
-use beamgap::closest_point::{Active, Beam, refine};
+use beamgap::closest_point::Active;
 use beamgap::curve::{Bezier, Hermite, Segment};
 use beamgap::linearization::closed_form::Form;
 use beamgap::linearization::closed_form::blocks::{
     Encounter, Gradient, Packed, write_all, write_all_batch, write_all_over, write_d, write_d_batch,
 };
 use beamgap::number::Lanes;
-use beamgap::pair::{Contact, DofVector, Pair};
+use beamgap::pair::{DofVector, Pair};
 use nalgebra::SVector;
 use proptest::prelude::*;
 use std::num::NonZeroUsize;
@@ -53,12 +53,11 @@ fn alone(Packed { hessian, gradient, value }: &Packed<f64, 24, 300>) -> Vec<f64>
 
 /// A beam of six control vectors above one of two, bent by these dofs.
 fn long_and_short(bent: &SVector<f64, 18>) -> Contacting<Bezier<6>, Segment, 18, 6> {
-    let pair = Pair { curve: Bezier::new(), curve_bar: Segment::new(), contact: Contact::default() };
+    let pair = Pair::new(Bezier::new(), Segment::new());
     let straight = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
     let beam = SVector::from_fn(|i, _| if i % 3 == 0 { straight[i / 3] } else { 0.0 } + 0.03 * bent[i]);
     let q = DofVector { beam, bar: SVector::from([0.1, -1.0, -1.0, -0.1, 1.0, -1.1]) };
-    let (x, x_bar) = (Beam { curve: &pair.curve, q: &q.beam }, Beam { curve: &pair.curve_bar, q: &q.bar });
-    let point = refine(&x, &x_bar, (0.0, 0.0), Active::default()).unwrap();
+    let point = pair.refine(&q, (0.0, 0.0), Active::default()).unwrap();
     Contacting { pair, q, point, dq: DofVector::zeros(), linear_dq: DofVector::zeros() }
 }
 

@@ -7,7 +7,7 @@ use beamgap::linearization::closed_form::blocks::{
     Full, Targets, write_all_with_slips, write_all_with_slips_over,
 };
 use beamgap::linearization::closed_form::form::{Distance, Elimination};
-use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, Sound, jets};
+use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, jets};
 use beamgap::linearization::{Expansion, Linearization};
 use beamgap::number::{Bounded, Real, Residue};
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -59,7 +59,7 @@ fn by_matrices<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: u
 ) -> [Vec<T>; 7] {
     let (jet, jet_bar) = jets(pair, q, at);
     let Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar, .. } =
-        Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact);
+        Matrices::in_form(&jet, &jet_bar, form).all(at, &pair.contact);
     [d, xi, xi_bar, t, t_bar, g_t, g_t_bar].map(flat_expansion)
 }
 

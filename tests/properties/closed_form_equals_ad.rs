@@ -83,7 +83,7 @@ fn matrices_agree<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, 
     case: &Contacting<A, B, N, M>,
 ) {
     let Contacting { pair, q, point, .. } = case;
-    let ours = closed_form::linearize(pair, q, point);
+    let ours = pair.linearize(q, point);
     let [by_sweep] = ad::expand_by_sweep(Route::Newton, pair, q, point, |q| [q.g_n]);
     let size = flat(&ours.d)[0].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     assert_same("g_N", &ours.g_n(), &by_sweep, size * size / ours.d.value);

@@ -2,8 +2,9 @@
 
 use crate::centroids::{Winding, apart, close, ellipse, line, over_pieces};
 use beamgap::closest_point::{Active, HalfSquare, Kind, Search, closest_points, refine};
-use beamgap::closest_point::{Beam, Centroid, ClosestPoint};
+use beamgap::closest_point::{Centroid, ClosestPoint};
 use beamgap::curve::{Arc, Geometry, Hermite};
+use beamgap::pair::{DofVector, Pair};
 use nalgebra::{Rotation3, SVector, Vector3};
 use std::f64::consts::PI;
 
@@ -19,13 +20,12 @@ fn projection(curve: &Winding, bar: &Winding, point: &ClosestPoint) -> HalfSquar
 #[test]
 fn a_beam_tells_of_its_curve() {
     let q = SVector::from([0.0, 0.0, 0.0, 3.0, 1.0, 0.0, 2.0, 1.0, 0.0, 0.0, 4.0, 1.0]);
-    let hermite = Beam { curve: &Hermite::new(), q: &q };
+    let of_arc = SVector::from([0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+    let (pair, q) = (Pair::new(Hermite::new(), Arc::new(1.0)), DofVector { beam: q, bar: of_arc });
+    let (hermite, arc) = pair.centroids(&q);
     close(hermite.third_derivative_bound(), 1.5 * 18.0_f64.sqrt(), 1e-15);
     assert!(hermite.is_cubic());
-    let arc = Arc::new(1.0);
-    assert!(
-        !Beam { curve: &arc, q: &SVector::from([0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) }.is_cubic()
-    );
+    assert!(!arc.is_cubic());
 }
 
 #[test]

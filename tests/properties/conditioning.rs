@@ -5,10 +5,10 @@
 use crate::pairs::{
     Contacting, Movable, any_arc, any_helix, contacting, hermite, nurbs, quadratic, refined, segment,
 };
-use beamgap::closest_point::{Active, Beam, Degeneracy, Search, closest_points};
+use beamgap::closest_point::{Active, Degeneracy};
 use beamgap::curve::{Curve, Hermite, Segment};
 use beamgap::linearization::closed_form::form::{Distance, Elimination};
-use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, Sound, jets, linearize};
+use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, jets};
 use beamgap::linearization::{DofMatrix, Expansion, Linearization};
 use beamgap::number::{Bounded, DoubleDouble, Real};
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -35,7 +35,7 @@ fn all<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     let q = DofVector { beam: q.beam.map(T::from), bar: q.bar.map(T::from) };
     let (jet, jet_bar) = jets(pair, &q, at);
     let form = form(&Points::new(&jet.geometry, &jet_bar.geometry));
-    Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact)
+    Matrices::in_form(&jet, &jet_bar, form).all(at, &pair.contact)
 }
 
 /// The closest point in double-double, by Newton's method.
@@ -241,10 +241,9 @@ fn the_choice_of_the_system_is_continuous() {
 #[test]
 fn the_signed_distance_has_derivatives_where_the_centroids_cross() {
     let (pair, q) = segments(1.0, 0.0);
-    let (beam, bar) = (Beam { curve: &pair.curve, q: &q.beam }, Beam { curve: &pair.curve_bar, q: &q.bar });
-    let point = closest_points(&beam, &bar, &Search::default()).unwrap().minima[0];
+    let point = pair.closest_points(&q).unwrap().minima[0];
     assert_eq!(point.degeneracy(), Some(Degeneracy::Crossing));
-    let crossing = linearize(&pair, &q, &point).d;
+    let crossing = pair.linearize(&q, &point).d;
     assert!(crossing.value.abs() < 1e-16);
     // The mean of the signed distances on both sides; there the paper's form does, in double-double.
     let h = 1e-6;

@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 1e-8;
 type HermitePair = Contacting<Hermite, Hermite, 12, 12>;
 
 fn linearized(case: &HermitePair) -> Linearization<f64, 12, 12> {
-    closed_form::linearize(&case.pair, &case.q, &case.point)
+    case.pair.linearize(&case.q, &case.point)
 }
 
 fn expansions<const N: usize, const M: usize>(l: &Linearization<f64, N, M>) -> [&Expansion<f64, N, M>; 7] {
@@ -134,8 +134,8 @@ proptest! {
         let q_swapped = DofVector { beam: q.bar, bar: q.beam };
         let active = Active { xi: point.active().xi_bar, xi_bar: point.active().xi };
         let other = refined(&swapped, &q_swapped, (point.xi_bar, point.xi), active).unwrap();
-        let one = closed_form::linearize(pair, q, point);
-        let two = closed_form::linearize(&swapped, &q_swapped, &other);
+        let one = pair.linearize(q, point);
+        let two = swapped.linearize(&q_swapped, &other);
         let theirs = [&two.d, &two.t_bar, &two.t, &two.xi_bar, &two.xi, &two.g_t_bar, &two.g_t];
         for (x, y) in expansions(&one).into_iter().zip(theirs) {
             let index = |i: usize| if i < 12 { i + 6 } else { i - 12 };

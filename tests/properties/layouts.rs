@@ -6,7 +6,7 @@
 use crate::blocks::{flat, flat_expansion, targets};
 use crate::pairs::{Contacting, any_arc, any_helix, contacting, hermite, quadratic};
 use beamgap::linearization::closed_form::blocks::{Full, Gradient, Packed, write_all, write_d};
-use beamgap::linearization::closed_form::{Form, Matrices, Points, Sound, jets};
+use beamgap::linearization::closed_form::{Form, Matrices, Points, jets};
 use beamgap::linearization::{Expansion, Linearization};
 use proptest::prelude::*;
 
@@ -54,7 +54,7 @@ proptest! {
         let (jet, jet_bar) = jets(pair, q, at);
         let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
         let Linearization::<f64, 12, 9> { d, xi, xi_bar, t, t_bar, .. } =
-            Matrices::with(Sound, &jet, &jet_bar, form).all(at, &pair.contact);
+            Matrices::in_form(&jet, &jet_bar, form).all(at, &pair.contact);
         prop_assert_eq!(full.each_ref().map(flat), [d, xi, xi_bar, t, t_bar].map(flat_expansion));
     }
 

@@ -1,7 +1,7 @@
 //! Pairs of beams at a closest point: drawn at random, made stationary, with directions to vary in.
 
 use crate::strategies::{arc, helix, parameter, vector, weighted_points};
-use beamgap::closest_point::{Active, Beam, ClosestPoint, refine};
+use beamgap::closest_point::{Active, ClosestPoint};
 use beamgap::curve::{Arc, Curve, Helix, Hermite, Jet, NurbsWeighted, Quadratic, Segment};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{SVector, Vector3};
@@ -129,9 +129,7 @@ pub(crate) fn refined<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     at: (f64, f64),
     active: Active,
 ) -> Option<ClosestPoint> {
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    refine(&beam, &bar, at, active).ok()
+    pair.refine(q, at, active).ok()
 }
 
 /// The largest difference of two rows of numbers, relative to the largest number in them.

@@ -14,7 +14,7 @@ fn symmetric<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(case:
     };
     let all: Vec<Vec<[f64; COMPONENTS]>> =
         (0..N + M).map(|i| (0..N + M).map(|j| entry(i, j)).collect()).collect();
-    let ours = closed_form::linearize(pair, q, point);
+    let ours = pair.linearize(q, point);
     let matrices = [
         (15, &ours.d),
         (16, &ours.t),

@@ -23,7 +23,7 @@ fn two_lines_have_the_known_derivatives() {
         bar: SVector::from([-0.5, -1.0, 0.5, 0.75, 1.0, 0.625]),
     };
     let point = refined(&pair, &q, (0.0, 0.0), Active::default()).unwrap();
-    let l = closed_form::linearize(&pair, &q, &point);
+    let l = pair.linearize(&q, &point);
     close(l.xi.value, 0.243_598_912_887_998_86);
     close(l.xi_bar.value, 0.142_898_011_729_366_33);
     close(l.d.value, 0.494_733_384_199_867_6);

@@ -5,7 +5,7 @@ use super::truth::Rows;
 use super::work::{Judge, rows, scenario, written};
 use super::{Scenario, Task};
 use beamgap::linearization::closed_form::blocks::{self, Full, Gradient, Packed, Targets};
-use beamgap::linearization::closed_form::{Matrices, jets, linearize};
+use beamgap::linearization::closed_form::{Matrices, jets};
 use beamgap::linearization::{Expansion, Linearization};
 use beamgap::report::CLOSED_FORM;
 
@@ -34,7 +34,7 @@ pub(super) fn scenarios<
         scenario(
             (Task::WithSlips, BY_TERMS),
             input,
-            |p| linearize(&p.pair, &p.q, &p.point),
+            |p| p.pair.linearize(&p.q, &p.point),
             |Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar, .. }| {
                 rows(&[d, xi, xi_bar, t, t_bar, g_t, g_t_bar])
             },

@@ -4,7 +4,6 @@ use super::input::{Input, Inputs, TimedCurve};
 use super::truth;
 use super::work::{Judge, Way, scenario};
 use super::{Scenario, Task};
-use beamgap::closest_point::{Beam, Search, closest_points, refine};
 
 /// How far from the closest point Newton's method starts: what a time step may move it.
 const OFF: f64 = 0.05;
@@ -32,14 +31,12 @@ pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const 
     let judge = Judge::new(move || truth::closest_point(&input));
     let ways: [Way<A, B, (f64, f64), N, M>; 2] = [
         ("search for all minima", |p| {
-            let (beam, bar) = beams(p);
-            let found = closest_points(&beam, &bar, &Search::default()).expect("the pairs are regular");
+            let found = p.pair.closest_points(&p.q).expect("the pairs are regular");
             found.interior().map(|point| (point.xi, point.xi_bar)).expect("they cross inside")
         }),
         ("Newton from 0.05 off", |p| {
-            let (beam, bar) = beams(p);
             let start = (p.point.xi + OFF, p.point.xi_bar - OFF);
-            let found = refine(&beam, &bar, start, p.point.active()).expect("it is near");
+            let found = p.pair.refine(&p.q, start, p.point.active()).expect("it is near");
             (found.xi, found.xi_bar)
         }),
     ];
@@ -52,11 +49,4 @@ pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const 
             judge.of_first(1),
         )
     })
-}
-
-fn beams<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
-    p: &Input<A, B, N, M>,
-) -> (Beam<'_, A, N>, Beam<'_, B, M>) {
-    let beam = Beam { curve: &p.pair.curve, q: &p.q.beam };
-    (beam, Beam { curve: &p.pair.curve_bar, q: &p.q.bar })
 }

@@ -4,7 +4,7 @@ use super::input::{Input, TimedCurve};
 use super::truth::{Exact, Rows};
 use super::work::{Judge, rows, scenario};
 use super::{Error, Scenario, Task, automatic};
-use beamgap::closest_point::{Beam, ClosestPoint, refine};
+use beamgap::closest_point::ClosestPoint;
 use beamgap::linearization::ad::{Perturbed, evaluate};
 use beamgap::linearization::closed_form::blocks::{self, Gradient, Targets};
 use beamgap::linearization::{Expansion, Quantities};
@@ -25,9 +25,7 @@ fn moved<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     for &(i, step) in moves {
         q.set(i, q.entry(i) + step);
     }
-    let beam = Beam { curve: &pair.curve, q: &q.beam };
-    let bar = Beam { curve: &pair.curve_bar, q: &q.bar };
-    let point = refine(&beam, &bar, (point.xi, point.xi_bar), point.active()).expect("a small move");
+    let point = pair.refine(&q, (point.xi, point.xi_bar), point.active()).expect("a small move");
     (q, point)
 }
 

@@ -1,7 +1,7 @@
 //! The pairs of beams that are timed: always the same, each at its closest point.
 
 use beamgap::check::{Case, Regime, Selection};
-use beamgap::closest_point::{Beam, ClosestPoint, Search, closest_points};
+use beamgap::closest_point::ClosestPoint;
 use beamgap::curve::{
     Arc, BSpline, Bezier, Cubic, Curve, Helix, Hermite, Nurbs, NurbsWeighted, Quadratic, Segment,
 };
@@ -153,12 +153,7 @@ fn closest<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
 ) -> Option<ClosestPoint> {
-    let found = closest_points(
-        &Beam { curve: &pair.curve, q: &q.beam },
-        &Beam { curve: &pair.curve_bar, q: &q.bar },
-        &Search::default(),
-    );
-    let point = *found.ok()?.interior().ok()?;
+    let point = *pair.closest_points(q).ok()?.interior().ok()?;
     (point.degeneracy().is_none() && point.conditioning > CONDITIONED).then_some(point)
 }
 

@@ -1,6 +1,6 @@
 //! The pairs that every peer is given.
 
-use beamgap::closest_point::{Active, Beam, ClosestPoint, Kind, Search, closest_points, refine};
+use beamgap::closest_point::{Active, ClosestPoint, Kind};
 use beamgap::curve::{Curve, Hermite};
 use beamgap::nalgebra::SVector;
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -57,9 +57,7 @@ fn draw(random: &mut Random) -> Option<Case> {
     let mut bent = |of: [f64; 12]| of.map(|straight| straight + 0.3 * random.next());
     let (beam, bar) = (bent(BEAM), bent(BAR));
     let q = DofVector { beam: SVector::from(beam), bar: SVector::from(bar) };
-    let at = Beam { curve: &PAIR.curve, q: &q.beam };
-    let at_bar = Beam { curve: &PAIR.curve_bar, q: &q.bar };
-    let found = closest_points(&at, &at_bar, &Search::default()).ok()?;
+    let found = PAIR.closest_points(&q).ok()?;
     let point = *found.interior().ok()?;
     let is_inside = point.xi.abs() < 0.95 && point.xi_bar.abs() < 0.95;
     if !is_inside || found.minima.len() > 1 || point.distance < 0.25 || point.conditioning < 0.1 {
@@ -82,9 +80,7 @@ fn moved(random: &mut Random, mut case: Case, gap: f64) -> Option<Case> {
             *dof += by[i % 3];
         }
     }
-    let at = Beam { curve: &PAIR.curve, q: &case.q.beam };
-    let at_bar = Beam { curve: &PAIR.curve_bar, q: &case.q.bar };
-    let point = refine(&at, &at_bar, (case.xi, case.xi_bar), Active::default()).ok()?;
+    let point = PAIR.refine(&case.q, (case.xi, case.xi_bar), Active::default()).ok()?;
     let near = (point.xi - case.xi).abs().max((point.xi_bar - case.xi_bar).abs()) < 1e-6;
     if !near || point.kind != Kind::Minimum || point.degeneracy().is_some() {
         return None;

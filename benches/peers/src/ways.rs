@@ -2,14 +2,14 @@
 
 use crate::cases::{Case, PAIR};
 use crate::reference::write_full;
-use beamgap::closest_point::{Active, Beam, refine};
+use beamgap::closest_point::Active;
 use beamgap::curve::{DofDerivatives, Hermite};
 use beamgap::linearization::ad::{
     Perturbed, Route, chord, evaluate, expand_by_orders, expand_by_sweep, expand_by_vector_dual,
     expand_d_by_orders,
 };
 use beamgap::linearization::closed_form::blocks::{self, Encounter, Full, Packed, Targets};
-use beamgap::linearization::closed_form::{Matrices, Projection, jets, linearize};
+use beamgap::linearization::closed_form::{Matrices, Projection, jets};
 use beamgap::linearization::{Expansion, Linearization, Quantities};
 use beamgap::number::Lanes;
 use beamgap::pair::DofVector;
@@ -71,11 +71,11 @@ way!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(linearize_all, linearize_all_read: Linearization<f64, 12, 12>, |case, to| {
-    *to = linearize(&PAIR, &case.q, &case.point);
+    *to = PAIR.linearize(&case.q, &case.point);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to| {
-    blocks::write_linearization(&PAIR, &case.q, &case.point, to);
+    PAIR.linearize_into(&case.q, &case.point, to);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(blocks_d_full, blocks_d_full_read: Row, |case, to| {
@@ -213,10 +213,8 @@ fn moved(case: &Case, moves: &[(usize, f64)]) -> (DofVector<f64, 12, 12>, (f64, 
     for &(i, step) in moves {
         q.set(i, q.entry(i) + step);
     }
-    let beam = Beam { curve: &PAIR.curve, q: &q.beam };
-    let bar = Beam { curve: &PAIR.curve_bar, q: &q.bar };
     let at = (case.point.xi, case.point.xi_bar);
-    let found = refine(&beam, &bar, at, Active::default()).map_or((f64::NAN, f64::NAN), |p| (p.xi, p.xi_bar));
+    let found = PAIR.refine(&q, at, Active::default()).map_or((f64::NAN, f64::NAN), |p| (p.xi, p.xi_bar));
     (q, found)
 }
 

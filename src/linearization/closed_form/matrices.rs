@@ -57,7 +57,13 @@ where
     #[doc(alias = "compute_lin_xi_and_lin_eta")]
     #[inline]
     pub fn new(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, active: Active) -> Self {
-        Self::with(Sound, jet, jet_bar, Form::paper(active))
+        Self::in_form(jet, jet_bar, Form::paper(active))
+    }
+
+    /// The same in the form asked for.
+    #[inline]
+    pub fn in_form(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Form) -> Self {
+        Self::with(Sound, jet, jet_bar, form)
     }
 }
 
@@ -70,7 +76,7 @@ where
 {
     /// [`Matrices::new`] through [`Terms`](super::Terms), in the form asked for.
     #[inline]
-    pub fn with(terms: F, jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Form) -> Self {
+    pub(crate) fn with(terms: F, jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Form) -> Self {
         let points = Points::new(&jet.geometry, &jet_bar.geometry);
         let projection = Projection::with(&terms, &points, form);
         let Projection { a, b, a_bar, .. } = projection;

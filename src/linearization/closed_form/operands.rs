@@ -9,7 +9,7 @@ use std::ops::Mul;
 
 /// Both beams at their closest points, varied in two directions. It is filled in as the formulas proceed.
 #[derive(Clone, Copy, Debug)]
-pub struct Operands<T> {
+pub(crate) struct Operands<T> {
     /// The beam.
     pub beam: Side<T>,
     /// The bar beam.
@@ -28,7 +28,7 @@ pub struct Operands<T> {
 
 /// What belongs to both beams and one direction.
 #[derive(Clone, Copy, Debug)]
-pub struct Between<T> {
+pub(crate) struct Between<T> {
     /// delta_u u_hat.
     pub u_hat: Vector3<T>,
     /// delta d, of the vector.
@@ -41,7 +41,7 @@ pub struct Between<T> {
 
 /// One beam.
 #[derive(Clone, Copy, Debug)]
-pub struct Side<T> {
+pub(crate) struct Side<T> {
     /// x, t, t,xi and t,xixi.
     pub geometry: Geometry<T>,
     /// xi less the reference parameter.
@@ -58,7 +58,7 @@ pub struct Side<T> {
 
 /// First variations of one beam.
 #[derive(Clone, Copy, Debug)]
-pub struct First<T> {
+pub(crate) struct First<T> {
     /// At a frozen parameter: delta_u u, delta_u u,xi and delta_u u,xixi.
     pub u: [Vector3<T>; 3],
     /// Of the parameter.
@@ -73,7 +73,7 @@ pub struct First<T> {
 
 /// Second variations of one beam.
 #[derive(Clone, Copy, Debug)]
-pub struct Second<T> {
+pub(crate) struct Second<T> {
     /// At a frozen parameter: Delta_u delta_u u and Delta_u delta_u u,xi.
     pub u: [Vector3<T>; 2],
     /// Of the contact point, less its term in Delta-delta xi.
@@ -93,7 +93,7 @@ pub struct Second<T> {
 impl<T: Real> Operands<T> {
     /// Two frozen beams; the rest is zero until it is computed.
     #[inline]
-    pub fn new(beam: &Frozen<T>, bar: &Frozen<T>) -> Self {
+    pub(crate) fn new(beam: &Frozen<T>, bar: &Frozen<T>) -> Self {
         let nil = Vector3::zeros();
         let between = Between { u_hat: nil, d: nil, distance: T::zero(), normal: nil };
         Self {
@@ -109,20 +109,20 @@ impl<T: Real> Operands<T> {
 
     /// One of the two beams.
     #[inline]
-    pub fn side(&self, bar: bool) -> &Side<T> {
+    pub(crate) fn side(&self, bar: bool) -> &Side<T> {
         if bar { &self.bar } else { &self.beam }
     }
 
     /// One of the two beams.
     #[inline]
-    pub fn side_mut(&mut self, bar: bool) -> &mut Side<T> {
+    pub(crate) fn side_mut(&mut self, bar: bool) -> &mut Side<T> {
         if bar { &mut self.bar } else { &mut self.beam }
     }
 
     /// The same with delta and Delta exchanged.
     #[inline]
     #[must_use]
-    pub fn exchanged(&self) -> Self {
+    pub(crate) fn exchanged(&self) -> Self {
         Self {
             beam: self.beam.exchanged(),
             bar: self.bar.exchanged(),

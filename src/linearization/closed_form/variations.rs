@@ -58,7 +58,7 @@ pub fn variations<T: Real>(
 }
 
 /// The same through [`Terms`], in the form asked for.
-pub fn variations_with<T: Real, F>(
+pub(crate) fn variations_with<T: Real, F>(
     terms: &F,
     beam: &Frozen<T>,
     bar: &Frozen<T>,

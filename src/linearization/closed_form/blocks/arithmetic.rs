@@ -129,16 +129,6 @@ pub(super) trait Arithmetic<T: Real>: Copy {
         }
     }
 
-    /// Calls `f` with every control vector and axis, of a control vector with one axis after the other.
-    #[inline(always)]
-    fn each<const L: usize>(self, mut f: impl FnMut(usize, usize)) {
-        for a in 0..L / 3 {
-            for i in 0..3 {
-                f(a, i);
-            }
-        }
-    }
-
     /// The sum of factor * vector over all `terms`.
     #[inline(always)]
     fn combined<const K: usize>(self, terms: [(T, Self::Vector); K]) -> Self::Vector {

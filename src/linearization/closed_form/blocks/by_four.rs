@@ -158,25 +158,6 @@ impl Arithmetic<f64> for ByFour {
         }
     }
 
-    /// Of up to four control vectors the axes one after the other, whose rows then stay in registers.
-    #[inline(always)]
-    fn each<const L: usize>(self, mut f: impl FnMut(usize, usize)) {
-        if L / 3 > 4 {
-            for a in 0..L / 3 {
-                f(a, 0);
-                f(a, 1);
-                f(a, 2);
-            }
-            return;
-        }
-        for i in 0..3 {
-            self.each_vector::<L>(
-                #[inline(always)]
-                |a| f(a, i),
-            );
-        }
-    }
-
     #[inline(always)]
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,

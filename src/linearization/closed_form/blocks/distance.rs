@@ -37,31 +37,31 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
             #[inline(always)]
             |row| f.tile(row),
         );
-        let (mut rows, mut rows_bar) = ([Dofs::<T, N>::zeros(); 3], [Dofs::<T, M>::zeros(); 3]);
+        // One axis after the other: unrolled, the rows do not stay in registers.
         for i in 0..3 {
-            f.set(&mut rows[i], [(beam.shapes.n, k[i])], [(u_i[i], &by_n)]);
-            f.set(&mut rows_bar[i], [(bar.shapes.n, k[i])], [(u_bar_i[i], &by_n_bar)]);
+            let rows: Dofs<T, N> = f.dofs([(beam.shapes.n, k[i])], [(u_i[i], &by_n)]);
+            let rows_bar: Dofs<T, M> = f.dofs([(bar.shapes.n, k[i])], [(u_bar_i[i], &by_n_bar)]);
+            f.each_vector::<N>(
+                #[inline(always)]
+                |a| {
+                    let r = 3 * a + i;
+                    let (s, by_n) = (beam.shapes.n[r], by_n[r]);
+                    let (row, row_bar) = to.row(a, i);
+                    f.set(row, [], [(s, &rows), (by_n, g.xi)]);
+                    f.set(row_bar, [], [(s, &rows_bar), (by_n, g_bar.xi)]);
+                },
+            );
+            f.each_vector::<M>(
+                #[inline(always)]
+                |a| {
+                    let r = 3 * a + i;
+                    let (s, by_n) = (bar.shapes.n[r], -by_n_bar[r]);
+                    let (row, row_bar) = to.row_bar(a, i);
+                    f.set(row, [], [(s, &rows), (by_n, g.xi_bar)]);
+                    f.set(row_bar, [], [(s, &rows_bar), (by_n, g_bar.xi_bar)]);
+                },
+            );
         }
-        f.each::<N>(
-            #[inline(always)]
-            |a, i| {
-                let r = 3 * a + i;
-                let (s, by_n) = (beam.shapes.n[r], by_n[r]);
-                let (row, row_bar) = to.row(a, i);
-                f.set(row, [], [(s, &rows[i]), (by_n, g.xi)]);
-                f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, g_bar.xi)]);
-            },
-        );
-        f.each::<M>(
-            #[inline(always)]
-            |a, i| {
-                let r = 3 * a + i;
-                let (s, by_n) = (bar.shapes.n[r], -by_n_bar[r]);
-                let (row, row_bar) = to.row_bar(a, i);
-                f.set(row, [], [(s, &rows[i]), (by_n, g.xi_bar)]);
-                f.set(row_bar, [], [(s, &rows_bar[i]), (by_n, g_bar.xi_bar)]);
-            },
-        );
     }
 
     /// n = d/d   K = (I − nnᵀ + t uᵀ + t̄ ūᵀ)/d

@@ -115,16 +115,6 @@ impl Arithmetic<Lanes> for InLanes {
         spread
     }
 
-    /// The axes one by one: the rows of a control vector differ in length.
-    #[inline(always)]
-    fn each<const L: usize>(self, mut f: impl FnMut(usize, usize)) {
-        for a in 0..L / 3 {
-            f(a, 0);
-            f(a, 1);
-            f(a, 2);
-        }
-    }
-
     /// The first control vectors one by one: most beams have no more, and most rows end among them.
     #[inline(always)]
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
