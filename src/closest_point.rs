@@ -118,6 +118,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> pair::Pair<A, B, 
 
 /// How far the search goes before it leaves a question open.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Search {
     /// The most boxes it looks at.
     pub boxes: usize,
@@ -128,6 +129,20 @@ pub struct Search {
 impl Default for Search {
     fn default() -> Self {
         Self { boxes: 1 << 14, resolution: 1.0 / f64::from(1 << 20) }
+    }
+}
+
+impl Search {
+    /// The same with another number of boxes.
+    #[must_use]
+    pub fn with_boxes(self, boxes: usize) -> Self {
+        Self { boxes, ..self }
+    }
+
+    /// The same with another resolution.
+    #[must_use]
+    pub fn with_resolution(self, resolution: f64) -> Self {
+        Self { resolution, ..self }
     }
 }
 

@@ -21,4 +21,7 @@ pub mod subject;
 #[cfg(feature = "check")]
 pub mod teeth;
 
+// Their types stand in signatures: vectors, dual numbers, and what a scalar of one's own implements.
 pub use nalgebra;
+pub use num_dual;
+pub use num_traits;

@@ -31,14 +31,19 @@ mod variations;
 
 pub use form::Form;
 pub use frozen::Frozen;
-pub(crate) use jets::Jets;
 pub use matrices::{Matrices, VectorQuantity};
-pub(crate) use operands::Operands;
 pub use projection::{Points, Projection};
-pub(crate) use projection::System;
-pub(crate) use terms::{Label, Sound, Terms};
 pub use variations::variations;
+
+pub(crate) use terms::Sound;
 pub(crate) use variations::variations_with;
+#[cfg(feature = "check")]
+pub(crate) use {
+    jets::Jets,
+    operands::Operands,
+    projection::System,
+    terms::{Label, Terms},
+};
 
 impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
     /// All scalar quantities with gradients and Hessians, at a closest point of the pair, by the formulas that lose the

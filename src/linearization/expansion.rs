@@ -197,6 +197,7 @@ impl<T: Real, const N: usize, const M: usize> Expansion<T, N, M> {
 ///
 /// g_N is d less the constant r + r_bar, so their gradients and Hessians are the same: see [`Linearization::g_n`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Linearization<T, const N: usize, const M: usize> {
     /// d.
     pub d: Expansion<T, N, M>,

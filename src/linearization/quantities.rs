@@ -10,6 +10,7 @@ use num_dual::HyperDual64;
 /// Lengths are in the user's unit; xi and xi_bar have none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "Eq. (17)")]
+#[non_exhaustive]
 pub struct Quantities<S> {
     /// x_C, the closest point on the beam.
     pub x: Vector3<S>,
@@ -79,6 +80,7 @@ impl<S: Scalar> Quantities<S> {
 
 /// The name of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Quantity {
     /// x_C.
     X,

@@ -49,8 +49,8 @@ fn a_search_looks_at_as_many_boxes_as_it_did() {
         costs(&all, bent(4.0)),
         costs(&all, bent(0.125)),
         costs(&all, slow),
-        costs(&Search { boxes: 64, ..all }, bent(4.0)),
-        costs(&Search { resolution: 0.125, ..all }, bent(4.0)),
+        costs(&all.with_boxes(64), bent(4.0)),
+        costs(&all.with_resolution(0.125), bent(4.0)),
         costs(&all, along(0.0)),
         costs(&all, along(1e-3)),
     ];

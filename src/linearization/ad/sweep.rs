@@ -11,6 +11,7 @@ use num_dual::{Dual, Dual2SVec, Dual2SVec64, DualSVec, HyperDual64};
 
 /// How the closest point is lifted.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Route {
     /// Newton's method in dual arithmetic on the orthogonality conditions.
     Newton,
