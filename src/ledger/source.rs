@@ -30,7 +30,7 @@ sources![
     "linearization/closed_form/matrices/parameters.rs",
     "linearization/closed_form/matrices/vector.rs",
     "linearization/closed_form/sums.rs",
-    "linearization/closed_form/blocks/frame.rs",
+    "linearization/closed_form/blocks/solution.rs",
     "linearization/closed_form/blocks/distance.rs",
     "linearization/closed_form/frozen.rs",
     "linearization/expansion.rs",

@@ -127,7 +127,7 @@ fn bilinear<T: Real, const N: usize, const M: usize>(
     block: &SMatrix<T, N, M>,
     v: &SVector<T, M>,
 ) -> T {
-    with_the_fastest!(_f: |_| (), () => {
+    with_the_fastest!({
         let mut products = [T::zero(); N];
         for (column, &v) in block.data.0.iter().zip(&v.data.0[0]) {
             add_multiple(&mut products, column, v);
@@ -146,7 +146,7 @@ fn set_block<T: Real, const N: usize, const M: usize, const L: usize, const K: u
     matrices: [(T, &SMatrix<T, N, M>); L],
     products: [[(&SVector<T, N>, &SVector<T, M>); 2]; K],
 ) {
-    with_the_fastest!(_f: |_| (), () => {
+    with_the_fastest!({
         for (j, column) in block.data.0.iter_mut().enumerate() {
             let mut sums = [T::zero(); N];
             for (factor, matrix) in matrices {

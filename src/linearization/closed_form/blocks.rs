@@ -28,6 +28,7 @@ mod parameters;
 mod request;
 mod side;
 mod slips;
+mod solution;
 mod target;
 
 pub use batch::{Encounter, write_all_batch, write_d_batch};
@@ -35,19 +36,20 @@ pub use request::Targets;
 pub use target::{Full, Gradient, Packed, Target};
 
 use super::{Form, Matrices, Points, Sound, jets};
-use crate::closest_point::{Active, ClosestPoint};
+use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::Linearization;
-use crate::linearization::fastest::with_the_fastest;
+use crate::linearization::fastest::return_with_vectors;
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 use arithmetic::{Arithmetic, ByOne};
 #[cfg(target_arch = "x86_64")]
 use by_four::ByFour;
-use choice::{Best, Choice, Chosen, Given, Regular};
-use frame::{Frame, Gradients, Products, Variations, along, points};
+use choice::{Best, Choice, Given, points};
+use frame::{Frame, Gradients, Products, along};
 use request::{DistanceAlone, Request, WithSlips};
-use side::{Side, Spread, shapes, spread};
+use side::{Point, Shapes, Side, Spread, shapes, spread};
+use solution::Solution;
 
 /// d with its derivatives, at a closest point of the pair, written over `to`.
 #[inline]
@@ -113,7 +115,7 @@ pub fn write_d_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: 
     form: Form,
     to: &mut impl Target<T, N, M>,
 ) -> bool {
-    evaluate(ByOne, pair, q, at, Given(form), &mut DistanceAlone(to)).is_some()
+    write_over(pair, q, at, form, &mut DistanceAlone(to))
 }
 
 /// [`write_all`] over any scalar, and otherwise [`write_d_over`].
@@ -124,7 +126,7 @@ pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M
     form: Form,
     to: &mut Targets<'_, impl Target<T, N, M>>,
 ) -> bool {
-    evaluate(ByOne, pair, q, at, Given(form), to).is_some()
+    write_over(pair, q, at, form, to)
 }
 
 /// [`write_all_with_slips`] over any scalar, and otherwise [`write_d_over`].
@@ -143,13 +145,12 @@ where
     W: Target<T, N, M>,
 {
     let origin = (pair.contact.xi_0, pair.contact.xi_bar_0);
-    evaluate(ByOne, pair, q, at, Given(form), &mut WithSlips { targets: to, slips, origin }).is_some()
+    write_over(pair, q, at, form, &mut WithSlips { targets: to, slips, origin })
 }
 
 /// What is asked for, by the form that loses the fewest digits.
 ///
-/// The common normal with the paper's system, inside both beams and at wide angles, has a kernel of its own, in which there is
-/// nothing to choose.
+/// The kernel knows of the curves how many dofs they have, and no more: it is compiled for these numbers, not for families.
 #[inline]
 fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
@@ -157,80 +158,100 @@ fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     point: &ClosestPoint,
     request: &mut impl Request<f64, N, M>,
 ) {
-    let inside = point.active() == Active::default();
-    if !(inside && may_have_shapes(pair)) || fast(pair, q, point, Regular, request).is_none() {
-        write_rarer(pair, q, point, request);
+    // Jets need not be found to see that a curve that is not linear in its dofs has no shape functions.
+    if A::Dofs::<f64>::LINEAR && B::Dofs::<f64>::LINEAR {
+        let (dofs, dofs_bar) =
+            (pair.curve.jet(&q.beam, point.xi).dofs, pair.curve_bar.jet(&q.bar, point.xi_bar).dofs);
+        if let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar)) {
+            write_by_shapes((of_beam, of_bar), q, point, request);
+            return;
+        }
     }
+    write_by_matrices(pair, q, point, request);
 }
 
-/// At ends, at small angles, beyond the radius of curvature, and of curves without shape functions.
-#[cold]
+/// Of curves with shape functions.
+#[inline]
+fn write_by_shapes<const N: usize, const M: usize>(
+    shapes: (Shapes<'_, f64>, Shapes<'_, f64>),
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+    request: &mut impl Request<f64, N, M>,
+) {
+    let (at, active) = ((point.xi, point.xi_bar), point.active());
+    return_with_vectors!(f: ByFour => {
+        evaluate(f, shapes, q, at, Best(active), request);
+    });
+    let (beam, bar) = (Point::new(ByOne, shapes.0, &q.beam), Point::new(ByOne, shapes.1, &q.bar));
+    by_one(shapes, q, at, Form::at(&points(ByOne, (&beam, &bar)), active), request);
+}
+
+/// Of curves without shape functions.
 #[inline(never)]
-fn write_rarer<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+fn write_by_matrices<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     request: &mut impl Request<f64, N, M>,
 ) {
-    if !may_have_shapes(pair) || fast(pair, q, point, Best(point.active()), request).is_none() {
-        let at = (point.xi, point.xi_bar);
-        let (jet, jet_bar) = jets(pair, q, at);
-        let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
-        request.copy(&Matrices::with(Sound, &jet, &jet_bar, form), at, &pair.contact);
-    }
-}
-
-/// Whether both curves are linear in their dofs: of others the jets need not be found to see that they have no shape
-/// functions.
-#[inline(always)]
-fn may_have_shapes<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(_: &Pair<A, B, N, M>) -> bool {
-    A::Dofs::<f64>::LINEAR && B::Dofs::<f64>::LINEAR
-}
-
-#[inline]
-fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    choice: impl Choice<f64>,
-    request: &mut impl Request<f64, N, M>,
-) -> Option<Chosen<f64>> {
     let at = (point.xi, point.xi_bar);
-    with_the_fastest!(f: ByFour, ByOne => evaluate(f, pair, q, at, choice, request))
+    let (jet, jet_bar) = jets(pair, q, at);
+    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+    request.copy(&Matrices::with(Sound, &jet, &jet_bar, form), at, &pair.contact);
 }
 
-/// Nothing, if a curve has no shape functions or the choice knows no form for the point.
-#[inline(always)]
-fn evaluate<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    f: impl Arithmetic<T>,
+/// What is asked for, over any scalar; `false`, and nothing written, if a curve has no shape functions.
+fn write_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
+    q: &DofVector<T, N, M>,
+    at: (T, T),
+    form: Form,
+    request: &mut impl Request<T, N, M>,
+) -> bool {
+    let (dofs, dofs_bar) = (pair.curve.jet(&q.beam, at.0).dofs, pair.curve_bar.jet(&q.bar, at.1).dofs);
+    let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar)) else { return false };
+    by_one((of_beam, of_bar), q, at, form, request);
+    true
+}
+
+/// One number after the other.
+#[inline(never)]
+fn by_one<T: Real, const N: usize, const M: usize>(
+    shapes: (Shapes<'_, T>, Shapes<'_, T>),
+    q: &DofVector<T, N, M>,
+    at: (T, T),
+    form: Form,
+    request: &mut impl Request<T, N, M>,
+) {
+    evaluate(ByOne, shapes, q, at, Given(form), request);
+}
+
+/// Returns the lanes, by bits, that ask for another form than the others; nothing, if none is written.
+#[inline(always)]
+fn evaluate<T: Real, const N: usize, const M: usize>(
+    f: impl Arithmetic<T>,
+    (of_beam, of_bar): (Shapes<'_, T>, Shapes<'_, T>),
     q: &DofVector<T, N, M>,
     at: (T, T),
     choice: impl Choice<T>,
     request: &mut impl Request<T, N, M>,
-) -> Option<Chosen<T>> {
-    let dofs = pair.curve.jet(&q.beam, at.0).dofs;
-    let dofs_bar = pair.curve_bar.jet(&q.bar, at.1).dofs;
-    let (of_beam, of_bar) = (shapes(&dofs)?, shapes(&dofs_bar)?);
+) -> Option<u8> {
     let one = T::one();
     let (n, n_xi, n_xixi) = spread(f, of_beam, one);
-    let beam = Side::new(f, of_beam, &q.beam, Spread { n: &n, n_xi: &n_xi, n_xixi: &n_xixi });
+    let shapes = Spread { n: &n, n_xi: &n_xi, n_xixi: &n_xixi };
+    let beam = Side { at: Point::new(f, of_beam, &q.beam), shapes };
     let (n, n_xi, n_xixi) = spread(f, of_bar, -one);
-    let bar = Side::new(f, of_bar, &q.bar, Spread { n: &n, n_xi: &n_xi, n_xixi: &n_xixi });
-    let products = Products::new(f, &beam, &bar);
-    let chosen = choice.choose(
-        #[inline(always)]
-        || products.squares(f, &beam, &bar),
-        #[inline(always)]
-        || points(f, &beam, &bar),
-    )?;
-    let Variations { over_c2, inverse, u, u_bar } = Variations::new(f, (&beam, &bar), &products, chosen);
-    let [p, q, q_bar] = inverse;
+    let shapes = Spread { n: &n, n_xi: &n_xi, n_xixi: &n_xixi };
+    let bar = Side { at: Point::new(f, of_bar, &q.bar), shapes };
+    let points = (&beam.at, &bar.at);
+    let products = Products::new(f, points);
+    let (solution, exceptions) = choice.solve(f, points, &products)?;
+    let Solution { inverse: [p, q, q_bar], u, u_bar, .. } = solution;
     let (xi, xi_bar) = along(f, &beam, (u, u_bar), ([-p, q], products.d));
     let g = Gradients { xi: &xi, xi_bar: &xi_bar };
     let (xi, xi_bar) = along(f, &bar, (u, u_bar), ([-q, -q_bar], products.d));
     let g_bar = Gradients { xi: &xi, xi_bar: &xi_bar };
-    let frame = Frame { beam: &beam, bar: &bar, g, g_bar, products, over_c2, chosen, inverse, u, u_bar };
+    let frame = Frame { beam: &beam, bar: &bar, g, g_bar, products, solution };
     request.write(f, &frame, at);
-    Some(chosen)
+    Some(exceptions)
 }

@@ -1,16 +1,16 @@
 //! Many pairs at once: four in the lanes of a vector, through the very source that evaluates one.
 
-use super::arithmetic::ByOne;
-use super::choice::{ALL, Chosen, Regular};
+use super::choice::{ALL, Regular};
 #[cfg(target_arch = "x86_64")]
 use super::in_lanes::InLanes;
 use super::request::{DistanceAlone, Request, Targets};
+use super::side::shapes;
 use super::target::{Target, fill};
-use super::{evaluate, may_have_shapes, write_all, write_d};
+use super::{evaluate, write_all, write_d};
 use crate::closest_point::{Active, ClosestPoint};
-use crate::curve::Curve;
+use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::Expansion;
-use crate::linearization::fastest::with_the_fastest;
+use crate::linearization::fastest::{return_with_vectors, with_the_fastest};
 use crate::number::Lanes;
 use crate::pair::{DofVector, Pair};
 use nalgebra::SVector;
@@ -151,7 +151,7 @@ fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, co
     let alike = |e: &Encounter<'_, A, B, N, M>| {
         e.pair.curve == first.pair.curve && e.pair.curve_bar == first.pair.curve_bar
     };
-    if !may_have_shapes(first.pair) || !of.iter().all(alike) {
+    if !A::Dofs::<f64>::LINEAR || !B::Dofs::<f64>::LINEAR || !of.iter().all(alike) {
         return ALL;
     }
     let held = of
@@ -161,19 +161,32 @@ fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, co
     // Lanes that no pair is left for repeat the first.
     let lane = |i| of.get(i).unwrap_or(first);
     let four = [first, lane(1), lane(2), lane(3)];
-    if held == ALL { ALL } else { fast(four, request).map_or(ALL, |chosen| chosen.exceptions | held) }
+    if held == ALL { ALL } else { fast(four, request) | held }
 }
 
+/// In lanes, if the machine has vectors for them; returns the lanes, by bits, that ask for another form.
 #[inline]
 fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     four: [&Encounter<'_, A, B, N, M>; 4],
     request: &mut impl Request<Lanes, N, M>,
-) -> Option<Chosen<Lanes>> {
-    let [a, b, c, d] = four;
-    let q = gather([a.q, b.q, c.q, d.q]);
-    let [a, b, c, d] = [a.point, b.point, c.point, d.point];
-    let at = (Lanes([a.xi, b.xi, c.xi, d.xi]), Lanes([a.xi_bar, b.xi_bar, c.xi_bar, d.xi_bar]));
-    with_the_fastest!(f: InLanes, ByOne => evaluate(f, four[0].pair, &q, at, Regular, request))
+) -> u8 {
+    #[cfg(target_arch = "x86_64")]
+    {
+        let [a, b, c, d] = four;
+        let q = gather([a.q, b.q, c.q, d.q]);
+        let [a, b, c, d] = [a.point, b.point, c.point, d.point];
+        let at = (Lanes([a.xi, b.xi, c.xi, d.xi]), Lanes([a.xi_bar, b.xi_bar, c.xi_bar, d.xi_bar]));
+        return_with_vectors!(f: InLanes => {
+            let pair = four[0].pair;
+            let (dofs, dofs_bar) = (pair.curve.jet(&q.beam, at.0).dofs, pair.curve_bar.jet(&q.bar, at.1).dofs);
+            let shapes = shapes(&dofs).zip(shapes(&dofs_bar));
+            shapes.and_then(
+                #[inline(always)]
+                |of| evaluate(f, of, &q, at, Regular, request),
+            ).unwrap_or(ALL)
+        });
+    }
+    ALL
 }
 
 /// The dofs of four pairs, one pair in each lane.
@@ -183,7 +196,7 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 fn gather<const N: usize, const M: usize>(
     [a, b, c, d]: [&DofVector<f64, N, M>; 4],
 ) -> DofVector<Lanes, N, M> {
-    with_the_fastest!(_f: |_| (), () => DofVector {
+    with_the_fastest!(DofVector {
         beam: side_by_side([&a.beam, &b.beam, &c.beam, &d.beam]),
         bar: side_by_side([&a.bar, &b.bar, &c.bar, &d.bar]),
     })

@@ -1,75 +1,66 @@
-//! Which form is taken at a point.
+//! Which form is taken at a point, and what it yields.
 
+use super::arithmetic::Arithmetic;
+use super::frame::Products;
+use super::side::Point;
+use super::solution::Solution;
 use crate::closest_point::Active;
-use crate::linearization::closed_form::form::{Distance, Elimination, Squares};
 use crate::linearization::closed_form::{Form, Points};
 use crate::number::{Lanes, Real};
 
-/// A form for a point.
-#[derive(Clone, Copy)]
-pub(super) struct Chosen<T> {
-    pub(super) form: Form,
-    /// The sign of its normal to t × t_bar: that of the form but where lanes differ.
-    pub(super) sign: T,
-    /// The lanes, by bits, for which the form does not hold.
-    pub(super) exceptions: u8,
-}
-
-impl<T: Real> Chosen<T> {
-    #[inline(always)]
-    fn new(form: Form) -> Self {
-        Self { form, sign: T::from(form.sign().unwrap_or(1.0)), exceptions: 0 }
-    }
-
-    /// Along the normal with this sign, inside both beams.
-    #[inline(always)]
-    fn along_normal(sign: T, exceptions: u8) -> Self {
-        let form = Form {
-            active: Active { xi: false, xi_bar: false },
-            distance: Distance::Normal { reversed: false },
-            system: Elimination::Products,
-        };
-        Self { form, sign, exceptions }
-    }
-}
-
 /// A choice between the forms.
-pub(super) trait Choice<T> {
-    /// The form at a point with these products; nothing if it is not among the choices.
-    fn choose(
+pub(super) trait Choice<T: Real>: Copy {
+    /// What the chosen form yields, and the lanes, by bits, that need another; nothing if all do.
+    fn solve<A: Arithmetic<T>>(
         self,
-        squares: impl FnOnce() -> Squares<T>,
-        points: impl FnOnce() -> Points<T>,
-    ) -> Option<Chosen<T>>;
+        f: A,
+        at: (&Point<A::Vector>, &Point<A::Vector>),
+        products: &Products<T, A::Vector>,
+    ) -> Option<(Solution<T, A::Vector>, u8)>;
 }
 
-/// The common normal and the paper's system, inside both beams, where no other form keeps more digits.
+/// The form that loses the fewest digits.
+#[derive(Clone, Copy)]
+pub(super) struct Best(pub(super) Active);
+
+impl Choice<f64> for Best {
+    /// The common normal and the paper's system, inside both beams and at wide angles, in vectors; the rest one by one.
+    #[inline(always)]
+    fn solve<A: Arithmetic<f64>>(
+        self,
+        f: A,
+        at: (&Point<A::Vector>, &Point<A::Vector>),
+        products: &Products<f64, A::Vector>,
+    ) -> Option<(Solution<f64, A::Vector>, u8)> {
+        let solution = if self.0 == Active::default() && products.squares(f, at).is_regular() {
+            Solution::regular(f, at, products, 1.0_f64.copysign(products.c_d))
+        } else {
+            best(&points(f, at), self.0).into_vectors(f)
+        };
+        Some((solution, 0))
+    }
+}
+
+/// At ends, at small angles and beyond the radius of curvature.
+#[cold]
+#[inline(never)]
+fn best(points: &Points<f64>, active: Active) -> Solution<f64, [f64; 3]> {
+    Solution::in_form(points, Form::at(points, active))
+}
+
+/// In each lane the common normal and the paper's system, where no other form keeps more digits.
 #[derive(Clone, Copy)]
 pub(super) struct Regular;
 
-impl Choice<f64> for Regular {
-    #[inline(always)]
-    fn choose(
-        self,
-        squares: impl FnOnce() -> Squares<f64>,
-        _: impl FnOnce() -> Points<f64>,
-    ) -> Option<Chosen<f64>> {
-        let squares = squares();
-        squares.is_regular().then(
-            #[inline(always)]
-            || Chosen::along_normal(1.0_f64.copysign(squares.c_d), 0),
-        )
-    }
-}
-
 impl Choice<Lanes> for Regular {
     #[inline(always)]
-    fn choose(
+    fn solve<A: Arithmetic<Lanes>>(
         self,
-        squares: impl FnOnce() -> Squares<Lanes>,
-        _: impl FnOnce() -> Points<Lanes>,
-    ) -> Option<Chosen<Lanes>> {
-        let squares = squares();
+        f: A,
+        at: (&Point<A::Vector>, &Point<A::Vector>),
+        products: &Products<Lanes, A::Vector>,
+    ) -> Option<(Solution<Lanes, A::Vector>, u8)> {
+        let squares = products.squares(f, at);
         let mut exceptions = 0;
         let mut sign = Lanes([1.0; 4]);
         for lane in 0..4 {
@@ -82,7 +73,7 @@ impl Choice<Lanes> for Regular {
         }
         (exceptions != ALL).then(
             #[inline(always)]
-            || Chosen::along_normal(sign, exceptions),
+            || (Solution::regular(f, at, products, sign), exceptions),
         )
     }
 }
@@ -90,28 +81,27 @@ impl Choice<Lanes> for Regular {
 /// All four lanes.
 pub(super) const ALL: u8 = 0b1111;
 
-/// The form that loses the fewest digits.
-#[derive(Clone, Copy)]
-pub(super) struct Best(pub(super) Active);
-
-impl Choice<f64> for Best {
-    #[inline]
-    fn choose(
-        self,
-        _: impl FnOnce() -> Squares<f64>,
-        points: impl FnOnce() -> Points<f64>,
-    ) -> Option<Chosen<f64>> {
-        Some(Chosen::new(Form::at(&points(), self.0)))
-    }
-}
-
 /// The form given.
 #[derive(Clone, Copy)]
 pub(super) struct Given(pub(super) Form);
 
 impl<T: Real> Choice<T> for Given {
-    #[inline]
-    fn choose(self, _: impl FnOnce() -> Squares<T>, _: impl FnOnce() -> Points<T>) -> Option<Chosen<T>> {
-        Some(Chosen::new(self.0))
+    #[inline(always)]
+    fn solve<A: Arithmetic<T>>(
+        self,
+        f: A,
+        at: (&Point<A::Vector>, &Point<A::Vector>),
+        _: &Products<T, A::Vector>,
+    ) -> Option<(Solution<T, A::Vector>, u8)> {
+        Some((Solution::in_form(&points(f, at), self.0).into_vectors(f), 0))
     }
+}
+
+/// Both beams at their contact points.
+#[inline(always)]
+pub(super) fn points<T: Real, A: Arithmetic<T>>(
+    f: A,
+    (beam, bar): (&Point<A::Vector>, &Point<A::Vector>),
+) -> Points<T> {
+    Points::new(&beam.geometry(f), &bar.geometry(f))
 }

@@ -10,7 +10,7 @@
 //! which is eq. (58), sorted by g. What is not a multiple of g belongs to the tangent's own beam.
 
 use super::arithmetic::{Arithmetic, Dofs, by_axis};
-use super::side::{Side, Spread};
+use super::side::{Point, Side, Spread};
 use super::target::Target;
 use crate::number::Real;
 
@@ -23,12 +23,13 @@ pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const 
     of_parameter: &mut W,
     to: &mut W,
 ) {
-    let Side { t, t_xi, t_xixi, shapes: Spread { n_xi: s_xi, n_xixi: s_xixi, .. }, .. } = own;
+    let Point { t, t_xi, t_xixi, .. } = own.at;
+    let Spread { n_xi: s_xi, n_xixi: s_xixi, .. } = own.shapes;
     let one = T::one();
-    let value = f.dot(*t, *t).sqrt();
+    let value = f.dot(t, t).sqrt();
     let inverse = one / value;
-    let w = f.times(inverse, *t);
-    let kappa = f.dot(w, *t_xi);
+    let w = f.times(inverse, t);
+    let kappa = f.dot(w, t_xi);
     let tile = f.tile(w);
     *to.value() = value;
     let (gradient, gradient_other) = to.gradient();
@@ -38,8 +39,8 @@ pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const 
         return;
     }
     // (t,ξ·t,ξ − κ²)/t is the part of t,ξ across t, times t,ξ: no cancellation.
-    let across = f.times(inverse, f.times_plus(-kappa, w, *t_xi));
-    let in_g = f.dot(w, *t_xixi) + f.dot(across, *t_xi);
+    let across = f.times(inverse, f.times_plus(-kappa, w, t_xi));
+    let in_g = f.dot(w, t_xixi) + f.dot(across, t_xi);
     let b: Dofs<T, N> = f.dofs([(s_xixi, tile), (s_xi, f.tile(across))], []);
     let m: Dofs<T, N> = f.dofs([], [(one, &b), (in_g, g)]);
     let m_other: Dofs<T, M> = f.dofs([], [(in_g, g_other)]);

@@ -15,6 +15,7 @@ use super::arithmetic::{Arithmetic, Dofs};
 use super::frame::{Frame, Gradients, Products};
 use super::lengths::write_length;
 use super::side::{Side, Spread};
+use super::solution::Solution;
 use super::target::{Swapped, Target};
 use crate::number::Real;
 
@@ -28,7 +29,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         xi: &mut W,
         t: &mut W,
     ) {
-        let Self { beam, g, g_bar, inverse: [p, q, _], u, .. } = self;
+        let Self { beam, g, g_bar, solution: Solution { inverse: [p, q, _], u, .. }, .. } = self;
         self.write_parameter(f, (at, bending), (g.xi, g_bar.xi), ([*p, *q], *u), xi);
         write_length(f, beam, (g.xi, g_bar.xi), xi, t);
     }
@@ -42,7 +43,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         xi_bar: &mut W,
         t_bar: &mut W,
     ) {
-        let Self { bar, g, g_bar, inverse: [_, q, q_bar], u_bar, .. } = self;
+        let Self { bar, g, g_bar, solution: Solution { inverse: [_, q, q_bar], u_bar, .. }, .. } = self;
         let minus_u_bar = f.times(-T::one(), *u_bar);
         self.write_parameter(
             f,
@@ -72,7 +73,8 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
             return;
         }
         let Self { beam, bar, g, g_bar, .. } = self;
-        let (d, u, u_bar) = (f.components(self.products.d), f.components(self.u), f.components(self.u_bar));
+        let Solution { u, u_bar, .. } = self.solution;
+        let (d, u, u_bar) = (f.components(self.products.d), f.components(u), f.components(u_bar));
         let parameter = Parameter::new(f, (self, bending), ([x, y], m));
         let (along, along_bar) = parameter.along(f, self);
         // −x d·δᵤu,ξξ and −y d·δᵤū,ξ̄ξ̄
@@ -125,9 +127,9 @@ impl<T: Real> Bending<T> {
     ) -> Self {
         let Frame { beam, bar, products: Products { d, .. }, .. } = frame;
         let half = <T as From<f64>>::from(0.5);
-        let own = f.mul_add(half, f.dot(*d, beam.t_xixi), f.dot(beam.t, beam.t_xi));
-        let own_bar = f.mul_add(half, f.dot(*d, bar.t_xixi), -f.dot(bar.t, bar.t_xi));
-        Self { own, own_bar, other: f.dot(bar.t, beam.t_xi), other_bar: f.dot(beam.t, bar.t_xi) }
+        let own = f.mul_add(half, f.dot(*d, beam.at.t_xixi), f.dot(beam.at.t, beam.at.t_xi));
+        let own_bar = f.mul_add(half, f.dot(*d, bar.at.t_xixi), -f.dot(bar.at.t, bar.at.t_xi));
+        Self { own, own_bar, other: f.dot(bar.at.t, beam.at.t_xi), other_bar: f.dot(beam.at.t, bar.at.t_xi) }
     }
 }
 
@@ -192,26 +194,26 @@ impl<T: Real, V: Copy> Parameter<T, V> {
         (frame, bending): (&Frame<'_, T, V, N, M>, &Bending<T>),
         ([x, y], m): ([T; 2], V),
     ) -> Self {
-        let Frame { beam, bar, products: Products { d, .. }, inverse: [p, q, q_bar], u, u_bar, .. } = frame;
-        let (p, q, q_bar, d, u, u_bar) = (*p, *q, *q_bar, *d, *u, *u_bar);
+        let Frame { beam, bar, products: Products { d, .. }, .. } = *frame;
+        let Solution { inverse: [p, q, q_bar], u, u_bar, .. } = frame.solution;
         let half = <T as From<f64>>::from(0.5);
         let Bending { own, own_bar, other, other_bar } = *bending;
         // The multiples of g and ḡ in w and w̄: those in α, β, ᾱ and β̄.
-        let g = f.mul_add(half, f.dot(m, beam.t_xi), -(x * own));
-        let bar_g_bar = -f.mul_add(half, f.dot(m, bar.t_xi), y * own_bar);
+        let g = f.mul_add(half, f.dot(m, beam.at.t_xi), -(x * own));
+        let bar_g_bar = -f.mul_add(half, f.dot(m, bar.at.t_xi), y * own_bar);
         let (g_bar, bar_g) = (x * other, -(y * other_bar));
         let (in_beam, in_bar) = (f.mul_add(g_bar, q, -(g * p)), -f.mul_add(g_bar, q_bar, g * q));
         let w = [
-            f.combined([(-x, beam.t_xi), (g, u), (-g_bar, u_bar)]),
-            f.times_plus(in_beam, d, f.times_plus(-x, beam.t, m)),
-            f.combined([(-y, beam.t), (in_bar, d)]),
+            f.combined([(-x, beam.at.t_xi), (g, u), (-g_bar, u_bar)]),
+            f.times_plus(in_beam, d, f.times_plus(-x, beam.at.t, m)),
+            f.combined([(-y, beam.at.t), (in_bar, d)]),
         ];
         let (in_beam, in_bar) =
             (f.mul_add(bar_g_bar, q, -(bar_g * p)), -f.mul_add(bar_g_bar, q_bar, bar_g * q));
         let w_bar = [
-            f.combined([(-y, bar.t_xi), (bar_g, u), (-bar_g_bar, u_bar)]),
-            f.combined([(x, bar.t), (in_beam, d)]),
-            f.times_plus(in_bar, d, f.times_plus(-T::one(), m, f.times(y, bar.t))),
+            f.combined([(-y, bar.at.t_xi), (bar_g, u), (-bar_g_bar, u_bar)]),
+            f.combined([(x, bar.at.t), (in_beam, d)]),
+            f.times_plus(in_bar, d, f.times_plus(-T::one(), m, f.times(y, bar.at.t))),
         ];
         let components = [f.components(w[0]), f.components(w[1]), f.components(w[2])];
         let components_bar = [f.components(w_bar[0]), f.components(w_bar[1]), f.components(w_bar[2])];
@@ -232,10 +234,10 @@ impl<T: Real, V: Copy> Parameter<T, V> {
         let (bend, bend_bar) = (f.tile(self.bend), f.tile(self.bend_bar));
         let Spread { n, n_xi, n_xixi } = frame.beam.shapes;
         let w = [(n, hat), (n_xi, xi), (n_xixi, bend)];
-        let along = Along::new(f, frame.inverse, w, [(n, hat_bar), (n_xi, bar_xi)]);
+        let along = Along::new(f, frame.solution.inverse, w, [(n, hat_bar), (n_xi, bar_xi)]);
         let Spread { n, n_xi, n_xixi } = frame.bar.shapes;
         let w_bar = [(n, hat_bar), (n_xi, bar_xi_bar), (n_xixi, bend_bar)];
-        (along, Along::new(f, frame.inverse, [(n, hat), (n_xi, xi_bar)], w_bar))
+        (along, Along::new(f, frame.solution.inverse, [(n, hat), (n_xi, xi_bar)], w_bar))
     }
 
     /// Sets rows to those along axis i, where d, u and u_bar have these components; `along_tangent` is what couples u_hat

@@ -15,24 +15,34 @@ pub(super) struct Spread<'a, T, const L: usize> {
     pub(super) n_xixi: &'a Dofs<T, L>,
 }
 
-/// A curve at its closest point.
-pub(super) struct Side<'a, T, V, const L: usize> {
+/// A curve at its closest point: x, t, t,xi and t,xixi.
+#[derive(Clone, Copy)]
+pub(super) struct Point<V> {
     pub(super) x: V,
     pub(super) t: V,
     pub(super) t_xi: V,
     pub(super) t_xixi: V,
+}
+
+/// A curve at its closest point, with its shape functions.
+pub(super) struct Side<'a, T, V, const L: usize> {
+    pub(super) at: Point<V>,
     pub(super) shapes: Spread<'a, T, L>,
 }
 
-impl<'a, T: Real, V: Copy, const L: usize> Side<'a, T, V, L> {
+impl<V: Copy> Point<V> {
     /// From the shape functions by order.
     #[inline(always)]
-    pub(super) fn new(
+    pub(super) fn new<T: Real, const L: usize>(
         f: impl Arithmetic<T, Vector = V>,
-        [n, n_xi, n_xixi, n_xixixi]: [&[T]; 4],
+        shapes: Shapes<'_, T>,
         q: &SVector<T, L>,
-        shapes: Spread<'a, T, L>,
     ) -> Self {
+        // So long to the compiler too.
+        let [n, n_xi, n_xixi, n_xixixi] = shapes.map(
+            #[inline(always)]
+            |n| &n[..L / 3],
+        );
         let [q] = &q.data.0;
         let first = f.control_vector(q, 0);
         let mut x = f.times(n[0], first);
@@ -46,31 +56,33 @@ impl<'a, T: Real, V: Copy, const L: usize> Side<'a, T, V, L> {
             t_xi = f.times_plus(n_xixi[a], point, t_xi);
             t_xixi = f.times_plus(n_xixixi[a], point, t_xixi);
         }
-        Self { x, t, t_xi, t_xixi, shapes }
+        Self { x, t, t_xi, t_xixi }
     }
 
     /// The same as vectors of three components.
     #[inline(always)]
-    pub(super) fn geometry(&self, f: impl Arithmetic<T, Vector = V>) -> Geometry<T> {
+    pub(super) fn geometry<T: Real>(&self, f: impl Arithmetic<T, Vector = V>) -> Geometry<T> {
         let [x, t, t_xi, t_xixi] =
             [self.x, self.t, self.t_xi, self.t_xixi].map(|v| Vector3::from(f.components(v)));
         Geometry { x, t, t_xi, t_xixi }
     }
 }
 
-/// The shape functions of a curve by order, each for all control vectors; nothing if it has none.
+/// The shape functions of a curve by order, each for all control vectors.
+pub(super) type Shapes<'a, T> = [&'a [T]; 4];
+
+/// Those of a curve; nothing if it has none.
 #[inline(always)]
-pub(super) fn shapes<T: Real, const L: usize>(dofs: &impl DofDerivatives<T, L>) -> Option<[&[T]; 4]> {
-    let shapes = [dofs.shapes(0)?, dofs.shapes(1)?, dofs.shapes(2)?, dofs.shapes(3)?];
-    let [n, n_xi, n_xixi, n_xixixi] = shapes;
-    (n.len().min(n_xi.len()).min(n_xixi.len()).min(n_xixixi.len()) >= L / 3).then_some(shapes)
+pub(super) fn shapes<T: Real, const L: usize>(dofs: &impl DofDerivatives<T, L>) -> Option<Shapes<'_, T>> {
+    let of = |order| dofs.shapes(order)?.get(..L / 3);
+    Some([of(0)?, of(1)?, of(2)?, of(3)?])
 }
 
 /// The first three by order spread over the dofs, those of order 0 times `sign`.
 #[inline(always)]
 pub(super) fn spread<T: Real, const L: usize>(
     f: impl Arithmetic<T>,
-    [n, n_xi, n_xixi, _]: [&[T]; 4],
+    [n, n_xi, n_xixi, _]: Shapes<'_, T>,
     sign: T,
 ) -> (Dofs<T, L>, Dofs<T, L>, Dofs<T, L>) {
     (f.spread(n, sign), f.spread(n_xi, T::one()), f.spread(n_xixi, T::one()))
