@@ -53,7 +53,7 @@ where
 {
     /// The first order: gradients of xi and xi_bar, from the jets of both curves at the closest point.
     ///
-    /// All formulas are the paper's; [`Matrices::with`] takes those of any [`Form`].
+    /// All formulas are the paper's; [`Matrices::in_form`] takes those of any [`Form`].
     #[doc(alias = "compute_lin_xi_and_lin_eta")]
     #[inline]
     pub fn new(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, active: Active) -> Self {

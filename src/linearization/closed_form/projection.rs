@@ -110,7 +110,7 @@ impl<T: Real> Projection<T> {
 
     /// The same through [`Terms`], in the form asked for.
     #[inline]
-    pub fn with(terms: &impl Terms<T, Points<T>>, points: &Points<T>, form: Form) -> Self {
+    pub(crate) fn with(terms: &impl Terms<T, Points<T>>, points: &Points<T>, form: Form) -> Self {
         let term = |name, term: fn(&Points<T>) -> T| terms.term(Label::new(name), points, term);
         // Eq. (50), (51): a = t·t + d·t,ξ   b = t·t̄   ā = −t̄·t̄ + d·t̄,ξ̄
         let a = term("a: t.t", |o| o.beam.t.dot(&o.beam.t)) + term("a: d.t,xi", |o| o.d.dot(&o.beam.t_xi));
@@ -130,15 +130,15 @@ impl<T: Real> Projection<T> {
 
     /// (delta xi, delta xi_bar) from the right-hand sides R and R_bar, of first or of second order.
     #[inline]
+    #[doc(alias = "Eq. (56)")]
+    #[doc(alias = "Eq. (59)")]
     pub fn solve(&self, r: T, r_bar: T) -> (T, T) {
         self.solve_with(&Sound, r, r_bar)
     }
 
     /// The same through [`Terms`].
     #[inline]
-    #[doc(alias = "Eq. (56)")]
-    #[doc(alias = "Eq. (59)")]
-    pub fn solve_with(&self, terms: &impl Terms<T, System<T>>, r: T, r_bar: T) -> (T, T) {
+    pub(crate) fn solve_with(&self, terms: &impl Terms<T, System<T>>, r: T, r_bar: T) -> (T, T) {
         let Self { a, b, a_bar, active, crossed } = *self;
         let system = System { matrix: [a, b, a_bar], r, r_bar };
         let term = |name, term: fn(&System<T>) -> T| terms.term(Label::new(name), &system, term);
@@ -175,7 +175,7 @@ impl<T: Real> Projection<T> {
 
     /// The same through [`Terms`].
     #[inline]
-    pub fn inverse_with(&self, terms: &impl Terms<T, System<T>>) -> [[T; 2]; 2] {
+    pub(crate) fn inverse_with(&self, terms: &impl Terms<T, System<T>>) -> [[T; 2]; 2] {
         let (zero, one) = (T::zero(), T::one());
         let ((p, r), (q, s)) = (self.solve_with(terms, one, zero), self.solve_with(terms, zero, one));
         [[p, q], [r, s]]

@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 ///
 /// `beam` and `bar` are the two curves at the parameters `xi` and `xi_bar` of the closest point, varied in two
 /// directions; `active` says which parameters are held at an end. The result is total: at a singular projection or at
-/// d = 0 its numbers are not finite. The formulas are the paper's; [`variations_with`] takes those of any [`Form`].
+/// d = 0 its numbers are not finite. The formulas are the paper's ([`Form::paper`]).
 ///
 /// Source: Zavarise (2007), eqs. (4)-(59), with the corrections named at each.
 #[doc(alias = "Eq. (4)")]
