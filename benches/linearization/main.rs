@@ -21,6 +21,7 @@ use std::time::Duration;
 
 fn linearization(criterion: &mut Criterion) {
     let scenarios = scenario::all();
+    scenario::check(&scenarios);
     let directory = is_timing().then(criterion_directory);
     let verdicts = Verdicts { environment: Environment::here("cargo bench"), scenarios: judged(&scenarios) };
     if let Some(directory) = &directory {

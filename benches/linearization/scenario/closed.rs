@@ -1,7 +1,7 @@
 //! The closed form: in blocks, as it runs fastest, and term by term, as it reads best.
 
+use super::error::Rows;
 use super::input::{Input, TimedCurve};
-use super::truth::Rows;
 use super::work::{Judge, rows, scenario, written};
 use super::{Scenario, Task};
 use beamgap::linearization::closed_form::blocks::{self, Full, Gradient, Packed, Targets};

@@ -1,7 +1,7 @@
 //! The ways without second derivatives: central differences, with the closest point solved for again each time.
 
+use super::error::{Exact, Rows};
 use super::input::{Input, TimedCurve};
-use super::truth::{Exact, Rows};
 use super::work::{Judge, rows, scenario};
 use super::{Error, Scenario, Task, automatic};
 use beamgap::closest_point::ClosestPoint;

@@ -1,7 +1,16 @@
 //! How far a result is from the truth.
 
-use super::truth::{Exact, Rows};
 use beamgap::number::DoubleDouble;
+
+/// A number as it should be, and how far off it may be.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Exact {
+    pub(crate) value: DoubleDouble,
+    pub(crate) tolerance: f64,
+}
+
+/// Numbers of one kind stand in one row; errors are relative to the largest of their row.
+pub(crate) type Rows = Vec<Vec<f64>>;
 
 /// How far a result is from the truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,10 +23,10 @@ pub(crate) struct Error {
 
 impl Error {
     /// Nothing wrong so far.
-    pub(super) const NONE: Self = Self { relative: 0.0, share: 0.0 };
+    pub(crate) const NONE: Self = Self { relative: 0.0, share: 0.0 };
 
     /// The worse of both; what is not a number is worst.
-    pub(super) fn worse(self, other: Self) -> Self {
+    pub(crate) fn worse(self, other: Self) -> Self {
         let worse = |a: f64, b: f64| if a >= b { a } else { b };
         Self { relative: worse(self.relative, other.relative), share: worse(self.share, other.share) }
     }

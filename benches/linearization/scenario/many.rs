@@ -1,7 +1,8 @@
 //! Many pairs on one thread and on two: what an assembly asks for.
 
+use super::error::Rows;
 use super::input::{Twins, drawn};
-use super::truth::{self, Rows};
+use super::truth;
 use super::work::{Judge, rows};
 use super::{Error, Runner, Scenario, Task};
 use beamgap::curve::Hermite;

@@ -1,23 +1,26 @@
 //! What is timed and counted: every task in every way, each judged against double-double.
 //!
 //! Benches and counts go through one list, [`all`], so that no number is reported of what was not judged by the same code
-//! on the same pair. The tests run [`standard`], the part of it that takes no minutes to compile.
+//! on the same pair.
 
 mod automatic;
+mod checks;
 mod closed;
 mod closest;
 mod counted;
 mod differences;
-pub(crate) mod error;
+mod error;
 mod input;
 mod many;
 mod matrices;
 mod sizes;
-pub(crate) mod truth;
+mod truth;
 mod variations;
 mod work;
 
 use error::Error;
+
+pub(crate) use checks::check;
 
 use beamgap::report::{Task, Verdict};
 use std::fmt;
@@ -94,7 +97,7 @@ pub(crate) fn all() -> Vec<Scenario> {
 }
 
 /// Those of one pair of the standard family, two Hermite beams: all the code there is, compiled once.
-pub(crate) fn standard() -> Vec<Scenario> {
+fn standard() -> Vec<Scenario> {
     let input = input::hermites();
     let mut standard = matrices::standard(&input);
     standard.extend(variations::of_pair(input));

@@ -5,6 +5,7 @@
 //! differentiation, which is what the gate lets the two differ by: no tolerance is tuned. The closest point itself may
 //! be as far off as twice the rounding of the orthogonality conditions, through the inverse of their matrix.
 
+use super::error::Exact;
 use super::input::{Input, TimedCurve};
 use beamgap::closest_point::Active;
 use beamgap::curve::{Curve, Geometry, Jet};
@@ -15,15 +16,6 @@ use beamgap::number::{Bounded, DoubleDouble, Dual, HyperDual, Real};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::SVector;
 
-/// A number as it should be, and how far off it may be.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Exact {
-    pub(crate) value: DoubleDouble,
-    pub(crate) tolerance: f64,
-}
-
-/// Numbers of one kind stand in one row; errors are relative to the largest of their row.
-pub(crate) type Rows = Vec<Vec<f64>>;
 /// The same rows as they should be.
 pub(super) type Truth = Vec<Vec<Exact>>;
 

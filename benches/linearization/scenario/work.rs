@@ -1,7 +1,8 @@
 //! From a function on a pair to a scenario: how it is run, and how it is judged.
 
+use super::error::Rows;
 use super::input::{Input, TimedCurve};
-use super::truth::{Rows, Truth};
+use super::truth::Truth;
 use super::{Error, Runner, Scenario, Task};
 use beamgap::linearization::Expansion;
 use std::hint::black_box;
