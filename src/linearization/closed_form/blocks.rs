@@ -11,8 +11,8 @@
 //! their terms in sight, for every curve. Here they are sorted by what they multiply, and what the quantities share is done
 //! once.
 //!
-//! Where the machine has AVX2 and fused products and sums they are used, whatever the build was made for. The two ways
-//! round differently, no more.
+//! Where an x86-64 has AVX2 and fused products and sums they are used, whatever the build was made for; where it has not,
+//! the matrices do the work. Other processors do it one number after the other. The ways round differently, no more.
 
 mod arithmetic;
 mod batch;
@@ -162,31 +162,34 @@ fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     if A::Dofs::<f64>::LINEAR && B::Dofs::<f64>::LINEAR {
         let (dofs, dofs_bar) =
             (pair.curve.jet(&q.beam, point.xi).dofs, pair.curve_bar.jet(&q.bar, point.xi_bar).dofs);
-        if let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar)) {
-            write_by_shapes((of_beam, of_bar), q, point, request);
+        if let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar))
+            && write_by_shapes((of_beam, of_bar), q, point, request)
+        {
             return;
         }
     }
     write_by_matrices(pair, q, point, request);
 }
 
-/// Of curves with shape functions.
+/// Of curves with shape functions; `false`, and nothing written, on an x86-64 without the vectors.
 #[inline]
 fn write_by_shapes<const N: usize, const M: usize>(
     shapes: (Shapes<'_, f64>, Shapes<'_, f64>),
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     request: &mut impl Request<f64, N, M>,
-) {
+) -> bool {
     let (at, active) = ((point.xi, point.xi_bar), point.active());
-    return_with_vectors!(f: ByFour => {
-        evaluate(f, shapes, q, at, Best(active), request);
-    });
-    let (beam, bar) = (Point::new(ByOne, shapes.0, &q.beam), Point::new(ByOne, shapes.1, &q.bar));
-    by_one(shapes, q, at, Form::at(&points(ByOne, (&beam, &bar)), active), request);
+    return_with_vectors!(f: ByFour => evaluate(f, shapes, q, at, Best(active), request).is_some());
+    // Few processors are left of this kind: the kernel is not compiled once more for them.
+    if cfg!(not(target_arch = "x86_64")) {
+        let (beam, bar) = (Point::new(ByOne, shapes.0, &q.beam), Point::new(ByOne, shapes.1, &q.bar));
+        by_one(shapes, q, at, Form::at(&points(ByOne, (&beam, &bar)), active), request);
+    }
+    cfg!(not(target_arch = "x86_64"))
 }
 
-/// Of curves without shape functions.
+/// Of all curves, on all machines.
 #[inline(never)]
 fn write_by_matrices<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,

@@ -4,7 +4,7 @@ use super::choice::{ALL, Regular};
 #[cfg(target_arch = "x86_64")]
 use super::in_lanes::InLanes;
 use super::request::{DistanceAlone, Request, Targets};
-use super::side::shapes;
+use super::side::{Shapes, shapes};
 use super::target::{Target, fill};
 use super::{evaluate, write_all, write_d};
 use crate::closest_point::{Active, ClosestPoint};
@@ -176,16 +176,25 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
         let q = gather([a.q, b.q, c.q, d.q]);
         let [a, b, c, d] = [a.point, b.point, c.point, d.point];
         let at = (Lanes([a.xi, b.xi, c.xi, d.xi]), Lanes([a.xi_bar, b.xi_bar, c.xi_bar, d.xi_bar]));
-        return_with_vectors!(f: InLanes => {
-            let pair = four[0].pair;
-            let (dofs, dofs_bar) = (pair.curve.jet(&q.beam, at.0).dofs, pair.curve_bar.jet(&q.bar, at.1).dofs);
-            let shapes = shapes(&dofs).zip(shapes(&dofs_bar));
-            shapes.and_then(
-                #[inline(always)]
-                |of| evaluate(f, of, &q, at, Regular, request),
-            ).unwrap_or(ALL)
-        });
+        let pair = four[0].pair;
+        let (dofs, dofs_bar) = (pair.curve.jet(&q.beam, at.0).dofs, pair.curve_bar.jet(&q.bar, at.1).dofs);
+        if let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar)) {
+            return fast_by_shapes((of_beam, of_bar), &q, at, request);
+        }
     }
+    ALL
+}
+
+/// The same for numbers of dofs, not for families.
+#[cfg(target_arch = "x86_64")]
+#[inline]
+fn fast_by_shapes<const N: usize, const M: usize>(
+    shapes: (Shapes<'_, Lanes>, Shapes<'_, Lanes>),
+    q: &DofVector<Lanes, N, M>,
+    at: (Lanes, Lanes),
+    request: &mut impl Request<Lanes, N, M>,
+) -> u8 {
+    return_with_vectors!(f: InLanes => evaluate(f, shapes, q, at, Regular, request).unwrap_or(ALL));
     ALL
 }
 
