@@ -10,10 +10,14 @@ use crate::number::Real;
 use crate::pair::Contact;
 use nalgebra::{Matrix3, Vector3};
 
+/// What evaluates the variations of two beams.
+pub(crate) type Variations<'a, T> =
+    dyn Fn([Frozen<T>; 2], (T, T), Form, &Contact) -> Quantities<Varied<T>> + 'a;
+
 /// The variations of other beams, from which those of these follow.
 pub(crate) fn by_invariance<T: Real>(
     rewrite: Rewrite,
-    variations: impl Fn([Frozen<T>; 2], (T, T), Form, &Contact) -> Quantities<Varied<T>>,
+    variations: &Variations<'_, T>,
     [beam, bar]: [&Frozen<T>; 2],
     (xi, xi_bar): (T, T),
     form: Form,
@@ -120,7 +124,7 @@ pub(crate) fn by_invariance<T: Real>(
 /// With the beam's parameter in another unit, xi = factor * other: signs and lengths of tangents change, no more.
 fn stretched<T: Real>(
     unit: f64,
-    variations: impl Fn([Frozen<T>; 2], (T, T), Form, &Contact) -> Quantities<Varied<T>>,
+    variations: &Variations<'_, T>,
     [beam, bar]: [&Frozen<T>; 2],
     (xi, xi_bar): (T, T),
     form: Form,

@@ -55,24 +55,33 @@ pub(crate) struct Planted<'a, T, const D: usize> {
     pub(crate) stale: Stale<'a, T, D>,
 }
 
-impl<T: Real, const D: usize> Planted<'_, T, D> {
+impl<'a, T: Real, const D: usize> Planted<'a, T, D> {
     fn changes(&self, label: Label) -> impl Iterator<Item = Change<T>> {
         self.changes.iter().filter(move |change| change.0 == label).map(|change| change.1)
+    }
+
+    /// What a term is made of instead, and what it is multiplied by; compiled once for all terms of such operands.
+    #[inline(never)]
+    fn changed<O: Substitute<'a, T, D>>(&self, label: Label, operands: &O) -> (O, Option<T>) {
+        let (mut operands, mut factor) = (*operands, None);
+        for change in self.changes(label) {
+            match change {
+                Change::Factor(by) => factor = Some(factor.map_or(by, |factor| factor * by)),
+                Change::Operands(kind) => operands = operands.substituted(kind, &self.stale),
+            }
+        }
+        (operands, factor)
     }
 }
 
 impl<'a, T: Real, O: Substitute<'a, T, D>, const D: usize> Terms<T, O> for Planted<'a, T, D> {
     fn term<V: Mul<T, Output = V>>(&self, label: Label, operands: &O, term: impl Fn(&O) -> V) -> V {
-        let mut operands = *operands;
-        for change in self.changes(label) {
-            if let Change::Operands(kind) = change {
-                operands = operands.substituted(kind, &self.stale);
-            }
+        let (operands, factor) = self.changed(label, operands);
+        let value = term(&operands);
+        match factor {
+            Some(factor) => value * factor,
+            None => value,
         }
-        self.changes(label).fold(term(&operands), |value, change| match change {
-            Change::Factor(factor) => value * factor,
-            Change::Operands(_) => value,
-        })
     }
 
     fn product(

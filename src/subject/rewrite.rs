@@ -138,7 +138,7 @@ impl Rewrite {
         let sound = |[beam, bar]: [Frozen<T>; 2], at, form, contact: &Contact| {
             variations_with(&Sound, &beam, &bar, at, form, contact)
         };
-        by_invariance(self, sound, beams, at, form, contact).unwrap_or_else(|| {
+        by_invariance(self, &sound, beams, at, form, contact).unwrap_or_else(|| {
             by_term(self, beams, form.active, sound(beams.map(|beam| *beam), at, form, contact))
         })
     }

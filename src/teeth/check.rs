@@ -95,13 +95,13 @@ fn is_violated(
         moved.set(frozen);
         variations_with(&Sound, &frozen[0], &frozen[1], at, form, contact)
     };
-    by_invariance(rewrite, keep, [beam, bar], at, form, contact);
+    by_invariance(rewrite, &keep, [beam, bar], at, form, contact);
 
     let [beam, bar] = &sample.site.bounded(When::Now);
     let of = |frozen: [_; 2], at, form, contact: &_| {
         subject.quantities(&frozen, || moved.get(), at, form, contact)
     };
-    let Some(other) = by_invariance(rewrite, of, [beam, bar], at, form, contact) else { return false };
+    let Some(other) = by_invariance(rewrite, &of, [beam, bar], at, form, contact) else { return false };
     let differ = |x: Bounded2, y: Bounded2| {
         let difference = (x.value - y.value).abs();
         difference > x.bound[0] + y.bound[0] || difference.is_nan()
