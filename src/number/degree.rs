@@ -35,6 +35,7 @@ impl From<f64> for Degree {
 
 impl Add for Degree {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self {
             numerator: (self.numerator + other.denominator).max(other.numerator + self.denominator),
@@ -53,6 +54,7 @@ impl Sub for Degree {
 
 impl Mul for Degree {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self {
             numerator: self.numerator + other.numerator,
@@ -63,6 +65,7 @@ impl Mul for Degree {
 
 impl Div for Degree {
     type Output = Self;
+    #[inline]
     fn div(self, other: Self) -> Self {
         Self {
             numerator: self.numerator + other.denominator,
@@ -73,6 +76,7 @@ impl Div for Degree {
 
 impl Neg for Degree {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         self
     }

@@ -40,6 +40,7 @@ impl From<f64> for Magnitude {
 
 impl Add for Magnitude {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self { value: self.value + other.value, scale: self.scale + other.scale }
     }
@@ -47,6 +48,7 @@ impl Add for Magnitude {
 
 impl Sub for Magnitude {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self { value: self.value - other.value, scale: self.scale + other.scale }
     }
@@ -54,6 +56,7 @@ impl Sub for Magnitude {
 
 impl Mul for Magnitude {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self { value: self.value * other.value, scale: self.scale * other.scale }
     }
@@ -69,6 +72,7 @@ impl Div for Magnitude {
 
 impl Neg for Magnitude {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self { value: -self.value, scale: self.scale }
     }

@@ -60,9 +60,12 @@ impl<'a, T: Real, const D: usize> Planted<'a, T, D> {
         self.changes.iter().filter(move |change| change.0 == label).map(|change| change.1)
     }
 
-    /// What a term is made of instead, and what it is multiplied by; compiled once for all terms of such operands.
+    /// What a term is made of instead, and what it is multiplied by, if it is changed.
+    ///
+    /// It is compiled once for all terms of such operands, which are not copied for the others.
     #[inline(never)]
-    fn changed<O: Substitute<'a, T, D>>(&self, label: Label, operands: &O) -> (O, Option<T>) {
+    fn changed<O: Substitute<'a, T, D>>(&self, label: Label, operands: &O) -> Option<(O, Option<T>)> {
+        self.changes(label).next()?;
         let (mut operands, mut factor) = (*operands, None);
         for change in self.changes(label) {
             match change {
@@ -70,14 +73,15 @@ impl<'a, T: Real, const D: usize> Planted<'a, T, D> {
                 Change::Operands(kind) => operands = operands.substituted(kind, &self.stale),
             }
         }
-        (operands, factor)
+        Some((operands, factor))
     }
 }
 
 impl<'a, T: Real, O: Substitute<'a, T, D>, const D: usize> Terms<T, O> for Planted<'a, T, D> {
     fn term<V: Mul<T, Output = V>>(&self, label: Label, operands: &O, term: impl Fn(&O) -> V) -> V {
-        let (operands, factor) = self.changed(label, operands);
-        let value = term(&operands);
+        let changed = self.changed(label, operands);
+        let (operands, factor) = changed.as_ref().map_or((operands, None), |(other, factor)| (other, *factor));
+        let value = term(operands);
         match factor {
             Some(factor) => value * factor,
             None => value,
