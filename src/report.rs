@@ -42,7 +42,7 @@ pub use environment::Environment;
 pub use error::ReportError;
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
-pub use peers::{LeftOut, Peer, Peers};
+pub use peers::{AtGap, LeftOut, Peer, Peers};
 pub use record::Record;
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 pub use task::Task;

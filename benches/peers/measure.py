@@ -1,28 +1,16 @@
-"""Builds the peers, checks what they compute and times them in turn."""
+"""Checks what the ways compute and times them in turn."""
 
 import ctypes
-import datetime
-import json
-import os
-import platform
+import dataclasses
 import random
-import subprocess
-import sys
-import time
 
 import numpy as np
-from ways import FULL, QUANTITIES, blocks, ways
-from workshop import Library, Workshop
+from ways import FULL, QUANTITIES, Way, blocks
 
 # What a round spends on a way, in nanoseconds, and what a check does.
 ROUND, CHECK = 3e5, 2e8
 # The fewest pairs that the reference is timed on.
 FEWEST = 200
-
-
-def commit(root):
-    git = lambda *a: subprocess.run(["git", "-C", str(root), *a], capture_output=True, text=True).stdout.strip()
-    return git("rev-parse", "HEAD") + ("" if not git("status", "--porcelain", "--", ":!reports") else "+changes")
 
 
 def off(got, right):
@@ -35,13 +23,14 @@ def off(got, right):
 
 
 class Pairs:
-    """The pairs, drawn and kept by the crate."""
+    """The pairs, drawn and kept by the crate: as they are drawn, all at the gap of number `which`, or each at any of the gaps."""
 
-    def __init__(self, crate, driver, seed, count, gaps=()):
+    def __init__(self, crate, driver, seed, count, gaps=(), which=None):
         stride, gaps = ctypes.c_size_t(), np.array(gaps, np.float64)
-        sizes = [ctypes.c_uint64, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]
+        sizes = [ctypes.c_uint64, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_size_t, ctypes.c_void_p]
         draw = ctypes.CFUNCTYPE(ctypes.c_void_p, *sizes)(crate["draw_cases"].value)
-        self.first = draw(seed, count, gaps.ctypes.data, len(gaps), ctypes.addressof(stride))
+        which = len(gaps) if which is None else which
+        self.first = draw(seed, count, gaps.ctypes.data, len(gaps), which, ctypes.addressof(stride))
         self.count = count
         self.stride = stride.value
         memory = np.zeros(1 << 18)
@@ -50,6 +39,9 @@ class Pairs:
         of_one = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_size_t, ctypes.c_void_p]
         self.one = ctypes.CFUNCTYPE(ctypes.c_double, *of_one)(driver["run"].value)
         self.many = ctypes.CFUNCTYPE(ctypes.c_double, of_one[0], ctypes.c_size_t, *of_one[1:])(driver["run_together"].value)
+        of_exact = [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_void_p]
+        self.exact = ctypes.CFUNCTYPE(None, *of_exact)(crate["right_all_full"].value)
+        self.known = {}
 
     def run(self, way, first, count):
         """Nanoseconds a pair."""
@@ -59,24 +51,33 @@ class Pairs:
         ns = self.one(way.function, *pairs) if way.together == 1 else self.many(way.function, way.together, *pairs)
         return ns / count
 
+    def right(self, i):
+        """What is right for a pair, in the full layout."""
+        if i not in self.known:
+            self.known[i] = np.zeros((5, FULL))
+            at = self.first + self.stride * i
+            xi = (ctypes.c_double * 26).from_address(at)
+            self.exact(at, xi[24], xi[25], self.known[i].ctypes.data)
+        return self.known[i]
+
     def dofs(self):
         raw = (ctypes.c_char * (self.stride * self.count)).from_address(self.first)
         return np.ndarray((self.count, 26), np.float64, raw, strides=(self.stride, 8)).copy()
 
 
-def check(way, pairs, right):
+def check(way, pairs):
     """The worst error over as many pairs as there is time for, and nanoseconds a pair."""
-    step, worst, first, spent = way.together, 0.0, 0, 0.0
+    step, worst, first, spent, count = way.together, 0.0, 0, 0.0, QUANTITIES[way.task]
     if callable(way.function):
         spent = way.function(pairs.count)
         got = np.asarray(way.function.result())
-        return max(off(got[i, : QUANTITIES[way.task]], right(i)[: QUANTITIES[way.task]]) for i in range(len(got))), spent / pairs.count
+        return max(off(got[i, :count], pairs.right(i)[:count]) for i in range(len(got))), spent / pairs.count
     while first + step <= pairs.count and spent < CHECK:
         pairs.out.fill(np.nan)
         spent += step * pairs.run(way, first, step)
         if way.tolerance is not None:
             for k, got in enumerate(blocks(pairs.out, way)):
-                worst = max(worst, off(got, right(first + k)[: QUANTITIES[way.task]]))
+                worst = max(worst, off(got, pairs.right(first + k)[:count]))
         first += step
     return worst, spent / first
 
@@ -93,78 +94,53 @@ def timed_warm(pairs, way, first, count):
     raise RuntimeError(f"the processor's clock stands still while {way.method} runs")
 
 
-def main(given, here, root, build, flags, debian):
-    started = time.time()
-    cpu = max(os.sched_getaffinity(0))
-    workshop = Workshop(here, build, flags)
-    subprocess.run(["cargo", "build", "--release", "--manifest-path", here / "Cargo.toml", "--target-dir", build / "rust"], check=True)
-    crate = Library(build / "rust" / "release" / "libpeers.so")
-    driver = workshop.compiled("driver", here / "driver.c", "driver")
-    pairs = Pairs(crate, driver, given.seed, given.pairs, given.gaps)
-    all_ways = ways(workshop, crate, root, debian, pairs.dofs())
-    os.sched_setaffinity(0, {cpu})
-    known = {}
-    exact = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_void_p)(crate["right_all_full"].value)
+@dataclasses.dataclass
+class Timed:
+    """A way on some pairs, how many of them a round takes, and its times and its ratios to the reference, round by round."""
 
-    def right(i):
-        if i not in known:
-            known[i] = np.zeros((5, FULL))
-            at = pairs.first + pairs.stride * i
-            xi = (ctypes.c_double * 26).from_address(at)
-            exact(at, xi[24], xi[25], known[i].ctypes.data)
-        return known[i]
+    way: Way
+    pairs: Pairs
+    reference: Way
+    error: float
+    count: int
+    times: list = dataclasses.field(default_factory=list)
+    ratios: list = dataclasses.field(default_factory=list)
 
-    references = {task: next(w for w in all_ways if w.task == task) for task in "AB"}
-    chosen = [w for w in all_ways if w in references.values() or given.only in w.method]
-    timed = []
-    for way in chosen:
-        error, cost = check(way, pairs, right)
-        print(f"{way.task} {way.method}, {way.layout}: off by {error:.1e}, about {cost:.0f} ns", flush=True)
-        if way.tolerance is not None and not error <= way.tolerance:
-            workshop.left_out.append({"method": f"{way.method}, task {way.task}", "reason": f"off by {error:.1e}"})
-            continue
-        if cost < ROUND / 16 and not callable(way.function):
-            cost = pairs.run(way, 0, 64)
-        count = int(np.clip(ROUND / cost, way.together, pairs.count))
-        timed.append((way, error, count - count % way.together, [], []))
-    # In turn, in another order each time, each right after the reference on as many pairs as take a while; both in warm caches.
-    order = random.Random(given.seed)
-    for turn in range(given.rounds):
-        for way, _, count, times, ratios in order.sample(timed, len(timed)):
-            first = (turn * count) % (pairs.count - count + 1)
-            fewest = min(max(count, FEWEST), pairs.count)
-            reference = timed_warm(pairs, references[way.task], min(first, pairs.count - fewest), fewest)
-            times.append(timed_warm(pairs, way, first, count))
-            ratios.append(times[-1] / reference)
-    rows = []
-    for way, error, count, times, ratios in timed:
-        low, median, high = np.quantile(times, [0.25, 0.5, 0.75])
-        rows.append({
-            "method": way.method, "version": way.version, "how": way.how, "task": way.task, "layout": way.layout,
-            "ns_median": round(float(median), 1), "ns_low": round(float(low), 1), "ns_high": round(float(high), 1),
-            "ratio": float(f"{np.median(ratios):.4g}"), "error": None if way.tolerance is None else float(f"{error:.2g}"), "note": way.note,
-        })
-    rows.sort(key=lambda row: (row["task"], row["ratio"]))
-    report = {
-        "schema": "beamgap-peers/1",
-        "machine": f"{cpu_name()}, {platform.system()} {platform.release()}",
-        "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
-        "command": " ".join(["benches/peers/run", *sys.argv[1:]]),
-        "commit": commit(root),
-        "pairs": given.pairs, "rounds": given.rounds,
-        "what": "nanoseconds of the processor a pair, median and quartiles over the rounds; ratio is the median over the rounds of the ratio to "
-                "the reference, C++ with AVX2, full matrices, run just before; error is the largest in a gradient or Hessian, "
-                "relative to its largest entry, against double-double",
-        "rows": rows, "left_out": workshop.left_out,
-    }
-    given.out.write_text(json.dumps(report, indent=1) + "\n")
-    for row in rows:
-        print(f"{row['task']}  {row['ns_median']:>11.1f} ns  x {row['ratio']:<9} {row['error'] or 0:.0e}  {row['method']}, {row['layout']}")
-    for row in workshop.left_out:
-        print("left out:", row["method"], "-", row["reason"])
-    print(f"{given.out}, in {time.time() - started:.0f} s")
+    def turn(self, number):
+        """One round: the reference, on as many pairs as take a while, and right after it the way; both in warm caches."""
+        first = (number * self.count) % (self.pairs.count - self.count + 1)
+        fewest = min(max(self.count, FEWEST), self.pairs.count)
+        reference = timed_warm(self.pairs, self.reference, min(first, self.pairs.count - fewest), fewest)
+        self.times.append(timed_warm(self.pairs, self.way, first, self.count))
+        self.ratios.append(self.times[-1] / reference)
+
+    def ns(self):
+        """The lower quartile, the median and the upper quartile of the times."""
+        return [round(float(ns), 1) for ns in np.quantile(self.times, [0.25, 0.5, 0.75])]
+
+    def ratio(self):
+        return float(f"{np.median(self.ratios):.4g}")
+
+    def rounded_error(self):
+        return None if self.way.tolerance is None else float(f"{self.error:.2g}")
 
 
-def cpu_name():
-    with open("/proc/cpuinfo") as info:
-        return next((line.split(":")[1].strip() for line in info if line.startswith("model name")), platform.machine())
+def checked(way, pairs, reference, left_out, where=""):
+    """A way that is to be timed, or nothing if it is wrong; `where` says which pairs."""
+    error, cost = check(way, pairs)
+    print(f"{way.task} {way.method}, {way.layout}{where}: off by {error:.1e}, about {cost:.0f} ns", flush=True)
+    if way.tolerance is not None and not error <= way.tolerance:
+        left_out.append({"method": f"{way.method}, task {way.task}{where}", "reason": f"off by {error:.1e}"})
+        return None
+    if cost < ROUND / 16 and not callable(way.function):
+        cost = pairs.run(way, 0, 64)
+    count = int(np.clip(ROUND / cost, way.together, pairs.count))
+    return Timed(way, pairs, reference, error, count - count % way.together)
+
+
+def time_in_turn(timed, rounds, seed):
+    """Every round times all, in another order each time."""
+    order = random.Random(seed)
+    for number in range(rounds):
+        for one in order.sample(timed, len(timed)):
+            one.turn(number)

@@ -1,4 +1,4 @@
-//! What other programs take for the same work, `beamgap-peers/1`, as the script that runs them writes it.
+//! What other programs take for the same work, `beamgap-peers/2`, as the script that runs them writes it.
 
 use super::Record;
 use super::number::{count, error, plain, time};
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// Other programs on the same pairs, on one machine, in one run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Peers {
-    /// `beamgap-peers/1`.
+    /// `beamgap-peers/2`.
     pub schema: String,
     /// The processor and the system.
     pub machine: String,
@@ -26,6 +26,8 @@ pub struct Peers {
     pub what: String,
     /// The programs.
     pub rows: Vec<Peer>,
+    /// The crate's ways on the same pairs at several gaps; none if all pairs were moved to given gaps.
+    pub over_gaps: Vec<AtGap>,
     /// Those that could not be run.
     pub left_out: Vec<LeftOut>,
 }
@@ -57,6 +59,25 @@ pub struct Peer {
     pub note: String,
 }
 
+/// One way of the crate, one task, one gap.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AtGap {
+    /// The way.
+    pub method: String,
+    /// `A` or `B`, as for a [`Peer`].
+    pub task: String,
+    /// How the Hessians are stored.
+    pub layout: String,
+    /// The gap of every pair, in lengths of a tangent; none if each pair has one of the gaps.
+    pub gap: Option<f64>,
+    /// The median time of a pair in nanoseconds.
+    pub ns_median: f64,
+    /// Times what the reference takes for the same pairs, run just before.
+    pub ratio: f64,
+    /// The largest relative error in a gradient or Hessian.
+    pub error: f64,
+}
+
 /// A program that could not be run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LeftOut {
@@ -67,7 +88,7 @@ pub struct LeftOut {
 }
 
 impl Record for Peers {
-    const SCHEMA: &'static str = "beamgap-peers/1";
+    const SCHEMA: &'static str = "beamgap-peers/2";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -76,6 +97,8 @@ impl Record for Peers {
 
 /// The crate's own way that other programs are held against.
 const OURS: &str = "beamgap, blocks";
+/// The tasks, and what they compute.
+const TASKS: [(&str, &str); 2] = [("A", "d"), ("B", "d, xi, xi_bar, t, t_bar")];
 
 impl Peers {
     /// The ratio of a program's time to that of the closed form, whole matrices written by both; of its fastest method.
@@ -101,7 +124,7 @@ impl Peers {
                 self.what
             )),
         ];
-        for (task, name) in [("A", "d"), ("B", "d, xi, xi_bar, t, t_bar")] {
+        for (task, name) in TASKS {
             let rows = self.rows.iter().filter(|row| row.task == task).map(Peer::cells).collect();
             let head = [name, "version", "layout", "#median", "#quartiles", "#ratio", "#error", "how, note"];
             blocks.push(Block::table(&head, rows));
@@ -110,7 +133,62 @@ impl Peers {
         let left_out = self.left_out.iter();
         let left_out = left_out.map(|LeftOut { method, reason }| format!("Left out: {method}: {reason}."));
         blocks.push(Block::List(std::iter::once(run).chain(left_out).collect()));
+        blocks.extend(self.cost_over_gaps());
         blocks
+    }
+
+    /// A table with the ways down and the gaps across; nothing if none was measured.
+    fn cost_over_gaps(&self) -> Vec<Block> {
+        let ways = distinct(self.over_gaps.iter().map(AtGap::way));
+        let gaps = distinct(self.over_gaps.iter().map(|of| of.gap));
+        if ways.is_empty() {
+            return Vec::new();
+        }
+        let cell = |way: [&str; 3], gap: Option<f64>| {
+            let found = self.over_gaps.iter().find(|of| of.way() == way && of.gap == gap);
+            found.map_or_else(String::new, |of| plain(of.ratio))
+        };
+        let row = |way: [&str; 3]| {
+            let [method, layout, task] = way;
+            let task = TASKS.into_iter().find(|&(letter, _)| letter == task).map_or(task, |(_, name)| name);
+            let names = [method, layout, task].into_iter().map(str::to_owned);
+            names.chain(gaps.iter().map(|&gap| cell(way, gap))).collect()
+        };
+        let rows = ways.into_iter().map(row).collect();
+        let name = |gap: &Option<f64>| format!("#{}", gap.map_or_else(|| "mixture".to_owned(), short));
+        let names: Vec<String> = gaps.iter().map(name).collect();
+        let head: Vec<&str> =
+            ["way", "layout", "task"].into_iter().chain(names.iter().map(String::as_str)).collect();
+        vec![Block::heading("Cost over the gap"), Block::text(OF_GAPS), Block::table(&head, rows)]
+    }
+}
+
+/// Each once, in the order of their first.
+fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
+    let mut found = Vec::new();
+    for one in all {
+        if !found.contains(&one) {
+            found.push(one);
+        }
+    }
+    found
+}
+
+/// What the table of the gaps shows.
+const OF_GAPS: &str = "A gap is the distance of the centroids over the length of a tangent. In contact it is 4 r/L for elements \
+     of length L and radius r: 0.1 at L = 40 r, 0.02 at L = 200 r. In the mixture each pair has one of the gaps, at random. \
+     Each number is the ratio to the reference on the same pairs in the same run. The reference has one form for all gaps, \
+     which loses digits at small ones.";
+
+/// A gap in few characters.
+fn short(gap: f64) -> String {
+    if gap < 1e-3 { format!("{gap:e}") } else { gap.to_string() }
+}
+
+impl AtGap {
+    /// What its row in the table is called.
+    fn way(&self) -> [&str; 3] {
+        [&self.method, &self.layout, &self.task]
     }
 }
 
@@ -128,5 +206,67 @@ impl Peer {
             self.error.map_or_else(String::new, |of| error(Some(of))),
             note,
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AtGap, Peers};
+    use crate::report::page::Block;
+    use crate::report::{Record, ReportError};
+
+    fn peers(over_gaps: Vec<AtGap>) -> Peers {
+        let text = String::new;
+        Peers {
+            schema: Peers::SCHEMA.to_owned(),
+            machine: text(),
+            date: text(),
+            command: text(),
+            commit: text(),
+            pairs: 1,
+            rounds: 1,
+            what: text(),
+            rows: Vec::new(),
+            over_gaps,
+            left_out: Vec::new(),
+        }
+    }
+
+    fn at(layout: &str, gap: Option<f64>, ratio: f64) -> AtGap {
+        let (method, task) = ("blocks".to_owned(), "A".to_owned());
+        AtGap { method, task, layout: layout.to_owned(), gap, ns_median: 100.0, ratio, error: 0.0 }
+    }
+
+    #[test]
+    fn every_ratio_stands_in_the_column_of_its_gap() {
+        // The second way comes in another order, and one of its gaps is missing.
+        let (low, high) = (Some(1e-4), Some(0.02));
+        let of_full = [at("full", low, 1.25), at("full", high, 1.5), at("full", None, 2.0)];
+        let of_upper = [at("upper", None, 0.5), at("upper", low, 0.75)];
+        let record = peers([&of_full[..], &of_upper].concat());
+        let blocks = record.blocks();
+        let Some(Block::Table { head, rows }) = blocks.last() else { panic!("{blocks:?}") };
+        let names: Vec<&str> = head.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["way", "layout", "task", "1e-4", "0.02", "mixture"]);
+        assert!(head.iter().skip(3).all(|&(_, is_number)| is_number));
+        assert_eq!(rows[0], ["blocks", "full", "d", "1.25", "1.50", "2.00"]);
+        assert_eq!(rows[1], ["blocks", "upper", "d", "0.750", "", "0.500"]);
+        assert_eq!(rows.len(), 2);
+    }
+
+    #[test]
+    fn without_gaps_there_is_no_table_of_them() {
+        let heading = Block::heading("Cost over the gap");
+        assert!(peers(vec![at("full", None, 1.0)]).blocks().contains(&heading));
+        assert!(!peers(Vec::new()).blocks().contains(&heading));
+    }
+
+    #[test]
+    fn gaps_are_read_back_and_the_old_schema_is_refused() {
+        let record = peers(vec![at("full", Some(1e-6), 1.0), at("full", None, 1.0)]);
+        let json = record.to_json().unwrap();
+        assert_eq!(Peers::from_json(&json).unwrap(), record);
+        let old = json.replace(Peers::SCHEMA, "beamgap-peers/1");
+        assert!(matches!(Peers::from_json(&old), Err(ReportError::Schema { .. })));
     }
 }

@@ -16,6 +16,7 @@ pub(crate) const PAIR: Hermites = Pair {
 };
 
 /// A pair at its closest point: first what a peer is given, then what the crate is given.
+#[derive(Clone)]
 #[repr(C)]
 pub(crate) struct Case {
     plain: [f64; 24],
@@ -69,11 +70,14 @@ fn draw(random: &mut Random) -> Option<Case> {
     Some(Case { plain, xi: point.xi, xi_bar: point.xi_bar, q, point })
 }
 
-/// The same pair with its beams at another gap, on either side of each other; none if its closest point is then another.
-fn moved(random: &mut Random, mut case: Case, gap: f64) -> Option<Case> {
+/// The same pair with its beams at another gap; none if its closest point is then another.
+///
+/// A negative gap puts them on the other side of each other.
+fn moved(case: &Case, gap: f64) -> Option<Case> {
+    let mut case = case.clone();
     let (x, x_bar) = (PAIR.curve.jet(&case.q.beam, case.xi).geometry, PAIR.curve_bar.jet(&case.q.bar, case.xi_bar).geometry);
     let d = x.x - x_bar.x;
-    let by = d * (1.0 - (gap * x.t.norm() / d.norm()).copysign(random.next()));
+    let by = d * (1.0 - gap * x.t.norm() / d.norm());
     for (i, dof) in case.q.bar.iter_mut().enumerate() {
         // The points move, the tangents do not.
         if i % 6 < 3 {
@@ -92,7 +96,9 @@ fn moved(random: &mut Random, mut case: Case, gap: f64) -> Option<Case> {
 
 /// Draws `count` pairs, to be kept for good, and sets `stride` to their distance in bytes.
 ///
-/// Their gaps are those drawn, or one of the `gaps`, in lengths of a tangent, at random.
+/// Without `gaps` their gaps are those drawn. Else each pair is moved to one of the `gaps`, in lengths of a tangent: to
+/// that of number `which`, or to any, at random, if there is none of this number. Only pairs that can be moved to every
+/// gap are taken, so that `which` does not change which pairs they are, nor on which side.
 ///
 /// # Safety
 /// `stride` can be written to, and `gaps` points to so many numbers.
@@ -102,18 +108,22 @@ pub unsafe extern "C" fn draw_cases(
     count: usize,
     gaps: *const f64,
     gap_count: usize,
+    which: usize,
     stride: *mut usize,
 ) -> *const f64 {
     // SAFETY: the caller's promise.
     let gaps = unsafe { std::slice::from_raw_parts(gaps, gap_count) };
-    let mut random = Random(seed);
+    // Gaps have random numbers of their own, so that the pairs are drawn as they are without them.
+    let (mut random, mut of_gaps) = (Random(seed), Random(!seed));
     let cases: Vec<Case> = std::iter::repeat_with(|| {
         let case = draw(&mut random)?;
         if gaps.is_empty() {
             return Some(case);
         }
-        let gap = gaps[((random.next() + 1.0) * 0.5 * gaps.len() as f64) as usize];
-        moved(&mut random, case, gap)
+        let side = 1.0_f64.copysign(of_gaps.next());
+        let any = ((of_gaps.next() + 1.0) * 0.5 * gaps.len() as f64) as usize;
+        let at_all: Option<Vec<Case>> = gaps.iter().map(|gap| moved(&case, side * gap)).collect();
+        Some(at_all?.swap_remove(if which < gaps.len() { which } else { any }))
     })
     .flatten()
     .take(count)
