@@ -80,7 +80,8 @@ impl<'a, T: Real, const D: usize> Planted<'a, T, D> {
 impl<'a, T: Real, O: Substitute<'a, T, D>, const D: usize> Terms<T, O> for Planted<'a, T, D> {
     fn term<V: Mul<T, Output = V>>(&self, label: Label, operands: &O, term: impl Fn(&O) -> V) -> V {
         let changed = self.changed(label, operands);
-        let (operands, factor) = changed.as_ref().map_or((operands, None), |(other, factor)| (other, *factor));
+        let (operands, factor) =
+            changed.as_ref().map_or((operands, None), |(other, factor)| (other, *factor));
         let value = term(operands);
         match factor {
             Some(factor) => value * factor,
