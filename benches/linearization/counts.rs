@@ -9,7 +9,7 @@ use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs};
 
 /// Where the counts are recorded.
-const RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/instructions.json");
+const RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../reports/instructions.json");
 /// The argument by which the program knows that it is the one that is counted.
 const COUNTED: &str = "--counted";
 

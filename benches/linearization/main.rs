@@ -75,6 +75,8 @@ criterion_group! {
 }
 
 fn main() -> ExitCode {
+    // Where criterion's files are looked for.
+    std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).expect("the workspace is there");
     counts::main().unwrap_or_else(|| {
         benches();
         Criterion::default().configure_from_args().final_summary();
