@@ -65,7 +65,7 @@ pub use regime::Regime;
 pub use run::run;
 pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
 pub use shrink::{Shrunk, shrink, shrink_mismatches};
-pub(crate) use site::{Site, When};
+pub(crate) use site::Site;
 pub use summary::{Cell, Differences, Summary, Tally};
 pub use trial::{Oracles, Trial};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};

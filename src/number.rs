@@ -11,10 +11,13 @@ mod degree;
 mod double_double;
 mod dual;
 mod extension;
+#[cfg(feature = "check")]
+mod faulty;
 mod hyper_dual;
 mod hyper_dual_row;
 mod lanes;
 mod magnitude;
+mod named;
 mod prime;
 
 pub use bounded::{Bound, Bounded, BoundedBy};
@@ -23,10 +26,14 @@ pub use degree::Degree;
 pub use double_double::DoubleDouble;
 pub use dual::{Differentiable, Dual};
 pub use extension::Extends;
+#[cfg(feature = "check")]
+pub(crate) use faulty::{Bits, Faulty, TermChange, terms as recorded_terms, with_terms};
 pub use hyper_dual::HyperDual;
 pub use hyper_dual_row::HyperDualRow;
 pub use lanes::Lanes;
 pub use magnitude::Magnitude;
+pub use named::{Label, Term};
+pub(crate) use named::{Of, named, orders};
 pub use prime::Residue;
 
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
@@ -37,8 +44,8 @@ use std::ops::Neg;
 /// A number that the geometry of contact can be computed with: a field with `sqrt` and `sin_cos`, and no order.
 ///
 /// It is implemented for `f64` and every (nested) dual number of [`num_dual`], by one blanket implementation, and for
-/// the scalars of this module. A scalar of one's own implements the operators, [`Zero`], [`One`], `From<f64>` and the
-/// two functions below, nothing else.
+/// the scalars of this module. A scalar of one's own implements the operators, [`Zero`], [`One`], `From<f64>`,
+/// [`Real::sqrt`] and [`Real::sin_cos`], nothing else.
 ///
 /// `==` on dual numbers compares the real part only; compare the parts instead.
 pub trait Real:
@@ -60,6 +67,19 @@ pub trait Real:
     /// Sine and cosine at once.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
+
+    /// This number as a term of a formula. A scalar that makes terms wrong on purpose returns another one.
+    #[inline(always)]
+    #[must_use]
+    fn named(self, _: Label) -> Self {
+        self
+    }
+
+    /// The orders of two Jacobians whose product is a term. A scalar that makes terms wrong on purpose exchanges them.
+    #[inline(always)]
+    fn orders(_: Label, orders: [usize; 2]) -> [usize; 2] {
+        orders
+    }
 }
 
 impl<T: DualNum<Primitive = f64> + Copy> Real for T {

@@ -6,7 +6,7 @@
 //! conditions are then lifted by two chord steps in hyper-dual arithmetic, which is exact since the parts are nilpotent,
 //! and every value, first and second variation of the closed form must be equal to that of AD; so must gradients and
 //! Hessians, contracted with the same directions. Ends of the beams are active in turn, and every other
-//! draw is by the formulas of the [`Form`] that is not the paper's.
+//! draw is by the formulas of the [`Form`](crate::linearization::closed_form::Form) that is not the paper's.
 //!
 //! # What equality proves
 //! The difference of the two sides is a function of the drawn numbers, rational but for three square roots. If it is
@@ -24,16 +24,13 @@ pub use draw::Draw;
 pub use entry::{Entry, Layer};
 pub use run::{Proof, Row, prove};
 
+use crate::closest_point::Active;
 use crate::linearization::ad::{Chord, evaluate};
-use crate::linearization::closed_form::Form;
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Differentiable, Dual, HyperDual};
 use crate::pair::Contact;
 use crate::specimen::ExactBeam;
-use crate::subject::{SCALARS, Subject, before};
-
-/// Radii and reference parameters of all draws: none is nought, no two are equal.
-const CONTACT: Contact = Contact { radius: 0.125, radius_bar: 0.25, xi_0: 0.5, xi_bar_0: -0.75 };
+use crate::subject::SCALARS;
 
 /// All results of both sides at a stationary point.
 struct Sides<T> {
@@ -43,26 +40,16 @@ struct Sides<T> {
     matrices: Option<[[T; 3]; SCALARS]>,
 }
 
-/// Runs the closed form under check and AD at a stationary point.
-fn sides<T>(
-    subject: &Subject,
+/// Automatic differentiation at a stationary point.
+pub(crate) fn differentiated<T>(
     [beam, bar]: [&dyn ExactBeam<T>; 2],
     at: (T, T),
-    form: Form,
+    active: Active,
     contact: &Contact,
-    with_matrices: bool,
-) -> Sides<T>
+) -> [Varied<T>; COMPONENTS]
 where
     T: Differentiable<Dual = Dual<T>>,
 {
-    let frozen = |at: (T, T)| [beam.frozen(at.0), bar.frozen(at.1)];
-    let closed = subject.variations(&frozen(at), || frozen(before(at)), at, form, contact);
-
-    let lifted = Chord::<T>::new(beam, bar, at, form.active).lift::<HyperDual<T>, _, _>(beam, bar, at, 2);
-    let ad = evaluate::<HyperDual<T>>(beam, bar, lifted, contact).map(Varied::from).components();
-
-    let padded = |at: (T, T)| [beam.padded(at.0), bar.padded(at.1)];
-    let matrices =
-        with_matrices.then(|| subject.matrices(&padded(at), || padded(before(at)), at, form, contact));
-    Sides { closed, ad, matrices }
+    let lifted = Chord::<T>::new(beam, bar, at, active).lift::<HyperDual<T>, _, _>(beam, bar, at, 2);
+    evaluate::<HyperDual<T>>(beam, bar, lifted, contact).map(Varied::from).components()
 }

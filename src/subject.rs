@@ -17,15 +17,15 @@ pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
 pub(crate) use invariance::by_invariance;
+pub(crate) use planted::When;
 pub(crate) use point::{CONTACT, Point};
 
-use planted::{Change, Planted, Stale};
-
-use crate::linearization::closed_form::{self, Form, Frozen, Label, Matrices, variations_with};
-use crate::linearization::{COMPONENTS, Linearization, Quantities, Varied};
-use crate::number::Real;
+use crate::linearization::closed_form::{Form, Frozen, Matrices, variations_in};
+use crate::linearization::{Linearization, Quantities, Varied};
+use crate::number::{Bits, Faulty, Label, Real};
 use crate::pair::{Contact, DofVector};
-use crate::specimen::{DOFS, PaddedBeam};
+use crate::specimen::PaddedBeam;
+use planted::{Planted, mistaken};
 
 /// How far the parameters of a stale point lag behind.
 const LAG: f64 = 1.0 / 128.0;
@@ -51,79 +51,90 @@ pub enum Subject {
 }
 
 impl Subject {
-    /// All quantities with their variations, of frozen beams; `before` are these at the [parameters before](before).
-    pub(crate) fn quantities<T: Real>(
+    /// The faults that are planted in these terms; nothing if there are none.
+    fn planted(&self, terms: &[Label]) -> Option<Vec<(Label, Planted)>> {
+        let mut planted: Vec<_> = match self {
+            Self::Sound | Self::Rewritten(_) => return None,
+            Self::Faulty(faults) => {
+                faults.iter().map(|fault| (fault.label, Planted::from(fault.kind))).collect()
+            }
+            Self::Weighted(label, factor) => vec![(*label, Planted::Times(*factor))],
+        };
+        planted.retain(|(label, _)| terms.contains(label));
+        (!planted.is_empty()).then_some(planted)
+    }
+
+    /// Whether something other than the closed form as it is follows, where these terms are evaluated.
+    pub(crate) fn changes(&self, terms: &[Label]) -> bool {
+        matches!(self, Self::Rewritten(_)) || self.planted(terms).is_some()
+    }
+
+    /// All quantities with their variations, of frozen beams, over a scalar that faults can be planted in.
+    pub(crate) fn quantities<T: Bits>(
+        &self,
+        frozen: impl Fn(When) -> [Frozen<T>; 2],
+        at: (T, T),
+        form: Form,
+        contact: &Contact,
+    ) -> Quantities<Varied<T>> {
+        let Some(faults) = self.planted(&terms()[0]) else {
+            return self.formulas(&frozen(When::Now), at, form, contact);
+        };
+        let run = |kind: Option<Kind>| {
+            let ([mut beam, mut bar], (xi, xi_bar), contact) = mistaken(kind, &frozen, at, *contact);
+            if kind == Some(Kind::Transposed) {
+                (beam, bar) = (beam.exchanged(), bar.exchanged());
+            }
+            let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| v.map(Faulty)));
+            variations_in(form, &beam, &bar, (Faulty(xi), Faulty(xi_bar)), &contact)
+        };
+        planted::with(&faults, run).map(|varied| varied.map(|Faulty(number)| number))
+    }
+
+    /// The same over any scalar, without the faults.
+    pub(crate) fn formulas<T: Real>(
         &self,
         [beam, bar]: &[Frozen<T>; 2],
-        before: impl FnOnce() -> [Frozen<T>; 2],
         at: (T, T),
         form: Form,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
         match self {
-            Self::Sound => variations_with(&closed_form::Sound, beam, bar, at, form, contact),
-            Self::Faulty(faults) => {
-                let stale = is_stale(faults).then(before);
-                let stale = stale.as_ref().map_or(Stale::Unused, Stale::Frozen);
-                let planted = Planted::<T, DOFS> { changes: &Change::of(faults), stale };
-                variations_with(&planted, beam, bar, at, form, contact)
-            }
-            Self::Weighted(label, factor) => {
-                let changes = [(*label, Change::Factor(T::from(*factor)))];
-                let planted = Planted::<T, DOFS> { changes: &changes, stale: Stale::Unused };
-                variations_with(&planted, beam, bar, at, form, contact)
-            }
             Self::Rewritten(rewrite) => rewrite.variations([beam, bar], at, form, contact),
+            _ => variations_in(form, beam, bar, at, contact),
         }
     }
 
-    /// Their components.
-    pub(crate) fn variations<T: Real>(
+    /// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up; nothing if they are
+    /// what they are without faults.
+    pub(crate) fn matrices<T: Bits, const D: usize>(
         &self,
-        frozen: &[Frozen<T>; 2],
-        before: impl FnOnce() -> [Frozen<T>; 2],
-        at: (T, T),
+        padded: impl Fn(When) -> [PaddedBeam<Faulty<T>, D>; 2],
+        (xi, xi_bar): (T, T),
         form: Form,
         contact: &Contact,
-    ) -> [Varied<T>; COMPONENTS] {
-        self.quantities(frozen, before, at, form, contact).components()
-    }
-
-    /// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up.
-    pub(crate) fn matrices<T: Real, const D: usize>(
-        &self,
-        [(jet, [dq, linear_dq]), (jet_bar, [dq_bar, linear_dq_bar])]: &[PaddedBeam<T, D>; 2],
-        before: impl FnOnce() -> [PaddedBeam<T, D>; 2],
-        at: (T, T),
-        form: Form,
-        contact: &Contact,
-    ) -> [[T; 3]; SCALARS] {
-        let mut all = Linearization::zeros();
-        match self {
-            Self::Sound | Self::Rewritten(_) => {
-                Matrices::with(closed_form::Sound, jet, jet_bar, form).write_all(at, contact, &mut all);
-            }
-            Self::Faulty(faults) => {
-                let stale = is_stale(faults).then(|| before().map(|(jet, _)| jet));
-                let stale = stale.as_ref().map_or(Stale::Unused, Stale::Jets);
-                let planted = Planted { changes: &Change::of(faults), stale };
-                Matrices::with(planted, jet, jet_bar, form).write_all(at, contact, &mut all);
-            }
-            Self::Weighted(label, factor) => {
-                let changes = [(*label, Change::Factor(T::from(*factor)))];
-                let planted = Planted::<T, D> { changes: &changes, stale: Stale::Unused };
-                Matrices::with(planted, jet, jet_bar, form).write_all(at, contact, &mut all);
-            }
-        }
-        let dq = DofVector { beam: *dq, bar: *dq_bar };
-        let linear_dq = DofVector { beam: *linear_dq, bar: *linear_dq_bar };
-        [&all.d, &all.t, &all.t_bar, &all.xi, &all.xi_bar, &all.g_t, &all.g_t_bar]
-            .map(|e| [e.gradient.along(&dq), e.gradient.along(&linear_dq), e.hessian.along(&dq, &linear_dq)])
+    ) -> Option<[[T; 3]; SCALARS]> {
+        let run = |kind: Option<Kind>| {
+            let (beams, at, contact) = mistaken(kind, &padded, (Faulty(xi), Faulty(xi_bar)), *contact);
+            contracted(&beams, at, form, &contact)
+        };
+        Some(planted::with(&self.planted(&terms()[1])?, run).map(|row| row.map(|Faulty(number)| number)))
     }
 }
 
-fn is_stale(faults: &[Fault]) -> bool {
-    faults.iter().any(|fault| fault.kind == Kind::Stale)
+/// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up.
+pub(crate) fn contracted<T: Real, const D: usize>(
+    [(jet, [dq, linear_dq]), (jet_bar, [dq_bar, linear_dq_bar])]: &[PaddedBeam<T, D>; 2],
+    at: (T, T),
+    form: Form,
+    contact: &Contact,
+) -> [[T; 3]; SCALARS] {
+    let mut all = Linearization::zeros();
+    Matrices::in_form(jet, jet_bar, form).write_all(at, contact, &mut all);
+    let dq = DofVector { beam: *dq, bar: *dq_bar };
+    let linear_dq = DofVector { beam: *linear_dq, bar: *linear_dq_bar };
+    [&all.d, &all.t, &all.t_bar, &all.xi, &all.xi_bar, &all.g_t, &all.g_t_bar]
+        .map(|e| [e.gradient.along(&dq), e.gradient.along(&linear_dq), e.hessian.along(&dq, &linear_dq)])
 }
 
 /// The parameters of the step before.

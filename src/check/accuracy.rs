@@ -8,7 +8,7 @@
 use super::draw::crossing;
 use super::regime::{Draw, Regime};
 use crate::closest_point::Active;
-use crate::linearization::closed_form::{Form, Frozen, Points, Projection, Sound, variations_with};
+use crate::linearization::closed_form::{Form, Frozen, Points, Projection, variations_in};
 use crate::linearization::{Quantities, Varied};
 use crate::number::{DoubleDouble, Real};
 use crate::pair::Contact;
@@ -143,7 +143,7 @@ fn measure(seed: u64, stream: u64, families: [Family; 2], change: impl Fn(Draw) 
 }
 
 fn varied<T: Real>([beam, bar]: &[Frozen<T>; 2], form: Form) -> Quantities<Varied<T>> {
-    variations_with(&Sound, beam, bar, (T::zero(), T::zero()), form, &Contact::default())
+    variations_in(form, beam, bar, (T::zero(), T::zero()), &Contact::default())
 }
 
 /// The closest point in double-double, by Newton's method.

@@ -4,12 +4,12 @@ use super::verdict::Inconclusive;
 use super::witness;
 use crate::closest_point::{Active, ClosestPoint, Degeneracy};
 use crate::linearization::ad::Chord;
-use crate::linearization::closed_form::{Form, Frozen, Points, Projection, Sound, variations_with};
+use crate::linearization::closed_form::{Form, Frozen, Points, Projection, variations_in};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{Bounded, DoubleDouble, Magnitude, Real};
+use crate::number::{Bounded, DoubleDouble, Faulty, Magnitude};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Bounded2, FEW_DOFS, PaddedBeam};
-use crate::subject::{SCALARS, Subject, before};
+use crate::specimen::{AnyBeam, Bounded2, FEW_DOFS, PaddedBeam, map_padded};
+use crate::subject::{SCALARS, Subject, When, contracted, terms};
 use std::sync::OnceLock;
 
 /// A closest point that has derivatives, and is known well enough.
@@ -23,16 +23,8 @@ pub(crate) struct Site<'a> {
     /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
     /// point; the second ones as far as `f64` can tell, for those who solve for the closest point in `f64` again.
     pub(crate) at: (Bounded2, Bounded2),
-    moments: [Moment; 2],
-}
-
-/// Which parameters: those of the closest point, or those of the step before.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum When {
-    /// At the closest point.
-    Now,
-    /// A step before.
-    Before,
+    moments: [Moment; 3],
+    unmodified: OnceLock<Box<Unmodified>>,
 }
 
 /// Both beams at some parameters, in the scalars that the check asks for; evaluated once, when they are asked for.
@@ -43,6 +35,15 @@ struct Moment {
     // Large, and the site is passed on by value.
     padded: OnceLock<Box<[PaddedBeam<Bounded>; 2]>>,
     padded_few: OnceLock<Box<[PaddedBeam<Bounded, FEW_DOFS>; 2]>>,
+}
+
+/// The closed form as it is, in all that the comparison asks for.
+#[derive(Clone, Debug)]
+struct Unmodified {
+    plain: [Varied<f64>; COMPONENTS],
+    scales: [Varied<Magnitude>; COMPONENTS],
+    bounds: [Varied<Bounded2>; COMPONENTS],
+    matrices: [[Bounded; 3]; SCALARS],
 }
 
 impl<'a> Site<'a> {
@@ -69,6 +70,7 @@ impl<'a> Site<'a> {
             form: Form::default(),
             at: at.into(),
             moments: Default::default(),
+            unmodified: OnceLock::new(),
         };
         if let Some(refined) = site.refined() {
             site.at = refined.map(Refined::rounded).into();
@@ -79,7 +81,7 @@ impl<'a> Site<'a> {
 
     /// With these formulas.
     pub(crate) fn in_form(self, form: Form) -> Self {
-        Self { form, ..self }
+        Self { form, unmodified: OnceLock::new(), ..self }
     }
 
     /// The points of both beams.
@@ -88,63 +90,81 @@ impl<'a> Site<'a> {
         Points::new(&beam.geometry, &bar.geometry)
     }
 
-    pub(crate) fn parameters(&self, when: When) -> (Bounded2, Bounded2) {
-        match when {
-            When::Now => self.at,
-            When::Before => before(self.at),
-        }
-    }
-
-    /// The same with the sharper bounds alone.
-    fn sharp(&self, when: When) -> (Bounded, Bounded) {
-        let (xi, xi_bar) = self.parameters(when);
-        [xi, xi_bar].map(|Bounded2 { value, bound: [bound, _] }| Bounded { value, bound }).into()
+    /// The parameters with the sharper bounds alone.
+    fn sharp(&self) -> (Bounded, Bounded) {
+        let sharp = |Bounded2 { value, bound: [bound, _] }| Bounded { value, bound };
+        (sharp(self.at.0), sharp(self.at.1))
     }
 
     /// Both beams, frozen.
     pub(crate) fn frozen(&self, when: When) -> [Frozen<f64>; 2] {
-        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(when));
-        let frozen = || [beam.frozen_plain(xi.value), bar.frozen_plain(xi_bar.value)];
+        let frozen = || {
+            let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, (self.at.0.value, self.at.1.value));
+            [beam.frozen_plain(xi), bar.frozen_plain(xi_bar)]
+        };
         *self.moments[when as usize].plain.get_or_init(frozen)
     }
 
     /// Both beams, frozen, with bounds on their errors.
     pub(crate) fn bounded(&self, when: When) -> [Frozen<Bounded2>; 2] {
-        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.parameters(when));
-        *self.moments[when as usize].bounded.get_or_init(|| [beam.frozen(xi), bar.frozen(xi_bar)])
+        let frozen = || {
+            let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.at);
+            [beam.frozen(xi), bar.frozen(xi_bar)]
+        };
+        *self.moments[when as usize].bounded.get_or_init(frozen)
     }
 
     fn padded(&self, when: When) -> &[PaddedBeam<Bounded>; 2] {
-        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.sharp(when));
-        let padded = || Box::new([beam.padded(xi), bar.padded(xi_bar)]);
+        let padded = || {
+            let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.sharp());
+            Box::new([beam.padded(xi), bar.padded(xi_bar)])
+        };
         self.moments[when as usize].padded.get_or_init(padded)
     }
 
     fn padded_few(&self, when: When) -> &[PaddedBeam<Bounded, FEW_DOFS>; 2] {
-        let ([beam, bar], (xi, xi_bar)) = (self.beams, self.sharp(when));
-        let padded = || Box::new([beam.padded_few(xi), bar.padded_few(xi_bar)]);
+        let padded = || {
+            let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.sharp());
+            Box::new([beam.padded_few(xi), bar.padded_few(xi_bar)])
+        };
         self.moments[when as usize].padded_few.get_or_init(padded)
+    }
+
+    fn has_few_dofs(&self) -> bool {
+        self.beams.iter().all(|beam| beam.dofs() <= FEW_DOFS)
     }
 
     /// The closed form.
     pub(crate) fn plain(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
+        if !subject.changes(&terms()[0]) {
+            return self.unmodified().plain;
+        }
         let at = (self.at.0.value, self.at.1.value);
-        self.variations(subject, |when| self.frozen(when), at)
+        subject.quantities(|when| self.frozen(when), at, self.form, self.contact).components()
     }
 
     /// The closed form with the directions exchanged.
     pub(super) fn exchanged(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
         let at = (self.at.0.value, self.at.1.value);
-        self.variations(subject, |when| self.frozen(when).map(Frozen::exchanged), at)
+        let frozen = |when| self.frozen(when).map(Frozen::exchanged);
+        subject.quantities(frozen, at, self.form, self.contact).components()
     }
 
-    /// The closed form, with bounds on its error.
+    /// The closed form with bounds on its error: those of the formulas without faults.
     pub(crate) fn closed(&self, subject: &Subject) -> [Varied<Bounded2>; COMPONENTS] {
-        self.variations(subject, |when| self.bounded(when), self.at)
+        let bounded = || {
+            let frozen = self.bounded(When::Now);
+            subject.formulas(&frozen, self.at, self.form, self.contact).components()
+        };
+        if let Subject::Rewritten(_) = subject { bounded() } else { self.unmodified().bounds }
     }
 
-    /// The closed form with the size of its terms.
+    /// The size of the terms of the closed form without faults.
     pub(super) fn scales(&self, subject: &Subject) -> [Varied<Magnitude>; COMPONENTS] {
+        if let Subject::Rewritten(_) = subject { self.sized(subject) } else { self.unmodified().scales }
+    }
+
+    fn sized(&self, subject: &Subject) -> [Varied<Magnitude>; COMPONENTS] {
         let at = (Magnitude::parameter(self.at.0.value), Magnitude::parameter(self.at.1.value));
         // A position has the size of the curve at least: where the origin is says nothing of rounding.
         let sized = |frozen: Frozen<f64>| {
@@ -155,29 +175,43 @@ impl<'a> Site<'a> {
             }
             sizes
         };
-        self.variations(subject, |when| self.frozen(when).map(sized), at)
+        let frozen = self.frozen(When::Now).map(sized);
+        subject.formulas(&frozen, at, self.form, self.contact).components()
     }
 
-    /// Of the frozen beams, of which those of the step before are made if the subject asks for them.
-    fn variations<T: Real>(
-        &self,
-        subject: &Subject,
-        frozen: impl Fn(When) -> [Frozen<T>; 2],
-        at: (T, T),
-    ) -> [Varied<T>; COMPONENTS] {
-        subject.variations(&frozen(When::Now), || frozen(When::Before), at, self.form, self.contact)
-    }
-
-    /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors.
+    /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors: those of the
+    /// formulas without faults.
     pub(super) fn matrices(&self, subject: &Subject) -> [[Bounded; 3]; SCALARS] {
-        let (at, form, contact) = (self.sharp(When::Now), self.form, self.contact);
-        if self.beams.iter().all(|beam| beam.dofs() <= FEW_DOFS) {
-            let before = || self.padded_few(When::Before).clone();
-            subject.matrices(self.padded_few(When::Now), before, at, form, contact)
+        let (at, form, contact) = ((self.at.0.value, self.at.1.value), self.form, self.contact);
+        let planted = if self.has_few_dofs() {
+            let faulty = |when| self.padded_few(when).each_ref().map(|beam| map_padded(beam, of_value));
+            subject.matrices(faulty, at, form, contact)
         } else {
-            let before = || self.padded(When::Before).clone();
-            subject.matrices(self.padded(When::Now), before, at, form, contact)
+            let faulty = |when| self.padded(when).each_ref().map(|beam| map_padded(beam, of_value));
+            subject.matrices(faulty, at, form, contact)
+        };
+        let mut matrices = self.unmodified().matrices;
+        for (row, planted) in matrices.iter_mut().zip(planted.into_iter().flatten()) {
+            for (number, value) in row.iter_mut().zip(planted) {
+                number.value = value;
+            }
         }
+        matrices
+    }
+
+    fn unmodified(&self) -> &Unmodified {
+        self.unmodified.get_or_init(|| {
+            let Self { at, form, contact, .. } = self;
+            let matrices = if self.has_few_dofs() {
+                contracted(self.padded_few(When::Now), self.sharp(), *form, contact)
+            } else {
+                contracted(self.padded(When::Now), self.sharp(), *form, contact)
+            };
+            let bounds = Subject::Sound.formulas(&self.bounded(When::Now), *at, *form, contact).components();
+            let [beam, bar] = self.frozen(When::Now);
+            let plain = variations_in(*form, &beam, &bar, (at.0.value, at.1.value), contact).components();
+            Box::new(Unmodified { plain, scales: self.sized(&Subject::Sound), bounds, matrices })
+        })
     }
 
     /// Automatic differentiation in our own hyper-dual numbers, with bounds on its error.
@@ -194,7 +228,7 @@ impl<'a> Site<'a> {
         let Self { beams: [beam, bar], contact, form, .. } = *self;
         let [xi, xi_bar] = self.refined()?.map(|refined| refined.value);
         let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
-        Some(variations_with(&Sound, &frozen[0], &frozen[1], (xi, xi_bar), form, contact).components())
+        Some(variations_in(form, &frozen[0], &frozen[1], (xi, xi_bar), contact).components())
     }
 
     /// The parameters in double-double, by Newton's method; nothing if it does not settle.
@@ -223,6 +257,10 @@ impl<'a> Site<'a> {
         }
         None
     }
+}
+
+fn of_value(number: Bounded) -> Faulty<f64> {
+    Faulty(number.value)
 }
 
 /// A parameter of the closest point in double-double.

@@ -23,6 +23,8 @@ macro_rules! sources {
 // Those that compute come first.
 sources![
     "linearization/closed_form/variations.rs",
+    "linearization/closed_form/first_order.rs",
+    "linearization/closed_form/second_order.rs",
     "linearization/closed_form/norms.rs",
     "linearization/closed_form/projection.rs",
     "linearization/closed_form/matrices.rs",

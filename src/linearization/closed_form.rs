@@ -18,32 +18,21 @@ use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 
 pub mod blocks;
+mod first_order;
 pub mod form;
 mod frozen;
-mod jets;
 mod matrices;
 mod norms;
-mod operands;
 mod projection;
+mod second_order;
 mod sums;
-mod terms;
 mod variations;
 
 pub use form::Form;
 pub use frozen::Frozen;
 pub use matrices::{Matrices, VectorQuantity};
 pub use projection::{Points, Projection};
-pub use variations::variations;
-
-pub(crate) use terms::Sound;
-pub(crate) use variations::variations_with;
-#[cfg(feature = "check")]
-pub(crate) use {
-    jets::Jets,
-    operands::Operands,
-    projection::System,
-    terms::{Label, Terms},
-};
+pub use variations::{variations, variations_in};
 
 impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
     /// All scalar quantities with gradients and Hessians, at a closest point of the pair, by the formulas that lose the
@@ -87,7 +76,7 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     let beam = Frozen::new(&jet, &dq.beam, &linear_dq.beam);
     let bar = Frozen::new(&jet_bar, &dq.bar, &linear_dq.bar);
     let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
-    variations_with(&Sound, &beam, &bar, at, form, &pair.contact)
+    variations_in(form, &beam, &bar, at, &pair.contact)
 }
 
 /// The jets of both curves.

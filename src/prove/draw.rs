@@ -1,12 +1,12 @@
 //! One draw: two beams at a stationary point, both sides run, and all entries side by side.
 
 use super::entry::{Entry, entries};
-use super::{CONTACT, sides};
+use super::{Sides, differentiated};
 use crate::closest_point::Active;
 use crate::linearization::closed_form::Form;
-use crate::number::Residue;
-use crate::specimen::{Family, apart, stationary};
-use crate::subject::Subject;
+use crate::number::{Faulty, Residue};
+use crate::specimen::{Family, apart, map_padded, stationary};
+use crate::subject::{CONTACT, Subject, When, contracted};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -37,8 +37,26 @@ impl Draw {
         let (beams, at) = stationary(&models, active, &mut rng);
         let form = if number % 2 == 1 { apart(&beams, at, active) } else { Form::paper(active) };
         let with_matrices = (number / 8).is_multiple_of(MATRICES_EVERY);
-        let results = sides(subject, [&*beams[0], &*beams[1]], at, form, &CONTACT, with_matrices);
-        Self { families, number, active, entries: entries(&results) }
+        let beams = [&*beams[0], &*beams[1]];
+        let padded = |when: When| {
+            let ([x, y], at) = when.place(beams, at);
+            [x.padded(at.0), y.padded(at.1)]
+        };
+        let frozen = |when: When| {
+            let ([x, y], at) = when.place(beams, at);
+            [x.frozen(at.0), y.frozen(at.1)]
+        };
+        let faulty = |when: When| padded(when).each_ref().map(|beam| map_padded(beam, Faulty));
+        let matrices = || {
+            let planted = subject.matrices(faulty, at, form, &CONTACT);
+            planted.unwrap_or_else(|| contracted(&padded(When::Now), at, form, &CONTACT))
+        };
+        let sides = Sides {
+            closed: subject.quantities(frozen, at, form, &CONTACT).components(),
+            ad: differentiated(beams, at, active, &CONTACT),
+            matrices: with_matrices.then(matrices),
+        };
+        Self { families, number, active, entries: entries(&sides) }
     }
 
     /// The entries in which the two sides are not equal.

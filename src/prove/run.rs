@@ -1,14 +1,14 @@
 //! All draws of all pairs of families, and what they amount to.
 
 use super::entry::{Entry, Layer, entries};
-use super::{CONTACT, Draw, sides};
+use super::{Draw, Sides, differentiated};
 use crate::closest_point::Active;
-use crate::linearization::closed_form::Form;
 use crate::linearization::closed_form::form::{Distance, Elimination};
+use crate::linearization::closed_form::{Form, variations_in};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::Degree;
 use crate::specimen::Family;
-use crate::subject::Subject;
+use crate::subject::{CONTACT, Subject, contracted};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -110,8 +110,14 @@ fn degrees(families: [Family; 2]) -> [[f64; 4]; COMPONENTS] {
     let apart =
         Form { active, distance: Distance::Normal { reversed: false }, system: Elimination::CrossProducts };
     for form in [Form::paper(active), apart] {
-        let results = sides(&Subject::Sound, [&*beams[0], &*beams[1]], at, form, &CONTACT, true);
-        for Entry { component, layer, closed, ad, .. } in entries(&results) {
+        let [beam, bar] = [&*beams[0], &*beams[1]];
+        let (frozen, frozen_bar) = (beam.frozen(at.0), bar.frozen(at.1));
+        let sides = Sides {
+            closed: variations_in(form, &frozen, &frozen_bar, at, &CONTACT).components(),
+            ad: differentiated([beam, bar], at, active, &CONTACT),
+            matrices: Some(contracted(&[beam.padded(at.0), bar.padded(at.1)], at, form, &CONTACT)),
+        };
+        for Entry { component, layer, closed, ad, .. } in entries(&sides) {
             let degree = &mut degrees[component][layer as usize];
             *degree = degree.max(closed.of_difference(ad));
         }

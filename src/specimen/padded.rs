@@ -1,7 +1,7 @@
 //! Derivatives in the dofs, filled up with zeros to a common number of dofs: a few instantiations of the matrices serve
 //! all pairs of families.
 
-use crate::curve::{DofDerivatives, Jet};
+use crate::curve::{DofDerivatives, Geometry, Jet};
 use crate::number::Real;
 use nalgebra::{SMatrix, SVector, Vector3};
 
@@ -64,6 +64,23 @@ impl<T: Real, const D: usize> Padded<T, D> {
         padded.rows_mut(0, N).copy_from(v);
         padded
     }
+}
+
+/// The same over another scalar.
+pub(crate) fn map_padded<T: Real, U: Real, const D: usize>(
+    (jet, directions): &PaddedBeam<T, D>,
+    number: impl Fn(T) -> U + Copy,
+) -> PaddedBeam<U, D> {
+    let dofs = match &jet.dofs {
+        Padded::Linear(shapes) => Padded::Linear(shapes.map(|shapes| shapes.map(number))),
+        Padded::Nonlinear(jacobians, second) => Padded::Nonlinear(
+            jacobians.iter().map(|jacobian| jacobian.map(number)).collect(),
+            second.iter().map(|second| second.map(number)).collect(),
+        ),
+    };
+    let Geometry { x, t, t_xi, t_xixi } = jet.geometry;
+    let [x, t, t_xi, t_xixi] = [x, t, t_xi, t_xixi].map(|v| v.map(number));
+    (Jet { geometry: Geometry { x, t, t_xi, t_xixi }, dofs }, directions.map(|v| v.map(number)))
 }
 
 impl<T: Real, const D: usize> DofDerivatives<T, D> for Padded<T, D> {

@@ -4,35 +4,16 @@
 //! decided over the prime field. A change after which every result is the same number is none, and two changes of one
 //! term with the same results are one fault.
 
-use super::point::{CONTACT, Point};
+use super::point::Point;
 use super::{Fault, Kind, Subject, UnknownFault};
-use crate::linearization::closed_form::{Label, Matrices, Terms, variations_with};
-use crate::number::Residue;
+use crate::number::Label;
 use rayon::prelude::*;
-use std::cell::RefCell;
-use std::ops::Mul;
+use std::sync::OnceLock;
 
 /// All faults, in the order in which their terms are evaluated.
 pub fn catalogue() -> Vec<Fault> {
-    let points = Point::all();
-    let [mut labels, expanded] = labels(&points);
-    labels.extend(expanded.into_iter().filter(|label| !labels.contains(label)).collect::<Vec<_>>());
-    let of_label = |&label: &Label| {
-        let results =
-            |subject: &Subject| points.iter().map(|point| point.results(subject)).collect::<Vec<_>>();
-        let mut known = vec![results(&Subject::Sound)];
-        let mut faults = Vec::new();
-        for kind in Kind::ALL {
-            let fault = Fault { label, kind };
-            let results = results(&Subject::Faulty(vec![fault]));
-            if !known.contains(&results) {
-                known.push(results);
-                faults.push(fault);
-            }
-        }
-        faults
-    };
-    labels.par_iter().flat_map_iter(of_label).collect()
+    static ALL: OnceLock<Vec<Fault>> = OnceLock::new();
+    ALL.get_or_init(|| labels().par_iter().flat_map_iter(of_term).collect()).clone()
 }
 
 /// The closed form with the faults of these names, as [`Fault`] writes them; as it is, if there are none.
@@ -43,57 +24,56 @@ pub fn with_faults(names: &[String]) -> Result<Subject, UnknownFault> {
     if names.is_empty() {
         return Ok(Subject::Sound);
     }
-    let all = catalogue();
+    let labels = labels();
     let find = |name: &String| {
-        let found = all.iter().find(|fault| fault.to_string() == *name);
-        found.copied().ok_or_else(|| UnknownFault(name.clone()))
+        let of = |label: &&Label| name.starts_with(&format!("{label} = "));
+        let mut faults = labels.iter().filter(of).flat_map(of_term);
+        faults.find(|fault| fault.to_string() == *name).ok_or_else(|| UnknownFault(name.clone()))
     };
     names.iter().map(find).collect::<Result<_, _>>().map(Subject::Faulty)
 }
 
-/// The names of the terms of the variations, and of the matrices, in the order of their first use; some are in both.
-pub(crate) fn terms() -> [Vec<Label>; 2] {
-    labels(&Point::all())
-}
-
-fn labels(points: &[Point]) -> [Vec<Label>; 2] {
-    let (varied, expanded) = (Recorder::default(), Recorder::default());
-    for Point { at, form, frozen: [[beam, bar], _], padded: [[(jet, _), (jet_bar, _)], _], .. } in points {
-        variations_with(&&varied, beam, bar, *at, *form, &CONTACT);
-        Matrices::with(&expanded, jet, jet_bar, *form).all(*at, &CONTACT);
-    }
-    [varied, expanded].map(|recorder| recorder.labels.into_inner())
-}
-
-/// Evaluates all terms as they are, and notes their names.
-#[derive(Default)]
-struct Recorder {
-    labels: RefCell<Vec<Label>>,
-}
-
-impl Recorder {
-    fn note(&self, label: Label) {
-        let mut labels = self.labels.borrow_mut();
-        if !labels.contains(&label) {
-            labels.push(label);
+/// The faults of a term.
+fn of_term(&label: &Label) -> Vec<Fault> {
+    let results = |subject: &Subject| points().iter().map(|point| point.results(subject)).collect::<Vec<_>>();
+    let mut known = vec![results(&Subject::Sound)];
+    let mut faults = Vec::new();
+    for kind in Kind::ALL {
+        let fault = Fault { label, kind };
+        let results = results(&Subject::Faulty(vec![fault]));
+        if !known.contains(&results) {
+            known.push(results);
+            faults.push(fault);
         }
     }
+    faults
 }
 
-impl<O> Terms<Residue, O> for &Recorder {
-    fn term<V: Mul<Residue, Output = V>>(&self, label: Label, operands: &O, term: impl Fn(&O) -> V) -> V {
-        self.note(label);
-        term(operands)
-    }
+fn points() -> &'static [Point] {
+    static ALL: OnceLock<Vec<Point>> = OnceLock::new();
+    ALL.get_or_init(Point::all)
+}
 
-    fn product(
-        &self,
-        label: Label,
-        operands: &O,
-        orders: (usize, usize),
-        mut add: impl FnMut(&O, Residue, (usize, usize)),
-    ) {
-        self.note(label);
-        add(operands, Residue::new(1), orders);
-    }
+/// The names of all terms: those of the variations, then those of the matrices alone.
+fn labels() -> Vec<Label> {
+    let [varied, expanded] = terms();
+    varied.iter().chain(expanded.iter().filter(|label| !varied.contains(label))).copied().collect()
+}
+
+/// The names of the terms of the variations, and of the matrices, in the order of their first use; some are in both.
+pub(crate) fn terms() -> &'static [Vec<Label>; 2] {
+    static ALL: OnceLock<[Vec<Label>; 2]> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let mut all = [Vec::new(), Vec::new()];
+        for point in points() {
+            for (known, labels) in all.iter_mut().zip(point.labels()) {
+                for label in labels {
+                    if !known.contains(label) {
+                        known.push(*label);
+                    }
+                }
+            }
+        }
+        all
+    })
 }

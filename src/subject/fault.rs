@@ -1,6 +1,6 @@
 //! One term made wrong: the ways in which terms derived by hand go wrong.
 
-use crate::linearization::closed_form::Label;
+use crate::number::Label;
 use std::fmt;
 use thiserror::Error;
 

@@ -1,25 +1,30 @@
 //! Stationary points over the prime field at which no term of the closed form vanishes.
 
-use super::{SCALARS, Subject, before};
+use super::planted::When;
+use super::{SCALARS, Subject, contracted};
 use crate::closest_point::Active;
-use crate::linearization::closed_form::{Form, Frozen};
+use crate::linearization::closed_form::{Form, Frozen, variations_in};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::Residue;
+use crate::number::{Faulty, Label, Residue, recorded_terms};
 use crate::pair::Contact;
-use crate::specimen::{ExactBeam, Family, PaddedBeam, apart, stationary};
+use crate::specimen::{ExactBeam, Family, PaddedBeam, apart, map_padded, stationary};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 /// Neither radii nor reference parameters are nought, and no two are equal.
 pub(crate) const CONTACT: Contact = Contact { radius: 0.125, radius_bar: 0.25, xi_0: 0.5, xi_bar_0: -0.75 };
 
-/// Two beams over the prime field at a stationary point, now and at the parameters before.
+/// Two beams over the prime field at a stationary point, with all that operands can be mistaken for.
 pub(crate) struct Point {
     pub(crate) beams: [Box<dyn ExactBeam<Residue>>; 2],
     pub(crate) at: (Residue, Residue),
     pub(crate) form: Form,
-    pub(super) frozen: [[Frozen<Residue>; 2]; 2],
-    pub(super) padded: [[PaddedBeam<Residue>; 2]; 2],
+    frozen: [[Frozen<Residue>; 2]; 3],
+    padded: [[PaddedBeam<Residue>; 2]; 3],
+    /// The terms of the variations, and of the matrices.
+    labels: [Vec<Label>; 2],
+    /// What the closed form as it is yields.
+    unmodified: Results,
 }
 
 impl Point {
@@ -44,19 +49,52 @@ impl Point {
         let (beams, at) = stationary(&models, active, &mut rng);
         let form = if is_apart { apart(&beams, at, active) } else { Form::paper(active) };
         let [beam, bar] = beams;
-        let moments = [at, before(at)];
-        let frozen = moments.map(|at| [beam.frozen(at.0), bar.frozen(at.1)]);
-        let padded = moments.map(|at| [beam.padded(at.0), bar.padded(at.1)]);
-        Self { beams: [beam, bar], at, form, frozen, padded }
+        let placed = |when: When| when.place([&*beam, &*bar], at);
+        let frozen = When::ALL.map(placed).map(|([x, y], at)| [x.frozen(at.0), y.frozen(at.1)]);
+        let padded = When::ALL.map(placed).map(|([x, y], at)| [x.padded(at.0), y.padded(at.1)]);
+        let [x, y] = &frozen[When::Now as usize];
+        let unmodified = (
+            variations_in(form, x, y, at, &CONTACT).components(),
+            contracted(&padded[When::Now as usize], at, form, &CONTACT),
+        );
+        let mut point =
+            Self { beams: [beam, bar], at, form, frozen, padded, labels: Default::default(), unmodified };
+        point.labels = point.named();
+        point
     }
 
     /// All that the closed form yields.
     pub(crate) fn results(&self, subject: &Subject) -> Results {
-        let Self { at, form, frozen: [frozen, frozen_before], padded: [padded, padded_before], .. } = self;
-        (
-            subject.variations(frozen, || *frozen_before, *at, *form, &CONTACT),
-            subject.matrices(padded, || padded_before.clone(), *at, *form, &CONTACT),
-        )
+        let Self { at, form, labels: [of_variations, of_matrices], .. } = self;
+        let (mut variations, mut matrices) = self.unmodified;
+        if subject.changes(of_variations) {
+            let frozen = |when: When| self.frozen[when as usize];
+            variations = subject.quantities(frozen, *at, *form, &CONTACT).components();
+        }
+        if subject.changes(of_matrices) {
+            let faulty = |when: When| self.faulty(when);
+            matrices = subject.matrices(faulty, *at, *form, &CONTACT).unwrap_or(matrices);
+        }
+        (variations, matrices)
+    }
+
+    /// The names of all terms of the variations, and of the matrices.
+    pub(super) fn labels(&self) -> &[Vec<Label>; 2] {
+        &self.labels
+    }
+
+    fn named(&self) -> [Vec<Label>; 2] {
+        let Self { at: (xi, xi_bar), form, .. } = self;
+        let at = (Faulty(*xi), Faulty(*xi_bar));
+        let [beam, bar] = self.frozen[When::Now as usize].map(|frozen| frozen.map(|v| v.map(Faulty)));
+        let varied = recorded_terms(|| variations_in(*form, &beam, &bar, at, &CONTACT));
+        let beams = self.faulty(When::Now);
+        let expanded = recorded_terms(|| contracted(&beams, at, *form, &CONTACT));
+        [varied.0, expanded.0]
+    }
+
+    fn faulty(&self, when: When) -> [PaddedBeam<Faulty<Residue>>; 2] {
+        self.padded[when as usize].each_ref().map(|beam| map_padded(beam, Faulty))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::invariance::by_invariance;
 use super::rewrites::by_term;
-use crate::linearization::closed_form::{Form, Frozen, Sound, variations_with};
+use crate::linearization::closed_form::{Form, Frozen, variations_in};
 use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use crate::pair::Contact;
@@ -136,7 +136,7 @@ impl Rewrite {
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
         let sound = |[beam, bar]: [Frozen<T>; 2], at, form, contact: &Contact| {
-            variations_with(&Sound, &beam, &bar, at, form, contact)
+            variations_in(form, &beam, &bar, at, contact)
         };
         by_invariance(self, &sound, beams, at, form, contact).unwrap_or_else(|| {
             by_term(self, beams, form.active, sound(beams.map(|beam| *beam), at, form, contact))

@@ -2,11 +2,11 @@
 
 use super::differences::{Differences, Rule};
 use super::panel::Sample;
-use crate::check::{Site, Verdict, When, judged};
-use crate::linearization::closed_form::{Sound, variations_with};
+use crate::check::{Site, Verdict, judged};
+use crate::linearization::closed_form::variations_in;
 use crate::linearization::{COMPONENTS, Varied};
 use crate::specimen::Bounded2;
-use crate::subject::{Rewrite, Subject, by_invariance};
+use crate::subject::{Rewrite, Subject, When, by_invariance};
 use std::cell::Cell;
 
 /// A way of checking derivatives.
@@ -88,26 +88,39 @@ fn is_violated(
     closed: &[Varied<Bounded2>; COMPONENTS],
 ) -> bool {
     let Site { at, form, contact, .. } = sample.site;
-    // The beams of the step before, moved alike.
-    let moved = Cell::new(sample.site.bounded(When::Before));
-    let [beam, bar] = &sample.site.bounded(When::Before);
-    let keep = |frozen: [_; 2], at, form, contact: &_| {
-        moved.set(frozen);
-        variations_with(&Sound, &frozen[0], &frozen[1], at, form, contact)
-    };
-    by_invariance(rewrite, &keep, [beam, bar], at, form, contact);
-
+    // The beams that operands are mistaken for, moved alike.
+    let moved = When::ALL.map(|when| {
+        let frozen = Cell::new(sample.site.bounded(when));
+        let [beam, bar] = &frozen.get();
+        let keep = |beams: [_; 2], at, form, contact: &_| {
+            frozen.set(beams);
+            variations_in(form, &beams[0], &beams[1], at, contact)
+        };
+        by_invariance(rewrite, &keep, [beam, bar], at, form, contact);
+        frozen.get()
+    });
     let [beam, bar] = &sample.site.bounded(When::Now);
-    let of = |frozen: [_; 2], at, form, contact: &_| {
-        subject.quantities(&frozen, || moved.get(), at, form, contact)
+    let of = |frozen: [_; 2], at: (Bounded2, Bounded2), form, contact: &_| {
+        let bounded = subject.formulas(&frozen, at, form, contact);
+        let plain = |when: When| {
+            let beams = if when == When::Now { frozen } else { moved[when as usize] };
+            beams.map(|beam| beam.map(|v| v.map(|number: Bounded2| number.value)))
+        };
+        let values = subject.quantities(plain, (at.0.value, at.1.value), form, contact);
+        // The values of the faults, with the bounds of the formulas without them.
+        let mut values = values.components().into_iter().flat_map(Varied::parts);
+        bounded.map(|parts| {
+            parts.map(|Bounded2 { value, bound }| Bounded2 { value: values.next().unwrap_or(value), bound })
+        })
     };
     let Some(other) = by_invariance(rewrite, &of, [beam, bar], at, form, contact) else { return false };
-    let differ = |x: Bounded2, y: Bounded2| {
-        let difference = (x.value - y.value).abs();
-        difference > x.bound[0] + y.bound[0] || difference.is_nan()
+    let differ = |x: f64, y: Bounded2, bound: f64| {
+        let difference = (x - y.value).abs();
+        difference > bound + y.bound[0] || difference.is_nan()
     };
-    closed
-        .iter()
-        .zip(other.components())
-        .any(|(closed, other)| closed.parts().into_iter().zip(other.parts()).any(|(x, y)| differ(x, y)))
+    let plain = sample.site.plain(subject);
+    plain.iter().zip(closed).zip(other.components()).any(|((plain, closed), other)| {
+        let bounds = closed.parts().map(|number| number.bound[0]);
+        plain.parts().into_iter().zip(bounds).zip(other.parts()).any(|((x, bound), y)| differ(x, y, bound))
+    })
 }

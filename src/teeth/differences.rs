@@ -9,7 +9,7 @@ use crate::closest_point::{ClosestPoint, refine};
 use crate::linearization::closed_form::Frozen;
 use crate::linearization::{COMPONENTS, Varied};
 use crate::specimen::Specimen;
-use crate::subject::{Subject, before};
+use crate::subject::{Subject, When};
 
 /// Step and tolerance of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -57,8 +57,8 @@ const TAYLOR: [f64; 4] = [0.01, 0.005, 0.0025, 0.00125];
 /// The steps of the others, forwards and backwards: torch, jax, and scipy forwards.
 const STEPS: [f64; 5] = [1e-6, -1e-6, 5e-5, -5e-5, 1.490_116_119_384_765_6e-8];
 
-/// Both beams, moved, at the closest point that they then have and at the parameters before.
-type Moved = Option<((f64, f64), [[Frozen<f64>; 2]; 2])>;
+/// Both beams, moved, at the closest point that they then have, and what operands are mistaken for there.
+type Moved = Option<((f64, f64), [[Frozen<f64>; 2]; 3])>;
 
 /// All that the tools evaluate the closed form at.
 pub(super) struct Steps {
@@ -105,8 +105,11 @@ fn solved(specimens: &[Specimen; 2], point: &ClosestPoint) -> Moved {
     let (beam, bar) = (beam?, bar?);
     let found = refine(&*beam, &*bar, (point.xi, point.xi_bar), point.active()).ok()?;
     let at = (found.xi, found.xi_bar);
-    let frozen = |(xi, xi_bar)| [beam.frozen_plain(xi), bar.frozen_plain(xi_bar)];
-    Some((at, [frozen(at), frozen(before(at))]))
+    let frozen = |when: When| {
+        let ([beam, bar], (xi, xi_bar)) = when.place([&*beam, &*bar], at);
+        [beam.frozen_plain(xi), bar.frozen_plain(xi_bar)]
+    };
+    Some((at, When::ALL.map(frozen)))
 }
 
 /// The closed form of a subject, at a sample and at all its steps.
@@ -141,9 +144,10 @@ impl<'a> Differences<'a> {
     }
 
     fn at(&self, moved: &Moved) -> Option<[Varied<f64>; COMPONENTS]> {
-        let (at, [now, before]) = moved.as_ref()?;
+        let (at, frozen) = moved.as_ref()?;
         let site = &self.sample.site;
-        Some(self.subject.variations(now, || *before, *at, site.form, site.contact))
+        let of = |when: When| frozen[when as usize];
+        Some(self.subject.quantities(of, *at, site.form, site.contact).components())
     }
 
     fn passes(&self, [ahead, behind]: [usize; 2], near: impl Fn(f64, f64) -> bool) -> Option<bool> {

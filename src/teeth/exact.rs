@@ -1,8 +1,8 @@
 //! The exact check: the closed form against AD over the prime field.
 
-use crate::linearization::ad::{Chord, evaluate};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{HyperDual, Residue};
+use crate::number::Residue;
+use crate::prove::differentiated;
 use crate::subject::{CONTACT, Point, SCALAR_COMPONENTS, Subject};
 
 /// Stationary points with what AD finds there.
@@ -11,7 +11,8 @@ pub(super) struct Exact(Vec<(Point, [Varied<Residue>; COMPONENTS])>);
 impl Exact {
     pub(super) fn new() -> Self {
         let with_ad = |point: Point| {
-            let ad = differentiated(&point);
+            let beams = point.beams.each_ref().map(|beam| &**beam);
+            let ad = differentiated(beams, point.at, point.form.active, &CONTACT);
             (point, ad)
         };
         Self(Point::all().into_iter().map(with_ad).collect())
@@ -27,11 +28,4 @@ impl Exact {
             variations.iter().enumerate().any(unequal) || SCALAR_COMPONENTS.iter().zip(&matrices).any(apart)
         })
     }
-}
-
-fn differentiated(Point { beams: [beam, bar], at, form, .. }: &Point) -> [Varied<Residue>; COMPONENTS] {
-    let (beam, bar) = (&**beam, &**bar);
-    let lifted = Chord::<Residue>::new(beam, bar, *at, form.active)
-        .lift::<HyperDual<Residue>, _, _>(beam, bar, *at, 2);
-    evaluate::<HyperDual<Residue>>(beam, bar, lifted, &CONTACT).map(Varied::from).components()
 }

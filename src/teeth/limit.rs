@@ -2,7 +2,7 @@
 
 use super::panel::{Sample, panel};
 use crate::check::{Comparison, Regime};
-use crate::linearization::closed_form::Label;
+use crate::number::Label;
 use crate::subject::{Subject, catalogue};
 use rayon::prelude::*;
 

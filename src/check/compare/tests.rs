@@ -6,8 +6,8 @@ use crate::check::site::Site;
 use crate::check::{
     Case, Compared, Comparison, Inconclusive, Oracles, Order, Specimen, Trial, Verdict, Written,
 };
-use crate::linearization::closed_form::Label;
 use crate::linearization::{COMPONENTS, Varied};
+use crate::number::Label;
 use crate::pair::Contact;
 use crate::specimen::Family;
 use crate::subject::{Fault, Kind, SCALARS, Subject};
@@ -107,7 +107,7 @@ fn differences_decide_what_ad_cannot() {
 
 #[test]
 fn a_fault_is_a_mismatch_and_the_differences_are_asked() {
-    let fault = Fault { label: Label::new("Dd d: Dd x"), kind: Kind::Dropped };
+    let fault = Fault { label: Label { name: "Dd d: Dd x", bar: false }, kind: Kind::Dropped };
     let trial = Trial { subject: Subject::Faulty(vec![fault]), oracles: Oracles::Ad };
     let mismatch = (0..9).flat_map(|number| compare(&trial, &Case::draw(7, number)));
     let mut mismatches = mismatch.filter(|(_, verdict)| matches!(verdict, Verdict::Mismatch(_))).peekable();

@@ -35,7 +35,7 @@ pub use batch::{Encounter, write_all_batch, write_d_batch};
 pub use request::Targets;
 pub use target::{Full, Gradient, Packed, Target};
 
-use super::{Form, Matrices, Points, Sound, jets};
+use super::{Form, Matrices, Points, jets};
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::Linearization;
@@ -200,7 +200,7 @@ fn write_by_matrices<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     let at = (point.xi, point.xi_bar);
     let (jet, jet_bar) = jets(pair, q, at);
     let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
-    request.copy(&Matrices::with(Sound, &jet, &jet_bar, form), at, &pair.contact);
+    request.copy(&Matrices::in_form(&jet, &jet_bar, form), at, &pair.contact);
 }
 
 /// What is asked for, over any scalar; `false`, and nothing written, if a curve has no shape functions.

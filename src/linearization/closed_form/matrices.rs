@@ -16,17 +16,14 @@
 //! S_x(w) = (w·t,ξ) ggᵀ + g(A₁ᵀw)ᵀ + (A₁ᵀw)gᵀ + K_x(w)     S_t(w) = (w·t,ξξ) ggᵀ + g(A₂ᵀw)ᵀ + (A₂ᵀw)gᵀ + K_x,ξ(w)
 //! ```
 
-use super::jets::{Jets, MatrixTerms};
 use super::sums::{add_product, write_length, write_slip};
-use super::terms::{Label, Sound};
 use super::{Form, Points, Projection};
 use crate::closest_point::Active;
 use crate::curve::{DofDerivatives, Jet};
 use crate::linearization::{Expansion, Linearization};
-use crate::number::Real;
+use crate::number::{Of, Real, named};
 use crate::pair::{Contact, DofVector};
 use nalgebra::Vector3;
-use std::ops::Mul;
 
 mod distance;
 mod parameters;
@@ -38,11 +35,17 @@ pub use vector::VectorQuantity;
 ///
 /// Whoever needs the gap alone asks for [`Matrices::d`] and pays for no Hessian of a parameter.
 #[derive(Debug)]
-pub struct Matrices<'a, T, U, V, const N: usize, const M: usize, F = Sound> {
-    at: Jets<'a, T, U, V, N, M>,
+pub struct Matrices<'a, T, U, V, const N: usize, const M: usize> {
+    jet: &'a Jet<T, U>,
+    jet_bar: &'a Jet<T, V>,
+    /// d = x_C - x_bar_C.
+    d: Vector3<T>,
     projection: Projection<T>,
+    /// The gradient of xi, g.
+    g: DofVector<T, N, M>,
+    /// The gradient of xi_bar, g_bar.
+    g_bar: DofVector<T, N, M>,
     form: Form,
-    terms: F,
 }
 
 impl<'a, T, U, V, const N: usize, const M: usize> Matrices<'a, T, U, V, N, M>
@@ -63,63 +66,25 @@ where
     /// The same in the form asked for.
     #[inline]
     pub fn in_form(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Form) -> Self {
-        Self::with(Sound, jet, jet_bar, form)
-    }
-}
-
-impl<'a, T, U, V, const N: usize, const M: usize, F> Matrices<'a, T, U, V, N, M, F>
-where
-    T: Real,
-    U: DofDerivatives<T, N>,
-    V: DofDerivatives<T, M>,
-    F: MatrixTerms<'a, T, U, V, N, M>,
-{
-    /// [`Matrices::new`] through [`Terms`](super::Terms), in the form asked for.
-    #[inline]
-    pub(crate) fn with(terms: F, jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Form) -> Self {
         let points = Points::new(&jet.geometry, &jet_bar.geometry);
-        let projection = Projection::with(&terms, &points, form);
-        let Projection { a, b, a_bar, .. } = projection;
-        let (matrix, zeros) = ([a, b, a_bar], DofVector::zeros());
-        let at = Jets { jet, jet_bar, d: points.d, matrix, g: zeros, g_bar: zeros };
-        let mut matrices = Self { at, projection, form, terms };
+        let projection = Projection::in_form(&points, form);
+        let zeros = DofVector::zeros();
+        let mut matrices = Self { jet, jet_bar, d: points.d, projection, g: zeros, g_bar: zeros, form };
         // Eq. (50), (52): g = p r + q r̄ with r = −(Gᵀt + A₁ᵀd), r̄ = −(Gᵀt̄ + B₁ᵀd), and ḡ by the other row: with the row's
         // m = p t + q t̄ it is −[Gᵀm + p A₁ᵀd + q B₁ᵀd]
-        let inverse = projection.inverse_with(&matrices.terms);
-        let turned = DofVector {
-            beam: matrices.term("grad R: A1'd", |o| o.jet.dofs.gradient(1, &o.d)),
-            bar: matrices.term("grad R_bar: B1'd", |o| o.jet_bar.dofs.gradient(1, &o.d)),
-        };
+        let (a, b) = (&jet.dofs, &jet_bar.dofs);
+        let turned = named("grad R: A1'd", a.gradient(1, &points.d));
+        let turned_bar = named("grad R_bar: B1'd", b.gradient(1, &points.d));
+        let inverse = projection.inverse();
         let [g, g_bar] = [0, 1].map(|i| {
             let ([p, q], m) = (inverse[i], matrices.mean(i, inverse[i]));
             DofVector {
-                beam: -matrices.term("grad xi: A0'm", |o| o.jet.dofs.gradient(0, &m)) - turned.beam * p,
-                bar: matrices.term("grad xi: B0'm", |o| o.jet_bar.dofs.gradient(0, &m)) - turned.bar * q,
+                beam: -named("grad xi: A0'm", a.gradient(0, &m)) - turned * p,
+                bar: named("grad xi: B0'm", b.gradient(0, &m)) - turned_bar * q,
             }
         });
-        (matrices.at.g, matrices.at.g_bar) = (g, g_bar);
+        (matrices.g, matrices.g_bar) = (g, g_bar);
         matrices
-    }
-
-    /// A term of these formulas.
-    #[inline]
-    fn term<W: Mul<T, Output = W>>(
-        &self,
-        name: &'static str,
-        term: impl Fn(&Jets<'a, T, U, V, N, M>) -> W,
-    ) -> W {
-        self.terms.term(Label::new(name), &self.at, term)
-    }
-
-    /// Adds a product of two Jacobians of these orders.
-    #[inline]
-    fn product(
-        &self,
-        name: &'static str,
-        orders: (usize, usize),
-        add: impl FnMut(&Jets<'a, T, U, V, N, M>, T, (usize, usize)),
-    ) {
-        self.terms.product(Label::new(name), &self.at, orders, add);
     }
 
     /// All scalar quantities; the slips are measured from the reference parameters of `contact`.
@@ -137,40 +102,36 @@ where
         let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = to;
         *radii = T::from(contact.radius) + T::from(contact.radius_bar);
         self.write_d(d);
-        (xi.value, xi.gradient) = (at, self.at.g);
-        (xi_bar.value, xi_bar.gradient) = (at_bar, self.at.g_bar);
+        (xi.value, xi.gradient) = (at, self.g);
+        (xi_bar.value, xi_bar.gradient) = (at_bar, self.g_bar);
         self.write_parameters([&mut xi.hessian, &mut xi_bar.hessian]);
         self.write_t(xi, t);
         self.write_t_bar(xi_bar, t_bar);
-        write_slip((&self.terms, false), t, xi, contact.xi_0, g_t);
-        write_slip((&self.terms, true), t_bar, xi_bar, contact.xi_bar_0, g_t_bar);
+        write_slip(Of::BEAM, t, xi, contact.xi_0, g_t);
+        write_slip(Of::BAR, t_bar, xi_bar, contact.xi_bar_0, g_t_bar);
     }
 
     /// t, written over `to`.
     #[inline]
     fn write_t(&self, xi: &Expansion<T, N, M>, to: &mut Expansion<T, N, M>) {
-        let Jet { geometry, dofs } = self.at.jet;
-        let gradient = |k, w: &Vector3<T>| DofVector::of_beam(dofs.gradient(k, w));
-        let (inverse, w) = write_length((&self.terms, false), geometry, gradient, xi, to);
-        self.product("H_t: A1'A1", (1, 1), |o, factor, (k, l)| {
-            add_product(&mut to.hessian.beam, inverse * factor, (&o.jet.dofs, k), (&o.jet.dofs, l));
-        });
+        let Jet { geometry, dofs: a } = self.jet;
+        let gradient = |k, w: &Vector3<T>| DofVector::of_beam(a.gradient(k, w));
+        let (inverse, w) = write_length(Of::BEAM, geometry, gradient, xi, to);
+        add_product(&mut to.hessian.beam, named("H_t: A1'A1", inverse), (a, 1), (a, 1));
         if !U::LINEAR {
-            to.hessian.beam += self.term("H_t: K,xi(t)", |o| o.jet.dofs.hessian(1, &w));
+            to.hessian.beam += named("H_t: K,xi(t)", a.hessian(1, &w));
         }
     }
 
     /// t_bar, written over `to`.
     #[inline]
     fn write_t_bar(&self, xi_bar: &Expansion<T, N, M>, to: &mut Expansion<T, N, M>) {
-        let Jet { geometry, dofs } = self.at.jet_bar;
-        let gradient = |k, w: &Vector3<T>| DofVector::of_bar(dofs.gradient(k, w));
-        let (inverse, w) = write_length((&self.terms, true), geometry, gradient, xi_bar, to);
-        self.product("H_t_bar: B1'B1", (1, 1), |o, factor, (k, l)| {
-            add_product(&mut to.hessian.bar, inverse * factor, (&o.jet_bar.dofs, k), (&o.jet_bar.dofs, l));
-        });
+        let Jet { geometry, dofs: b } = self.jet_bar;
+        let gradient = |k, w: &Vector3<T>| DofVector::of_bar(b.gradient(k, w));
+        let (inverse, w) = write_length(Of::BAR, geometry, gradient, xi_bar, to);
+        add_product(&mut to.hessian.bar, named("H_t_bar: B1'B1", inverse), (b, 1), (b, 1));
         if !V::LINEAR {
-            to.hessian.bar += self.term("H_t_bar: K_bar,xi(t_bar)", |o| o.jet_bar.dofs.hessian(1, &w));
+            to.hessian.bar += named("H_t_bar: K_bar,xi(t_bar)", b.hessian(1, &w));
         }
     }
 }

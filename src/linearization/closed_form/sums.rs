@@ -1,9 +1,8 @@
 //! The sums that the matrices are made of: products of Jacobians, the length of a vector, a slip.
 
-use super::terms::{Label, Terms};
 use crate::curve::{DofDerivatives, Geometry};
 use crate::linearization::Expansion;
-use crate::number::Real;
+use crate::number::{Of, Real};
 use crate::pair::DofVector;
 use nalgebra::{SMatrix, Vector3};
 
@@ -44,29 +43,28 @@ pub(super) fn add_product<
 /// The length of a tangent, but for A₁ᵀA₁/t + K_t(w) in its Hessian, written over `to`; returns 1/t and w = t/t.
 #[inline]
 pub(super) fn write_length<T: Real, const N: usize, const M: usize>(
-    (terms, bar): (&impl Terms<T, Geometry<T>>, bool),
-    of: &Geometry<T>,
+    of: Of,
+    Geometry { t, t_xi, t_xixi, .. }: &Geometry<T>,
     a_transposed: impl Fn(usize, &Vector3<T>) -> DofVector<T, N, M>,
     xi: &Expansion<T, N, M>,
     to: &mut Expansion<T, N, M>,
 ) -> (T, Vector3<T>) {
-    let term = |name, term: &dyn Fn(&Geometry<T>) -> T| terms.term(Label { name, bar }, of, term);
     let Expansion { value, gradient, hessian } = to;
-    *value = of.t.dot(&of.t).sqrt();
+    *value = t.dot(t).sqrt();
     let (inverse, half, g) = (T::one() / *value, T::from(0.5), &xi.gradient);
-    let w = of.t * inverse;
+    let w = t * inverse;
     // ∇t = J_tᵀw
-    let first = term("grad t: w.t,xi g", &|o| w.dot(&o.t_xi));
-    *gradient = a_transposed(1, &terms.term(Label { name: "grad t: A1'w", bar }, of, |_| w)).plus(first, g);
+    let first = of.named("grad t: w.t,xi g", w.dot(t_xi));
+    *gradient = a_transposed(1, &of.named("grad t: A1'w", w)).plus(first, g);
     // H_t = (w·t,ξ) H_ξ + S_t(w) + (J_tᵀJ_t − ∇t∇tᵀ)/t with J_tᵀJ_t = A₁ᵀA₁ + sym(g, A₁ᵀt,ξ) + (t,ξ·t,ξ) ggᵀ
     let squares = half
-        * (term("H_t: w.t,xixi gg'", &|o| w.dot(&o.t_xixi))
-            + term("H_t: t,xi.t,xi gg'", &|o| o.t_xi.dot(&o.t_xi)) * inverse);
-    let with_g = a_transposed(2, &terms.term(Label { name: "H_t: A2'w g'", bar }, of, |_| w))
-        .plus(inverse, &a_transposed(1, &terms.term(Label { name: "H_t: A1't,xi g'", bar }, of, |o| o.t_xi)))
+        * (of.named("H_t: w.t,xixi gg'", w.dot(t_xixi))
+            + of.named("H_t: t,xi.t,xi gg'", t_xi.dot(t_xi)) * inverse);
+    let with_g = a_transposed(2, &of.named("H_t: A2'w g'", w))
+        .plus(inverse, &a_transposed(1, &of.named("H_t: A1't,xi g'", *t_xi)))
         .plus(squares, g);
-    let with_gradient = gradient.times(-term("H_t: grad t grad t'", &|_| half * inverse));
-    let first = term("H_t: w.t,xi H_xi", &|o| w.dot(&o.t_xi));
+    let with_gradient = gradient.times(-of.named("H_t: grad t grad t'", half * inverse));
+    let first = of.named("H_t: w.t,xi H_xi", w.dot(t_xi));
     hessian.set_sum([(first, &xi.hessian)], [(g, &with_g), (gradient, &with_gradient)]);
     (inverse, w)
 }
@@ -74,23 +72,22 @@ pub(super) fn write_length<T: Real, const N: usize, const M: usize>(
 /// g_T = t (xi - xi_0), written over `to`.
 #[inline]
 pub(super) fn write_slip<T: Real, const N: usize, const M: usize>(
-    (terms, bar): (&impl Terms<T, ()>, bool),
+    of: Of,
     t: &Expansion<T, N, M>,
     xi: &Expansion<T, N, M>,
     xi_0: f64,
     to: &mut Expansion<T, N, M>,
 ) {
     let slip = xi.value - T::from(xi_0);
-    let term = |name, value: T| terms.term(Label { name, bar }, &(), |()| value);
     // Eq. (20): ∇g_T = (ξ − ξ₀)∇t + t g   Eq. (21): H = (ξ − ξ₀)H_t + ∇t gᵀ + g∇tᵀ + t H_ξ
     to.value = t.value * slip;
     to.gradient = t
         .gradient
-        .times(term("grad g_T: slip grad t", slip))
-        .plus(term("grad g_T: t g", t.value), &xi.gradient);
-    let with_g = xi.gradient.times(term("H_g_T: grad t g'", T::one()));
+        .times(of.named("grad g_T: slip grad t", slip))
+        .plus(of.named("grad g_T: t g", t.value), &xi.gradient);
+    let with_g = xi.gradient.times(of.named("H_g_T: grad t g'", T::one()));
     to.hessian.set_sum(
-        [(term("H_g_T: slip H_t", slip), &t.hessian), (term("H_g_T: t H_xi", t.value), &xi.hessian)],
+        [(of.named("H_g_T: slip H_t", slip), &t.hessian), (of.named("H_g_T: t H_xi", t.value), &xi.hessian)],
         [(&t.gradient, &with_g)],
     );
 }

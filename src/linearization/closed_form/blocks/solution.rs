@@ -4,7 +4,7 @@ use super::arithmetic::{Arithmetic, ByOne, by_axis};
 use super::frame::Products;
 use super::side::Point;
 use crate::linearization::closed_form::form::Elimination;
-use crate::linearization::closed_form::{Form, Points, Projection, Sound};
+use crate::linearization::closed_form::{Form, Points, Projection};
 use crate::number::Real;
 
 /// The first variations of the parameters, and the distance.
@@ -136,7 +136,7 @@ fn mean<T: Real, A: Arithmetic<T>>(
 
 /// p, q and q_bar, u and u_bar without products that cancel.
 fn crossed<T: Real>(points: &Points<T>, form: Form) -> ([T; 3], ([T; 3], [T; 3])) {
-    let projection = Projection::with(&Sound, points, form);
+    let projection = Projection::in_form(points, form);
     let [[p, q], [_, q_bar]] = projection.inverse();
     let [u, minus_u_bar] = projection.crossed.map_or([points.d; 2], |crossed| crossed.u);
     ([p, q, q_bar], (u.into(), (-minus_u_bar).into()))

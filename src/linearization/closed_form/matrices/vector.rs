@@ -2,7 +2,6 @@
 
 use super::Matrices;
 use crate::curve::{DofDerivatives, Geometry};
-use crate::linearization::closed_form::jets::{Jets, MatrixTerms};
 use crate::linearization::{DofMatrix, Expansion};
 use crate::number::Real;
 use crate::pair::DofVector;
@@ -23,12 +22,11 @@ pub enum VectorQuantity {
     TBar,
 }
 
-impl<'a, T, U, V, const N: usize, const M: usize, F> Matrices<'a, T, U, V, N, M, F>
+impl<T, U, V, const N: usize, const M: usize> Matrices<'_, T, U, V, N, M>
 where
     T: Real,
     U: DofDerivatives<T, N>,
     V: DofDerivatives<T, M>,
-    F: MatrixTerms<'a, T, U, V, N, M>,
 {
     /// w . v for a fixed vector w and a vector quantity v; unit vectors for w give its components.
     ///
@@ -41,7 +39,7 @@ where
         w: &Vector3<T>,
         parameters: [&Expansion<T, N, M>; 2],
     ) -> Expansion<T, N, M> {
-        let Jets { jet, jet_bar, d, .. } = &self.at;
+        let Self { jet, jet_bar, d, .. } = self;
         let (x, y) = (&jet.geometry, &jet_bar.geometry);
         let [xi, xi_bar] = parameters;
         let (minus, one) = (-T::one(), T::one());

@@ -1,0 +1,305 @@
+//! A scalar that makes one of its operations wrong, or the terms of one name.
+//!
+//! Nothing branches on a [`Real`], so operation k of one run is operation k of every other run of the same code. An
+//! operation that takes wrong operands is therefore made by replacing its result by that of the same operation in a run
+//! with other operands: with the directions or the beams exchanged, say.
+
+use super::{Label, Real, Residue, field_from_operators};
+use std::cell::{Cell, RefCell};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::rc::Rc;
+
+/// A number whose operations are counted, recorded and made wrong, on each thread by itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Faulty<T>(pub(crate) T);
+
+/// A scalar that fits into 64 bits.
+pub(crate) trait Bits: Real {
+    fn bits(self) -> u64;
+    fn from_bits(bits: u64) -> Self;
+    /// Whether it is a number that a wrong code may go on with unnoticed.
+    fn is_finite(self) -> bool;
+}
+
+impl Bits for f64 {
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+
+    fn from_bits(bits: u64) -> Self {
+        Self::from_bits(bits)
+    }
+
+    fn is_finite(self) -> bool {
+        Self::is_finite(self)
+    }
+}
+
+impl Bits for Residue {
+    fn bits(self) -> u64 {
+        self.value()
+    }
+
+    fn from_bits(bits: u64) -> Self {
+        Self::new(bits)
+    }
+
+    fn is_finite(self) -> bool {
+        true
+    }
+}
+
+/// What becomes of the result of an operation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(not(test), expect(dead_code, reason = "for faults of single operations"))]
+pub(crate) enum Change {
+    /// It is multiplied.
+    Times(f64),
+    /// One is added: a result of zero changes too.
+    PlusOne,
+    /// It is another result, in its bits.
+    Instead(u64),
+}
+
+/// What becomes of the terms of one name.
+#[derive(Clone, Debug)]
+pub(crate) enum TermChange {
+    /// They are multiplied.
+    Times(f64),
+    /// They are those of a recorded run.
+    Instead(Rc<[u64]>),
+    /// The orders of the two Jacobians are exchanged.
+    Orders,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Mode {
+    /// Operations are counted, and one of them may be wrong.
+    Count,
+    /// Their results are recorded.
+    RecordOperations,
+    /// The values of terms are recorded.
+    RecordTerms,
+}
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+    /// The operation that is wrong.
+    static WRONG: Cell<usize> = const { Cell::new(usize::MAX) };
+    static MODE: Cell<Mode> = const { Cell::new(Mode::Count) };
+    static CHANGE: Cell<Change> = const { Cell::new(Change::PlusOne) };
+    static RECORD: RefCell<Vec<u64>> = const { RefCell::new(Vec::new()) };
+    static LABELS: RefCell<Vec<Label>> = const { RefCell::new(Vec::new()) };
+    /// The terms so far.
+    static TERMS: Cell<usize> = const { Cell::new(0) };
+    static CHANGES: RefCell<Vec<(Label, TermChange)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Ends a run, also one that panics.
+struct Run;
+
+impl Run {
+    fn start() -> Self {
+        COUNT.set(0);
+        TERMS.set(0);
+        Self
+    }
+}
+
+impl Drop for Run {
+    fn drop(&mut self) {
+        WRONG.set(usize::MAX);
+        MODE.set(Mode::Count);
+        CHANGES.take();
+    }
+}
+
+/// How many operations a run has, with its result.
+#[cfg_attr(not(test), expect(dead_code, reason = "for faults of single operations"))]
+pub(crate) fn counted<R>(run: impl FnOnce() -> R) -> (R, usize) {
+    let _run = Run::start();
+    let result = run();
+    (result, COUNT.get())
+}
+
+/// The results of all operations of a run.
+#[cfg_attr(not(test), expect(dead_code, reason = "for faults of single operations"))]
+pub(crate) fn operations<R>(run: impl FnOnce() -> R) -> Vec<u64> {
+    recorded(Mode::RecordOperations, run).1
+}
+
+/// The names and the values of all terms of a run.
+pub(crate) fn terms<R>(run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
+    recorded(Mode::RecordTerms, run)
+}
+
+fn recorded<R>(mode: Mode, run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
+    let _run = Run::start();
+    drop((RECORD.take(), LABELS.take()));
+    MODE.set(mode);
+    drop(run());
+    (LABELS.take(), RECORD.take())
+}
+
+/// A run with one operation wrong.
+#[cfg_attr(not(test), expect(dead_code, reason = "for faults of single operations"))]
+pub(crate) fn with_operation<R>(wrong: usize, change: Change, run: impl FnOnce() -> R) -> R {
+    let _run = Run::start();
+    WRONG.set(wrong);
+    CHANGE.set(change);
+    run()
+}
+
+/// A run with some terms wrong.
+pub(crate) fn with_terms<R>(changes: Vec<(Label, TermChange)>, run: impl FnOnce() -> R) -> R {
+    let _run = Run::start();
+    CHANGES.set(changes);
+    run()
+}
+
+/// The result of an operation, right or wrong.
+#[inline(always)]
+fn done<T: Bits>(result: T) -> Faulty<T> {
+    let count = COUNT.get();
+    COUNT.set(count + 1);
+    if count == WRONG.get() {
+        return Faulty(wrong(result));
+    }
+    if MODE.get() == Mode::RecordOperations {
+        record(result);
+    }
+    Faulty(result)
+}
+
+#[cold]
+#[inline(never)]
+fn wrong<T: Bits>(result: T) -> T {
+    match CHANGE.get() {
+        Change::Times(factor) => result * T::from(factor),
+        Change::PlusOne => result + T::one(),
+        Change::Instead(bits) => T::from_bits(bits),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn record<T: Bits>(result: T) {
+    RECORD.with_borrow_mut(|record| record.push(result.bits()));
+}
+
+macro_rules! operator {
+    ($($operator:ident $apply:ident),*) => {$(
+        impl<T: Bits> $operator for Faulty<T> {
+            type Output = Self;
+            #[inline(always)]
+            fn $apply(self, other: Self) -> Self {
+                done($operator::$apply(self.0, other.0))
+            }
+        }
+    )*};
+}
+operator!(Add add, Sub sub, Mul mul, Div div);
+
+impl<T: Bits> Neg for Faulty<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        done(-self.0)
+    }
+}
+
+impl<T: Bits> From<f64> for Faulty<T> {
+    #[inline(always)]
+    fn from(value: f64) -> Self {
+        Self(T::from(value))
+    }
+}
+
+field_from_operators!([T: Bits] Faulty<T>);
+
+impl<T: Bits> Real for Faulty<T> {
+    fn sqrt(self) -> Self {
+        done(self.0.sqrt())
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.0.sin_cos();
+        (done(sin), done(cos))
+    }
+
+    fn named(self, label: Label) -> Self {
+        let place = TERMS.get();
+        TERMS.set(place + 1);
+        if MODE.get() == Mode::RecordTerms {
+            record(self.0);
+            LABELS.with_borrow_mut(|labels| labels.push(label));
+        }
+        CHANGES.with_borrow(|changes| {
+            let of_label = changes.iter().filter(|(changed, _)| *changed == label);
+            Self(of_label.fold(self.0, |value, (_, change)| match change {
+                TermChange::Times(factor) => value * T::from(*factor),
+                TermChange::Instead(terms) => {
+                    let other = terms.get(place).map(|&bits| T::from_bits(bits));
+                    other.filter(|other| other.is_finite()).unwrap_or(value)
+                }
+                TermChange::Orders => value,
+            }))
+        })
+    }
+
+    fn orders(label: Label, [k, l]: [usize; 2]) -> [usize; 2] {
+        let is_exchanged = |(changed, change): &(Label, TermChange)| {
+            *changed == label && matches!(change, TermChange::Orders)
+        };
+        let exchanged = CHANGES.with_borrow(|changes| changes.iter().any(is_exchanged));
+        if exchanged { [l, k] } else { [k, l] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Change, Faulty, TermChange, counted, operations, terms, with_operation, with_terms};
+    use crate::number::{Label, Real, named, orders};
+
+    const LABEL: Label = Label { name: "ab", bar: false };
+
+    fn formula([a, b]: [f64; 2]) -> f64 {
+        let [a, b] = [a, b].map(Faulty);
+        (named("ab", a * b) + named("b", -b) / Faulty::from(4.0)).sqrt().0
+    }
+
+    #[test]
+    fn every_operation_and_every_term_can_be_recorded() {
+        assert_eq!(counted(|| formula([4.0, 8.0])), (30_f64.sqrt(), 5));
+        let values = |bits: Vec<u64>| bits.into_iter().map(f64::from_bits).collect::<Vec<_>>();
+        let all = operations(|| formula([4.0, 8.0]));
+        assert_eq!(values(all), [32.0, -8.0, -2.0, 30.0, 30_f64.sqrt()]);
+        assert_eq!(values(terms(|| formula([4.0, 8.0])).1), [32.0, -8.0]);
+    }
+
+    #[test]
+    fn one_operation_is_wrong_and_no_other() {
+        let with = |k, change| with_operation(k, change, || formula([4.0, 8.0])).to_bits();
+        let root = |x: f64| x.sqrt().to_bits();
+        assert_eq!(with(0, Change::Times(0.5)), root(14.0));
+        assert_eq!(with(1, Change::Times(-1.0)), root(34.0));
+        assert_eq!(with(2, Change::Instead(6.0_f64.to_bits())), root(38.0));
+        assert_eq!(with(3, Change::PlusOne), root(31.0));
+        assert_eq!(with(5, Change::PlusOne), root(30.0));
+        // Whatever was wrong in one run is right in the next.
+        assert_eq!(formula([4.0, 8.0]).to_bits(), root(30.0));
+    }
+
+    #[test]
+    fn terms_of_one_name_are_wrong() {
+        let with = |change| with_terms(vec![(LABEL, change)], || formula([4.0, 8.0]));
+        assert_eq!(with(TermChange::Times(2.0)).to_bits(), 62_f64.sqrt().to_bits());
+        let (_, other) = terms(|| formula([5.0, 7.0]));
+        assert_eq!(with(TermChange::Instead(other.into())).to_bits(), 33_f64.sqrt().to_bits());
+        assert_eq!(
+            with_terms(vec![(LABEL, TermChange::Orders)], || orders::<Faulty<f64>>("ab", [0, 1])),
+            [1, 0]
+        );
+        assert_eq!(orders::<Faulty<f64>>("ab", [0, 1]), [0, 1]);
+    }
+}

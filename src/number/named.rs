@@ -1,0 +1,74 @@
+//! Terms by name, so that a check can make one of them wrong, and explain it.
+
+use super::Real;
+use nalgebra::SMatrix;
+use std::fmt;
+
+/// The name of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Label {
+    /// Formula and term, such as `a: d.t,xi`; delta is written d, and Delta D.
+    pub name: &'static str,
+    /// Whether the formula serves both beams and this is its use for the bar beam.
+    pub bar: bool,
+}
+
+impl fmt::Display for Label {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)?;
+        f.write_str(if self.bar { " (bar)" } else { "" })
+    }
+}
+
+/// What a name can be given to: a number, a vector, a matrix over the scalar `T`.
+pub trait Term<T> {
+    /// The same, each number with this name.
+    #[must_use]
+    fn with_name(self, label: Label) -> Self;
+}
+
+impl<T: Real> Term<T> for T {
+    #[inline(always)]
+    fn with_name(self, label: Label) -> Self {
+        self.named(label)
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Term<T> for SMatrix<T, R, C> {
+    #[inline(always)]
+    fn with_name(self, label: Label) -> Self {
+        self.map(|entry| entry.named(label))
+    }
+}
+
+/// A term by its name: the term itself, but for scalars that make terms wrong on purpose.
+#[inline(always)]
+pub(crate) fn named<T, V: Term<T>>(name: &'static str, term: V) -> V {
+    term.with_name(Label { name, bar: false })
+}
+
+/// The beam that a formula serving both is used for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Of {
+    /// The bar beam, and not the beam.
+    pub(crate) bar: bool,
+}
+
+impl Of {
+    /// The beam.
+    pub(crate) const BEAM: Self = Self { bar: false };
+    /// The bar beam.
+    pub(crate) const BAR: Self = Self { bar: true };
+
+    /// A term by its name, in the formula of this beam.
+    #[inline(always)]
+    pub(crate) fn named<T, V: Term<T>>(self, name: &'static str, term: V) -> V {
+        term.with_name(Label { name, bar: self.bar })
+    }
+}
+
+/// The orders of the two Jacobians in a product, by the name of the product.
+#[inline(always)]
+pub(crate) fn orders<T: Real>(name: &'static str, orders: [usize; 2]) -> [usize; 2] {
+    T::orders(Label { name, bar: false }, orders)
+}
