@@ -30,7 +30,7 @@ use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Differentiable, Dual, HyperDual};
 use crate::pair::Contact;
 use crate::specimen::ExactBeam;
-use crate::subject::SCALARS;
+use crate::subject::{Layouts, SCALARS};
 
 /// All results of both sides at a stationary point.
 struct Sides<T> {
@@ -38,6 +38,8 @@ struct Sides<T> {
     ad: [Varied<T>; COMPONENTS],
     /// Gradients (along both directions) and Hessians of the scalars, contracted; on request.
     matrices: Option<[[T; 3]; SCALARS]>,
+    /// The kernel in its layouts, of curves with shape functions; on request.
+    kernel: Layouts<T>,
 }
 
 /// Automatic differentiation at a stationary point.

@@ -14,6 +14,6 @@ pub(crate) use beam::{AnyBeam, Bounded2};
 pub(crate) use draw::Target;
 pub(crate) use exact::ExactBeam;
 pub use family::{Family, Unit};
-pub(crate) use padded::{FEW_DOFS, PaddedBeam, map_padded};
+pub(crate) use padded::{DOFS, FEW_DOFS, Padded, PaddedBeam, map_padded};
 pub(crate) use stationary::{apart, stationary};
 pub use written::{Specimen, SpecimenError};

@@ -6,6 +6,7 @@
 mod catalogue;
 mod fault;
 mod invariance;
+mod kernel;
 mod planted;
 mod point;
 mod rewrite;
@@ -17,6 +18,7 @@ pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
 pub(crate) use invariance::by_invariance;
+pub(crate) use kernel::{Contracted, Layouts, Second, contracted_kernel, every_layout, fast_kernel};
 pub(crate) use planted::When;
 pub(crate) use point::{CONTACT, Point};
 
@@ -124,7 +126,7 @@ impl Subject {
 
 /// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up.
 pub(crate) fn contracted<T: Real, const D: usize>(
-    [(jet, [dq, linear_dq]), (jet_bar, [dq_bar, linear_dq_bar])]: &[PaddedBeam<T, D>; 2],
+    [(jet, [_, dq, linear_dq]), (jet_bar, [_, dq_bar, linear_dq_bar])]: &[PaddedBeam<T, D>; 2],
     at: (T, T),
     form: Form,
     contact: &Contact,

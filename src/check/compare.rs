@@ -12,7 +12,7 @@ use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{Bounded, Magnitude};
 use crate::pair::Contact;
 use crate::specimen::{AnyBeam, Bounded2};
-use crate::subject::{SCALAR_COMPONENTS, SCALARS, Subject};
+use crate::subject::{Contracted, SCALAR_COMPONENTS, SCALARS, Subject};
 use num_dual::HyperDual64;
 
 /// The routes of automatic differentiation.
@@ -52,7 +52,12 @@ pub(super) fn compare_beams(
 }
 
 fn verdict(trial: &Trial, asked: bool, site: &Site) -> Verdict {
-    let mut entries = Closed::new(&trial.subject, site).compared_with(&References::new(site));
+    let closed = Closed::new(&trial.subject, site);
+    let mut entries = closed.compared_with(&References::new(site));
+    // Faults are planted in the formulas that the kernel is compared with.
+    if trial.subject == Subject::Sound {
+        entries.extend(closed.kernel(site));
+    }
     let unclear = trial.oracles != Oracles::Ad && !is_decided(entries.iter());
     if is_apart(&entries) || unclear || asked {
         by_differences(site, &mut entries);
@@ -191,22 +196,39 @@ impl Closed {
 
     /// Gradient and Hessian of a scalar, contracted with the directions, against the variations.
     fn matrix(&self, scalar: usize) -> [Comparison; 3] {
+        let matrix = "gradient and Hessian, contracted";
+        [1, 2, 3].map(|k| self.contracted(matrix, [scalar, k], self.matrices[scalar][k - 1]))
+    }
+
+    /// What each layout of the kernel holds, contracted with the directions, against the variations.
+    fn kernel(&self, site: &Site) -> Vec<Comparison> {
+        let Some((layouts, bounds)) = site.kernel() else { return Vec::new() };
+        let of_layout = |(layout, numbers): (&'static str, Contracted<f64>)| {
+            let each = (0..SCALARS).flat_map(|scalar| (0..4).map(move |k| [scalar, k]));
+            each.filter_map(move |[scalar, k]| {
+                let (value, bound) = (numbers[scalar][k]?, bounds[scalar][k]?.bound);
+                Some(self.contracted(layout, [scalar, k], Bounded { value, bound }))
+            })
+        };
+        layouts.into_iter().flat_map(of_layout).collect()
+    }
+
+    /// A part of a scalar that was contracted, against the variation.
+    fn contracted(&self, against: &'static str, [scalar, k]: [usize; 2], other: Bounded) -> Comparison {
         let i = SCALAR_COMPONENTS[scalar];
-        [1, 2, 3].map(|k| {
-            let other = self.matrices[scalar][k - 1];
-            Comparison {
-                quantity: Quantity::of_component(i),
-                axis: None,
-                order: Order::Matrix,
-                part: Varied::<f64>::PARTS[k],
-                against: "gradient and Hessian, contracted",
-                closed: self.plain[i].parts()[k],
-                other: other.value,
-                scale: self.scales[i].parts()[k].scale,
-                bound: self.bounds[i].parts()[k].bound[0],
-                tolerance: self.bounds[i].parts()[k].bound[0] + other.bound,
-            }
-        })
+        let bound = self.bounds[i].parts()[k].bound[0];
+        Comparison {
+            quantity: Quantity::of_component(i),
+            axis: None,
+            order: Order::Matrix,
+            part: Varied::<f64>::PARTS[k],
+            against,
+            closed: self.plain[i].parts()[k],
+            other: other.value,
+            scale: self.scales[i].parts()[k].scale,
+            bound,
+            tolerance: bound + other.bound,
+        }
     }
 }
 

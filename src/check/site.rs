@@ -9,7 +9,9 @@ use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Bounded, DoubleDouble, Faulty, Magnitude};
 use crate::pair::Contact;
 use crate::specimen::{AnyBeam, Bounded2, FEW_DOFS, PaddedBeam, map_padded};
-use crate::subject::{SCALARS, Subject, When, contracted, terms};
+use crate::subject::{
+    Contracted, Layouts, SCALARS, Second, Subject, When, contracted, contracted_kernel, fast_kernel, terms,
+};
 use std::sync::OnceLock;
 
 /// A closest point that has derivatives, and is known well enough.
@@ -18,6 +20,8 @@ pub(crate) struct Site<'a> {
     pub(crate) beams: [&'a dyn AnyBeam; 2],
     pub(crate) contact: &'a Contact,
     pub(crate) active: Active,
+    /// The closest point, with the parameters refined.
+    point: ClosestPoint,
     /// The formulas under check: those that the library takes here, unless it is told others.
     pub(crate) form: Form,
     /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
@@ -67,6 +71,7 @@ impl<'a> Site<'a> {
             beams,
             contact,
             active: point.active(),
+            point: *point,
             form: Form::default(),
             at: at.into(),
             moments: Default::default(),
@@ -74,6 +79,7 @@ impl<'a> Site<'a> {
         };
         if let Some(refined) = site.refined() {
             site.at = refined.map(Refined::rounded).into();
+            (site.point.xi, site.point.xi_bar) = (site.at.0.value, site.at.1.value);
         }
         let form = Form::at(&site.points(), site.active);
         Ok(site.in_form(form))
@@ -197,6 +203,17 @@ impl<'a> Site<'a> {
             }
         }
         matrices
+    }
+
+    /// The kernel in all its layouts, with bounds on the error of each number; nothing if a curve has no shape functions.
+    ///
+    /// The kernel chooses the form itself: this is for sites in the form that is chosen.
+    pub(super) fn kernel(&self) -> Option<(Layouts<f64>, Contracted<Bounded>)> {
+        let beams = self.padded(When::Now);
+        let [memory, ..] = Second::ALL;
+        let bounds = contracted_kernel(beams, self.sharp(), self.form, self.contact, memory)?;
+        let beams = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
+        Some((fast_kernel(&beams, &self.point, *self.contact), bounds))
     }
 
     fn unmodified(&self) -> &Unmodified {

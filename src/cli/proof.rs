@@ -83,19 +83,27 @@ fn in_full(draw: &Draw) -> String {
             "All numbers of draw {} of {beam} and {bar}, with the ratio of those not equal",
             draw.number
         ),
-        |entry| entry.layer != Layer::Matrix,
+        |entry| !matches!(entry.layer, Layer::Matrix | Layer::Kernel),
     );
     let matrices = part("Gradients and Hessians of this draw, contracted with its directions", |entry| {
         entry.layer == Layer::Matrix
     });
-    if matrices.is_empty() { variations } else { format!("{variations}\n{matrices}") }
+    let kernel = part("The kernel in its layouts, contracted alike: what is not equal", |entry| {
+        entry.layer == Layer::Kernel && !entry.is_equal()
+    });
+    let parts = [variations, matrices, kernel];
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("\n")
 }
 
 /// The first inequality of a draw and the command that shows it again.
 fn told(repeat: &str, draw: &Draw) -> String {
     let Draw { families: [one, other], number, active, .. } = draw;
     let Some(first) = draw.unequal().next() else { return String::new() };
-    let matrix = if first.layer == Layer::Matrix { "contracted matrix, " } else { "" };
+    let candidate = match first.layer {
+        Layer::Matrix => "contracted matrix, ".into(),
+        Layer::Kernel => format!("{}, ", first.candidate),
+        _ => String::new(),
+    };
     let ends = match (active.xi, active.xi_bar) {
         (false, false) => "inside both beams",
         (true, false) => "at an end of the beam",
@@ -104,7 +112,7 @@ fn told(repeat: &str, draw: &Draw) -> String {
     };
     let times = ratio(first).map(|ratio| format!(", {ratio} times AD")).unwrap_or_default();
     format!(
-        "{} and {}, draw {number}, {ends}: {} of {} unequal\n  first {matrix}{} of {}{times}\n  {}\n",
+        "{} and {}, draw {number}, {ends}: {} of {} unequal\n  first {candidate}{} of {}{times}\n  {}\n",
         one.name(),
         other.name(),
         draw.unequal().count(),
@@ -172,6 +180,7 @@ fn refuted(repeat: &str, draw: &Draw) -> Value {
             "quantity": entry.quantity().name(),
             "component": entry.axis(),
             "layer": entry.layer.name(),
+            "candidate": entry.candidate,
             "part": entry.part,
             "closed": entry.closed.value().to_string(),
             "ad": entry.ad.value().to_string(),

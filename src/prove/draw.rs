@@ -6,7 +6,7 @@ use crate::closest_point::Active;
 use crate::linearization::closed_form::Form;
 use crate::number::{Faulty, Residue};
 use crate::specimen::{Family, apart, map_padded, stationary};
-use crate::subject::{CONTACT, Subject, When, contracted};
+use crate::subject::{CONTACT, Subject, When, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -51,10 +51,13 @@ impl Draw {
             let planted = subject.matrices(faulty, at, form, &CONTACT);
             planted.unwrap_or_else(|| contracted(&padded(When::Now), at, form, &CONTACT))
         };
+        let kernel = || every_layout(&padded(When::Now), at, form, &CONTACT);
         let sides = Sides {
             closed: subject.quantities(frozen, at, form, &CONTACT).components(),
             ad: differentiated(beams, at, active, &CONTACT),
             matrices: with_matrices.then(matrices),
+            // Faults are planted in the formulas that the kernel stands beside.
+            kernel: if with_matrices && *subject == Subject::Sound { kernel() } else { Vec::new() },
         };
         Self { families, number, active, entries: entries(&sides) }
     }

@@ -16,11 +16,13 @@ pub enum Layer {
     Second,
     /// Gradient and Hessian, contracted with the directions.
     Matrix,
+    /// Value, gradient and Hessian by the kernel, contracted alike.
+    Kernel,
 }
 
 impl Layer {
     /// All layers.
-    pub const ALL: [Self; 4] = [Self::Value, Self::First, Self::Second, Self::Matrix];
+    pub const ALL: [Self; 5] = [Self::Value, Self::First, Self::Second, Self::Matrix, Self::Kernel];
 
     /// The name, as tables have it.
     pub fn name(self) -> &'static str {
@@ -29,6 +31,7 @@ impl Layer {
             Self::First => "first",
             Self::Second => "second",
             Self::Matrix => "matrix",
+            Self::Kernel => "kernel",
         }
     }
 }
@@ -40,6 +43,8 @@ pub struct Entry<T> {
     pub component: usize,
     /// The layer.
     pub layer: Layer,
+    /// What is compared with AD: the equations, the matrices, or the kernel in one of its layouts.
+    pub candidate: &'static str,
     /// The part, in the words of [`Varied::PARTS`].
     pub part: &'static str,
     /// The closed form's number.
@@ -74,7 +79,7 @@ impl Entry<Residue> {
     }
 }
 
-/// The entries that are compared, component by component, then the matrices.
+/// The entries that are compared, component by component, then the matrices and the kernel.
 pub(super) fn entries<T: Copy>(sides: &Sides<T>) -> Vec<Entry<T>> {
     const LAYERS: [Layer; 4] = [Layer::Value, Layer::First, Layer::First, Layer::Second];
     let mut entries = Vec::with_capacity(4 * COMPONENTS + 3 * SCALAR_COMPONENTS.len());
@@ -82,14 +87,26 @@ pub(super) fn entries<T: Copy>(sides: &Sides<T>) -> Vec<Entry<T>> {
         let (closed, ad) = (sides.closed[component].parts(), sides.ad[component].parts());
         for (k, layer) in LAYERS.into_iter().enumerate() {
             let part = Varied::<T>::PARTS[k];
-            entries.push(Entry { component, layer, part, closed: closed[k], ad: ad[k] });
+            let candidate = "equations";
+            entries.push(Entry { component, layer, candidate, part, closed: closed[k], ad: ad[k] });
         }
     }
     for (&component, contracted) in SCALAR_COMPONENTS.iter().zip(sides.matrices.into_iter().flatten()) {
         let ad = sides.ad[component].parts();
         for (k, closed) in (1..).zip(contracted) {
             let part = Varied::<T>::PARTS[k];
-            entries.push(Entry { component, layer: Layer::Matrix, part, closed, ad: ad[k] });
+            let (layer, candidate) = (Layer::Matrix, "matrices");
+            entries.push(Entry { component, layer, candidate, part, closed, ad: ad[k] });
+        }
+    }
+    for (candidate, contracted) in &sides.kernel {
+        for (&component, numbers) in SCALAR_COMPONENTS.iter().zip(contracted) {
+            let (layer, ad) = (Layer::Kernel, sides.ad[component].parts());
+            let there = numbers.iter().enumerate().filter_map(|(k, &number)| Some((k, number?)));
+            entries.extend(there.map(|(k, closed)| {
+                let part = Varied::<T>::PARTS[k];
+                Entry { component, layer, candidate, part, closed, ad: ad[k] }
+            }));
         }
     }
     entries

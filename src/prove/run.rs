@@ -8,7 +8,7 @@ use crate::linearization::closed_form::{Form, variations_in};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::Degree;
 use crate::specimen::Family;
-use crate::subject::{CONTACT, Subject, contracted};
+use crate::subject::{CONTACT, Subject, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -55,7 +55,7 @@ impl Proof {
 }
 
 /// A table over the components (the scalars once more for the matrices) and layers.
-type Counts = [[u64; 4]; COMPONENTS];
+type Counts = [[u64; Layer::ALL.len()]; COMPONENTS];
 
 /// Proves the closed form for every pair of the families, with so many draws each.
 pub fn prove(subject: &Subject, seed: u64, families: &[Family], draws: u64) -> Proof {
@@ -82,10 +82,12 @@ pub fn prove(subject: &Subject, seed: u64, families: &[Family], draws: u64) -> P
     proof
 }
 
-type PairResult = (Counts, Counts, [[f64; 4]; COMPONENTS], Option<Draw>);
+type Degrees = [[f64; Layer::ALL.len()]; COMPONENTS];
+
+type PairResult = (Counts, Counts, Degrees, Option<Draw>);
 
 fn prove_pair(subject: &Subject, seed: u64, families: [Family; 2], draws: u64) -> PairResult {
-    let (mut equal, mut refuted) = ([[0; 4]; COMPONENTS], [[0; 4]; COMPONENTS]);
+    let (mut equal, mut refuted): (Counts, Counts) = Default::default();
     let mut first = None;
     for number in 0..draws {
         let draw = Draw::new(subject, seed, families, number);
@@ -101,21 +103,23 @@ fn prove_pair(subject: &Subject, seed: u64, families: [Family; 2], draws: u64) -
 }
 
 /// Bounds on the degrees of the differences, with all drawn numbers as variables.
-fn degrees(families: [Family; 2]) -> [[f64; 4]; COMPONENTS] {
+fn degrees(families: [Family; 2]) -> Degrees {
     let mut rng = ChaCha8Rng::seed_from_u64(0);
     let beams = families.map(|family| family.model(&mut rng).degrees());
     let at = (Degree::VARIABLE, Degree::VARIABLE);
-    let mut degrees = [[0.0_f64; 4]; COMPONENTS];
+    let mut degrees = Degrees::default();
     let active = Active::default();
     let apart =
         Form { active, distance: Distance::Normal { reversed: false }, system: Elimination::CrossProducts };
     for form in [Form::paper(active), apart] {
         let [beam, bar] = [&*beams[0], &*beams[1]];
         let (frozen, frozen_bar) = (beam.frozen(at.0), bar.frozen(at.1));
+        let padded = [beam.padded(at.0), bar.padded(at.1)];
         let sides = Sides {
             closed: variations_in(form, &frozen, &frozen_bar, at, &CONTACT).components(),
             ad: differentiated([beam, bar], at, active, &CONTACT),
-            matrices: Some(contracted(&[beam.padded(at.0), bar.padded(at.1)], at, form, &CONTACT)),
+            matrices: Some(contracted(&padded, at, form, &CONTACT)),
+            kernel: every_layout(&padded, at, form, &CONTACT),
         };
         for Entry { component, layer, closed, ad, .. } in entries(&sides) {
             let degree = &mut degrees[component][layer as usize];

@@ -99,7 +99,7 @@ impl<C: Curve<N>, const N: usize> Drawn<C, N> {
 
     fn filled_up<const D: usize>(&self, xi: Bounded) -> PaddedBeam<Bounded, D> {
         let [q, dq, linear_dq] = self.lift();
-        (Padded::fill(&self.curve.jet(&q, xi)), [dq, linear_dq].map(|v| Padded::fill_vector(&v)))
+        (Padded::fill(&self.curve.jet(&q, xi)), [q, dq, linear_dq].map(|v| Padded::fill_vector(&v)))
     }
 
     fn hyper_dual<S: Extends<HyperDual64>>(&self, xi: S) -> Vector3<S> {

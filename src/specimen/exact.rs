@@ -68,7 +68,7 @@ impl<C: Curve<N> + Send + Sync, T: Real + Send + Sync, const N: usize> ExactBeam
     }
 
     fn padded(&self, xi: T) -> PaddedBeam<T> {
-        let directions = [&self.dq, &self.linear_dq].map(Padded::<T, DOFS>::fill_vector);
-        (Padded::fill(&self.curve.jet(&self.q, xi)), directions)
+        let vectors = [&self.q, &self.dq, &self.linear_dq].map(Padded::<T, DOFS>::fill_vector);
+        (Padded::fill(&self.curve.jet(&self.q, xi)), vectors)
     }
 }

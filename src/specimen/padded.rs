@@ -10,8 +10,8 @@ pub(crate) const DOFS: usize = 18;
 /// The number of dofs that most families can be filled up to.
 pub(crate) const FEW_DOFS: usize = 12;
 
-/// A jet and the two directions, filled up.
-pub(crate) type PaddedBeam<T, const D: usize = DOFS> = (Jet<T, Padded<T, D>>, [SVector<T, D>; 2]);
+/// A jet, the dofs and the two directions, filled up.
+pub(crate) type PaddedBeam<T, const D: usize = DOFS> = (Jet<T, Padded<T, D>>, [SVector<T, D>; 3]);
 
 type Square<T, const D: usize> = SMatrix<T, D, D>;
 
@@ -19,7 +19,7 @@ type Square<T, const D: usize> = SMatrix<T, D, D>;
 #[derive(Clone, Debug)]
 pub(crate) enum Padded<T, const D: usize = DOFS> {
     /// The shape functions of a curve linear in its dofs, D / 3 of each order.
-    Linear([SVector<T, D>; 3]),
+    Linear([SVector<T, D>; 4]),
     /// The Jacobians of another, and the second derivatives of the three components of x and of x,xi.
     Nonlinear(Vec<SMatrix<T, 3, D>>, Vec<Square<T, D>>),
 }
@@ -35,11 +35,19 @@ impl<T: Real, const D: usize> Padded<T, D> {
             let shapes = dofs.shapes(k)?;
             Some(SVector::from_fn(|i, _| shapes.get(i).copied().unwrap_or(T::zero())))
         };
-        let padded = match [shapes(0), shapes(1), shapes(2)] {
-            [Some(x), Some(t), Some(t_xi)] => Self::Linear([x, t, t_xi]),
+        let padded = match [shapes(0), shapes(1), shapes(2), shapes(3)] {
+            [Some(x), Some(t), Some(t_xi), Some(t_xixi)] => Self::Linear([x, t, t_xi, t_xixi]),
             _ => Self::nonlinear(dofs),
         };
         Jet { geometry: jet.geometry, dofs: padded }
+    }
+
+    /// The shape functions by order, if the curve has them.
+    pub(crate) fn all_shapes(&self) -> Option<[&[T]; 4]> {
+        match self {
+            Self::Linear(shapes) => Some(shapes.each_ref().map(|shapes| &shapes.as_slice()[..D / 3])),
+            Self::Nonlinear(..) => None,
+        }
     }
 
     fn nonlinear<U: DofDerivatives<T, N>, const N: usize>(dofs: &U) -> Self {
@@ -55,7 +63,7 @@ impl<T: Real, const D: usize> Padded<T, D> {
         Self::Nonlinear(jacobians, second)
     }
 
-    /// Fills a direction up.
+    /// Fills dofs or a direction up.
     ///
     /// # Panics
     /// If there is no room for it.
@@ -68,7 +76,7 @@ impl<T: Real, const D: usize> Padded<T, D> {
 
 /// The same over another scalar.
 pub(crate) fn map_padded<T: Real, U: Real, const D: usize>(
-    (jet, directions): &PaddedBeam<T, D>,
+    (jet, vectors): &PaddedBeam<T, D>,
     number: impl Fn(T) -> U + Copy,
 ) -> PaddedBeam<U, D> {
     let dofs = match &jet.dofs {
@@ -80,7 +88,7 @@ pub(crate) fn map_padded<T: Real, U: Real, const D: usize>(
     };
     let Geometry { x, t, t_xi, t_xixi } = jet.geometry;
     let [x, t, t_xi, t_xixi] = [x, t, t_xi, t_xixi].map(|v| v.map(number));
-    (Jet { geometry: Geometry { x, t, t_xi, t_xixi }, dofs }, directions.map(|v| v.map(number)))
+    (Jet { geometry: Geometry { x, t, t_xi, t_xixi }, dofs }, vectors.map(|v| v.map(number)))
 }
 
 impl<T: Real, const D: usize> DofDerivatives<T, D> for Padded<T, D> {

@@ -41,6 +41,8 @@ use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::Linearization;
 use crate::linearization::fastest::return_with_vectors;
 use crate::number::Real;
+#[cfg(feature = "check")]
+use crate::pair::Contact;
 use crate::pair::{DofVector, Pair};
 use arithmetic::{Arithmetic, ByOne};
 #[cfg(target_arch = "x86_64")]
@@ -146,6 +148,21 @@ where
 {
     let origin = (pair.contact.xi_0, pair.contact.xi_bar_0);
     write_over(pair, q, at, form, &mut WithSlips { targets: to, slips, origin })
+}
+
+/// [`write_all_with_slips_over`] of curves that are known by their shape functions at the closest point.
+#[cfg(feature = "check")]
+pub(crate) fn write_all_by_shapes_over<T: Real, W: Target<T, N, M>, const N: usize, const M: usize>(
+    [of_beam, of_bar]: [Shapes<'_, T>; 2],
+    q: &DofVector<T, N, M>,
+    at: (T, T),
+    form: Form,
+    contact: &Contact,
+    [d, t, t_bar, xi, xi_bar, g_t, g_t_bar]: &mut [W; 7],
+) {
+    let targets = &mut Targets { d, xi, xi_bar, t, t_bar };
+    let origin = (contact.xi_0, contact.xi_bar_0);
+    by_one((of_beam, of_bar), q, at, form, &mut WithSlips { targets, slips: [g_t, g_t_bar], origin });
 }
 
 /// What is asked for, by the form that loses the fewest digits.

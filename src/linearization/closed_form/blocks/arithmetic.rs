@@ -232,7 +232,8 @@ impl<T: Real> Arithmetic<T> for ByOne {
         spread
     }
 
-    #[inline(always)]
+    // Not in each place anew: it is the most of what is compiled.
+    #[inline(never)]
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,
         to: &mut [T],

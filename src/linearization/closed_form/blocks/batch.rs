@@ -112,6 +112,8 @@ fn share<E: Sync, W: Send>(
     threads: NonZeroUsize,
     write: impl Fn(&[E], &mut W) + Sync,
 ) -> usize {
+    // One call, so that the kernel in lanes is compiled once.
+    let write: &(dyn Fn(&[E], &mut W) + Sync) = &write;
     let count = of.len().min(4 * to.len());
     let of = &of[..count];
     let write_some = |of: &[E], to: &mut [W]| {

@@ -1,0 +1,309 @@
+//! The kernel in its layouts, contracted with two directions, of beams whose dofs are filled up.
+
+use super::SCALARS;
+use crate::closest_point::ClosestPoint;
+use crate::curve::{Curve, Jet, Shapes};
+use crate::linearization::Expansion;
+use crate::linearization::closed_form::Form;
+use crate::linearization::closed_form::blocks::{
+    Encounter, Full, Gradient, Packed, Target, Targets, write_all_batch, write_all_by_shapes_over,
+    write_all_with_slips,
+};
+use crate::number::{Lanes, Real};
+use crate::pair::{Contact, DofVector, Pair};
+use crate::specimen::{DOFS, Padded, PaddedBeam};
+use nalgebra::{SVector, Vector3};
+use std::num::NonZeroUsize;
+
+/// The dofs of both beams.
+const BOTH: usize = 2 * DOFS;
+/// The entries of a triangle of the Hessian.
+const HALF: usize = BOTH * (BOTH + 1) / 2;
+
+/// Value, gradient along both directions, and Hessian along both, of each scalar; nothing for what there is not.
+pub(crate) type Contracted<T> = [[Option<T>; 4]; SCALARS];
+
+/// What the layouts hold, by their names.
+pub(crate) type Layouts<T> = Vec<(&'static str, Contracted<T>)>;
+
+/// One number after the other, in the form given and in memory of this kind; nothing if a curve has no shape functions.
+pub(crate) fn contracted_kernel<T: Real>(
+    beams: &[PaddedBeam<T>; 2],
+    at: (T, T),
+    form: Form,
+    contact: &Contact,
+    memory: fn() -> Second<T>,
+) -> Option<Contracted<T>> {
+    let [of_beam, of_bar] = beams.each_ref().map(|(jet, _)| jet.dofs.all_shapes());
+    let [q, directions @ ..] = vectors(beams);
+    let mut all: [_; SCALARS] = std::array::from_fn(|_| memory());
+    write_all_by_shapes_over([of_beam?, of_bar?], &q, at, form, contact, &mut all);
+    Some(read(&all, &directions))
+}
+
+/// In every layout, one number after the other and in the form given; empty if a curve has no shape functions.
+pub(crate) fn every_layout<T: Real>(
+    beams: &[PaddedBeam<T>; 2],
+    at: (T, T),
+    form: Form,
+    contact: &Contact,
+) -> Layouts<T> {
+    let of = |(name, memory)| Some((name, contracted_kernel(beams, at, form, contact, memory)?));
+    NAMES.into_iter().zip(Second::ALL).filter_map(of).collect()
+}
+
+/// The names of [`Second::ALL`].
+const NAMES: [&str; 3] = ["kernel, blocks", "kernel, full", "kernel, packed"];
+
+/// In every layout, by the public functions and with the vector units of the machine.
+///
+/// Empty if a curve has no shape functions.
+pub(crate) fn fast_kernel(
+    beams: &[PaddedBeam<f64>; 2],
+    point: &ClosestPoint,
+    contact: Contact,
+) -> Layouts<f64> {
+    let [Some(curve), Some(curve_bar)] = beams.each_ref().map(|(jet, _)| Tabulated::new(jet)) else {
+        return Vec::new();
+    };
+    let pair = Pair { curve, curve_bar, contact };
+    let vectors = vectors(beams);
+    let one = One { pair: &pair, point, vectors: &vectors };
+    let four = Four::new(&pair, point, &vectors);
+    let [blocks, full, packed] = Second::ALL;
+    let [blocks_of_four, full_of_four, packed_of_four] = Second::ALL;
+    vec![
+        (NAMES[0], one.all(blocks)),
+        (NAMES[1], one.all(full)),
+        (NAMES[2], one.all(packed)),
+        ("kernel, gradient", one.all(Gradient::<f64, BOTH>::zeros)),
+        ("kernel in lanes, blocks", four.all(blocks_of_four)),
+        ("kernel in lanes, full", four.all(full_of_four)),
+        ("kernel in lanes, packed", four.all(packed_of_four)),
+    ]
+}
+
+fn read<T: Real, W: Memory<T>>(
+    all: &[W; SCALARS],
+    directions: &[DofVector<T, DOFS, DOFS>; 2],
+) -> Contracted<T> {
+    all.each_ref().map(|memory| memory.contracted(directions))
+}
+
+/// Dofs and directions of both beams.
+fn vectors<T: Real>([(_, of_beam), (_, of_bar)]: &[PaddedBeam<T>; 2]) -> [DofVector<T, DOFS, DOFS>; 3] {
+    [0, 1, 2].map(|i| DofVector { beam: of_beam[i], bar: of_bar[i] })
+}
+
+/// A curve that is known at one parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Tabulated(Shapes<f64, { DOFS / 3 }>);
+
+impl Tabulated {
+    fn new(jet: &Jet<f64, Padded<f64>>) -> Option<Self> {
+        let derivatives = jet.dofs.all_shapes()?.map(|shapes| std::array::from_fn(|i| shapes[i]));
+        Some(Self(Shapes { derivatives }))
+    }
+}
+
+impl Curve<DOFS> for Tabulated {
+    type Dofs<T: Real> = Shapes<T, { DOFS / 3 }>;
+
+    fn position<T: Real>(&self, q: &SVector<T, DOFS>, xi: T) -> Vector3<T> {
+        self.jet(q, xi).geometry.x
+    }
+
+    fn jet<T: Real>(&self, q: &SVector<T, DOFS>, _: T) -> Jet<T, Self::Dofs<T>> {
+        Shapes::jet(self.0.derivatives.map(|n| n.map(T::from)), q)
+    }
+
+    fn third_derivative_bound(&self, _: &SVector<f64, DOFS>) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// One pair.
+struct One<'a> {
+    pair: &'a Pair<Tabulated, Tabulated, DOFS, DOFS>,
+    point: &'a ClosestPoint,
+    vectors: &'a [DofVector<f64, DOFS, DOFS>; 3],
+}
+
+impl One<'_> {
+    fn all<W: Memory<f64>>(&self, memory: fn() -> W) -> Contracted<f64> {
+        let [q, directions @ ..] = self.vectors;
+        let mut all: [W; SCALARS] = std::array::from_fn(|_| memory());
+        let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = &mut all;
+        let to = &mut Targets { d, xi, xi_bar, t, t_bar };
+        write_all_with_slips(self.pair, q, self.point, to, [g_t, g_t_bar]);
+        read(&all, directions)
+    }
+}
+
+/// The units of length of the four pairs in the lanes: powers of two, so that all that follows is exact.
+const UNITS: [f64; 4] = [1.0, 2.0, 0.5, 4.0];
+
+/// Four pairs that differ by the unit of length.
+struct Four<'a> {
+    pair: &'a Pair<Tabulated, Tabulated, DOFS, DOFS>,
+    point: &'a ClosestPoint,
+    q: [DofVector<f64, DOFS, DOFS>; 4],
+    directions: [DofVector<Lanes, DOFS, DOFS>; 2],
+}
+
+impl<'a> Four<'a> {
+    fn new(
+        pair: &'a Pair<Tabulated, Tabulated, DOFS, DOFS>,
+        point: &'a ClosestPoint,
+        [q, dq, linear_dq]: &[DofVector<f64, DOFS, DOFS>; 3],
+    ) -> Self {
+        let in_lanes = |v: &DofVector<f64, DOFS, DOFS>| {
+            let lanes = |x: f64| Lanes(UNITS.map(|unit| x * unit));
+            DofVector { beam: v.beam.map(lanes), bar: v.bar.map(lanes) }
+        };
+        let q = UNITS.map(|unit| q.times(unit));
+        Self { pair, point, q, directions: [in_lanes(dq), in_lanes(linear_dq)] }
+    }
+
+    fn all(&self, memory: fn() -> Second<Lanes>) -> Contracted<f64> {
+        let encounters = self.q.each_ref().map(|q| Encounter { pair: self.pair, q, point: self.point });
+        let mut to = [std::array::from_fn(|_| memory())];
+        write_all_batch(&encounters, &mut to, NonZeroUsize::MIN);
+        let [[d, xi, xi_bar, t, t_bar]] = to.map(|of| of.map(|memory| memory.contracted(&self.directions)));
+        let none = [None; 4];
+        [length(d, 0), length(t, 1), length(t_bar, 2), number(xi, 3), number(xi_bar, 0), none, none]
+    }
+}
+
+/// A number without unit, in one lane: it and its variations are those of every lane.
+fn number(numbers: [Option<Lanes>; 4], lane: usize) -> [Option<f64>; 4] {
+    numbers.map(|numbers| numbers.map(|numbers| numbers.0[lane]))
+}
+
+/// A length, in one lane.
+fn length(numbers: [Option<Lanes>; 4], lane: usize) -> [Option<f64>; 4] {
+    numbers.map(|numbers| numbers.map(|numbers| numbers.0[lane] / UNITS[lane]))
+}
+
+/// Memory of the kernel that can be read.
+pub(crate) trait Memory<T: Real>: Target<T, DOFS, DOFS> {
+    fn contracted(&self, directions: &[DofVector<T, DOFS, DOFS>; 2]) -> [Option<T>; 4];
+}
+
+/// Memory in any layout that holds a Hessian: one instance of the kernel, a large function, writes them all.
+pub(crate) enum Second<T> {
+    Blocks(Box<Expansion<T, DOFS, DOFS>>),
+    Full(Box<Full<T, BOTH>>),
+    Packed(Box<Packed<T, BOTH, HALF>>),
+}
+
+impl<T: Real> Second<T> {
+    /// In all layouts.
+    pub(crate) const ALL: [fn() -> Self; 3] = [
+        || Self::Blocks(Box::new(Expansion::zero())),
+        || Self::Full(Box::new(Full::zeros())),
+        || Self::Packed(Box::new(Packed::zeros())),
+    ];
+
+    fn memory(&mut self) -> &mut dyn Rows<T> {
+        match self {
+            Self::Blocks(of) => &mut **of,
+            Self::Full(of) => &mut **of,
+            Self::Packed(of) => &mut **of,
+        }
+    }
+}
+
+/// A layout, as [`Target`] has it, without its size.
+trait Rows<T> {
+    fn value(&mut self) -> &mut T;
+    fn gradient(&mut self) -> (&mut [T], &mut [T]);
+    fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
+    fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
+}
+
+impl<T, W: Target<T, DOFS, DOFS>> Rows<T> for W {
+    fn value(&mut self) -> &mut T {
+        Target::value(self)
+    }
+
+    fn gradient(&mut self) -> (&mut [T], &mut [T]) {
+        Target::gradient(self)
+    }
+
+    fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        Target::row(self, a, i)
+    }
+
+    fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        Target::row_bar(self, a, i)
+    }
+}
+
+impl<T: Real> Target<T, DOFS, DOFS> for Second<T> {
+    const SECOND: bool = true;
+
+    #[inline(never)]
+    fn value(&mut self) -> &mut T {
+        self.memory().value()
+    }
+
+    #[inline(never)]
+    fn gradient(&mut self) -> (&mut [T], &mut [T]) {
+        self.memory().gradient()
+    }
+
+    #[inline(never)]
+    fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        self.memory().row(a, i)
+    }
+
+    #[inline(never)]
+    fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
+        self.memory().row_bar(a, i)
+    }
+}
+
+impl<T: Real> Memory<T> for Second<T> {
+    fn contracted(&self, directions: &[DofVector<T, DOFS, DOFS>; 2]) -> [Option<T>; 4] {
+        match self {
+            Self::Blocks(of) => {
+                let hessian = |i, j| of.hessian.entry(i, j);
+                along(of.value, &|i| of.gradient.entry(i), Some(&hessian), directions)
+            }
+            Self::Full(of) => {
+                let hessian = |i: usize, j: usize| of.hessian[i][j];
+                along(of.value, &|i| of.gradient[i], Some(&hessian), directions)
+            }
+            Self::Packed(of) => {
+                let hessian = |i, j| of.entry(i, j);
+                along(of.value, &|i| of.gradient[i], Some(&hessian), directions)
+            }
+        }
+    }
+}
+
+impl<T: Real> Memory<T> for Gradient<T, BOTH> {
+    fn contracted(&self, directions: &[DofVector<T, DOFS, DOFS>; 2]) -> [Option<T>; 4] {
+        along(self.value, &|i| self.gradient[i], None, directions)
+    }
+}
+
+/// Along the directions; in every layout by the same sums, so that one bound on their rounding holds for all.
+fn along<T: Real>(
+    value: T,
+    gradient: &dyn Fn(usize) -> T,
+    hessian: Option<&dyn Fn(usize, usize) -> T>,
+    [dq, linear_dq]: &[DofVector<T, DOFS, DOFS>; 2],
+) -> [Option<T>; 4] {
+    let sum = |of: &dyn Fn(usize) -> T| (0..BOTH).fold(T::zero(), |sum, i| sum + of(i));
+    let second = |hessian: &dyn Fn(usize, usize) -> T| {
+        sum(&|i| dq.entry(i) * sum(&|j| hessian(i, j) * linear_dq.entry(j)))
+    };
+    [
+        Some(value),
+        Some(sum(&|i| gradient(i) * dq.entry(i))),
+        Some(sum(&|i| gradient(i) * linear_dq.entry(i))),
+        hessian.map(second),
+    ]
+}
