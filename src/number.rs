@@ -27,7 +27,10 @@ pub use double_double::DoubleDouble;
 pub use dual::{Differentiable, Dual};
 pub use extension::Extends;
 #[cfg(feature = "check")]
-pub(crate) use faulty::{Bits, Faulty, TermChange, terms as recorded_terms, with_terms};
+pub(crate) use faulty::{
+    Bits, Change, Faulty, TermChange, counted, locate, operations, terms as recorded_terms, with_operation,
+    with_terms,
+};
 pub use hyper_dual::HyperDual;
 pub use hyper_dual_row::HyperDualRow;
 pub use lanes::Lanes;

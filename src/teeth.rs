@@ -9,10 +9,12 @@ mod check;
 mod differences;
 mod exact;
 mod limit;
+mod operations;
 mod panel;
 mod run;
 
 pub use check::Check;
 pub use differences::Rule;
 pub use limit::{Limit, limits};
+pub use operations::{Operations, Unseen, all_operations};
 pub use run::{Bite, Teeth, teeth};

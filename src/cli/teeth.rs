@@ -7,7 +7,7 @@ use super::table::Table;
 use beamgap::check::Regime;
 use beamgap::report::{self, Environment, Record, Teeth};
 use beamgap::subject::catalogue;
-use beamgap::teeth::{limits, teeth};
+use beamgap::teeth::{all_operations, limits, teeth};
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -83,18 +83,58 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Teeth {
     let asked = |regime: &Regime| named.is_empty() || named.contains(regime);
     let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
     let found = teeth(seed, &regimes);
-    Teeth::new(&found, &limits(seed, &regimes), seed, Environment::here(command))
+    // Single operations know no regime.
+    let operations = if named.is_empty() { all_operations(seed) } else { Vec::new() };
+    Teeth::new(&found, &limits(seed, &regimes), &operations, seed, Environment::here(command))
 }
 
 fn verdict(record: &Teeth) -> String {
     let faults: usize = record.kinds.iter().map(|(_, count)| count).sum();
     if record.holds {
         let rewrites = record.rewrites.len();
-        return format!(
-            "TEETH: the gate shows all of {faults} faults, and accuses none of {rewrites} rewrites."
-        );
+        let of_terms =
+            format!("TEETH: the gate shows all of {faults} faults, and accuses none of {rewrites} rewrites.");
+        let count: usize = record.operations.iter().map(|row| row.faults).sum();
+        return if count == 0 {
+            of_terms
+        } else {
+            format!(
+                "{of_terms}\nOf {count} faults of single operations all are shown, but for those with a reason."
+            )
+        };
     }
-    "NO TEETH: the gate misses a fault, or accuses what is right.".into()
+    "NO TEETH: the gate misses a fault, or accuses what is right, or an operation is not covered.".into()
+}
+
+/// What became of the operations of each code.
+fn operations(record: &Teeth) -> String {
+    if record.operations.is_empty() {
+        return String::new();
+    }
+    let mut table = Table::new(&["place", "operations", "faults", "shown", "not"]);
+    let mut code = "";
+    for row in &record.operations {
+        if row.code != code {
+            code = &row.code;
+            table.row(vec![code.to_owned(), String::new(), String::new(), String::new(), String::new()]);
+        }
+        let counts = [row.operations, row.faults, row.shown, row.faults - row.shown].map(|n| n.to_string());
+        table.row([format!("  {}", row.place)].into_iter().chain(counts).collect());
+    }
+    let mut text = format!(
+        "\nSingle operations: each made wrong by its sign, lost, doubled, one too large, and\n\
+         with the result that it has in a run with other operands; over the prime field\n\n{table}"
+    );
+    for row in &record.operations {
+        for unseen in row.unseen.iter().filter(|unseen| unseen.reason.is_none()) {
+            let _ = write!(
+                text,
+                "\n  not covered: {} in {}, {}: {}",
+                row.code, row.place, unseen.wrong, unseen.at
+            );
+        }
+    }
+    text
 }
 
 fn human(record: &Teeth) -> String {
@@ -123,6 +163,7 @@ fn human(record: &Teeth) -> String {
          closed form is accused as it is; alarms: correct rewrites accused\n\n{table}",
         record.seed
     );
+    text.push_str(&operations(record));
     for row in record.rows.iter().filter(|row| row.check == "exact" || row.check == "gate") {
         for fault in row.survivors.iter().chain(&row.false_alarms) {
             let _ = write!(text, "\n  {} in {}: {fault}", row.check, row.regime);

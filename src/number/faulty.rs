@@ -5,6 +5,7 @@
 //! with other operands: with the directions or the beams exchanged, say.
 
 use super::{Label, Real, Residue, field_from_operators};
+use std::backtrace::Backtrace;
 use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::rc::Rc;
@@ -51,7 +52,6 @@ impl Bits for Residue {
 
 /// What becomes of the result of an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(not(test), expect(dead_code, reason = "for faults of single operations"))]
 pub(crate) enum Change {
     /// It is multiplied.
     Times(f64),
@@ -59,6 +59,17 @@ pub(crate) enum Change {
     PlusOne,
     /// It is another result, in its bits.
     Instead(u64),
+}
+
+impl Change {
+    /// What a result becomes.
+    pub(crate) fn of<T: Bits>(self, result: T) -> T {
+        match self {
+            Self::Times(factor) => result * T::from(factor),
+            Self::PlusOne => result + T::one(),
+            Self::Instead(bits) => T::from_bits(bits),
+        }
+    }
 }
 
 /// What becomes of the terms of one name.
@@ -80,6 +91,8 @@ enum Mode {
     RecordOperations,
     /// The values of terms are recorded.
     RecordTerms,
+    /// The callers of the operation that is wrong are recorded.
+    Locate,
 }
 
 thread_local! {
@@ -89,6 +102,7 @@ thread_local! {
     static MODE: Cell<Mode> = const { Cell::new(Mode::Count) };
     static CHANGE: Cell<Change> = const { Cell::new(Change::PlusOne) };
     static RECORD: RefCell<Vec<u64>> = const { RefCell::new(Vec::new()) };
+    static TRACE: RefCell<String> = const { RefCell::new(String::new()) };
     static LABELS: RefCell<Vec<Label>> = const { RefCell::new(Vec::new()) };
     /// The terms so far.
     static TERMS: Cell<usize> = const { Cell::new(0) };
@@ -115,7 +129,6 @@ impl Drop for Run {
 }
 
 /// How many operations a run has, with its result.
-#[cfg_attr(not(test), expect(dead_code, reason = "for faults of single operations"))]
 pub(crate) fn counted<R>(run: impl FnOnce() -> R) -> (R, usize) {
     let _run = Run::start();
     let result = run();
@@ -123,7 +136,6 @@ pub(crate) fn counted<R>(run: impl FnOnce() -> R) -> (R, usize) {
 }
 
 /// The results of all operations of a run.
-#[cfg_attr(not(test), expect(dead_code, reason = "for faults of single operations"))]
 pub(crate) fn operations<R>(run: impl FnOnce() -> R) -> Vec<u64> {
     recorded(Mode::RecordOperations, run).1
 }
@@ -142,7 +154,6 @@ fn recorded<R>(mode: Mode, run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
 }
 
 /// A run with one operation wrong.
-#[cfg_attr(not(test), expect(dead_code, reason = "for faults of single operations"))]
 pub(crate) fn with_operation<R>(wrong: usize, change: Change, run: impl FnOnce() -> R) -> R {
     let _run = Run::start();
     WRONG.set(wrong);
@@ -155,6 +166,22 @@ pub(crate) fn with_terms<R>(changes: Vec<(Label, TermChange)>, run: impl FnOnce(
     let _run = Run::start();
     CHANGES.set(changes);
     run()
+}
+
+/// The lines of this library's source that an operation belongs to, from the innermost on, as far as the build knows them.
+pub(crate) fn locate<R>(operation: usize, run: impl FnOnce() -> R) -> Vec<String> {
+    let _run = Run::start();
+    WRONG.set(operation);
+    CHANGE.set(Change::PlusOne);
+    MODE.set(Mode::Locate);
+    drop(run());
+    let trace = TRACE.take();
+    let lines = trace.lines().filter_map(|line| line.trim().strip_prefix("at ")?.strip_prefix("./src/"));
+    let outside = |line: &&str| !line.starts_with("number/") && !line.starts_with("teeth/");
+    lines
+        .filter(outside)
+        .map(|line| line.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(':').to_owned())
+        .collect()
 }
 
 /// The result of an operation, right or wrong.
@@ -174,11 +201,10 @@ fn done<T: Bits>(result: T) -> Faulty<T> {
 #[cold]
 #[inline(never)]
 fn wrong<T: Bits>(result: T) -> T {
-    match CHANGE.get() {
-        Change::Times(factor) => result * T::from(factor),
-        Change::PlusOne => result + T::one(),
-        Change::Instead(bits) => T::from_bits(bits),
+    if MODE.get() == Mode::Locate {
+        TRACE.set(Backtrace::force_capture().to_string());
     }
+    CHANGE.get().of(result)
 }
 
 #[cold]

@@ -130,8 +130,9 @@ impl Real for Residue {
     /// A root of a square, one of two, always the same; of what is no square the result means nothing
     /// ([`Residue::is_square`]).
     fn sqrt(self) -> Self {
-        // p = 3 mod 4: (v^((p + 1)/4))² = v v^((p - 1)/2) = v
-        self.power((Self::PRIME + 1) >> 2)
+        // p = 3 mod 4: (v^((p + 1)/4))² = v v^((p - 1)/2) = v, or -v if v has no root: then some other number.
+        let root = self.power((Self::PRIME + 1) >> 2);
+        if root * root == self { root } else { self }
     }
 
     /// A point of the unit circle. All that differentiation asks of sine and cosine is s' = c and c' = -s, which the

@@ -1,17 +1,17 @@
-//! The record of planted faults, `beamgap-teeth/1`.
+//! The record of planted faults, `beamgap-teeth/2`.
 
 use super::number::{finite, rounded};
 use super::{Environment, Record};
 use crate::check::Regime;
 use crate::subject::{Kind, Rewrite};
-use crate::teeth::{self, Bite, Check, Limit};
+use crate::teeth::{self, Bite, Check, Limit, Operations, Unseen};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What the checks made of planted faults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Teeth {
-    /// `beamgap-teeth/1`.
+    /// `beamgap-teeth/2`.
     pub schema: String,
     /// Where and with what it ran.
     pub environment: Environment,
@@ -27,6 +27,8 @@ pub struct Teeth {
     pub checks: Vec<(String, String)>,
     /// What each does in each regime.
     pub rows: Vec<BiteRow>,
+    /// What became of single operations, by code and place.
+    pub operations: Vec<OperationsRow>,
     /// The regimes of `limits`.
     pub regimes: Vec<String>,
     /// The detection limits of each term, in the order of `regimes`; null where nothing moves.
@@ -58,8 +60,63 @@ pub struct BiteRow {
     pub survivors: Vec<String>,
 }
 
+/// What became of the operations of one code in one place, each made wrong in several ways.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct OperationsRow {
+    /// The code.
+    pub code: String,
+    /// The form, and which ends hold a parameter.
+    pub place: String,
+    /// Operations.
+    pub operations: usize,
+    /// Faults that change the result of one.
+    pub faults: usize,
+    /// Faults that change a number that comes out.
+    pub shown: usize,
+    /// What is not shown, gathered by the line of the source.
+    pub unseen: Vec<UnseenRow>,
+}
+
+/// Operations that no number depends on.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct UnseenRow {
+    /// The line of the source, and the line that calls it; empty if the build does not know lines.
+    pub at: String,
+    /// What was wrong.
+    pub wrong: String,
+    /// Why that is right, if it is known.
+    pub reason: Option<String>,
+    /// How many operations.
+    pub operations: usize,
+}
+
+impl OperationsRow {
+    fn new(of: &Operations) -> Self {
+        let mut counts: BTreeMap<_, usize> = BTreeMap::new();
+        for Unseen { wrong, at, reason, .. } in &of.unseen {
+            let at = at.iter().take(2).map(String::as_str).collect::<Vec<_>>().join(" from ");
+            *counts.entry((at, *wrong, *reason)).or_default() += 1;
+        }
+        let row = |((at, wrong, reason), operations): ((String, &str, Option<&str>), usize)| UnseenRow {
+            at,
+            wrong: wrong.to_owned(),
+            reason: reason.map(ToOwned::to_owned),
+            operations,
+        };
+        let Operations { code, place, operations, faults, shown, .. } = of.clone();
+        Self {
+            code,
+            place: place.to_owned(),
+            operations,
+            faults,
+            shown,
+            unseen: counts.into_iter().map(row).collect(),
+        }
+    }
+}
+
 impl Record for Teeth {
-    const SCHEMA: &'static str = "beamgap-teeth/1";
+    const SCHEMA: &'static str = "beamgap-teeth/2";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -68,7 +125,13 @@ impl Record for Teeth {
 
 impl Teeth {
     /// The record of a run.
-    pub fn new(found: &teeth::Teeth, limits: &[Limit], seed: u64, environment: Environment) -> Self {
+    pub fn new(
+        found: &teeth::Teeth,
+        limits: &[Limit],
+        operations: &[Operations],
+        seed: u64,
+        environment: Environment,
+    ) -> Self {
         let count = |kind: Kind| found.faults.iter().filter(|fault| fault.kind == kind).count();
         let mut regimes: Vec<&str> = Vec::new();
         let mut terms: BTreeMap<String, Vec<Option<f64>>> = BTreeMap::new();
@@ -82,11 +145,12 @@ impl Teeth {
             schema: Self::SCHEMA.to_owned(),
             environment,
             seed,
-            holds: found.holds(),
+            holds: found.holds() && operations.iter().all(Operations::is_whole),
             kinds: Kind::ALL.map(|kind| (kind.name().to_owned(), count(kind))).to_vec(),
             rewrites: Rewrite::ALL.map(|rewrite| rewrite.name().to_owned()).to_vec(),
             checks: Check::ALL.map(|check| (check.name().to_owned(), check.what().to_owned())).to_vec(),
             rows: found.bites.iter().map(|bite| BiteRow::new(bite, is_best(bite, &found.bites))).collect(),
+            operations: operations.iter().map(OperationsRow::new).collect(),
             regimes: regimes.into_iter().map(ToOwned::to_owned).collect(),
             limits: terms.into_iter().collect(),
         }

@@ -1,8 +1,8 @@
 //! What the checks made of planted faults, as Markdown, from the record alone.
 
 use super::number::error;
-use super::teeth::Teeth;
-use std::collections::BTreeMap;
+use super::teeth::{OperationsRow, Teeth, UnseenRow};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 impl Teeth {
@@ -49,6 +49,7 @@ impl Teeth {
             );
         }
         page.push_str(&self.missed());
+        page.push_str(&self.single_operations());
         page.push_str(&self.detection_limits());
         let _ = write!(
             page,
@@ -87,6 +88,25 @@ impl Teeth {
                 row.planted,
                 listed.join(", ")
             );
+        }
+        text
+    }
+
+    /// What became of single operations.
+    fn single_operations(&self) -> String {
+        let mut text = String::from(
+            "\n## Single operations\n\nThe code itself, over a prime field, with one operation wrong: by its sign, lost, \
+             doubled, one too large, or with the result that it has in a run with the directions exchanged, the beams \
+             exchanged, the beam in place of the bar beam, or other parameters. Shown is what changes a number that comes \
+             out, as the proof compares these by `==`.\n\n\
+             | code | place | operations | faults | shown | not shown, and why |\n|---|---|---:|---:|---:|---|\n",
+        );
+        for row in &self.operations {
+            let reason = |unseen: &UnseenRow| unseen.reason.clone().unwrap_or("NOT COVERED".to_owned());
+            let reasons: BTreeSet<String> = row.unseen.iter().map(reason).collect();
+            let why = reasons.into_iter().collect::<Vec<_>>().join("; ");
+            let OperationsRow { code, place, operations, faults, shown, .. } = row;
+            let _ = writeln!(text, "| {code} | {place} | {operations} | {faults} | {shown} | {why} |");
         }
         text
     }

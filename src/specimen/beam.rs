@@ -3,10 +3,12 @@
 use super::exact::{Exact, ExactBeam};
 use super::padded::{FEW_DOFS, Padded, PaddedBeam};
 use crate::closest_point::Centroid;
-use crate::curve::{Curve, Geometry};
+use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
-use crate::number::{Bounded, BoundedBy, Degree, DoubleDouble, Dual, Extends, HyperDual, Real, Residue};
+use crate::number::{
+    Bounded, BoundedBy, Degree, DoubleDouble, Dual, Extends, Faulty, HyperDual, Real, Residue,
+};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
 use std::fmt::Debug;
@@ -56,6 +58,10 @@ pub(crate) trait AnyBeam:
 
     /// A beam of the same family and parameters, with random dofs and directions over the prime field.
     fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>>;
+
+    /// The jet of such a curve with all its derivatives, as a function of the parameter, over a scalar that makes
+    /// operations wrong.
+    fn jets(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn Fn(Residue) -> Vec<u64> + Send + Sync>;
 
     /// The same with every dof and direction a variable whose degree counts.
     fn degrees(&self) -> Box<dyn ExactBeam<Degree>>;
@@ -188,6 +194,33 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
 
     fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>> {
         Box::new(self.exact(random))
+    }
+
+    fn jets(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn Fn(Residue) -> Vec<u64> + Send + Sync> {
+        let mut vector = || SVector::<_, N>::from_fn(|_, _| Faulty(random()));
+        let (curve, q, dq, linear_dq) = (self.curve.clone(), vector(), vector(), vector());
+        let w = Vector3::from_fn(|_, _| Faulty(random()));
+        Box::new(move |xi| {
+            let jet = curve.jet(&q, Faulty(xi));
+            let Frozen { geometry, delta_u, linear_u, second_u } = Frozen::new(&jet, &dq, &linear_dq);
+            let Geometry { x, t, t_xi, t_xixi } = geometry;
+            let mut all = Vec::new();
+            let mut write = |numbers: &[Faulty<Residue>]| all.extend(numbers.iter().map(|n| n.0.value()));
+            for v in [x, t, t_xi, t_xixi].iter().chain(&delta_u).chain(&linear_u).chain(&second_u) {
+                write(v.as_slice());
+            }
+            for k in 0..3 {
+                write(jet.dofs.gradient(k, &w).as_slice());
+                write(jet.dofs.jacobian(k).as_slice());
+            }
+            for k in 0..2 {
+                write(jet.dofs.hessian(k, &w).as_slice());
+            }
+            for k in 0..4 {
+                write(jet.dofs.shapes(k).unwrap_or_default());
+            }
+            all
+        })
     }
 
     fn degrees(&self) -> Box<dyn ExactBeam<Degree>> {

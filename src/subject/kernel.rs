@@ -34,11 +34,24 @@ pub(crate) fn contracted_kernel<T: Real>(
     contact: &Contact,
     memory: fn() -> Second<T>,
 ) -> Option<Contracted<T>> {
-    let [of_beam, of_bar] = beams.each_ref().map(|(jet, _)| jet.dofs.all_shapes());
-    let [q, directions @ ..] = vectors(beams);
-    let mut all: [_; SCALARS] = std::array::from_fn(|_| memory());
-    write_all_by_shapes_over([of_beam?, of_bar?], &q, at, form, contact, &mut all);
-    Some(read(&all, &directions))
+    let [_, directions @ ..] = vectors(beams);
+    Some(read(&kernel(beams, at, form, contact, memory)?, &directions))
+}
+
+/// One number after the other, in the form given and in memory of any kind; nothing if a curve has no shape functions.
+pub(crate) fn kernel<T: Real, W: Target<T, D, D>, const D: usize>(
+    beams: &[PaddedBeam<T, D>; 2],
+    at: (T, T),
+    form: Form,
+    contact: &Contact,
+    memory: fn() -> W,
+) -> Option<[W; SCALARS]> {
+    let [(jet, [q, ..]), (jet_bar, [q_bar, ..])] = beams;
+    let (shapes, q) =
+        ([jet.dofs.all_shapes()?, jet_bar.dofs.all_shapes()?], DofVector { beam: *q, bar: *q_bar });
+    let mut all = std::array::from_fn(|_| memory());
+    write_all_by_shapes_over(shapes, &q, at, form, contact, &mut all);
+    Some(all)
 }
 
 /// In every layout, one number after the other and in the form given; empty if a curve has no shape functions.
@@ -191,13 +204,15 @@ pub(crate) trait Memory<T: Real>: Target<T, DOFS, DOFS> {
 }
 
 /// Memory in any layout that holds a Hessian: one instance of the kernel, a large function, writes them all.
-pub(crate) enum Second<T> {
-    Blocks(Box<Expansion<T, DOFS, DOFS>>),
-    Full(Box<Full<T, BOTH>>),
-    Packed(Box<Packed<T, BOTH, HALF>>),
+///
+/// `S` is 2 `D`, and `H` is `S` (`S` + 1)/2.
+pub(crate) enum Second<T, const D: usize = DOFS, const S: usize = BOTH, const H: usize = HALF> {
+    Blocks(Box<Expansion<T, D, D>>),
+    Full(Box<Full<T, S>>),
+    Packed(Box<Packed<T, S, H>>),
 }
 
-impl<T: Real> Second<T> {
+impl<T: Real, const D: usize, const S: usize, const H: usize> Second<T, D, S, H> {
     /// In all layouts.
     pub(crate) const ALL: [fn() -> Self; 3] = [
         || Self::Blocks(Box::new(Expansion::zero())),
@@ -205,7 +220,7 @@ impl<T: Real> Second<T> {
         || Self::Packed(Box::new(Packed::zeros())),
     ];
 
-    fn memory(&mut self) -> &mut dyn Rows<T> {
+    fn memory(&mut self) -> &mut dyn Rows<T, D> {
         match self {
             Self::Blocks(of) => &mut **of,
             Self::Full(of) => &mut **of,
@@ -215,14 +230,14 @@ impl<T: Real> Second<T> {
 }
 
 /// A layout, as [`Target`] has it, without its size.
-trait Rows<T> {
+trait Rows<T, const D: usize> {
     fn value(&mut self) -> &mut T;
     fn gradient(&mut self) -> (&mut [T], &mut [T]);
     fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
     fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
 }
 
-impl<T, W: Target<T, DOFS, DOFS>> Rows<T> for W {
+impl<T, W: Target<T, D, D>, const D: usize> Rows<T, D> for W {
     fn value(&mut self) -> &mut T {
         Target::value(self)
     }
@@ -240,7 +255,7 @@ impl<T, W: Target<T, DOFS, DOFS>> Rows<T> for W {
     }
 }
 
-impl<T: Real> Target<T, DOFS, DOFS> for Second<T> {
+impl<T: Real, const D: usize, const S: usize, const H: usize> Target<T, D, D> for Second<T, D, S, H> {
     const SECOND: bool = true;
 
     #[inline(never)]

@@ -62,7 +62,7 @@ fn the_committed_teeth_are_what_a_run_finds_now() {
     let found = teeth(committed.seed, &regimes);
     assert!(found.holds());
     let limits = limits(committed.seed, &regimes);
-    let found = Teeth::new(&found, &limits, committed.seed, Environment::here("by hand"));
+    let found = Teeth::new(&found, &limits, &[], committed.seed, Environment::here("by hand"));
     assert_eq!(found.kinds, committed.kinds);
     let counts = |row: &BiteRow| {
         let BiteRow { points, accused, planted, killed, false_alarms, pairs, pairs_killed, .. } = row.clone();
@@ -97,6 +97,17 @@ fn committed_teeth_bite_where_others_do_not() {
         assert_eq!(whole && row.pairs_killed == row.pairs, ours, "{} {}", row.check, row.regime);
     }
     assert!(committed.rewrites.len() >= 20);
+    // Of single operations nothing is left open, and nothing at all in the equations and in the kernel as it is run most.
+    assert!(committed.operations.len() > 30);
+    for row in &committed.operations {
+        assert!(row.unseen.iter().all(|unseen| unseen.reason.is_some()), "{row:?}");
+        let is_inside = row.place.ends_with("products") || row.place.ends_with("cross");
+        if (row.code == "equations" && is_inside)
+            || (row.code == "kernel, full" && row.place == "normal, products")
+        {
+            assert_eq!((row.shown, row.unseen.len()), (row.faults, 0), "{row:?}");
+        }
+    }
     // Every term but a few is seen to a millionth of it, in every regime.
     assert_eq!(committed.regimes.len(), Regime::ALL.len());
     for (term, limits) in &committed.limits {

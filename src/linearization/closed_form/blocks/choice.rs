@@ -5,6 +5,7 @@ use super::frame::Products;
 use super::side::Point;
 use super::solution::Solution;
 use crate::closest_point::Active;
+use crate::linearization::closed_form::form::Elimination;
 use crate::linearization::closed_form::{Form, Points};
 use crate::number::{Lanes, Real};
 
@@ -91,9 +92,14 @@ impl<T: Real> Choice<T> for Given {
         self,
         f: A,
         at: (&Point<A::Vector>, &Point<A::Vector>),
-        _: &Products<T, A::Vector>,
+        products: &Products<T, A::Vector>,
     ) -> Option<(Solution<T, A::Vector>, u8)> {
-        Some((Solution::in_form(&points(f, at), self.0).into_vectors(f), 0))
+        let Self(form) = self;
+        let solution = match (form.sign(), form.system) {
+            (Some(sign), Elimination::Products) => Solution::regular(f, at, products, T::from(sign)),
+            _ => Solution::in_form(&points(f, at), form).into_vectors(f),
+        };
+        Some((solution, 0))
     }
 }
 

@@ -1,0 +1,254 @@
+//! Jets of two beams at a stationary point over the prime field, of which no number vanishes.
+//!
+//! They belong to no family: a jet is all that the closed form sees of a curve, and one with two control vectors and any
+//! shape functions has all terms, with the fewest operations.
+
+use crate::closest_point::Active;
+use crate::curve::{Geometry, Jet, Shapes};
+use crate::linearization::closed_form::blocks::{Gradient, Target};
+use crate::linearization::closed_form::form::{Distance, Elimination};
+use crate::linearization::closed_form::{Form, Frozen, Matrices, variations_in};
+use crate::linearization::{Expansion, Linearization};
+use crate::number::{Faulty, Residue};
+use crate::pair::Contact;
+use crate::specimen::{Padded, PaddedBeam, map_padded};
+use crate::subject::{CONTACT, Kind, Second, kernel};
+use nalgebra::{SMatrix, SVector, Vector3};
+use num_traits::Zero;
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+/// The dofs of a beam: two control vectors.
+const D: usize = 6;
+type Scalar = Faulty<Residue>;
+type Beam = PaddedBeam<Scalar, D>;
+type Memory = Second<Scalar, D, { 2 * D }, { D * (2 * D + 1) }>;
+
+/// Two beams in a form, with what they can be mistaken for.
+pub(super) struct Place {
+    pub(super) name: &'static str,
+    form: Form,
+    /// Whether the kernel is run in all layouts.
+    everywhere: bool,
+    /// Linear in their dofs, and not.
+    linear: [Runs; 2],
+}
+
+/// Two beams and the same at other parameters.
+struct Runs {
+    now: [Beam; 2],
+    before: [Beam; 2],
+    at: (Residue, Residue),
+    at_before: (Residue, Residue),
+}
+
+/// A code's name, what its operands can be mistaken for, and the code.
+type Named<'a> = (&'static str, &'static [Kind], Box<dyn Fn(Option<Kind>) -> Vec<u64> + Sync + 'a>);
+
+impl Place {
+    /// Inside both beams in every form, and at the ends.
+    pub(super) fn all(rng: &mut ChaCha8Rng) -> Vec<Self> {
+        let none = Active::default();
+        let normal = Distance::Normal { reversed: false };
+        let ends = |xi, xi_bar| Form::paper(Active { xi, xi_bar });
+        let forms = [
+            ("length, products", Form::paper(none)),
+            ("normal, products", Form { active: none, distance: normal, system: Elimination::Products }),
+            ("normal, cross", Form { active: none, distance: normal, system: Elimination::CrossProducts }),
+            ("xi at an end", ends(true, false)),
+            ("xi_bar at an end", ends(false, true)),
+            ("both at ends", ends(true, true)),
+        ];
+        let place = |(i, (name, form)): (usize, (&'static str, Form))| Self {
+            name,
+            form,
+            everywhere: i == 1,
+            linear: [true, false].map(|is_linear| Runs::new(form.active, is_linear, rng)),
+        };
+        forms.into_iter().enumerate().map(place).collect()
+    }
+
+    /// The equations, the matrices and the kernel.
+    pub(super) fn codes(&self) -> Vec<Named<'_>> {
+        const VARIATIONS: &[Kind] = &[Kind::Transposed, Kind::Swapped, Kind::BarForgotten, Kind::Stale];
+        const MATRICES: &[Kind] = &[Kind::Swapped, Kind::BarForgotten, Kind::Stale];
+        let [linear, nonlinear] = &self.linear;
+        let frozen = [None].into_iter().chain(VARIATIONS.iter().map(|&kind| Some(kind)));
+        let frozen: Vec<_> = frozen.map(|kind| (kind, nonlinear.frozen(kind))).collect();
+        let mut codes: Vec<Named<'_>> = vec![
+            ("equations", VARIATIONS, Box::new(move |kind| self.equations(&frozen, kind))),
+            ("matrices, curves linear in their dofs", MATRICES, Box::new(|kind| self.matrices(linear, kind))),
+            ("matrices, other curves", MATRICES, Box::new(|kind| self.matrices(nonlinear, kind))),
+        ];
+        let [blocks, full, packed] = Memory::ALL;
+        codes.push(("kernel, full", MATRICES, Box::new(move |kind| self.kernel(linear, kind, full))));
+        if self.everywhere {
+            codes.push(("kernel, blocks", MATRICES, Box::new(move |kind| self.kernel(linear, kind, blocks))));
+            codes.push(("kernel, packed", MATRICES, Box::new(move |kind| self.kernel(linear, kind, packed))));
+            let gradient = Gradient::<Scalar, { 2 * D }>::zeros;
+            codes.push((
+                "kernel, gradient",
+                MATRICES,
+                Box::new(move |kind| self.kernel(linear, kind, gradient)),
+            ));
+        }
+        codes
+    }
+
+    fn equations(&self, frozen: &[(Option<Kind>, Mistaken<Frozen<Scalar>>)], kind: Option<Kind>) -> Vec<u64> {
+        let Some((_, ([beam, bar], at, contact))) = frozen.iter().find(|(of, _)| *of == kind) else {
+            return Vec::new();
+        };
+        let components = variations_in(self.form, beam, bar, *at, contact).components();
+        components.into_iter().flat_map(|varied| varied.parts().map(|part| part.0.value())).collect()
+    }
+
+    fn matrices(&self, runs: &Runs, kind: Option<Kind>) -> Vec<u64> {
+        let ([(jet, _), (jet_bar, _)], at, contact) = runs.beams(kind);
+        let mut all = Linearization::zeros();
+        if let (Some(jet), Some(jet_bar)) = (by_shapes(jet), by_shapes(jet_bar)) {
+            Matrices::in_form(&jet, &jet_bar, self.form).write_all(at, &contact, &mut all);
+        } else {
+            Matrices::in_form(jet, jet_bar, self.form).write_all(at, &contact, &mut all);
+        }
+        let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = all;
+        let quantities = [d, t, t_bar, xi, xi_bar, g_t, g_t_bar];
+        quantities.iter().flat_map(numbers).chain([radii.0.value()]).collect()
+    }
+
+    fn kernel<W: Target<Scalar, D, D>>(
+        &self,
+        runs: &Runs,
+        kind: Option<Kind>,
+        memory: fn() -> W,
+    ) -> Vec<u64> {
+        let ([beam, bar], at, contact) = runs.beams(kind);
+        let beams = [beam.clone(), bar.clone()];
+        let all = kernel(&beams, at, self.form, &contact, memory);
+        all.into_iter().flatten().flat_map(|mut quantity| written(&mut quantity)).collect()
+    }
+}
+
+/// Two beams, their parameters and their contact, as they are or mistaken for others.
+type Mistaken<B> = ([B; 2], (Scalar, Scalar), Contact);
+
+impl Runs {
+    fn new(active: Active, is_linear: bool, rng: &mut ChaCha8Rng) -> Self {
+        let mut residue = || Residue::new(rng.random());
+        let (at, at_before) = ((residue(), residue()), (residue(), residue()));
+        let [now, before] =
+            [(); 2].map(|()| stationary(active, rng).map(|geometry| beam(geometry, is_linear, rng)));
+        Self { now, before, at, at_before }
+    }
+
+    fn beams(&self, kind: Option<Kind>) -> Mistaken<&Beam> {
+        let [beam, bar] = &self.now;
+        let faulty = |(xi, xi_bar)| (Faulty(xi), Faulty(xi_bar));
+        let Contact { radius, radius_bar, xi_0, xi_bar_0 } = CONTACT;
+        match kind {
+            Some(Kind::Swapped) => {
+                let contact =
+                    Contact { radius: radius_bar, radius_bar: radius, xi_0: xi_bar_0, xi_bar_0: xi_0 };
+                ([bar, beam], faulty((self.at.1, self.at.0)), contact)
+            }
+            Some(Kind::BarForgotten) => (
+                [beam, beam],
+                faulty((self.at.0, self.at.0)),
+                Contact { radius_bar: radius, xi_bar_0: xi_0, ..CONTACT },
+            ),
+            Some(Kind::Stale) => (self.before.each_ref(), faulty(self.at_before), CONTACT),
+            _ => ([beam, bar], faulty(self.at), CONTACT),
+        }
+    }
+
+    fn frozen(&self, kind: Option<Kind>) -> Mistaken<Frozen<Scalar>> {
+        let (beams, at, contact) = self.beams(kind);
+        let frozen = beams.map(|(jet, [_, dq, linear_dq])| {
+            let (first, second) =
+                if kind == Some(Kind::Transposed) { (linear_dq, dq) } else { (dq, linear_dq) };
+            Frozen::new(jet, first, second)
+        });
+        (frozen, at, contact)
+    }
+}
+
+/// Points and tangents of both beams, with d normal to the tangents of the free parameters, and with square roots.
+fn stationary(active: Active, rng: &mut ChaCha8Rng) -> [Geometry<Residue>; 2] {
+    loop {
+        let mut vector = || Vector3::from_fn(|_, _| Residue::new(rng.random()));
+        let [t, t_bar, w, x_bar] = [(); 4].map(|()| vector());
+        let normal_to = |t: &Vector3<Residue>| w - t * (w.dot(t) / t.dot(t));
+        let d = match (active.xi, active.xi_bar) {
+            (false, false) => t.cross(&t_bar) * w.x,
+            (true, false) => normal_to(&t_bar),
+            (false, true) => normal_to(&t),
+            (true, true) => w,
+        };
+        if [d, t, t_bar, t.cross(&t_bar)].iter().all(|v| v.dot(v).is_square() && !v.dot(v).is_zero()) {
+            return [(x_bar + d, t), (x_bar, t_bar)].map(|(x, t)| Geometry {
+                x,
+                t,
+                t_xi: vector(),
+                t_xixi: vector(),
+            });
+        }
+    }
+}
+
+/// A beam with any dofs and directions, whose jet this is; t,xi and t,xixi are others if it is linear in its dofs.
+fn beam(mut geometry: Geometry<Residue>, is_linear: bool, rng: &mut ChaCha8Rng) -> Beam {
+    let mut residue = || Residue::new(rng.random());
+    let mut q = SVector::<Residue, D>::from_fn(|_, _| residue());
+    let dofs = if is_linear {
+        // The two control vectors from x = n₁q₁ + n₂q₂ and t = n₁′q₁ + n₂′q₂.
+        let shapes: [[Residue; 2]; 4] = std::array::from_fn(|_| [residue(), residue()]);
+        let [[n, m], [n_xi, m_xi], ..] = shapes;
+        let over = Residue::new(1) / (n * m_xi - m * n_xi);
+        let (first, second) =
+            ((geometry.x * m_xi - geometry.t * m) * over, (geometry.t * n - geometry.x * n_xi) * over);
+        q.fixed_rows_mut::<3>(0).copy_from(&first);
+        q.fixed_rows_mut::<3>(3).copy_from(&second);
+        let [_, _, t_xi, t_xixi] = shapes.map(|[n, m]| first * n + second * m);
+        (geometry.t_xi, geometry.t_xixi) = (t_xi, t_xixi);
+        let filled =
+            |[n, m]: [Residue; 2]| SVector::from_fn(|i, _| [n, m].get(i).copied().unwrap_or(Residue::zero()));
+        Padded::Linear(shapes.map(filled))
+    } else {
+        let jacobians = (0..3).map(|_| SMatrix::from_fn(|_, _| residue())).collect();
+        let mut symmetric = || {
+            let half = SMatrix::<Residue, D, D>::from_fn(|_, _| residue());
+            half + half.transpose()
+        };
+        Padded::Nonlinear(jacobians, (0..6).map(|_| symmetric()).collect())
+    };
+    let mut vector = || SVector::from_fn(|_, _| residue());
+    map_padded(&(Jet { geometry, dofs }, [q, vector(), vector()]), Faulty)
+}
+
+/// The jet by its shape functions, if it has any.
+fn by_shapes(jet: &Jet<Scalar, Padded<Scalar, D>>) -> Option<Jet<Scalar, Shapes<Scalar, { D / 3 }>>> {
+    let derivatives = jet.dofs.all_shapes()?.map(|shapes| std::array::from_fn(|i| shapes[i]));
+    Some(Jet { geometry: jet.geometry, dofs: Shapes { derivatives } })
+}
+
+/// All numbers of a quantity.
+fn numbers(of: &Expansion<Scalar, D, D>) -> Vec<u64> {
+    let Expansion { value, gradient, hessian } = of;
+    let all = [*value].into_iter().chain(gradient.beam.iter().chain(&gradient.bar).copied());
+    let second = hessian.beam.iter().chain(&hessian.mixed).chain(&hessian.bar).copied();
+    all.chain(second).map(|number| number.0.value()).collect()
+}
+
+/// All numbers that the kernel wrote; of a packed row what belongs to it and a little more.
+fn written(of: &mut impl Target<Scalar, D, D>) -> Vec<u64> {
+    let mut all = vec![of.value().0.value()];
+    let mut write = |(beam, bar): (&mut [Scalar], &mut [Scalar])| {
+        all.extend(beam.iter().chain(&*bar).map(|number| number.0.value()));
+    };
+    write(of.gradient());
+    for i in 0..D {
+        write(of.row(i / 3, i % 3));
+        write(of.row_bar(i / 3, i % 3));
+    }
+    all
+}
