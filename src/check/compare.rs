@@ -18,6 +18,9 @@ use num_dual::HyperDual64;
 /// The routes of automatic differentiation.
 const ROUTES: [&str; 3] = ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
 
+/// What [`Comparison::against`] says of the matrices.
+pub(super) const MATRICES: &str = "gradient and Hessian, contracted";
+
 /// A verdict for each closest point, and one without a point if there is none or there may be more.
 pub type Compared = Vec<(Option<ClosestPoint>, Verdict)>;
 
@@ -196,8 +199,7 @@ impl Closed {
 
     /// Gradient and Hessian of a scalar, contracted with the directions, against the variations.
     fn matrix(&self, scalar: usize) -> [Comparison; 3] {
-        let matrix = "gradient and Hessian, contracted";
-        [1, 2, 3].map(|k| self.contracted(matrix, [scalar, k], self.matrices[scalar][k - 1]))
+        [1, 2, 3].map(|k| self.contracted(MATRICES, [scalar, k], self.matrices[scalar][k - 1]))
     }
 
     /// What each layout of the kernel holds, contracted with the directions, against the variations.

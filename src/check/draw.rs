@@ -133,7 +133,7 @@ pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng)
 }
 
 /// A random orthonormal frame, right-handed.
-fn orthonormal(rng: &mut ChaCha8Rng) -> Matrix3<f64> {
+pub(super) fn orthonormal(rng: &mut ChaCha8Rng) -> Matrix3<f64> {
     let mut random = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
     let (mut u, mut v): (Vector3<f64>, Vector3<f64>) = (random(), random());
     while u.norm() < 0.1 || u.cross(&v).norm() < 0.1 {

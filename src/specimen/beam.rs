@@ -105,7 +105,11 @@ impl<C: Curve<N>, const N: usize> Drawn<C, N> {
 
     fn filled_up<const D: usize>(&self, xi: Bounded) -> PaddedBeam<Bounded, D> {
         let [q, dq, linear_dq] = self.lift();
-        (Padded::fill(&self.curve.jet(&q, xi)), [q, dq, linear_dq].map(|v| Padded::fill_vector(&v)))
+        let jet = self.curve.jet(&q, xi);
+        if N > D {
+            return Padded::along(&jet, &dq, &linear_dq);
+        }
+        (Padded::fill(&jet), [q, dq, linear_dq].map(|v| Padded::fill_vector(&v)))
     }
 
     fn hyper_dual<S: Extends<HyperDual64>>(&self, xi: S) -> Vector3<S> {

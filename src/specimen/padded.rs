@@ -42,6 +42,38 @@ impl<T: Real, const D: usize> Padded<T, D> {
         Jet { geometry: jet.geometry, dofs: padded }
     }
 
+    /// A curve with more dofs than there is room for, as one with two: its ways along the two directions.
+    pub(crate) fn along<U: DofDerivatives<T, N>, const N: usize>(
+        jet: &Jet<T, U>,
+        dq: &SVector<T, N>,
+        linear_dq: &SVector<T, N>,
+    ) -> PaddedBeam<T, D> {
+        let directions = [dq, linear_dq];
+        let jacobian = |k| {
+            let mut jacobian = SMatrix::<T, 3, D>::zeros();
+            for (i, dq) in directions.iter().enumerate() {
+                jacobian.set_column(i, &jet.dofs.variation(k, dq));
+            }
+            jacobian
+        };
+        let second = |k: usize| {
+            let mut second = [Square::<T, D>::zeros(); 3];
+            for (i, dq) in directions.iter().enumerate() {
+                for (j, linear_dq) in directions.iter().enumerate() {
+                    let of_x = jet.dofs.second_variation(k, dq, linear_dq);
+                    for c in 0..3 {
+                        second[c][(i, j)] = of_x[c];
+                    }
+                }
+            }
+            second
+        };
+        let dofs = Self::Nonlinear((0..3).map(jacobian).collect(), (0..2).flat_map(second).collect());
+        let unit = |k: usize| SVector::from_fn(|i, _| if i == k { T::one() } else { T::zero() });
+        let [first, other] = [0, 1].map(unit);
+        (Jet { geometry: jet.geometry, dofs }, [SVector::zeros(), first, other])
+    }
+
     /// The shape functions by order, if the curve has them.
     pub(crate) fn all_shapes(&self) -> Option<[&[T]; 4]> {
         match self {

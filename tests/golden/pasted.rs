@@ -25,7 +25,7 @@ fn x_x_delta() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).x.x.delta;
     let other = ad::vary(ad::Route::Chord(ad::chord(&pair, &q, point), 2), &pair, &q, point, &dq, &linear_dq).x.x.delta;
-    assert!((closed - other).abs() <= 8.9e-15, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 8.3e-15, "{closed:e}, not {other:e}");
 }
 }
 mod quadratic {
@@ -85,7 +85,7 @@ fn x_bar_z_linear() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).x_bar.z.linear;
     let other = ad::vary(ad::Route::Newton, &pair, &q, point, &dq, &linear_dq).x_bar.z.linear;
-    assert!((closed - other).abs() <= 1.4e-15, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 1.3e-15, "{closed:e}, not {other:e}");
 }
 }
 mod hermite {
@@ -115,7 +115,7 @@ fn d_vector_y_delta() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).d_vector.y.delta;
     let other = ad::vary(ad::Route::Stationary, &pair, &q, point, &dq, &linear_dq).d_vector.y.delta;
-    assert!((closed - other).abs() <= 3.6e-14, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 3.3e-14, "{closed:e}, not {other:e}");
 }
 }
 mod hermite_scaled {
@@ -145,7 +145,7 @@ fn t_vector_x_value() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t_vector.x.value;
     let other = ad::vary(ad::Route::Chord(ad::chord(&pair, &q, point), 2), &pair, &q, point, &dq, &linear_dq).t_vector.x.value;
-    assert!((closed - other).abs() <= 2.4e-15, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 2.3e-15, "{closed:e}, not {other:e}");
 }
 }
 mod bezier {
@@ -205,7 +205,7 @@ fn t_bar_vector_z_delta() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t_bar_vector.z.delta;
     let other = ad::vary(ad::Route::Newton, &pair, &q, point, &dq, &linear_dq).t_bar_vector.z.delta;
-    assert!((closed - other).abs() <= 9.2e-16, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 8.9e-16, "{closed:e}, not {other:e}");
 }
 }
 mod nurbs {
@@ -235,7 +235,7 @@ fn t_value() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).t.value;
     let other = ad::vary(ad::Route::Stationary, &pair, &q, point, &dq, &linear_dq).t.value;
-    assert!((closed - other).abs() <= 4.3e-15, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 4.0e-15, "{closed:e}, not {other:e}");
 }
 }
 mod nurbs_weighted {
@@ -295,7 +295,7 @@ fn g_n_linear() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).g_n.linear;
     let other = ad::vary(ad::Route::Chord(ad::chord(&pair, &q, point), 2), &pair, &q, point, &dq, &linear_dq).g_n.linear;
-    assert!((closed - other).abs() <= 2.0e-14, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 1.9e-14, "{closed:e}, not {other:e}");
 }
 }
 mod helix {
@@ -325,6 +325,6 @@ fn matrix_of_d_delta() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).d.delta;
     let other = pair.linearize(&q, point).d.gradient.along(&dq);
-    assert!((closed - other).abs() <= 3.9e-14, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 3.0e-14, "{closed:e}, not {other:e}");
 }
 }

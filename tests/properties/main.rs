@@ -22,6 +22,7 @@ mod layouts;
 mod ledger;
 mod numbers;
 mod oracles;
+mod own_curve;
 mod pairs;
 mod pasted;
 mod proof;

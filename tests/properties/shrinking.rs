@@ -24,7 +24,9 @@ fn diagnosed(case: &Written, fault: impl Fn(&mut Comparison)) -> Option<Diagnosi
 /// A wrong sign.
 fn flipped(quantity: Quantity, order: Order) -> impl Fn(&mut Comparison) {
     move |entry| {
-        if (entry.quantity, entry.order) == (quantity, order) {
+        // The kernel's values are compared too, but of some families only: a fault of matrices leaves them alone.
+        let is_value = entry.order == Order::Matrix && entry.part == "value";
+        if (entry.quantity, entry.order) == (quantity, order) && !is_value {
             entry.closed = -entry.closed;
         }
     }

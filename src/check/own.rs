@@ -1,0 +1,179 @@
+//! A curve of the user's own through the gate.
+//!
+//! First its jet is compared with the derivatives of its position, then pairs of it with itself and with the built-in
+//! families go through the comparison that the gate makes, in all regimes.
+
+mod jet;
+mod pair;
+mod placed;
+
+use super::compare::compare_beams;
+use super::diagnosis::Finding;
+use super::regime::Regime;
+use super::trial::Trial;
+use super::verdict::{Inconclusive, Verdict};
+use crate::curve::Curve;
+use crate::specimen::Drawn;
+use nalgebra::SVector;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::fmt;
+
+pub use jet::JetFinding;
+
+/// How much the dofs of a beam are varied, over the largest of them.
+const SPREAD: f64 = 0.02;
+/// How many points of a jet are compared for each beam that is given.
+const JETS: u64 = 16;
+/// How many findings are written out.
+const SHOWN: usize = 3;
+
+/// What the gate found of a curve.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct OwnCurve {
+    /// What of the jet is not the derivative of the position, the first of each kind.
+    pub jets: Vec<JetFinding>,
+    /// Closest points that were compared.
+    pub compared: u64,
+    /// Of these, those at which something differs beyond rounding.
+    pub mismatches: u64,
+    /// What differs first there, one of each kind, with the pair in words.
+    pub findings: Vec<(String, Finding)>,
+    /// Closest points or pairs that were not compared, by reason.
+    pub inconclusive: BTreeMap<Inconclusive, u64>,
+}
+
+/// Puts a curve through the gate: its jet against its position, then `cases` pairs of it in every regime.
+///
+/// `beams` are dofs of typical beams, one at least; they are varied by a few percent, and moved and turned. What the
+/// curve's dofs mean need not be known. The result depends on the arguments alone.
+///
+/// ```
+/// use beamgap::check;
+/// use beamgap::curve::Hermite;
+///
+/// let beam = [0.0, 0.0, 0.0, 1.0, 0.1, 0.0, 2.0, 0.3, 0.1, 1.0, -0.1, 0.2];
+/// let found = check::curve(&Hermite::new(), &[beam], 4);
+/// assert!(found.agrees(), "{found}");
+/// ```
+pub fn curve<C, const N: usize>(curve: &C, beams: &[[f64; N]], cases: u64) -> OwnCurve
+where
+    C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
+{
+    let mut found = OwnCurve::default();
+    for (i, beam) in (0..).zip(beams) {
+        for k in 0..JETS {
+            let mut rng = stream(i * JETS + k);
+            let drawn = varied(curve, beam, &mut rng);
+            // Ends are part of the beam.
+            let xi = match k {
+                0 => -1.0,
+                1 => 1.0,
+                _ => rng.random_range(-1.0..1.0),
+            };
+            for finding in jet::findings(&drawn, xi, &mut rng) {
+                if found.jets.iter().all(|known| known.part != finding.part) {
+                    found.jets.push(finding);
+                }
+            }
+        }
+    }
+    if beams.is_empty() || !found.jets.is_empty() {
+        return found;
+    }
+    let regimes = Regime::ALL.len() as u64;
+    let of_case = |number: u64| {
+        let mut rng = stream((1 << 32) + number);
+        let regime = Regime::ALL[usize::try_from(number % regimes).unwrap_or(0)];
+        let pair = pair::Pair::draw(curve, beams, (regime, number / regimes), &mut rng);
+        let compared = compare_beams(&Trial::default(), false, pair.beams(), &pair.contact);
+        let mut found = OwnCurve::default();
+        for (_, verdict) in &compared {
+            match verdict {
+                Verdict::Inconclusive(reason, _) => *found.inconclusive.entry(*reason).or_default() += 1,
+                Verdict::Pass(_) => found.compared += 1,
+                Verdict::Mismatch(_) => {
+                    found.compared += 1;
+                    found.mismatches += 1;
+                }
+            }
+        }
+        found.findings.extend(Finding::of(&compared).map(|finding| (pair.words(regime), finding)));
+        found
+    };
+    let all = (0..cases * regimes).into_par_iter().map(of_case).collect::<Vec<_>>();
+    all.into_iter().fold(found, OwnCurve::and)
+}
+
+impl OwnCurve {
+    /// Whether closest points were compared, and nothing differs beyond rounding.
+    pub fn agrees(&self) -> bool {
+        self.compared > 0 && self.jets.is_empty() && self.mismatches == 0
+    }
+
+    fn and(mut self, other: Self) -> Self {
+        self.compared += other.compared;
+        self.mismatches += other.mismatches;
+        for (reason, count) in other.inconclusive {
+            *self.inconclusive.entry(reason).or_default() += count;
+        }
+        for (pair, finding) in other.findings {
+            if self.findings.iter().all(|(_, known)| known.diagnosis != finding.diagnosis) {
+                self.findings.push((pair, finding));
+            }
+        }
+        self
+    }
+}
+
+impl fmt::Display for OwnCurve {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for jet in self.jets.iter().take(SHOWN) {
+            writeln!(f, "{jet}")?;
+        }
+        if !self.jets.is_empty() {
+            return write!(f, "DISAGREES: the jet is not the derivative of the position.");
+        }
+        for (pair, Finding { entry, diagnosis, .. }) in self.findings.iter().take(SHOWN) {
+            let axis = entry.axis.map_or_else(String::new, |axis| format!(".{axis}"));
+            writeln!(
+                f,
+                "{pair}\n  first {} of {}{axis} ({}): {:e}, not {:e}; rounding explains {:.1e}\n  against {}",
+                entry.part,
+                entry.quantity.name(),
+                entry.order.name(),
+                entry.closed,
+                entry.other,
+                entry.tolerance,
+                diagnosis.against.join(", ")
+            )?;
+        }
+        for (reason, count) in &self.inconclusive {
+            writeln!(f, "not compared: {count}, {}", reason.reason())?;
+        }
+        if self.mismatches > 0 {
+            return write!(f, "DISAGREES: at {} of {} closest points.", self.mismatches, self.compared);
+        }
+        if self.compared == 0 {
+            return write!(f, "NOTHING COMPARED: no closest point had derivatives.");
+        }
+        write!(f, "AGREES: at {} closest points nothing differs beyond rounding.", self.compared)
+    }
+}
+
+/// A generator that belongs to a number.
+fn stream(number: u64) -> ChaCha8Rng {
+    let mut rng = ChaCha8Rng::seed_from_u64(0x5eed);
+    rng.set_stream(number);
+    rng
+}
+
+/// A beam with its dofs varied a little, and two directions.
+fn varied<C: Clone, const N: usize>(curve: &C, beam: &[f64; N], rng: &mut ChaCha8Rng) -> Drawn<C, N> {
+    let largest = beam.iter().fold(0.0_f64, |largest, q| largest.max(q.abs()));
+    let mut random = |size: f64| SVector::<f64, N>::from_fn(|_, _| size * rng.random_range(-1.0..1.0));
+    let q = SVector::from(*beam) + random(SPREAD * largest);
+    Drawn { curve: curve.clone(), q, dq: random(largest), linear_dq: random(largest), points: Vec::new() }
+}

@@ -1,0 +1,141 @@
+//! A jet against the derivatives of the position.
+
+use crate::curve::{Curve, DofDerivatives, Geometry};
+use crate::linearization::ad::PositionAt;
+use crate::linearization::closed_form::Frozen;
+use crate::number::{Dual, HyperDual};
+use crate::specimen::{AnyBeam, Bounded2, Drawn};
+use nalgebra::{SVector, Vector3};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use std::fmt;
+
+type Lifted = Dual<HyperDual<Bounded2>>;
+type Vector = Vector3<Bounded2>;
+
+/// The variations by the derivatives in ξ.
+const VARIATIONS: [&str; 3] = [
+    "variation of x (k = 0), against the derivative of the position",
+    "variation of x,xi (k = 1), against the derivative of the position",
+    "variation of x,xixi (k = 2), against the derivative of the position",
+];
+
+/// A number of a jet that is not what it should be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JetFinding {
+    /// What it is.
+    pub part: &'static str,
+    /// The jet's number.
+    pub jet: f64,
+    /// What it should be.
+    pub other: f64,
+    /// The largest difference that rounding explains.
+    pub tolerance: f64,
+    /// The parameter.
+    pub xi: f64,
+    /// The dofs.
+    pub q: Vec<f64>,
+}
+
+impl fmt::Display for JetFinding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { part, jet, other, tolerance, xi, q } = self;
+        write!(
+            f,
+            "{part}: {jet:e}, not {other:e}; rounding explains {tolerance:.1e}\n  at xi = {xi:?} of q = {q:?}"
+        )
+    }
+}
+
+/// What is wrong with the jet of a beam at a parameter.
+pub(super) fn findings<C, const N: usize>(
+    beam: &Drawn<C, N>,
+    xi: f64,
+    rng: &mut ChaCha8Rng,
+) -> Vec<JetFinding>
+where
+    C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
+{
+    let at = Bounded2::from(xi);
+    let (zero, one) = (Bounded2::from(0.0), Bounded2::from(1.0));
+    let number = |value, first| HyperDual::new(value, first, zero, zero);
+    let lifted = |value: HyperDual<Bounded2>| Lifted::new(value, number(one, zero));
+    let still = |dq, linear_dq| Drawn { dq, linear_dq, ..beam.clone() };
+    let none = SVector::zeros();
+    // Nilpotents along ξ, once, twice and three times; dofs as they are, or varied along one direction, or along both.
+    let along = still(none, none).position_at(lifted(HyperDual::new(at, one, one, zero)));
+    let vary = |dq| still(none, dq).position_at(lifted(number(at, one)));
+    let (delta, linear) = (vary(beam.dq), vary(beam.linear_dq));
+    let both: Vector3<Lifted> = beam.position_at(lifted(number(at, zero)));
+    let second = |x: &Vector3<Lifted>| [x.map(|x| x.re.eps1eps2), x.map(|x| x.eps.eps1eps2)];
+    let first =
+        |x: &Vector3<Lifted>| [x.map(|x| x.re.eps2), x.map(|x| x.re.eps1eps2), x.map(|x| x.eps.eps1eps2)];
+
+    let Frozen { geometry, delta_u, linear_u, second_u } = AnyBeam::frozen(beam, at);
+    let Geometry { x, t, t_xi, t_xixi } = geometry;
+    let [x_xixi, x_xixixi] = second(&along);
+    let mut pairs: Vec<(&'static str, Vector, Vector)> = vec![
+        ("x of the jet, against the position", x, along.map(|x| x.re.re)),
+        ("t = x,xi of the jet, against the derivative of the position", t, along.map(|x| x.re.eps1)),
+        ("t,xi = x,xixi of the jet, against the derivative of the position", t_xi, x_xixi),
+        ("t,xixi = x,xixixi of the jet, against the derivative of the position", t_xixi, x_xixixi),
+    ];
+    for k in 0..3 {
+        pairs.push((VARIATIONS[k], delta_u[k], first(&delta)[k]));
+        pairs.push((VARIATIONS[k], linear_u[k], first(&linear)[k]));
+    }
+    let [of_x, of_t] = second(&both);
+    pairs.push(("second_variation of x (k = 0), against the derivative of the position", second_u[0], of_x));
+    pairs.push((
+        "second_variation of x,xi (k = 1), against the derivative of the position",
+        second_u[1],
+        of_t,
+    ));
+    pairs.extend(consistent(beam, at, rng));
+    let wrong = |(part, jet, other): (&'static str, Vector, Vector)| {
+        let finding = |(jet, other): (&Bounded2, &Bounded2)| {
+            let tolerance = jet.bound[0] + other.bound[0];
+            let is_apart =
+                (jet.value - other.value).abs() > tolerance || jet.value.is_nan() != other.value.is_nan();
+            let q = beam.q.iter().copied().collect();
+            is_apart.then_some(JetFinding { part, jet: jet.value, other: other.value, tolerance, xi, q })
+        };
+        jet.iter().zip(&other).find_map(finding)
+    };
+    pairs.into_iter().filter_map(wrong).collect()
+}
+
+/// What the derivatives say of each other: Jacobians, gradients and Hessians against the variations, and the shape
+/// functions, if there are any, against the points.
+fn consistent<C: Curve<N>, const N: usize>(
+    beam: &Drawn<C, N>,
+    at: Bounded2,
+    rng: &mut ChaCha8Rng,
+) -> Vec<(&'static str, Vector, Vector)> {
+    let [q, dq, linear_dq] = [beam.q, beam.dq, beam.linear_dq].map(|v| v.map(Bounded2::from));
+    let jet = beam.curve.jet(&q, at);
+    let w = Vector::from_fn(|_, _| Bounded2::from(rng.random_range(-1.0..1.0)));
+    let alone = |number: Bounded2| Vector::new(number, Bounded2::from(0.0), Bounded2::from(0.0));
+    let mut pairs = Vec::new();
+    for k in 0..3 {
+        let variation = jet.dofs.variation(k, &dq);
+        pairs.push(("jacobian, against the variation", jet.dofs.jacobian(k) * dq, variation));
+        let gradient = jet.dofs.gradient(k, &w).dot(&dq);
+        pairs.push(("gradient, against the variation", alone(gradient), alone(w.dot(&variation))));
+    }
+    for k in 0..2 {
+        let hessian = dq.dot(&(jet.dofs.hessian(k, &w) * linear_dq));
+        let second = w.dot(&jet.dofs.second_variation(k, &dq, &linear_dq));
+        pairs.push(("hessian, against the second_variation", alone(hessian), alone(second)));
+    }
+    let Geometry { x, t, t_xi, t_xixi } = jet.geometry;
+    for (k, point) in [x, t, t_xi, t_xixi].into_iter().enumerate() {
+        let Some(shapes) = jet.dofs.shapes(k) else { break };
+        let sum = Vector::from_fn(|c, _| {
+            let terms = shapes.iter().enumerate().map(|(a, &shape)| shape * q[3 * a + c]);
+            terms.fold(Bounded2::from(0.0), |sum, term| sum + term)
+        });
+        pairs.push(("shapes, times the control vectors against the jet", sum, point));
+    }
+    pairs
+}

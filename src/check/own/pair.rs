@@ -1,0 +1,158 @@
+//! A beam on the user's curve with a partner that crosses it as a regime wants.
+
+use super::placed::Placed;
+use super::varied;
+use crate::check::draw::orthonormal;
+use crate::check::regime::{Draw, Regime};
+use crate::curve::Curve;
+use crate::number::Bounded;
+use crate::pair::Contact;
+use crate::specimen::{AnyBeam, Drawn, Family, Target};
+use nalgebra::{Matrix3, Vector3};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use std::fmt::Debug;
+
+/// Two beams.
+pub(super) struct Pair {
+    beams: [Box<dyn AnyBeam>; 2],
+    /// The family of the partner; none if that is the user's curve too.
+    partner: Option<Family>,
+    /// The dofs of the user's beam.
+    q: Vec<f64>,
+    pub(super) contact: Contact,
+}
+
+/// A point of a beam, its tangent, and the beam's length.
+struct Spot {
+    x: Vector3<f64>,
+    t: Vector3<f64>,
+    length: f64,
+}
+
+impl Spot {
+    /// At a parameter; beyond an end of the beam, on the tangent there.
+    fn on(beam: &dyn AnyBeam, xi: f64) -> Self {
+        let within = xi.clamp(-1.0, 1.0);
+        let geometry = beam.geometry_at(Bounded::from(within));
+        let [x, t] = [geometry.x, geometry.t].map(|v| v.map(|c| c.value));
+        Self { x: x + t * (xi - within), t, length: 2.0 * t.norm() }
+    }
+}
+
+impl Pair {
+    /// Of the `turn`-th case of a regime: all families and the curve itself take turns, on either side.
+    pub(super) fn draw<C, const N: usize>(
+        curve: &C,
+        beams: &[[f64; N]],
+        (regime, turn): (Regime, u64),
+        rng: &mut ChaCha8Rng,
+    ) -> Self
+    where
+        C: Curve<N> + Clone + Debug + Send + Sync + 'static,
+    {
+        let turn = usize::try_from(turn).unwrap_or(0);
+        let draw = regime.draw(rng);
+        let unit = match regime {
+            Regime::Metres => Some(1e-6),
+            Regime::Millimetres => Some(1e3),
+            _ => None,
+        };
+        let own = varied(curve, &beams[turn % beams.len()], rng);
+        let q = own.q.iter().copied().collect();
+        let own: Box<dyn AnyBeam> = match unit {
+            Some(unit) => placed(own, Matrix3::identity() * unit),
+            None => Box::new(own),
+        };
+        let partner = Family::ALL.get(turn % (Family::ALL.len() + 1)).copied();
+        let spot = Spot::on(&*own, draw.at[0]);
+        let frame = crossing_frame(&spot.t, &draw, rng);
+        let other: Box<dyn AnyBeam> = if let Some(family) = partner {
+            let length = spot.length * rng.random_range(0.8..1.25);
+            let target = Target { point: spot.x, frame, length, bend: draw.bend[1], xi: draw.at[1] };
+            let mut specimen = family.draw(&target, rng);
+            specimen.translate(&shift(&spot, &Spot::beyond(&*specimen.drawn(), draw.at[1]), &draw));
+            specimen.drawn()
+        } else {
+            let second = varied(curve, &beams[(turn + 1) % beams.len()], rng);
+            let there = Spot::on(&second, draw.at[1]);
+            // Its tangent, and any two vectors normal to it, fall on those of the frame.
+            let tangent = there.t.normalize();
+            let own_frame = with_tangent(&tangent, rng);
+            let turn = frame * own_frame.transpose() * unit.unwrap_or(1.0);
+            let mut second = Drawn {
+                curve: Placed { curve: second.curve, turn, shift: Vector3::zeros() },
+                q: second.q,
+                dq: second.dq,
+                linear_dq: second.linear_dq,
+                points: Vec::new(),
+            };
+            second.curve.shift = shift(&spot, &Spot::on(&second, draw.at[1]), &draw);
+            Box::new(second)
+        };
+        let mut radius = || 0.05 * spot.length * rng.random_range(0.1..1.0);
+        let (radius, radius_bar) = (radius(), radius());
+        let contact = Contact {
+            radius,
+            radius_bar,
+            xi_0: rng.random_range(-1.0..1.0),
+            xi_bar_0: rng.random_range(-1.0..1.0),
+        };
+        let beams = if rng.random() { [own, other] } else { [other, own] };
+        Self { beams, partner, q, contact }
+    }
+
+    pub(super) fn beams(&self) -> [&dyn AnyBeam; 2] {
+        self.beams.each_ref().map(|beam| &**beam)
+    }
+
+    /// Which pair it is.
+    pub(super) fn words(&self, regime: Regime) -> String {
+        let partner = self.partner.map_or("itself", Family::name);
+        format!("with {partner}, {}: q = {:?}", regime.name(), self.q)
+    }
+}
+
+impl Spot {
+    /// At any parameter, of a curve that is known beyond its ends.
+    fn beyond(beam: &dyn AnyBeam, xi: f64) -> Self {
+        let geometry = beam.geometry_at(Bounded::from(xi));
+        let [x, t] = [geometry.x, geometry.t].map(|v| v.map(|c| c.value));
+        Self { x, t, length: 2.0 * t.norm() }
+    }
+}
+
+/// What moves the other beam to where the gap between the two is the one that was drawn, normal to both tangents.
+fn shift(own: &Spot, other: &Spot, draw: &Draw) -> Vector3<f64> {
+    let across = own.t.cross(&other.t).normalize();
+    own.x - other.x - across * (draw.gap * own.length)
+}
+
+/// The other beam's frame where the two cross: its tangent, and any normal.
+fn crossing_frame(t: &Vector3<f64>, draw: &Draw, rng: &mut ChaCha8Rng) -> Matrix3<f64> {
+    let t = t.normalize();
+    let frame = with_tangent(&t, rng);
+    let normal: Vector3<f64> = frame.column(1).into();
+    let (sin, cos) = draw.angle.sin_cos();
+    with_tangent(&(t * cos + normal.cross(&t) * sin), rng)
+}
+
+/// A right-handed frame with this tangent.
+fn with_tangent(t: &Vector3<f64>, rng: &mut ChaCha8Rng) -> Matrix3<f64> {
+    loop {
+        let random: Vector3<f64> = orthonormal(rng).column(0).into();
+        let normal = random - t * t.dot(&random);
+        if normal.norm() > 0.1 {
+            let normal = normal.normalize();
+            return Matrix3::from_columns(&[*t, normal, t.cross(&normal)]);
+        }
+    }
+}
+
+fn placed<C, const N: usize>(beam: Drawn<C, N>, turn: Matrix3<f64>) -> Box<dyn AnyBeam>
+where
+    C: Curve<N> + Clone + Debug + Send + Sync + 'static,
+{
+    let Drawn { curve, q, dq, linear_dq, points } = beam;
+    Box::new(Drawn { curve: Placed { curve, turn, shift: Vector3::zeros() }, q, dq, linear_dq, points })
+}
