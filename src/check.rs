@@ -36,6 +36,7 @@
 
 mod accuracy;
 mod arbitration;
+mod candidate;
 mod compare;
 mod diagnosis;
 mod distribution;
@@ -56,6 +57,7 @@ mod written;
 
 pub use accuracy::{Accuracy, Errors, Level, accuracy};
 pub use arbitration::Arbitration;
+pub use candidate::{Answer, CAREFUL, Candidate, Digits, Found, Situation, linearization};
 pub(crate) use compare::{Closed, References, judged};
 pub use compare::{Compared, compare};
 pub use diagnosis::{Diagnosis, Finding};

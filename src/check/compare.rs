@@ -16,7 +16,8 @@ use crate::subject::{Contracted, SCALAR_COMPONENTS, SCALARS, Subject};
 use num_dual::HyperDual64;
 
 /// The routes of automatic differentiation.
-const ROUTES: [&str; 3] = ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
+pub(super) const ROUTES: [&str; 3] =
+    ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
 
 /// What [`Comparison::against`] says of the matrices.
 pub(super) const MATRICES: &str = "gradient and Hessian, contracted";

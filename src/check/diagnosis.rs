@@ -73,7 +73,7 @@ fn first(entries: &[Comparison]) -> Option<Comparison> {
 }
 
 /// The place of a number in the order of computation; components of a vector share one, as axes mean nothing.
-fn place(entry: &Comparison) -> (Order, usize, usize) {
+pub(super) fn place(entry: &Comparison) -> (Order, usize, usize) {
     const QUANTITIES: [Quantity; 13] = [
         Quantity::Xi,
         Quantity::XiBar,

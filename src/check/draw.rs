@@ -84,11 +84,14 @@ impl Case {
     ///
     /// Where the two beams cross is a stationary point. Whether it is the minimum, the search will tell.
     pub fn draw(seed: u64, number: u64) -> Self {
+        Self::of(seed, number, regime(number), families(number))
+    }
+
+    /// Draws a case of this regime and of these families.
+    pub(super) fn of(seed: u64, number: u64, regime: Regime, families: [Family; 2]) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream(number);
-        let (regime, families) = (regime(number), families(number));
         let draw = regime.draw(&mut rng);
-
         let specimens = crossing(families, &draw, &mut rng);
         let contact = Contact {
             radius: 0.05 * draw.length * rng.random_range(0.1..1.0),

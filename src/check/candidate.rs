@@ -1,0 +1,241 @@
+//! A linearization of the user's own against automatic differentiation.
+//!
+//! # The tolerance
+//! A number may differ from that of automatic differentiation by the bound on the rounding of the latter, and by
+//! [`CAREFUL`] times the bound on the rounding of the paper's formulas at the same point: what a careful evaluation of the
+//! textbook formulas loses there. What the contraction with the directions rounds is added.
+
+mod found;
+
+use super::Regime;
+use super::compare::ROUTES;
+use super::draw::Case;
+use super::oracle::differences;
+use super::site::Site;
+use super::verdict::{Comparison, Order};
+use crate::closest_point::{Active, Search, closest_points};
+use crate::linearization::closed_form::Form;
+use crate::linearization::{COMPONENTS, Quantity, Varied};
+use crate::number::Bounded;
+use crate::pair::Contact;
+use crate::specimen::{Bounded2, Family};
+use crate::subject::Subject;
+use rayon::prelude::*;
+
+pub use found::{Digits, Found};
+
+/// How many times the rounding of the textbook formulas a careful evaluation may lose, in another order of its sums.
+pub const CAREFUL: f64 = 8.0;
+
+/// A pair of beams at a closest point.
+#[derive(Clone, Copy, Debug)]
+pub struct Situation<'a> {
+    /// The families of beam and bar beam.
+    pub families: [Family; 2],
+    /// The fixed parameters of their curves, as [`Family::parameters`] has them.
+    pub parameters: [&'a [f64]; 2],
+    /// The dofs of the beam.
+    pub q: &'a [f64],
+    /// The dofs of the bar beam.
+    pub q_bar: &'a [f64],
+    /// The parameters of the closest point.
+    pub at: (f64, f64),
+    /// Which of them an end holds.
+    pub active: Active,
+    /// Radii and reference parameters.
+    pub contact: Contact,
+    /// The direction delta, over the dofs of both beams.
+    pub dq: &'a [f64],
+    /// The direction Delta.
+    pub linear_dq: &'a [f64],
+}
+
+/// What a linearization says of a scalar quantity: all of it, or some. Dofs are those of the beam, then of the bar beam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The quantity: d, t, t_bar, xi, xi_bar, g_N, g_T or g_T_bar.
+    pub quantity: Quantity,
+    /// Its value.
+    pub value: Option<f64>,
+    /// Its gradient.
+    pub gradient: Option<Vec<f64>>,
+    /// Its Hessian, row by row.
+    pub hessian: Option<Vec<f64>>,
+    /// Its variations along the directions of the situation: delta, Delta and Delta-delta.
+    pub variations: [Option<f64>; 3],
+}
+
+impl Answer {
+    /// Nothing yet of a quantity.
+    pub fn of(quantity: Quantity) -> Self {
+        Self { quantity, value: None, gradient: None, hessian: None, variations: [None; 3] }
+    }
+}
+
+/// A linearization under check.
+pub trait Candidate: Sync {
+    /// All that it answers at a closest point; nothing where it has no answer.
+    fn answers(&self, at: &Situation<'_>) -> Vec<Answer>;
+}
+
+impl<F: Fn(&Situation<'_>) -> Vec<Answer> + Sync> Candidate for F {
+    fn answers(&self, at: &Situation<'_>) -> Vec<Answer> {
+        self(at)
+    }
+}
+
+/// Compares a linearization with automatic differentiation: `cases` pairs of these families in every regime.
+///
+/// The result depends on the arguments alone.
+///
+/// ```
+/// use beamgap::check::{self, Answer, Family};
+/// use beamgap::linearization::Quantity;
+///
+/// // The gap of two straight beams: x = (q_a (1 - xi) + q_b (1 + xi))/2.
+/// let mine = |at: &check::Situation<'_>| {
+///     let point = |q: &[f64], xi: f64| [0, 1, 2].map(|c| 0.5 * (q[c] * (1.0 - xi) + q[3 + c] * (1.0 + xi)));
+///     let (x, x_bar) = (point(at.q, at.at.0), point(at.q_bar, at.at.1));
+///     let d = [0, 1, 2].map(|c| x[c] - x_bar[c]);
+///     let gap = d.iter().map(|d| d * d).sum::<f64>().sqrt();
+///     let along = |c: usize, n: f64| n * d[c] / gap;
+///     let shapes = [0.5 * (1.0 - at.at.0), 0.5 * (1.0 + at.at.0), -0.5 * (1.0 - at.at.1), -0.5 * (1.0 + at.at.1)];
+///     let gradient = shapes.iter().flat_map(|&n| [0, 1, 2].map(|c| along(c, n))).collect();
+///     vec![Answer { value: Some(gap), gradient: Some(gradient), ..Answer::of(Quantity::D) }]
+/// };
+/// let found = check::linearization(&mine, [Family::Segment; 2], 4);
+/// assert!(found.agrees(), "{found}");
+/// ```
+pub fn linearization(candidate: &impl Candidate, families: [Family; 2], cases: u64) -> Found {
+    let regimes = Regime::ALL.len() as u64;
+    let of_case = |number: u64| {
+        let regime = Regime::ALL[usize::try_from(number % regimes).unwrap_or(0)];
+        compared(candidate, &Case::of(0x5eed, number, regime, families))
+    };
+    let all: Vec<Found> = (0..cases * regimes).into_par_iter().map(of_case).collect();
+    all.into_iter().fold(Found::default(), Found::and)
+}
+
+fn compared(candidate: &impl Candidate, case: &Case) -> Found {
+    let mut found = Found::default();
+    let [beam, bar] = case.beams();
+    let Ok(closest) = closest_points(beam, bar, &Search::default()) else { return found };
+    let [specimen, specimen_bar] = &case.specimens;
+    let [dq, linear_dq] = [
+        [&specimen.dq[..], &specimen_bar.dq].concat(),
+        [&specimen.linear_dq[..], &specimen_bar.linear_dq].concat(),
+    ];
+    for point in &closest.minima {
+        let Ok(site) = Site::new(case.beams(), &case.contact, point) else { continue };
+        let at = Situation {
+            families: case.families,
+            parameters: [&specimen.parameters, &specimen_bar.parameters],
+            q: &specimen.q,
+            q_bar: &specimen_bar.q,
+            at: (site.at.0.value, site.at.1.value),
+            active: site.active,
+            contact: case.contact,
+            dq: &dq,
+            linear_dq: &linear_dq,
+        };
+        let answers = candidate.answers(&at);
+        if answers.is_empty() {
+            found.unanswered += 1;
+            continue;
+        }
+        let reference = site.chord();
+        let paper = site.in_form(Form::paper(point.active()));
+        let sides = Sides {
+            reference,
+            textbook: paper.closed(&Subject::Sound),
+            scales: paper.scales(&Subject::Sound),
+        };
+        let mut entries = Vec::new();
+        for answer in &answers {
+            match entries_of(answer, &at, &sides) {
+                Ok(of_answer) => entries.extend(of_answer),
+                Err(wrong) => found.misshapen = found.misshapen.or(Some(wrong)),
+            }
+        }
+        let is_wrong = |entry: &&Comparison| entry.is_meaningful() && !entry.agrees();
+        // The reference itself is doubted where the differences in double-double say so.
+        let doubted = entries.iter().any(|entry| is_wrong(&entry)) && is_doubted(&paper, &sides.reference);
+        found.add(case, &entries, doubted);
+    }
+    found
+}
+
+/// What an answer is compared with.
+struct Sides {
+    reference: [Varied<Bounded2>; COMPONENTS],
+    textbook: [Varied<Bounded2>; COMPONENTS],
+    scales: [Varied<crate::number::Magnitude>; COMPONENTS],
+}
+
+/// Whether the differences in double-double do not agree with the reference.
+fn is_doubted(site: &Site, reference: &[Varied<Bounded2>; COMPONENTS]) -> bool {
+    let Some(differences) = differences(site) else { return false };
+    let pairs = differences
+        .into_iter()
+        .flat_map(Varied::parts)
+        .zip(reference.iter().flat_map(|varied| varied.parts()));
+    pairs.into_iter().any(|(told, own)| {
+        let difference = (told.value.value() - own.value).abs();
+        difference > told.error + own.bound[0] + f64::EPSILON * own.value.abs()
+    })
+}
+
+/// The comparisons of one answer.
+fn entries_of(answer: &Answer, at: &Situation<'_>, sides: &Sides) -> Result<Vec<Comparison>, String> {
+    let dofs = at.dq.len();
+    let quantity = answer.quantity;
+    let Some(i) = (15..COMPONENTS).find(|&i| Quantity::of_component(i) == quantity) else {
+        return Err(format!("{}: a scalar quantity expected, found a vector", quantity.name()));
+    };
+    let shaped = |what: &str, numbers: &Option<Vec<f64>>, expected: usize| match numbers {
+        Some(numbers) if numbers.len() != expected => Err(format!(
+            "{what} of {}: {expected} numbers expected, found {}",
+            quantity.name(),
+            numbers.len()
+        )),
+        _ => Ok(()),
+    };
+    shaped("gradient", &answer.gradient, dofs)?;
+    shaped("Hessian", &answer.hessian, dofs * dofs)?;
+    let exact = |value: f64| Bounded { value, bound: 0.0 };
+    let sum = |terms: &mut dyn Iterator<Item = Bounded>| terms.fold(exact(0.0), |sum, term| sum + term);
+    let dot = |u: &[f64], v: &[f64]| sum(&mut u.iter().zip(v).map(|(&u, &v)| exact(u) * exact(v)));
+    let along = |gradient: &Option<Vec<f64>>, dq| gradient.as_ref().map(|gradient| dot(gradient, dq));
+    let second = answer.hessian.as_ref().map(|hessian| {
+        let rows = hessian.chunks_exact(dofs.max(1)).zip(at.dq);
+        sum(&mut rows.map(|(row, &dq)| exact(dq) * dot(row, at.linear_dq)))
+    });
+    let numbers = [
+        (0, answer.value.map(exact)),
+        (1, along(&answer.gradient, at.dq)),
+        (2, along(&answer.gradient, at.linear_dq)),
+        (3, second),
+        (1, answer.variations[0].map(exact)),
+        (2, answer.variations[1].map(exact)),
+        (3, answer.variations[2].map(exact)),
+    ];
+    let orders = [Order::Value, Order::First, Order::First, Order::Second];
+    let entry = |(k, number): (usize, Option<Bounded>)| {
+        let number = number?;
+        let (other, textbook) = (sides.reference[i].parts()[k], sides.textbook[i].parts()[k]);
+        let bound = CAREFUL * textbook.bound[0] + number.bound;
+        Some(Comparison {
+            quantity,
+            axis: None,
+            order: orders[k],
+            part: Varied::<f64>::PARTS[k],
+            against: ROUTES[2],
+            closed: number.value,
+            other: other.value,
+            scale: sides.scales[i].parts()[k].scale,
+            bound,
+            tolerance: bound + other.bound[0],
+        })
+    };
+    Ok(numbers.into_iter().filter_map(entry).collect())
+}
