@@ -4,6 +4,7 @@ mod allocation;
 mod batches;
 mod blocks;
 mod bounds;
+mod candidate;
 mod case_files;
 mod centroids;
 mod closed_form_equals_ad;

@@ -1,0 +1,113 @@
+//! A linearization of the user's own through the gate.
+
+use beamgap::check::{self, Answer, Family, Found, Order, Situation};
+use beamgap::curve::Segment;
+use beamgap::linearization::closed_form::{Form, Matrices};
+use beamgap::linearization::{Expansion, Quantity};
+use beamgap::pair::DofVector;
+use nalgebra::SVector;
+
+type Numbers = Expansion<f64, 6, 6>;
+
+/// The paper's matrices of two segments, changed by `change`.
+fn of_segments(at: &Situation<'_>, change: impl Fn(Quantity, &mut Numbers)) -> Vec<Answer> {
+    use beamgap::curve::Curve;
+    let [q, q_bar] = [at.q, at.q_bar].map(SVector::<f64, 6>::from_column_slice);
+    let (jet, jet_bar) = (Segment::new().jet(&q, at.at.0), Segment::new().jet(&q_bar, at.at.1));
+    let all = Matrices::in_form(&jet, &jet_bar, Form::paper(at.active)).all(at.at, &at.contact);
+    let quantities = [
+        (Quantity::Xi, all.xi),
+        (Quantity::XiBar, all.xi_bar),
+        (Quantity::D, all.d),
+        (Quantity::T, all.t),
+        (Quantity::TBar, all.t_bar),
+        (Quantity::GN, all.g_n()),
+        (Quantity::GT, all.g_t),
+        (Quantity::GTBar, all.g_t_bar),
+    ];
+    let answer = |(quantity, mut numbers): (Quantity, Numbers)| {
+        change(quantity, &mut numbers);
+        let (mut gradient, mut hessian) = (vec![0.0; 12], vec![0.0; 144]);
+        numbers.gradient.write_to(&mut gradient).unwrap();
+        numbers.hessian.write_dense(&mut hessian).unwrap();
+        let along = |dq: &[f64]| DofVector::<f64, 6, 6>::from_slice(dq).unwrap();
+        let (dq, linear_dq) = (along(at.dq), along(at.linear_dq));
+        let variations = [
+            numbers.gradient.along(&dq),
+            numbers.gradient.along(&linear_dq),
+            numbers.hessian.along(&dq, &linear_dq),
+        ];
+        Answer {
+            quantity,
+            value: Some(numbers.value),
+            gradient: Some(gradient),
+            hessian: Some(hessian),
+            variations: variations.map(Some),
+        }
+    };
+    quantities.into_iter().map(answer).collect()
+}
+
+fn found(change: impl Fn(Quantity, &mut Numbers) + Sync) -> Found {
+    check::linearization(&|at: &Situation<'_>| of_segments(at, &change), [Family::Segment; 2], 12)
+}
+
+#[test]
+fn the_textbook_formulas_agree_in_every_regime() {
+    let found = found(|_, _| ());
+    assert!(found.agrees(), "{found}");
+    // Eight quantities in three orders; contracted by the gate and by the candidate, so twice as many variations.
+    assert_eq!(found.digits.len(), 8 * 3);
+    assert!(
+        found.compared > 100 && (found.mismatches, found.unanswered, found.doubted) == (0, 0, 0),
+        "{found}"
+    );
+    let count = |order| found.digits[&(Quantity::Xi, order)].entries;
+    assert!(count(Order::Value) > 100 && count(Order::First) <= 4 * count(Order::Value));
+}
+
+#[test]
+fn the_first_wrong_number_is_named_with_its_equations() {
+    let halved = |wrong: Quantity, order: Order| {
+        found(move |quantity, numbers| {
+            if quantity == wrong {
+                match order {
+                    Order::Value => numbers.value *= 0.5,
+                    Order::First => numbers.gradient = numbers.gradient.times(0.5),
+                    _ => numbers.hessian.beam *= 1.0 + 1e-6,
+                }
+            }
+        })
+    };
+    for (quantity, order, words) in [
+        (Quantity::Xi, Order::First, "look at the 2 x 2 system, eq. (50)-(52)"),
+        (Quantity::D, Order::Second, "look at eq. (40) and (57)"),
+        (Quantity::GTBar, Order::Value, "look at its definition"),
+    ] {
+        let found = halved(quantity, order);
+        assert!(!found.agrees() && found.mismatches > 50 && found.doubted == 0, "{found}");
+        assert!(found.first.keys().all(|&first| first == (order, quantity)), "{:?}", found.first);
+        let text = found.to_string();
+        assert!(text.contains(words) && text.contains("WRONG") && text.contains("DISAGREES"), "{text}");
+    }
+}
+
+#[test]
+fn answers_of_another_shape_are_refused_in_words() {
+    let short = |_: &Situation<'_>| vec![Answer { gradient: Some(vec![0.0; 11]), ..Answer::of(Quantity::D) }];
+    let found = check::linearization(&short, [Family::Segment; 2], 1);
+    assert!(!found.agrees());
+    assert_eq!(found.to_string(), "DISAGREES: gradient of d: 12 numbers expected, found 11");
+    let vector = |_: &Situation<'_>| vec![Answer::of(Quantity::DVector)];
+    let found = check::linearization(&vector, [Family::Segment; 2], 1);
+    assert_eq!(found.to_string(), "DISAGREES: d_vector: a scalar quantity expected, found a vector");
+}
+
+#[test]
+fn who_answers_nothing_is_not_right() {
+    let none = |_: &Situation<'_>| Vec::new();
+    let found = check::linearization(&none, [Family::Segment; 2], 1);
+    assert!(!found.agrees() && found.unanswered > 0 && found.to_string().starts_with("quantity"), "{found}");
+    let infinite = |_: &Situation<'_>| vec![Answer { value: Some(f64::NAN), ..Answer::of(Quantity::D) }];
+    assert!(check::linearization(&infinite, [Family::Segment; 2], 1).mismatches > 0);
+}
