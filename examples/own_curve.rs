@@ -15,16 +15,13 @@ struct Quartic;
 const BINOMIAL: [f64; 5] = [1.0, 4.0, 6.0, 4.0, 1.0];
 
 /// x^n with its first three derivatives.
-fn power<T: Real>(x: T, n: usize) -> [T; 4] {
-    let mut factor = T::one();
-    std::array::from_fn(|k| {
-        if k > n {
-            return T::zero();
-        }
-        let value = (0..n - k).fold(factor, |product, _| product * x);
-        factor = factor * T::from(if k < n { f64::from(u8::try_from(n - k).unwrap_or(0)) } else { 0.0 });
-        value
-    })
+fn power<T: Real>(x: T, n: u32) -> [T; 4] {
+    let mut all = [T::zero(); 4];
+    for (k, derivative) in (0..=n).zip(&mut all) {
+        let factor: u32 = (n - k + 1..=n).product();
+        *derivative = (0..n - k).fold(T::from(f64::from(factor)), |product, _| product * x);
+    }
+    all
 }
 
 impl Curve<15> for Quartic {
@@ -46,7 +43,7 @@ impl Curve<15> for Quartic {
         let half = T::from(0.5);
         let (u, v) = ((T::one() + xi) * half, (T::one() - xi) * half);
         // The derivatives of u^i v^(4 - i) in xi: du = dxi/2, dv = -dxi/2.
-        let shapes: [[T; 4]; 5] = std::array::from_fn(|i| {
+        let shapes: [[T; 4]; 5] = [0, 1, 2, 3, 4].map(|i| {
             let (f, g) = (power(u, i), power(v, 4 - i));
             let three = T::from(3.0);
             [

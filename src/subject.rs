@@ -18,7 +18,7 @@ pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
 pub(crate) use invariance::by_invariance;
-pub(crate) use kernel::{Contracted, Layouts, Second, contracted_kernel, every_layout, fast_kernel, kernel};
+pub(crate) use kernel::{Contracted, Layouts, Second, every_layout, fast_kernel, kernel};
 pub(crate) use planted::When;
 pub(crate) use point::{CONTACT, Point};
 

@@ -56,8 +56,11 @@ pub(super) fn compare_beams(
 }
 
 fn verdict(trial: &Trial, asked: bool, site: &Site) -> Verdict {
-    let closed = Closed::new(&trial.subject, site);
-    let mut entries = closed.compared_with(&References::new(site));
+    let (closed, references) = (Closed::new(&trial.subject, site), References::new(site));
+    let mut entries = closed.compared_with(&references);
+    if closed.is_out_of_range() || references.is_out_of_range() {
+        return Verdict::Inconclusive(Inconclusive::OutOfRange, entries);
+    }
     // Faults are planted in the formulas that the kernel is compared with.
     if trial.subject == Subject::Sound {
         entries.extend(closed.kernel(site));
@@ -115,7 +118,19 @@ pub(crate) struct References {
     chord: [Varied<Bounded2>; COMPONENTS],
 }
 
+/// Scales below this are of products that may have lost digits to underflow.
+const SMALLEST: f64 = 1e-280;
+
+fn is_finite(varied: &Varied<Bounded2>) -> bool {
+    varied.parts().iter().all(|part| part.value.is_finite())
+}
+
 impl References {
+    /// Whether some number overflows.
+    fn is_out_of_range(&self) -> bool {
+        !self.chord.iter().all(is_finite)
+    }
+
     /// Differentiates at a closest point.
     pub(crate) fn new(site: &Site) -> Self {
         let Site { beams: [beam, bar], active, at: (xi, xi_bar), .. } = *site;
@@ -138,6 +153,14 @@ impl Closed {
             bounds: site.closed(subject),
             matrices: site.matrices(subject),
         }
+    }
+
+    /// Whether some number of the closed form without faults overflows, or some term underflows.
+    fn is_out_of_range(&self) -> bool {
+        let is_out =
+            |scale: Magnitude| !scale.scale.is_finite() || (scale.scale > 0.0 && scale.scale < SMALLEST);
+        !self.bounds.iter().all(is_finite)
+            || self.scales.iter().any(|scale| scale.parts().into_iter().any(is_out))
     }
 
     /// All comparisons at one closest point.
@@ -205,15 +228,14 @@ impl Closed {
 
     /// What each layout of the kernel holds, contracted with the directions, against the variations.
     fn kernel(&self, site: &Site) -> Vec<Comparison> {
-        let Some((layouts, bounds)) = site.kernel() else { return Vec::new() };
-        let of_layout = |(layout, numbers): (&'static str, Contracted<f64>)| {
+        let of_layout = |(layout, numbers, bounds): (&'static str, Contracted<f64>, Contracted<Bounded>)| {
             let each = (0..SCALARS).flat_map(|scalar| (0..4).map(move |k| [scalar, k]));
             each.filter_map(move |[scalar, k]| {
                 let (value, bound) = (numbers[scalar][k]?, bounds[scalar][k]?.bound);
                 Some(self.contracted(layout, [scalar, k], Bounded { value, bound }))
             })
         };
-        layouts.into_iter().flat_map(of_layout).collect()
+        site.kernel().into_iter().flat_map(of_layout).collect()
     }
 
     /// A part of a scalar that was contracted, against the variation.

@@ -36,14 +36,21 @@ pub struct Selection {
     pub cases: u64,
 }
 
-const REGIMES: u64 = Regime::ALL.len() as u64;
+/// The regimes whose cases take turns; the last one counts its own from [`APART`] on, so that the numbers of the others
+/// stay what they were before there was one more.
+const REGIMES: u64 = Regime::ALL.len() as u64 - 1;
+const APART: u64 = 1 << 40;
 const FAMILIES: u64 = Family::ALL.len() as u64;
 
 impl Selection {
     /// The numbers of the cases, regime by regime.
     pub fn numbers(&self) -> Vec<u64> {
         let wanted = |regime: Regime| {
-            let of_regime = (0..).map(move |turn| turn * REGIMES + regime as u64);
+            let number = move |turn| match regime {
+                Regime::BadlyScaled => APART + turn,
+                _ => turn * REGIMES + regime as u64,
+            };
+            let of_regime = (0..).map(number);
             let family = self.family;
             let of_family =
                 move |&number: &u64| family.is_none_or(|family| families(number).contains(&family));
@@ -55,12 +62,15 @@ impl Selection {
 
 /// The regime of a case.
 fn regime(number: u64) -> Regime {
+    if number >= APART {
+        return Regime::BadlyScaled;
+    }
     Regime::ALL[usize::try_from(number % REGIMES).unwrap_or(0)]
 }
 
 /// Which of the cases of its regime a case is.
 pub(super) fn turn(number: u64) -> u64 {
-    number / REGIMES
+    if number >= APART { number - APART } else { number / REGIMES }
 }
 
 /// The families of a case: all pairs in turn.
@@ -92,7 +102,21 @@ impl Case {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream(number);
         let draw = regime.draw(&mut rng);
-        let specimens = crossing(families, &draw, &mut rng);
+        let mut specimens = crossing(families, &draw, &mut rng);
+        if regime == Regime::BadlyScaled {
+            for _ in 0..rng.random_range(1..4) {
+                let beam = &mut specimens[rng.random_range(0..2)];
+                let factor = 10_f64.powf(rng.random_range(-8.0..8.0)) * if rng.random() { 1.0 } else { -1.0 };
+                // Mostly dofs: directions enter linearly.
+                let numbers = match rng.random_range(0..6) {
+                    0 => &mut beam.dq,
+                    1 => &mut beam.linear_dq,
+                    _ => &mut beam.q,
+                };
+                let dof = rng.random_range(0..numbers.len());
+                numbers[dof] *= factor;
+            }
+        }
         let contact = Contact {
             radius: 0.05 * draw.length * rng.random_range(0.1..1.0),
             radius_bar: 0.05 * draw.length * rng.random_range(0.1..1.0),

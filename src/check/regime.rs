@@ -24,6 +24,9 @@ pub enum Regime {
     Metres,
     /// Measured in millimetres: lengths near 1e3.
     Millimetres,
+    /// A generic pair with up to three of its dofs, and of its directions, times 1e-8 to 1e8, some of them negative: one
+    /// control point far away, say, or end parameters within 1e-9 of an end.
+    BadlyScaled,
 }
 
 /// The numbers that a regime draws.
@@ -43,7 +46,7 @@ pub(super) struct Draw {
 
 impl Regime {
     /// All regimes.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Generic,
         Self::Slender,
         Self::NearlyStraight,
@@ -53,6 +56,7 @@ impl Regime {
         Self::NearEnd,
         Self::Metres,
         Self::Millimetres,
+        Self::BadlyScaled,
     ];
 
     /// The regime of this name.
@@ -72,6 +76,7 @@ impl Regime {
             Self::NearEnd => "near-end",
             Self::Metres => "metres",
             Self::Millimetres => "millimetres",
+            Self::BadlyScaled => "badly-scaled",
         }
     }
 
@@ -88,6 +93,15 @@ impl Regime {
         let mut power = |low: f64, high: f64| 10_f64.powf(rng.random_range(low..high));
         match self {
             Self::Generic => generic,
+            Self::BadlyScaled => {
+                let mut near_end = generic;
+                if rng.random_ratio(1, 4) {
+                    let distance = 10_f64.powf(rng.random_range(-9.0..-6.0));
+                    let side = if rng.random() { 1.0 } else { -1.0 };
+                    near_end.at[rng.random_range(0..2)] = side * (1.0 - distance);
+                }
+                near_end
+            }
             Self::Slender => Draw { gap: power(-4.0, -2.0), ..generic },
             Self::NearlyStraight => Draw { bend: [power(-6.0, -3.0), power(-6.0, -3.0)], ..generic },
             Self::StronglyCurved => {

@@ -9,9 +9,7 @@ use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Bounded, DoubleDouble, Faulty, Magnitude};
 use crate::pair::Contact;
 use crate::specimen::{AnyBeam, Bounded2, FEW_DOFS, PaddedBeam, map_padded};
-use crate::subject::{
-    Contracted, Layouts, SCALARS, Second, Subject, When, contracted, contracted_kernel, fast_kernel, terms,
-};
+use crate::subject::{Contracted, SCALARS, Subject, When, contracted, every_layout, fast_kernel, terms};
 use std::sync::OnceLock;
 
 /// A closest point that has derivatives, and is known well enough.
@@ -81,8 +79,23 @@ impl<'a> Site<'a> {
             site.at = refined.map(Refined::rounded).into();
             (site.point.xi, site.point.xi_bar) = (site.at.0.value, site.at.1.value);
         }
+        site.widen();
         let form = Form::at(&site.points(), site.active);
         Ok(site.in_form(form))
+    }
+
+    /// Widens the bounds for those who solve for the closest point in `f64` again, from positions alone: the rounding of
+    /// their conditions, whose tangents are derivatives of positions, moves the parameters too.
+    fn widen(&mut self) {
+        let Self { beams: [beam, bar], active, at: (xi, xi_bar), .. } = *self;
+        let exact = (Bounded2::from(xi.value), Bounded2::from(xi_bar.value));
+        let chord = Chord::<Bounded2>::new(beam, bar, exact, active);
+        let [step, step_bar] = chord.step(beam, bar, exact);
+        for (at, step) in [(&mut self.at.0, step), (&mut self.at.1, step_bar)] {
+            // Two steps, each of which rounds the parameter.
+            let far = 2.0 * (step.value.abs() + step.bound[0] + f64::EPSILON * at.value.abs());
+            at.bound[1] = at.bound[1].max(far);
+        }
     }
 
     /// With these formulas.
@@ -205,15 +218,21 @@ impl<'a> Site<'a> {
         matrices
     }
 
-    /// The kernel in all its layouts, with bounds on the error of each number; nothing if a curve has no shape functions.
+    /// The kernel in all its layouts, each with bounds on the errors of its numbers; empty if a curve has no shape functions.
     ///
     /// The kernel chooses the form itself: this is for sites in the form that is chosen.
-    pub(super) fn kernel(&self) -> Option<(Layouts<f64>, Contracted<Bounded>)> {
+    pub(super) fn kernel(&self) -> Vec<(&'static str, Contracted<f64>, Contracted<Bounded>)> {
         let beams = self.padded(When::Now);
-        let [memory, ..] = Second::ALL;
-        let bounds = contracted_kernel(beams, self.sharp(), self.form, self.contact, memory)?;
+        let bounds = every_layout(beams, self.sharp(), self.form, self.contact);
         let beams = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
-        Some((fast_kernel(&beams, &self.point, *self.contact), bounds))
+        let of = |(name, numbers): (&'static str, Contracted<f64>)| {
+            // Other layouts hold the same numbers, summed in another order.
+            let same =
+                |(of, _): &&(&str, Contracted<Bounded>)| name.rsplit(' ').next() == of.rsplit(' ').next();
+            let (_, bounds) = bounds.iter().find(same).or(bounds.first())?;
+            Some((name, numbers, *bounds))
+        };
+        fast_kernel(&beams, &self.point, *self.contact).into_iter().filter_map(of).collect()
     }
 
     fn unmodified(&self) -> &Unmodified {

@@ -44,7 +44,8 @@ mod tests {
 
     #[test]
     fn a_sample_is_every_thirteenth_case_of_each_regime() {
-        let regimes = Regime::ALL.len() as u64;
+        // Badly scaled cases have numbers of their own.
+        let regimes = Regime::ALL.len() as u64 - 1;
         for number in 0..40 * regimes {
             assert!(!Oracles::Ad.asks_differences(number) && Oracles::All.asks_differences(number));
             assert_eq!(Oracles::Sample.asks_differences(number), (number / regimes).is_multiple_of(13));

@@ -121,6 +121,8 @@ pub enum Inconclusive {
     IllConditioned,
     /// Rounding explains differences of more than a thousandth of some scale.
     NotMeaningful,
+    /// A number, or a product on the way to it, is larger or smaller than an `f64` can be: bounds on rounding mean nothing.
+    OutOfRange,
 }
 
 impl Inconclusive {
@@ -135,6 +137,7 @@ impl Inconclusive {
             Self::WeakEnd => "kink: a parameter just leaves an end",
             Self::IllConditioned => "the closest point is not known well enough",
             Self::NotMeaningful => "the rounding bound exceeds 1e-3 of a scale",
+            Self::OutOfRange => "overflow or underflow: beyond the range of f64",
         }
     }
 }

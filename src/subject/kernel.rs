@@ -27,7 +27,7 @@ pub(crate) type Contracted<T> = [[Option<T>; 4]; SCALARS];
 pub(crate) type Layouts<T> = Vec<(&'static str, Contracted<T>)>;
 
 /// One number after the other, in the form given and in memory of this kind; nothing if a curve has no shape functions.
-pub(crate) fn contracted_kernel<T: Real>(
+fn contracted_kernel<T: Real>(
     beams: &[PaddedBeam<T>; 2],
     at: (T, T),
     form: Form,

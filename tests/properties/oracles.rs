@@ -21,7 +21,7 @@ fn sharpness_is_shown_side_by_side_and_for_all_regimes() {
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
     let command = document["environment"]["command"].as_str().unwrap();
     assert_eq!(command, "beamgap sharpness --seed 0x5eed --cases 1 --family segment");
-    assert_eq!(document["regimes"].as_array().unwrap().len(), 9);
+    assert_eq!(document["regimes"].as_array().unwrap().len(), 10);
 
     let text = stdout(&run(&arguments));
     let (_, sides) = text.split_once("\nclosed form: ").unwrap();

@@ -34,14 +34,12 @@ fn found(oracles: Oracles, seed: u64, number: u64) -> Compared {
 
 /// Two segments between these points.
 fn segments(ends: [[f64; 6]; 2]) -> Compared {
-    let specimens = ends.map(|ends| Specimen {
-        family: Family::Segment,
-        parameters: Vec::new(),
-        q: ends.into(),
-        dq: vec![0.25; 6],
-        linear_dq: vec![0.5; 6],
-    });
-    Written { specimens, contact: Contact::default() }.compare(&Trial::default()).unwrap()
+    Written { specimens: ends.map(segment), contact: Contact::default() }.compare(&Trial::default()).unwrap()
+}
+
+fn segment(ends: [f64; 6]) -> Specimen {
+    let (q, dq, linear_dq) = (ends.into(), vec![0.25; 6], vec![0.5; 6]);
+    Specimen { family: Family::Segment, parameters: Vec::new(), q, dq, linear_dq }
 }
 
 #[test]
@@ -136,6 +134,18 @@ fn a_case_that_cannot_be_compared_has_a_reason() {
         found.into_iter().filter_map(reason).collect()
     };
     let along = |y: f64, end: f64| [-end, y, 0.0, end, y, 0.0];
+    // Directions whose product overflows, and such whose product underflows.
+    for size in [1e261, 1e-150] {
+        let ends = [along(0.0, 1.0), [0.0, -1.0, 1.0, 0.5, 1.0, 1.0]];
+        let directions = |of: Specimen| Specimen {
+            dq: vec![size; 6],
+            linear_dq: vec![-size, size, size, size, size, size],
+            ..of
+        };
+        let specimens = ends.map(|ends| directions(segment(ends)));
+        let found = Written { specimens, contact: Contact::default() }.compare(&Trial::default()).unwrap();
+        assert!(matches!(found[0].1, Verdict::Inconclusive(Inconclusive::OutOfRange, _)), "{size:e}");
+    }
     assert_eq!(reasons(segments([along(0.0, 1.0), [0.0, -1.0, 1.0, 0.5, 1.0, 1.0]])), []);
     assert_eq!(reasons(segments([along(0.0, 1.0), along(0.0, 0.0)])), [Inconclusive::ZeroTangent]);
     assert_eq!(reasons(segments([along(0.0, 1e300), along(1.0, 1.0)])), [Inconclusive::SearchFailed]);

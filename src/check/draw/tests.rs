@@ -1,6 +1,6 @@
 //! What a number draws is what its regime asks for.
 
-use super::{Case, FAMILIES, REGIMES, Selection, families, orthonormal, regime, turn};
+use super::{APART, Case, FAMILIES, REGIMES, Selection, families, orthonormal, regime, turn};
 use crate::check::regime::Draw;
 use crate::check::{Family, Regime};
 use crate::curve::Geometry;
@@ -104,10 +104,12 @@ fn all_pairs_of_families_take_turns_in_all_regimes() {
     let pairs = FAMILIES * FAMILIES;
     let all = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: pairs };
     let numbers = all.numbers();
-    assert_eq!(numbers.iter().collect::<BTreeSet<_>>().len() as u64, REGIMES * pairs);
-    assert!(numbers.iter().all(|&number| number < REGIMES * pairs));
+    assert_eq!(numbers.iter().collect::<BTreeSet<_>>().len() as u64, (REGIMES + 1) * pairs);
+    let is_apart = |number| (APART..APART + pairs).contains(&number);
+    assert!(numbers.iter().all(|&number| number < REGIMES * pairs || is_apart(number)));
     let met: BTreeSet<_> = numbers.iter().map(|&number| (regime(number), families(number))).collect();
-    assert_eq!(met.len() as u64, REGIMES * pairs);
+    assert_eq!(met.len() as u64, (REGIMES + 1) * pairs);
+    assert_eq!((turn(APART), turn(APART + 13)), (0, 13));
     assert_eq!((turn(0), turn(REGIMES - 1), turn(REGIMES), turn(5 * REGIMES + 2)), (0, 0, 1, 5));
 }
 

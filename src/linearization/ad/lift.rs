@@ -135,6 +135,17 @@ where
         self.inverse.map(|[p, q]| -(p * f + q * f_bar))
     }
 
+    /// The chord step from parameters of the base scalar, from positions alone.
+    #[cfg(feature = "check")]
+    pub(crate) fn step<S, R>(&self, beam: &S, bar: &R, (xi, xi_bar): (B, B)) -> [B; 2]
+    where
+        S: PositionAt<<B::Dual as Differentiable>::Dual> + ?Sized,
+        R: PositionAt<<B::Dual as Differentiable>::Dual> + ?Sized,
+    {
+        let [f, f_bar] = orthogonality::<B::Dual>(beam, bar, (xi.dual(0.0), xi_bar.dual(0.0)));
+        self.solve(B::parts(f).0, B::parts(f_bar).0)
+    }
+
     /// Lifts to the scalar `T` by `steps` chord steps: one makes the first derivatives exact, two the second.
     pub fn lift<T, S, R>(&self, beam: &S, bar: &R, (xi, xi_bar): (B, B), steps: usize) -> (T, T)
     where
