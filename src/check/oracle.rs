@@ -29,6 +29,10 @@ use noise::Noise;
 /// The largest step over the radius of the direction: four times that must be well within it.
 const WIDEST: f64 = 1.0 / 64.0;
 
+/// How many times the difference of the two extrapolations the error may be: the steps are for what the problem is at the
+/// closest point, and badly scaled beams change faster.
+const CAUTION: f64 = 8.0;
+
 /// A number with an estimate of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Estimated {
@@ -56,8 +60,8 @@ pub(super) fn differences(site: &Site) -> Option<[Varied<Estimated>; COMPONENTS]
         let sixth = extrapolated(fourth, extrapolated(middle, coarse, 4.0), 16.0);
         // 16/15 (4/3 + 1/3 · 1/2) + ... < 2 times the rounding of the finest difference.
         let over = |h: [f64; 2]| [h[0], h[1], h[0] * h[1]][k];
-        let error =
-            (sixth - fourth).abs().value() + 2.0 * rounding[i] / over(steps) + truncation[i] / over(radii);
+        let truncated = CAUTION * (sixth - fourth).abs().value();
+        let error = truncated + 2.0 * rounding[i] / over(steps) + truncation[i] / over(radii);
         Estimated { value: sixth, error }
     };
     Some(std::array::from_fn(|i| Varied {

@@ -2,7 +2,7 @@
 
 use super::moved::Base;
 use super::norm;
-use super::tangent::{STEP, WEIGHTS, tangent};
+use super::tangent::{REACH, STEP, WEIGHTS, tangent};
 use crate::linearization::{COMPONENTS, Quantities};
 use crate::number::{Differentiable, DoubleDouble, Dual};
 use crate::specimen::{AnyBeam, Bounded2};
@@ -22,10 +22,14 @@ pub(super) struct Noise {
     pub(super) truncation: [f64; COMPONENTS],
 }
 
-/// The rounding of a position in double-double, from its running error bound in `f64`.
+/// The rounding of a position in double-double, from its running error bound in `f64`: the largest at the parameter and at
+/// those that the tangent is made of, as shape functions may vanish at one of them.
 pub(super) fn of_position(beam: &dyn AnyBeam, xi: f64) -> f64 {
-    let x: Vector3<Dual<Dual<Bounded2>>> = beam.position_at(Bounded2::from(xi).dual(0.0).dual(0.0));
-    FINER * x.map(|x| x.re.re.bound[0]).norm()
+    let at = |xi: f64| {
+        let x: Vector3<Dual<Dual<Bounded2>>> = beam.position_at(Bounded2::from(xi).dual(0.0).dual(0.0));
+        FINER * x.map(|x| x.re.re.bound[0]).norm()
+    };
+    [-REACH, 0.0, REACH].map(|off| at(xi + off)).into_iter().fold(0.0, f64::max)
 }
 
 impl Base<'_> {
@@ -70,7 +74,8 @@ impl Base<'_> {
         let xi = self.of_parameters(x, t);
         let lengths = self.place.t.map(|t| norm(&t));
         let point = [0, 1].map(|i| x[i] + lengths[i] * xi[i]);
-        let along = [0, 1].map(|i| t[i] + self.bends[i] * xi[i]);
+        // The last term is what squares and roots of the tangents round, half an ulp of an `f64` made finer.
+        let along = [0, 1].map(|i| t[i] + self.bends[i] * xi[i] + FINER * 0.5 * f64::EPSILON * lengths[i]);
         let slip =
             |i: usize, start: f64| (self.place.at[i].value() - start).abs() * along[i] + lengths[i] * xi[i];
         let d = point[0] + point[1];
