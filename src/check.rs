@@ -60,7 +60,7 @@ pub use arbitration::Arbitration;
 pub use candidate::{Answer, CAREFUL, Candidate, Digits, Found, Situation, linearization};
 pub(crate) use compare::{Closed, References, judged};
 pub use compare::{Compared, compare};
-pub use diagnosis::{Diagnosis, Finding};
+pub use diagnosis::{Diagnosis, Finding, look_at};
 pub use distribution::Distribution;
 pub use draw::{Case, Selection};
 pub use own::{JetFinding, OwnCurve, curve};

@@ -1,6 +1,6 @@
 //! What a mismatch is at heart: the first wrong number in the order in which they are computed.
 
-use super::compare::{Compared, MATRICES};
+use super::compare::MATRICES;
 use super::verdict::{Comparison, Order, Verdict};
 use crate::closest_point::{Active, ClosestPoint};
 use crate::linearization::Quantity;
@@ -43,7 +43,7 @@ pub struct Finding {
 
 impl Finding {
     /// The diagnosis of a comparison, if something does not agree.
-    pub fn of(compared: &Compared) -> Option<Self> {
+    pub fn of(compared: &[(Option<ClosestPoint>, Verdict)]) -> Option<Self> {
         let wrong = compared.iter().enumerate().filter_map(|(minimum, (point, verdict))| match verdict {
             Verdict::Mismatch(entries) => Some((minimum, (*point)?, first(entries)?, entries)),
             Verdict::Pass(_) | Verdict::Inconclusive(..) => None,
@@ -61,6 +61,27 @@ impl Finding {
         let diagnosis = Diagnosis { order, quantity, part, against, active: point.active() };
         let is_clear = entries.iter().all(Comparison::is_meaningful);
         Some(Self { diagnosis, minimum, point, entry, is_clear })
+    }
+}
+
+/// Where to look if this is the first number that is wrong: the equations of the paper.
+pub fn look_at(order: Order, quantity: Quantity) -> &'static str {
+    match (order, quantity) {
+        (Order::First, Quantity::Xi | Quantity::XiBar) => "the 2 x 2 system, eq. (50)-(52)",
+        (Order::Second, Quantity::Xi | Quantity::XiBar) => {
+            "the 2 x 2 system once more, eq. (53)-(56) and (59)"
+        }
+        (Order::First, Quantity::D | Quantity::GN) => "delta d = n . delta u, eq. (37)",
+        (Order::Second, Quantity::D | Quantity::GN) => "eq. (40) and (57)",
+        (Order::First, Quantity::T | Quantity::TBar) => "eq. (41)",
+        (Order::Second, Quantity::T | Quantity::TBar) => "eq. (42) and (58)",
+        (Order::First, Quantity::GT | Quantity::GTBar) => "eq. (20)",
+        (Order::Second, Quantity::GT | Quantity::GTBar) => "eq. (21)",
+        (Order::First, _) => "the variation of the curve, eq. (24) and (28)",
+        (Order::Second, _) => "eq. (26), (27) and (30)-(32)",
+        (Order::Symmetry, _) => "terms with delta and Delta exchanged",
+        (Order::Matrix, _) => "the step from variations to matrices",
+        (Order::Value, _) => "its definition",
     }
 }
 

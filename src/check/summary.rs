@@ -1,6 +1,7 @@
 //! What a run of the gate found, gathered so that the order of the cases does not matter.
 
 use super::arbitration::{Arbitration, DIFFERENCES};
+use super::diagnosis::Finding;
 use super::draw::Case;
 use super::regime::Regime;
 use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
@@ -83,6 +84,8 @@ pub struct Summary {
     pub pairs: BTreeMap<(Family, Family), u64>,
     /// The cases that did not agree, with the entry that is furthest off.
     pub mismatches: BTreeMap<u64, Comparison>,
+    /// The first wrong number of each of them, in the order in which they are computed.
+    pub first: BTreeMap<u64, (Order, Quantity)>,
     /// Who is wrong in each of them.
     pub arbitrations: BTreeMap<u64, Arbitration>,
     /// What the differences in double-double were asked, and answered.
@@ -178,6 +181,8 @@ impl Summary {
                 tally.worst.merge(&cell);
             }
         }
+        let first = Finding::of(verdicts).map(|finding| (finding.entry.order, finding.entry.quantity));
+        self.first.extend(first.map(|first| (case.number, first)));
         if compared > 0 {
             *self.pairs.entry((case.families[0], case.families[1])).or_default() += compared;
             for family in case.families {
@@ -202,6 +207,7 @@ impl Summary {
             *self.pairs.entry(pair).or_default() += count;
         }
         self.mismatches.extend(other.mismatches);
+        self.first.extend(other.first);
         self.arbitrations.extend(other.arbitrations);
         self.differences.merge(other.differences);
         self

@@ -4,14 +4,21 @@ use super::arguments::planting;
 use super::case_file;
 use super::check::{Checked, SHOWN};
 use super::human::{name, repeat};
-use beamgap::check::{Case, Comparison, Regime, Shrunk, test_source};
+use beamgap::check::{Case, Comparison, Regime, Shrunk, look_at, test_source};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// The first of them, each with the command that repeats it.
 pub(super) fn listed(checked: &Checked) -> String {
     let mut text = String::new();
-    let all = &checked.summary.mismatches;
-    for (&number, entry) in all.iter().take(SHOWN) {
+    let (all, first) = (&checked.summary.mismatches, &checked.summary.first);
+    // One of each kind, then others.
+    let mut kinds = BTreeSet::new();
+    let (mut shown, others): (Vec<u64>, Vec<u64>) =
+        all.keys().partition(|number| kinds.insert(first.get(number)));
+    shown.extend(others);
+    shown.truncate(SHOWN);
+    for (&number, entry) in shown.iter().filter_map(|number| all.get_key_value(number)) {
         let Case { regime, families: [beam, bar], .. } = Case::draw(checked.seed, number);
         let _ =
             writeln!(text, "  case {number}: {}, {} and {}", Regime::name(regime), beam.name(), bar.name());
@@ -25,6 +32,18 @@ pub(super) fn listed(checked: &Checked) -> String {
     match all.len().saturating_sub(SHOWN) {
         0 => {}
         rest => drop(writeln!(text, "  and {rest} more")),
+    }
+    let mut counts: BTreeMap<_, usize> = BTreeMap::new();
+    for kind in first.values() {
+        *counts.entry(kind).or_default() += 1;
+    }
+    if let Some((&&(order, quantity), count)) = counts.iter().max_by_key(|(_, count)| **count) {
+        let (cases, order_name, name) = (first.len(), order.name(), quantity.name());
+        let _ = write!(
+            text,
+            "\n  {count} of {cases} begin with {name} ({order_name}):\n  look at {}\n",
+            look_at(order, quantity)
+        );
     }
     text
 }

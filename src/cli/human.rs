@@ -19,7 +19,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     };
     add(
         "Worst error over scale, the sum of the sizes of its terms",
-        cells(checked, |cell| error(cell.scaled_error)),
+        cells(checked, |cell| error(cell.scaled_error) + if cell.over_tolerance > 1.0 { "!" } else { "" }),
     );
     add("The case that showed it", cells(checked, |cell| case_of(cell).unwrap_or_else(|| "-".into())));
     add("Regimes: closest points compared, worst error, and most of a tolerance used", regimes(checked));
@@ -31,7 +31,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     text + "\n" + &verdict.words + "\n"
 }
 
-fn title(Checked { plant, seed, selection, .. }: &Checked) -> String {
+fn title(Checked { plant, seed, selection, summary, .. }: &Checked) -> String {
     let family =
         selection.family.map_or_else(|| "all families".into(), |family| format!("family {}", family.name()));
     let regimes = match selection.regimes.as_slice() {
@@ -42,9 +42,10 @@ fn title(Checked { plant, seed, selection, .. }: &Checked) -> String {
         "Contact geometry of two beams: closed form against automatic differentiation\n\
          seed {seed:#x}, {regimes}, {} cases each, {family}\n{}\n\
          first: delta and Delta; second: Delta-delta; symmetry: second, with the\n\
-         directions exchanged; matrix: gradient and Hessian times the directions\n",
+         directions exchanged; matrix: gradient and Hessian times the directions\n{}",
         selection.cases,
-        planted(plant)
+        planted(plant),
+        if summary.mismatches.is_empty() { "" } else { "!: some number differs beyond rounding\n" }
     )
 }
 

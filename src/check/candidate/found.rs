@@ -1,6 +1,6 @@
 //! What was found of a linearization, and how it is told.
 
-use crate::check::diagnosis::place;
+use crate::check::diagnosis::{look_at, place};
 use crate::check::draw::Case;
 use crate::check::verdict::{Comparison, Order};
 use crate::linearization::Quantity;
@@ -84,23 +84,6 @@ impl Found {
         }
         self.example = self.example.or(other.example);
         self
-    }
-}
-
-/// Where to look if this is the first number that is wrong: the equations of the paper.
-fn look_at(order: Order, quantity: Quantity) -> &'static str {
-    match (order, quantity) {
-        (Order::First, Quantity::Xi | Quantity::XiBar) => "the 2 x 2 system, eq. (50)-(52)",
-        (Order::Second, Quantity::Xi | Quantity::XiBar) => {
-            "the 2 x 2 system once more, eq. (53)-(56) and (59)"
-        }
-        (Order::First, Quantity::D | Quantity::GN) => "delta d = n . delta u, eq. (37)",
-        (Order::Second, Quantity::D | Quantity::GN) => "eq. (40) and (57)",
-        (Order::First, Quantity::T | Quantity::TBar) => "eq. (41)",
-        (Order::Second, Quantity::T | Quantity::TBar) => "eq. (42) and (58)",
-        (Order::First, Quantity::GT | Quantity::GTBar) => "eq. (20)",
-        (Order::Second, Quantity::GT | Quantity::GTBar) => "eq. (21)",
-        _ => "its definition",
     }
 }
 

@@ -79,7 +79,7 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
     };
     let wrong = entries.iter_mut().find(|entry| entry.quantity == Quantity::Xi && entry.part == "Delta");
     wrong.unwrap().closed += 1.0;
-    let finding = Finding::of(&vec![(point, Verdict::Mismatch(entries))]).unwrap();
+    let finding = Finding::of(&[(point, Verdict::Mismatch(entries))]).unwrap();
     let shrunk = vec![Shrunk { number: 17, finding, case }];
     let (seed, selection) = (1, Selection { regimes: Vec::new(), family: None, cases: 1 });
     let plant = Vec::new();
