@@ -18,13 +18,11 @@ struct Beam {
 impl Beam {
     /// `first` is the first of the beam's dofs among the `dofs` of the pair.
     fn new(q: &[f64], xi: f64, first: usize, dofs: usize) -> Self {
-        // Factored: written out as sums they cancel near the ends.
-        let (u, v) = (1.0 + xi, 1.0 - xi);
         let shapes = [
-            [v * v * (1.0 + u) / 4.0, -3.0 * u * v / 4.0, 1.5 * xi],
-            [v * v * u / 4.0, -v * (1.0 + 3.0 * xi) / 4.0, 1.5 * xi - 0.5],
-            [u * u * (1.0 + v) / 4.0, 3.0 * u * v / 4.0, -1.5 * xi],
-            [-u * u * v / 4.0, u * (3.0 * xi - 1.0) / 4.0, 1.5 * xi + 0.5],
+            [(2.0 - 3.0 * xi + xi.powi(3)) / 4.0, (3.0 * xi * xi - 3.0) / 4.0, 1.5 * xi],
+            [(1.0 - xi - xi * xi + xi.powi(3)) / 4.0, (3.0 * xi * xi - 2.0 * xi - 1.0) / 4.0, 1.5 * xi - 0.5],
+            [(2.0 + 3.0 * xi - xi.powi(3)) / 4.0, (3.0 - 3.0 * xi * xi) / 4.0, -1.5 * xi],
+            [(xi.powi(3) + xi * xi - xi - 1.0) / 4.0, (3.0 * xi * xi + 2.0 * xi - 1.0) / 4.0, 1.5 * xi + 0.5],
         ];
         let sum = |k: usize| {
             let terms =

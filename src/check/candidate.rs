@@ -3,7 +3,9 @@
 //! # The tolerance
 //! A number may differ from that of automatic differentiation by the bound on the rounding of the latter, and by
 //! [`CAREFUL`] times the bound on the rounding of the paper's formulas at the same point: what a careful evaluation of the
-//! textbook formulas loses there. What the contraction with the directions rounds is added.
+//! textbook formulas loses there. Their shape functions may be written as sums of powers: near an end of a beam those
+//! cancel, and a point is known to half an ulp of its largest control vectors only. What the contraction with the
+//! directions rounds is added.
 
 mod found;
 
@@ -14,12 +16,14 @@ use super::oracle::differences;
 use super::site::Site;
 use super::verdict::{Comparison, Order};
 use crate::closest_point::{Active, Search, closest_points};
-use crate::linearization::closed_form::Form;
+use crate::curve::Geometry;
+use crate::linearization::closed_form::{Form, Frozen};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::Bounded;
 use crate::pair::Contact;
 use crate::specimen::{Bounded2, Family};
-use crate::subject::Subject;
+use crate::subject::{Subject, When};
+use nalgebra::Vector3;
 use rayon::prelude::*;
 
 pub use found::{Digits, Found};
@@ -145,11 +149,8 @@ fn compared(candidate: &impl Candidate, case: &Case) -> Found {
         }
         let reference = site.chord();
         let paper = site.in_form(Form::paper(point.active()));
-        let sides = Sides {
-            reference,
-            textbook: paper.closed(&Subject::Sound),
-            scales: paper.scales(&Subject::Sound),
-        };
+        let sides =
+            Sides { reference, textbook: textbook(&paper, case), scales: paper.scales(&Subject::Sound) };
         let mut entries = Vec::new();
         for answer in &answers {
             match entries_of(answer, &at, &sides) {
@@ -163,6 +164,29 @@ fn compared(candidate: &impl Candidate, case: &Case) -> Found {
         found.add(case, &entries, doubted);
     }
     found
+}
+
+/// The paper's formulas, with bounds on their rounding where shape functions are written as sums of powers.
+fn textbook(site: &Site, case: &Case) -> [Varied<Bounded2>; COMPONENTS] {
+    let mut beams = site.bounded(When::Now);
+    for ((frozen, specimen), is_sum) in beams.iter_mut().zip(&case.specimens).zip(site.have_shapes()) {
+        if !is_sum {
+            continue;
+        }
+        let Frozen { geometry: Geometry { x, t, t_xi, t_xixi }, delta_u, linear_u, .. } = frozen;
+        let rounded = |vectors: &mut dyn Iterator<Item = &mut Vector3<Bounded2>>, of: &[f64]| {
+            for vector in vectors {
+                for (c, number) in vector.iter_mut().enumerate() {
+                    let size: f64 = of.iter().skip(c).step_by(3).map(|dof| dof.abs()).sum();
+                    number.bound = number.bound.map(|bound| bound + f64::EPSILON / 2.0 * size);
+                }
+            }
+        };
+        rounded(&mut [x, t, t_xi, t_xixi].into_iter(), &specimen.q);
+        rounded(&mut delta_u.iter_mut(), &specimen.dq);
+        rounded(&mut linear_u.iter_mut(), &specimen.linear_dq);
+    }
+    Subject::Sound.formulas(&beams, site.at, site.form, site.contact).components()
 }
 
 /// What an answer is compared with.

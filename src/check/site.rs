@@ -149,6 +149,11 @@ impl<'a> Site<'a> {
         self.moments[when as usize].padded_few.get_or_init(padded)
     }
 
+    /// Whether each beam is a sum of shape functions times control vectors.
+    pub(super) fn have_shapes(&self) -> [bool; 2] {
+        self.padded(When::Now).each_ref().map(|(jet, _)| jet.dofs.all_shapes().is_some())
+    }
+
     fn has_few_dofs(&self) -> bool {
         self.beams.iter().all(|beam| beam.dofs() <= FEW_DOFS)
     }
