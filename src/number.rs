@@ -19,6 +19,8 @@ mod lanes;
 mod magnitude;
 mod named;
 mod prime;
+#[cfg(feature = "check")]
+mod traced;
 
 pub use bounded::{Bound, Bounded, BoundedBy};
 pub use counted::Counted;
@@ -38,6 +40,8 @@ pub use magnitude::Magnitude;
 pub use named::{Label, Term};
 pub(crate) use named::{Of, named, orders};
 pub use prime::Residue;
+#[cfg(feature = "check")]
+pub(crate) use traced::Traced;
 
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_dual::DualNum;

@@ -7,6 +7,7 @@ mod catalogue;
 mod fault;
 mod invariance;
 mod kernel;
+mod layouts;
 mod planted;
 mod point;
 mod rewrite;
@@ -18,7 +19,8 @@ pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
 pub(crate) use invariance::by_invariance;
-pub(crate) use kernel::{Contracted, Layouts, Second, every_layout, fast_kernel, kernel};
+pub(crate) use kernel::{Contracted, Layouts, every_layout, fast_kernel, kernel};
+pub(crate) use layouts::Second;
 pub(crate) use planted::When;
 pub(crate) use point::{CONTACT, Point};
 

@@ -1,15 +1,18 @@
 //! A closest point at which both linearizations are evaluated, in every scalar that the check asks for.
 
+mod refined;
+
 use super::verdict::Inconclusive;
 use super::witness;
 use crate::closest_point::{Active, ClosestPoint, Degeneracy};
 use crate::linearization::ad::Chord;
-use crate::linearization::closed_form::{Form, Frozen, Points, Projection, variations_in};
+use crate::linearization::closed_form::{Form, Frozen, Points, variations_in};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Bounded, DoubleDouble, Faulty, Magnitude};
 use crate::pair::Contact;
 use crate::specimen::{AnyBeam, Bounded2, FEW_DOFS, PaddedBeam, map_padded};
 use crate::subject::{Contracted, SCALARS, Subject, When, contracted, every_layout, fast_kernel, terms};
+use refined::Refined;
 use std::sync::OnceLock;
 
 /// A closest point that has derivatives, and is known well enough.
@@ -271,66 +274,8 @@ impl<'a> Site<'a> {
         let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
         Some(variations_in(form, &frozen[0], &frozen[1], (xi, xi_bar), contact).components())
     }
-
-    /// The parameters in double-double, by Newton's method; nothing if it does not settle.
-    fn refined(&self) -> Option<[Refined; 2]> {
-        let Self { beams: [beam, bar], active, at, .. } = *self;
-        let (mut xi, mut xi_bar) = (DoubleDouble::from(at.0.value), DoubleDouble::from(at.1.value));
-        let mut previous = f64::INFINITY;
-        for _ in 0..STEPS {
-            let (x, x_bar) = (beam.geometry_precise(xi), bar.geometry_precise(xi_bar));
-            let d = x.x - x_bar.x;
-            // Eq. (48): d·t = d·t̄ = 0, by the matrix of (50).
-            let (step, step_bar) = Projection::new(&x, &x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
-            let [size, size_bar] = [step, step_bar].map(|step| step.value().abs());
-            let larger = size.max(size_bar);
-            let is_last = size <= FINER * at.0.bound[0] && size_bar <= FINER * at.1.bound[0];
-            if is_last || larger >= 0.5 * previous {
-                let end = |value, size: f64, was: Bounded2| Refined {
-                    value,
-                    bound: 2.0 * size + FINER * was.bound[0],
-                    within: was,
-                };
-                let both = [end(xi + step, size, at.0), end(xi_bar + step_bar, size_bar, at.1)];
-                return both.iter().all(Refined::is_within).then_some(both);
-            }
-            (xi, xi_bar, previous) = (xi + step, xi_bar + step_bar, larger);
-        }
-        None
-    }
 }
 
 fn of_value(number: Bounded) -> Faulty<f64> {
     Faulty(number.value)
 }
-
-/// A parameter of the closest point in double-double.
-#[derive(Clone, Copy)]
-struct Refined {
-    value: DoubleDouble,
-    /// The step that is left, and the rounding of double-double: that part of the rounding of `f64`.
-    bound: f64,
-    /// Where it is known to be.
-    within: Bounded2,
-}
-
-impl Refined {
-    fn is_within(&self) -> bool {
-        let moved = (self.value - DoubleDouble::from(self.within.value)).abs().value();
-        let [bound, _] = self.within.bound;
-        moved <= bound && self.bound <= bound
-    }
-
-    /// The nearest `f64`, known to half an ulp or so; and as far as it was known before.
-    fn rounded(self) -> Bounded2 {
-        let value = self.value.value();
-        let rounding = (self.value - DoubleDouble::from(value)).abs().value();
-        let [_, within] = self.within.bound;
-        Bounded2::new(value, [rounding + self.bound, within + (value - self.within.value).abs()])
-    }
-}
-
-/// The rounding of double-double over that of `f64`: eight of its units 2^-106 in an operation.
-const FINER: f64 = 8.0 * f64::EPSILON / 2.0;
-/// The most steps of Newton's method, which doubles the digits each time.
-const STEPS: usize = 12;

@@ -192,7 +192,6 @@ impl<T: Real, const P: usize, const N: usize> DofDerivatives<T, N> for NurbsDofs
     fn hessian(&self, k: usize, w: &Vector3<T>) -> SMatrix<T, N, N> {
         let n = self.quotients(k);
         let along = self.points.map(|p| w.dot(&p.xyz()));
-        let slope = w.dot(&self.x[1]);
         let mut hessian = SMatrix::<T, N, N>::zeros();
         for (i, p) in self.points.iter().enumerate() {
             for j in 0..P {
@@ -208,7 +207,7 @@ impl<T: Real, const P: usize, const N: usize> DofDerivatives<T, N> for NurbsDofs
                 let mut weights = -product * (along[i] + along[j]);
                 if k == 1 {
                     let square = n[0][i] * n[0][j];
-                    weights += (square + square) * slope;
+                    weights += (square + square) * w.dot(&self.x[1]);
                 }
                 hessian[(4 * i + 3, 4 * j + 3)] = weights;
             }

@@ -4,185 +4,20 @@
 //! operation that takes wrong operands is therefore made by replacing its result by that of the same operation in a run
 //! with other operands: with the directions or the beams exchanged, say.
 
-use super::{Label, Real, Residue, field_from_operators};
+mod bits;
+mod runs;
+
+pub(crate) use bits::Bits;
+pub(crate) use runs::{Change, TermChange, counted, locate, operations, terms, with_operation, with_terms};
+
+use super::{Label, Real, field_from_operators};
+use runs::{CHANGE, CHANGES, COUNT, LABELS, MODE, Mode, RECORD, TERMS, TRACE, WRONG};
 use std::backtrace::Backtrace;
-use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
-use std::rc::Rc;
 
 /// A number whose operations are counted, recorded and made wrong, on each thread by itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Faulty<T>(pub(crate) T);
-
-/// A scalar that fits into 64 bits.
-pub(crate) trait Bits: Real {
-    fn bits(self) -> u64;
-    fn from_bits(bits: u64) -> Self;
-    /// Whether it is a number that a wrong code may go on with unnoticed.
-    fn is_finite(self) -> bool;
-}
-
-impl Bits for f64 {
-    fn bits(self) -> u64 {
-        self.to_bits()
-    }
-
-    fn from_bits(bits: u64) -> Self {
-        Self::from_bits(bits)
-    }
-
-    fn is_finite(self) -> bool {
-        Self::is_finite(self)
-    }
-}
-
-impl Bits for Residue {
-    fn bits(self) -> u64 {
-        self.value()
-    }
-
-    fn from_bits(bits: u64) -> Self {
-        Self::new(bits)
-    }
-
-    fn is_finite(self) -> bool {
-        true
-    }
-}
-
-/// What becomes of the result of an operation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Change {
-    /// It is multiplied.
-    Times(f64),
-    /// One is added: a result of zero changes too.
-    PlusOne,
-    /// It is another result, in its bits.
-    Instead(u64),
-}
-
-impl Change {
-    /// What a result becomes.
-    pub(crate) fn of<T: Bits>(self, result: T) -> T {
-        match self {
-            Self::Times(factor) => result * T::from(factor),
-            Self::PlusOne => result + T::one(),
-            Self::Instead(bits) => T::from_bits(bits),
-        }
-    }
-}
-
-/// What becomes of the terms of one name.
-#[derive(Clone, Debug)]
-pub(crate) enum TermChange {
-    /// They are multiplied.
-    Times(f64),
-    /// They are those of a recorded run.
-    Instead(Rc<[u64]>),
-    /// The orders of the two Jacobians are exchanged.
-    Orders,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Mode {
-    /// Operations are counted, and one of them may be wrong.
-    Count,
-    /// Their results are recorded.
-    RecordOperations,
-    /// The values of terms are recorded.
-    RecordTerms,
-    /// The callers of the operation that is wrong are recorded.
-    Locate,
-}
-
-thread_local! {
-    static COUNT: Cell<usize> = const { Cell::new(0) };
-    /// The operation that is wrong.
-    static WRONG: Cell<usize> = const { Cell::new(usize::MAX) };
-    static MODE: Cell<Mode> = const { Cell::new(Mode::Count) };
-    static CHANGE: Cell<Change> = const { Cell::new(Change::PlusOne) };
-    static RECORD: RefCell<Vec<u64>> = const { RefCell::new(Vec::new()) };
-    static TRACE: RefCell<String> = const { RefCell::new(String::new()) };
-    static LABELS: RefCell<Vec<Label>> = const { RefCell::new(Vec::new()) };
-    /// The terms so far.
-    static TERMS: Cell<usize> = const { Cell::new(0) };
-    static CHANGES: RefCell<Vec<(Label, TermChange)>> = const { RefCell::new(Vec::new()) };
-}
-
-/// Ends a run, also one that panics.
-struct Run;
-
-impl Run {
-    fn start() -> Self {
-        COUNT.set(0);
-        TERMS.set(0);
-        Self
-    }
-}
-
-impl Drop for Run {
-    fn drop(&mut self) {
-        WRONG.set(usize::MAX);
-        MODE.set(Mode::Count);
-        CHANGES.take();
-    }
-}
-
-/// How many operations a run has, with its result.
-pub(crate) fn counted<R>(run: impl FnOnce() -> R) -> (R, usize) {
-    let _run = Run::start();
-    let result = run();
-    (result, COUNT.get())
-}
-
-/// The results of all operations of a run.
-pub(crate) fn operations<R>(run: impl FnOnce() -> R) -> Vec<u64> {
-    recorded(Mode::RecordOperations, run).1
-}
-
-/// The names and the values of all terms of a run.
-pub(crate) fn terms<R>(run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
-    recorded(Mode::RecordTerms, run)
-}
-
-fn recorded<R>(mode: Mode, run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
-    let _run = Run::start();
-    drop((RECORD.take(), LABELS.take()));
-    MODE.set(mode);
-    drop(run());
-    (LABELS.take(), RECORD.take())
-}
-
-/// A run with one operation wrong.
-pub(crate) fn with_operation<R>(wrong: usize, change: Change, run: impl FnOnce() -> R) -> R {
-    let _run = Run::start();
-    WRONG.set(wrong);
-    CHANGE.set(change);
-    run()
-}
-
-/// A run with some terms wrong.
-pub(crate) fn with_terms<R>(changes: Vec<(Label, TermChange)>, run: impl FnOnce() -> R) -> R {
-    let _run = Run::start();
-    CHANGES.set(changes);
-    run()
-}
-
-/// The lines of this library's source that an operation belongs to, from the innermost on, as far as the build knows them.
-pub(crate) fn locate<R>(operation: usize, run: impl FnOnce() -> R) -> Vec<String> {
-    let _run = Run::start();
-    WRONG.set(operation);
-    CHANGE.set(Change::PlusOne);
-    MODE.set(Mode::Locate);
-    drop(run());
-    let trace = TRACE.take();
-    let lines = trace.lines().filter_map(|line| line.trim().strip_prefix("at ")?.strip_prefix("./src/"));
-    let outside = |line: &&str| !line.starts_with("number/") && !line.starts_with("teeth/");
-    lines
-        .filter(outside)
-        .map(|line| line.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(':').to_owned())
-        .collect()
-}
 
 /// The result of an operation, right or wrong.
 #[inline(always)]

@@ -7,7 +7,7 @@ use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::Frozen;
 use crate::number::{
-    Bounded, BoundedBy, Degree, DoubleDouble, Dual, Extends, Faulty, HyperDual, Real, Residue,
+    Bits, Bounded, BoundedBy, Degree, DoubleDouble, Dual, Extends, Faulty, HyperDual, Real, Residue, Traced,
 };
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
@@ -61,7 +61,7 @@ pub(crate) trait AnyBeam:
 
     /// The jet of such a curve with all its derivatives, as a function of the parameter, over a scalar that makes
     /// operations wrong.
-    fn jets(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn Fn(Residue) -> Vec<u64> + Send + Sync>;
+    fn jets(&self, random: &mut dyn FnMut() -> Traced) -> Box<dyn Fn(Traced) -> Vec<u64> + Send + Sync>;
 
     /// The same with every dof and direction a variable whose degree counts.
     fn degrees(&self) -> Box<dyn ExactBeam<Degree>>;
@@ -200,7 +200,7 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
         Box::new(self.exact(random))
     }
 
-    fn jets(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn Fn(Residue) -> Vec<u64> + Send + Sync> {
+    fn jets(&self, random: &mut dyn FnMut() -> Traced) -> Box<dyn Fn(Traced) -> Vec<u64> + Send + Sync> {
         let mut vector = || SVector::<_, N>::from_fn(|_, _| Faulty(random()));
         let (curve, q, dq, linear_dq) = (self.curve.clone(), vector(), vector(), vector());
         let w = Vector3::from_fn(|_, _| Faulty(random()));
@@ -209,7 +209,7 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
             let Frozen { geometry, delta_u, linear_u, second_u } = Frozen::new(&jet, &dq, &linear_dq);
             let Geometry { x, t, t_xi, t_xixi } = geometry;
             let mut all = Vec::new();
-            let mut write = |numbers: &[Faulty<Residue>]| all.extend(numbers.iter().map(|n| n.0.value()));
+            let mut write = |numbers: &[Faulty<Traced>]| all.extend(numbers.iter().map(|n| n.0.bits()));
             for v in [x, t, t_xi, t_xixi].iter().chain(&delta_u).chain(&linear_u).chain(&second_u) {
                 write(v.as_slice());
             }

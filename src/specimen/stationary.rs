@@ -26,19 +26,28 @@ pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], active: Active, rng: &m
         let at = (end(active.xi, rng), end(active.xi_bar, rng));
         let (x, x_bar) = (beams[0].geometry(at.0), beams[1].geometry(at.1));
         let (t, t_bar): (Vector3<Residue>, Vector3<Residue>) = (x.t, x_bar.t);
-        let w = Vector3::from_fn(|_, _| random(rng));
-        let normal_to = |t: &Vector3<Residue>| w - t * (w.dot(t) / t.dot(t));
-        let d = match (active.xi, active.xi_bar) {
-            (false, false) => t.cross(&t_bar) * w.x,
-            (true, false) => normal_to(&t_bar),
-            (false, true) => normal_to(&t),
-            (true, true) => w,
-        };
+        let d = normal_to_free(active, &t, &t_bar, &Vector3::from_fn(|_, _| random(rng)));
         let squares = [&d, &t, &t_bar].map(|v| v.dot(v));
         if squares.iter().all(|v| v.is_square() && !v.is_zero()) {
             beams[0].translate(&(d - (x.x - x_bar.x)));
             return (beams, at);
         }
+    }
+}
+
+/// A vector d, made of `w`, that is normal to the tangents of the free parameters.
+pub(crate) fn normal_to_free(
+    active: Active,
+    t: &Vector3<Residue>,
+    t_bar: &Vector3<Residue>,
+    w: &Vector3<Residue>,
+) -> Vector3<Residue> {
+    let normal_to = |t: &Vector3<Residue>| w - t * (w.dot(t) / t.dot(t));
+    match (active.xi, active.xi_bar) {
+        (false, false) => t.cross(t_bar) * w.x,
+        (true, false) => normal_to(t_bar),
+        (false, true) => normal_to(t),
+        (true, true) => *w,
     }
 }
 

@@ -7,14 +7,16 @@
 //! automatic differentiation by `==`, shows it too then.
 
 mod place;
+mod reason;
 
-use crate::number::{Bits, Change, Residue, counted, locate, operations, with_operation};
+use crate::number::{Bits, Change, Residue, Traced, counted, locate, operations, with_operation};
 use crate::specimen::Family;
 use crate::subject::Kind;
 use place::Place;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use reason::reason;
 
 /// Code that is run with its operands as they are, or mistaken for others; returns all numbers that come out.
 type Code<'a> = dyn Fn(Option<Kind>) -> Vec<u64> + Sync + 'a;
@@ -52,8 +54,35 @@ pub struct Unseen {
     pub wrong: &'static str,
     /// The lines of the source, if the build knows them, from the operation outwards.
     pub at: Vec<String>,
+    /// How it is lost.
+    pub lost: Lost,
     /// Why that is right, if it is known.
     pub reason: Option<&'static str>,
+}
+
+/// How an operation is lost on its way to the numbers that come out, found by marking its result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Lost {
+    /// Nothing uses it.
+    Unused,
+    /// It is multiplied by zero.
+    TimesZero,
+    /// It enters the numbers that come out, but cancels.
+    Cancels,
+}
+
+impl Lost {
+    /// Marks the result of an operation, and looks for the mark in what comes out.
+    fn of(operation: usize, run: impl FnOnce() -> Vec<u64>) -> Self {
+        let (numbers, times_zero) = Traced::run(|| with_operation(operation, Change::Marked, run));
+        if numbers.into_iter().any(Traced::is_marked) {
+            Self::Cancels
+        } else if times_zero {
+            Self::TimesZero
+        } else {
+            Self::Unused
+        }
+    }
 }
 
 /// What is wrong with an operation by itself.
@@ -76,40 +105,12 @@ pub fn all_operations(seed: u64) -> Vec<Operations> {
     }
     for family in Family::ALL {
         let model = family.model(&mut rng);
-        let mut random = || Residue::new(rng.random());
+        let mut random = || Traced::from(Residue::new(rng.random()));
         let (jets, now, before) = (model.jets(&mut random), random(), random());
         let run = |kind: Option<Kind>| jets(if kind.is_some() { before } else { now });
         all.push(examined(format!("jet of {}", family.name()), "-", &[Kind::Stale], &run));
     }
     all
-}
-
-/// Why nothing depends on operations: of codes whose names start so, in places whose names end so, in this file if it is
-/// known.
-const REASONS: [(&str, &str, &str, &str); 10] = [
-    ("", " end", "", "a parameter that an end holds does not vary: what multiplies its variation is lost"),
-    ("", " ends", "", "parameters that ends hold do not vary: what multiplies their variations is lost"),
-    ("kernel, blocks", "", "blocks/", "of a row that is written further than the layout reaches"),
-    ("kernel, packed", "", "blocks/", "of a row that is written further than the layout reaches"),
-    ("kernel, gradient", "", "blocks/", "of second order, which a gradient has no use for"),
-    ("kernel", "length, products", "", "for the common normal, which this form does not take"),
-    ("kernel", " cross", "", "for the form that is not taken"),
-    ("matrices", "", "closed_form/form.rs", "t x t_bar enters by its square alone"),
-    (
-        "jet of nurbs",
-        "",
-        "curve/",
-        "a factor of all basis functions cancels, and the point is moved to the origin",
-    ),
-    ("jet of", "", "curve/screw", "along unit vectors, of which two components vanish"),
-];
-
-fn reason(code: &str, place: &str, at: &[String]) -> Option<&'static str> {
-    let is_there = |file: &str| at.is_empty() || at.iter().any(|line| line.contains(file));
-    let holds = |(of, on, file, _): &&(&str, &str, &str, &'static str)| {
-        code.starts_with(of) && place.ends_with(on) && is_there(file)
-    };
-    REASONS.iter().find(holds).map(|(.., reason)| *reason)
 }
 
 fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -> Operations {
@@ -120,9 +121,8 @@ fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -
         let alone = ALONE.into_iter();
         let mistaken =
             others.iter().filter_map(|(name, other)| Some((*name, Change::Instead(*other.get(k)?))));
-        let changes = alone
-            .chain(mistaken)
-            .filter(|(_, change)| change.of(Residue::from_bits(own[k])).bits() != own[k]);
+        let changes =
+            alone.chain(mistaken).filter(|(_, change)| change.of(Traced::from_bits(own[k])).bits() != own[k]);
         let is_shown = |change| with_operation(k, change, || run(None)) != sound;
         changes.map(|(name, change)| (name, is_shown(change))).collect::<Vec<_>>()
     };
@@ -133,8 +133,9 @@ fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -
         (all.faults, all.shown) = (all.faults + faults.len(), all.shown + shown);
         let unseen = |wrong| {
             let at = locate(operation, || run(None));
-            let reason = reason(&all.code, place, &at);
-            Unseen { operation, wrong, at, reason }
+            let lost = Lost::of(operation, || run(None));
+            let reason = reason(lost, &all.code, place, &at);
+            Unseen { operation, wrong, at, lost, reason }
         };
         let missed = faults.iter().filter(|(_, is_shown)| !is_shown).map(|(wrong, _)| *wrong);
         let missed =
@@ -147,25 +148,28 @@ fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -
 
 #[cfg(test)]
 mod tests {
-    use super::{Kind, Place, examined};
-    use crate::number::{Faulty, Real, Residue};
+    use super::{Kind, Lost, Place, examined};
+    use crate::number::{Bits, Faulty, Real, Residue, Traced};
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
 
     #[test]
     fn an_operation_that_nothing_depends_on_is_found() {
-        // x y + z, and a product that is dropped.
+        // x y + z, a product that is dropped, one that is multiplied by zero, and one that cancels.
         let run = |kind: Option<Kind>| {
-            let [x, y, z] =
-                if kind.is_some() { [3, 2, 7] } else { [2, 3, 5] }.map(|n| Faulty(Residue::new(n)));
+            let [x, y, z] = if kind.is_some() { [3, 2, 7] } else { [2, 3, 5] };
+            let [x, y, z, zero] = [x, y, z, 0].map(|n| Faulty(Traced::from(Residue::new(n))));
             let _ = x * z;
-            vec![(x * y + z).0.value()]
+            let twice = z + z;
+            let cancels = x + z;
+            vec![(x * y + z + twice * zero + (cancels - cancels)).0.bits()]
         };
         let found = examined("code".to_owned(), "place", &[Kind::Swapped], &run);
-        // The product of 2 and 3 is that of 3 and 2: swapped, it is no fault.
-        assert_eq!((found.operations, found.faults, found.shown), (3, 14, 9));
-        assert_eq!(found.unseen.len(), 1);
-        assert_eq!((found.unseen[0].operation, found.unseen[0].wrong), (0, "any"));
+        let lost: Vec<_> = found.unseen.iter().map(|of| (of.operation, of.wrong, of.lost)).collect();
+        let expected = [(0, Lost::Unused), (1, Lost::TimesZero), (2, Lost::Cancels)];
+        assert_eq!(lost, expected.map(|(operation, lost)| (operation, "any", lost)));
+        // The product of 2 and 3 is that of 3 and 2: swapped, it is no fault. Of a zero there is one fault, plus one.
+        assert_eq!((found.operations, found.faults, found.shown), (9, 36, 21));
         assert!(!found.is_whole());
     }
 

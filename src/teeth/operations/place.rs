@@ -9,9 +9,9 @@ use crate::linearization::closed_form::blocks::{Gradient, Target};
 use crate::linearization::closed_form::form::{Distance, Elimination};
 use crate::linearization::closed_form::{Form, Frozen, Matrices, variations_in};
 use crate::linearization::{Expansion, Linearization};
-use crate::number::{Faulty, Residue};
+use crate::number::{Bits, Faulty, Residue, Traced};
 use crate::pair::Contact;
-use crate::specimen::{Padded, PaddedBeam, map_padded};
+use crate::specimen::{Padded, PaddedBeam, map_padded, normal_to_free};
 use crate::subject::{CONTACT, Kind, Second, kernel};
 use nalgebra::{SMatrix, SVector, Vector3};
 use num_traits::Zero;
@@ -20,7 +20,7 @@ use rand_chacha::ChaCha8Rng;
 
 /// The dofs of a beam: two control vectors.
 const D: usize = 6;
-type Scalar = Faulty<Residue>;
+type Scalar = Faulty<Traced>;
 type Beam = PaddedBeam<Scalar, D>;
 type Memory = Second<Scalar, D, { 2 * D }, { D * (2 * D + 1) }>;
 
@@ -100,7 +100,7 @@ impl Place {
             return Vec::new();
         };
         let components = variations_in(self.form, beam, bar, *at, contact).components();
-        components.into_iter().flat_map(|varied| varied.parts().map(|part| part.0.value())).collect()
+        components.into_iter().flat_map(|varied| varied.parts().map(|part| part.0.bits())).collect()
     }
 
     fn matrices(&self, runs: &Runs, kind: Option<Kind>) -> Vec<u64> {
@@ -113,7 +113,7 @@ impl Place {
         }
         let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = all;
         let quantities = [d, t, t_bar, xi, xi_bar, g_t, g_t_bar];
-        quantities.iter().flat_map(numbers).chain([radii.0.value()]).collect()
+        quantities.iter().flat_map(numbers).chain([radii.0.bits()]).collect()
     }
 
     fn kernel<W: Target<Scalar, D, D>>(
@@ -143,7 +143,7 @@ impl Runs {
 
     fn beams(&self, kind: Option<Kind>) -> Mistaken<&Beam> {
         let [beam, bar] = &self.now;
-        let faulty = |(xi, xi_bar)| (Faulty(xi), Faulty(xi_bar));
+        let faulty = |(xi, xi_bar)| (traced(xi), traced(xi_bar));
         let Contact { radius, radius_bar, xi_0, xi_bar_0 } = CONTACT;
         match kind {
             Some(Kind::Swapped) => {
@@ -177,13 +177,7 @@ fn stationary(active: Active, rng: &mut ChaCha8Rng) -> [Geometry<Residue>; 2] {
     loop {
         let mut vector = || Vector3::from_fn(|_, _| Residue::new(rng.random()));
         let [t, t_bar, w, x_bar] = [(); 4].map(|()| vector());
-        let normal_to = |t: &Vector3<Residue>| w - t * (w.dot(t) / t.dot(t));
-        let d = match (active.xi, active.xi_bar) {
-            (false, false) => t.cross(&t_bar) * w.x,
-            (true, false) => normal_to(&t_bar),
-            (false, true) => normal_to(&t),
-            (true, true) => w,
-        };
+        let d = normal_to_free(active, &t, &t_bar, &w);
         if [d, t, t_bar, t.cross(&t_bar)].iter().all(|v| v.dot(v).is_square() && !v.dot(v).is_zero()) {
             return [(x_bar + d, t), (x_bar, t_bar)].map(|(x, t)| Geometry {
                 x,
@@ -222,7 +216,11 @@ fn beam(mut geometry: Geometry<Residue>, is_linear: bool, rng: &mut ChaCha8Rng) 
         Padded::Nonlinear(jacobians, (0..6).map(|_| symmetric()).collect())
     };
     let mut vector = || SVector::from_fn(|_, _| residue());
-    map_padded(&(Jet { geometry, dofs }, [q, vector(), vector()]), Faulty)
+    map_padded(&(Jet { geometry, dofs }, [q, vector(), vector()]), traced)
+}
+
+fn traced(value: Residue) -> Scalar {
+    Faulty(value.into())
 }
 
 /// The jet by its shape functions, if it has any.
@@ -236,14 +234,14 @@ fn numbers(of: &Expansion<Scalar, D, D>) -> Vec<u64> {
     let Expansion { value, gradient, hessian } = of;
     let all = [*value].into_iter().chain(gradient.beam.iter().chain(&gradient.bar).copied());
     let second = hessian.beam.iter().chain(&hessian.mixed).chain(&hessian.bar).copied();
-    all.chain(second).map(|number| number.0.value()).collect()
+    all.chain(second).map(|number| number.0.bits()).collect()
 }
 
 /// All numbers that the kernel wrote; of a packed row what belongs to it and a little more.
 fn written(of: &mut impl Target<Scalar, D, D>) -> Vec<u64> {
-    let mut all = vec![of.value().0.value()];
+    let mut all = vec![of.value().0.bits()];
     let mut write = |(beam, bar): (&mut [Scalar], &mut [Scalar])| {
-        all.extend(beam.iter().chain(&*bar).map(|number| number.0.value()));
+        all.extend(beam.iter().chain(&*bar).map(|number| number.0.bits()));
     };
     write(of.gradient());
     for i in 0..D {

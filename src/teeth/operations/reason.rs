@@ -1,0 +1,87 @@
+//! Why it is right that no number depends on some operations.
+
+use super::Lost;
+
+/// Operations that may be lost, and why.
+struct Reason {
+    /// How they are lost.
+    lost: Lost,
+    /// How the names of their codes start.
+    code: &'static str,
+    /// How the names of their places end.
+    place: &'static str,
+    /// A part of a path in the source that leads to them. It is not asked for where the build knows no lines.
+    file: &'static str,
+    why: &'static str,
+}
+
+const fn of(
+    lost: Lost,
+    code: &'static str,
+    place: &'static str,
+    file: &'static str,
+    why: &'static str,
+) -> Reason {
+    Reason { lost, code, place, file, why }
+}
+
+const KERNEL: &str = "closed_form/blocks/";
+const HELD: &str = "the variation of a parameter that an end holds is zero, and multiplies it";
+const RATES: &str = "the rates of a parameter that an end holds are not used";
+const NORMAL: &str = "the common normal belongs to a form that is not taken here";
+const ROW: &str = "whole vectors are computed, and the layout takes a part of the last one";
+const SCREW: &str =
+    "it multiplies a component of a unit vector that is zero, or the pitch, which an arc has not";
+
+const REASONS: [Reason; 16] = [
+    of(Lost::TimesZero, "", " end", "", HELD),
+    of(Lost::TimesZero, "", " ends", "", HELD),
+    of(Lost::Unused, "equations", " end", "closed_form/", RATES),
+    of(Lost::Unused, "equations", " ends", "closed_form/", RATES),
+    of(Lost::Unused, "kernel", " end", KERNEL, NORMAL),
+    of(Lost::Unused, "kernel", " ends", KERNEL, NORMAL),
+    of(Lost::Unused, "kernel, full", "length, products", KERNEL, NORMAL),
+    of(Lost::Unused, "kernel, full", "normal, cross", KERNEL, "two systems are computed, and one is taken"),
+    of(Lost::Unused, "kernel, blocks", "", KERNEL, ROW),
+    of(Lost::Unused, "kernel, packed", "", KERNEL, ROW),
+    of(Lost::Unused, "kernel, gradient", "", KERNEL, "a gradient does not use what is of second order"),
+    of(Lost::Cancels, "matrices", "", "closed_form/form.rs", "t x t_bar enters by its square"),
+    of(Lost::Cancels, "jet of nurbs", "", "curve/bspline.rs", "a factor of all basis functions cancels"),
+    of(
+        Lost::TimesZero,
+        "jet of nurbs-weighted",
+        "",
+        "curve/nurbs",
+        "it multiplies x relative to x, which is zero",
+    ),
+    of(Lost::TimesZero, "jet of", "", "curve/screw", SCREW),
+    of(Lost::Unused, "jet of arc", "", "curve/screw", "an arc has no pitch"),
+];
+
+/// Why an operation may be lost, from the lines of the source that lead to it; nothing if it may not.
+pub(super) fn reason(lost: Lost, code: &str, place: &str, at: &[String]) -> Option<&'static str> {
+    let is_there = |file: &str| at.is_empty() || at.iter().any(|line| line.contains(file));
+    let holds = |of: &&Reason| {
+        of.lost == lost && code.starts_with(of.code) && place.ends_with(of.place) && is_there(of.file)
+    };
+    REASONS.iter().find(holds).map(|of| of.why)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Lost, reason};
+
+    #[test]
+    fn an_operation_that_nothing_uses_has_a_reason_in_its_place_only() {
+        let at = [String::from("linearization/closed_form/blocks/frame.rs:46")];
+        let of = |lost, code, place| reason(lost, code, place, &at).is_some();
+        assert!(of(Lost::TimesZero, "matrices, other curves", "xi at an end"));
+        assert!(!of(Lost::TimesZero, "matrices, other curves", "normal, products"));
+        assert!(!of(Lost::Unused, "matrices, other curves", "xi at an end"));
+        assert!(!of(Lost::Cancels, "equations", "both at ends"));
+        assert!(of(Lost::Unused, "kernel, full", "length, products"));
+        assert!(!of(Lost::Unused, "kernel, full", "normal, products"));
+        let elsewhere = [String::from("linearization/closed_form/projection.rs:12")];
+        assert_eq!(reason(Lost::Unused, "kernel, full", "length, products", &elsewhere), None);
+    }
+}
