@@ -26,7 +26,7 @@ pub(crate) use point::{CONTACT, Point};
 
 use crate::linearization::closed_form::{Form, Frozen, Matrices, variations_in};
 use crate::linearization::{Linearization, Quantities, Varied};
-use crate::number::{Bits, Faulty, Label, Real};
+use crate::number::{Bits, Change, Faulty, Label, Real, with_operation};
 use crate::pair::{Contact, DofVector};
 use crate::specimen::PaddedBeam;
 use planted::{Planted, mistaken};
@@ -52,13 +52,37 @@ pub enum Subject {
     Rewritten(Rewrite),
     /// With one term multiplied.
     Weighted(Label, f64),
+    /// With the result of one operation multiplied.
+    Operation(Code, usize, f64),
+}
+
+/// The code that an operation belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Code {
+    /// The paper's equations.
+    Equations,
+    /// Gradients and Hessians.
+    Matrices,
+}
+
+impl Code {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Equations, Self::Matrices];
+
+    /// The name, as tables have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Equations => "equations",
+            Self::Matrices => "matrices",
+        }
+    }
 }
 
 impl Subject {
     /// The faults that are planted in these terms; nothing if there are none.
     fn planted(&self, terms: &[Label]) -> Option<Vec<(Label, Planted)>> {
         let mut planted: Vec<_> = match self {
-            Self::Sound | Self::Rewritten(_) => return None,
+            Self::Sound | Self::Rewritten(_) | Self::Operation(..) => return None,
             Self::Faulty(faults) => {
                 faults.iter().map(|fault| (fault.label, Planted::from(fault.kind))).collect()
             }
@@ -70,7 +94,15 @@ impl Subject {
 
     /// Whether something other than the closed form as it is follows, where these terms are evaluated.
     pub(crate) fn changes(&self, terms: &[Label]) -> bool {
-        matches!(self, Self::Rewritten(_)) || self.planted(terms).is_some()
+        matches!(self, Self::Rewritten(_) | Self::Operation(..)) || self.planted(terms).is_some()
+    }
+
+    /// The operation of this code that is multiplied.
+    fn operation(&self, of: Code) -> Option<(usize, f64)> {
+        match self {
+            &Self::Operation(code, number, factor) if code == of => Some((number, factor)),
+            _ => None,
+        }
     }
 
     /// All quantities with their variations, of frozen beams, over a scalar that faults can be planted in.
@@ -81,9 +113,10 @@ impl Subject {
         form: Form,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
-        let Some(faults) = self.planted(&terms()[0]) else {
+        let (faults, operation) = (self.planted(&terms()[0]), self.operation(Code::Equations));
+        if faults.is_none() && operation.is_none() {
             return self.formulas(&frozen(When::Now), at, form, contact);
-        };
+        }
         let run = |kind: Option<Kind>| {
             let ([mut beam, mut bar], (xi, xi_bar), contact) = mistaken(kind, &frozen, at, *contact);
             if kind == Some(Kind::Transposed) {
@@ -92,7 +125,11 @@ impl Subject {
             let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| v.map(Faulty)));
             variations_in(form, &beam, &bar, (Faulty(xi), Faulty(xi_bar)), &contact)
         };
-        planted::with(&faults, run).map(|varied| varied.map(|Faulty(number)| number))
+        let quantities = match operation {
+            Some((number, factor)) => with_operation(number, Change::Times(factor), || run(None)),
+            None => planted::with(&faults.unwrap_or_default(), run),
+        };
+        quantities.map(|varied| varied.map(|Faulty(number)| number))
     }
 
     /// The same over any scalar, without the faults.
@@ -122,7 +159,11 @@ impl Subject {
             let (beams, at, contact) = mistaken(kind, &padded, (Faulty(xi), Faulty(xi_bar)), *contact);
             contracted(&beams, at, form, &contact)
         };
-        Some(planted::with(&self.planted(&terms()[1])?, run).map(|row| row.map(|Faulty(number)| number)))
+        let rows = match self.operation(Code::Matrices) {
+            Some((number, factor)) => with_operation(number, Change::Times(factor), || run(None)),
+            None => planted::with(&self.planted(&terms()[1])?, run),
+        };
+        Some(rows.map(|row| row.map(|Faulty(number)| number)))
     }
 }
 

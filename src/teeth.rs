@@ -12,9 +12,11 @@ mod limit;
 mod operations;
 mod panel;
 mod run;
+mod sampled;
 
 pub use check::Check;
 pub use differences::Rule;
 pub use limit::{Limit, limits};
 pub use operations::{Operations, Unseen, all_operations};
 pub use run::{Bite, Teeth, teeth};
+pub use sampled::{Sampled, sampled};

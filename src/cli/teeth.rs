@@ -7,7 +7,7 @@ use super::table::Table;
 use beamgap::check::Regime;
 use beamgap::report::{self, Environment, Record, Teeth};
 use beamgap::subject::catalogue;
-use beamgap::teeth::{all_operations, limits, teeth};
+use beamgap::teeth::{all_operations, limits, sampled, teeth};
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -85,7 +85,8 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Teeth {
     let found = teeth(seed, &regimes);
     // Single operations know no regime.
     let operations = if named.is_empty() { all_operations(seed) } else { Vec::new() };
-    Teeth::new(&found, &limits(seed, &regimes), &operations, seed, Environment::here(command))
+    let (limits, sampled) = (limits(seed, &regimes), sampled(seed, &regimes));
+    Teeth::new(&found, &limits, &operations, &sampled, seed, Environment::here(command))
 }
 
 fn verdict(record: &Teeth) -> String {
@@ -137,6 +138,19 @@ fn operations(record: &Teeth) -> String {
     text
 }
 
+/// What became of a sample of operations in `f64`.
+fn sampled_operations(record: &Teeth) -> String {
+    let mut table = Table::new(&["regime", "code", "operations", "faults", "detected"]).left(&[1]);
+    for row in &record.sampled {
+        let counts = [row.operations, row.faults, row.detected].map(|n| n.to_string());
+        table.row([row.regime.clone(), row.code.clone()].into_iter().chain(counts).collect());
+    }
+    format!(
+        "\nA sample of operations in f64, each multiplied by -1, 0 and 2: faults that change a\n\
+         number, and those that the gate detects by its tolerances\n\n{table}"
+    )
+}
+
 fn human(record: &Teeth) -> String {
     let mut table =
         Table::new(&["check", "regime", "shown", "of", "pairs", "of", "accused", "of", "alarms"]).left(&[1]);
@@ -164,6 +178,7 @@ fn human(record: &Teeth) -> String {
         record.seed
     );
     text.push_str(&operations(record));
+    text.push_str(&sampled_operations(record));
     for row in record.rows.iter().filter(|row| row.check == "exact" || row.check == "gate") {
         for fault in row.survivors.iter().chain(&row.false_alarms) {
             let _ = write!(text, "\n  {} in {}: {fault}", row.check, row.regime);

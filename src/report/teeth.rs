@@ -4,7 +4,7 @@ use super::number::{finite, rounded};
 use super::{Environment, Record};
 use crate::check::Regime;
 use crate::subject::{Kind, Rewrite};
-use crate::teeth::{self, Bite, Check, Limit, Operations, Unseen};
+use crate::teeth::{self, Bite, Check, Limit, Operations, Sampled, Unseen};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -29,6 +29,8 @@ pub struct Teeth {
     pub rows: Vec<BiteRow>,
     /// What became of single operations, by code and place.
     pub operations: Vec<OperationsRow>,
+    /// What became of a sample of operations in `f64`, by regime and code.
+    pub sampled: Vec<SampledRow>,
     /// The regimes of `limits`.
     pub regimes: Vec<String>,
     /// The detection limits of each term, in the order of `regimes`; null where nothing moves.
@@ -75,6 +77,40 @@ pub struct OperationsRow {
     pub shown: usize,
     /// What is not shown, gathered by the line of the source.
     pub unseen: Vec<UnseenRow>,
+}
+
+/// What became of a sample of operations of one code in one regime, each multiplied by -1, 0 and 2.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SampledRow {
+    /// The regime.
+    pub regime: String,
+    /// The code.
+    pub code: String,
+    /// Operations, at all points.
+    pub operations: usize,
+    /// Faults that change a number.
+    pub faults: usize,
+    /// Faults that exceed a tolerance.
+    pub detected: usize,
+    /// By quantity: operations that it depends on, and the median and the largest of their detection limits.
+    pub limits: Vec<(String, usize, [f64; 2])>,
+}
+
+impl SampledRow {
+    fn new(of: &Sampled) -> Self {
+        let limits = of.limits.iter().filter_map(|(quantity, limits)| {
+            let (middle, last) = (limits.get(limits.len() / 2)?, limits.last()?);
+            Some((quantity.name().to_owned(), limits.len(), [middle, last].map(|&limit| rounded(limit, 2))))
+        });
+        Self {
+            regime: of.regime.name().to_owned(),
+            code: of.code.name().to_owned(),
+            operations: of.operations,
+            faults: of.faults,
+            detected: of.detected,
+            limits: limits.collect(),
+        }
+    }
 }
 
 /// Operations that no number depends on.
@@ -129,6 +165,7 @@ impl Teeth {
         found: &teeth::Teeth,
         limits: &[Limit],
         operations: &[Operations],
+        sampled: &[Sampled],
         seed: u64,
         environment: Environment,
     ) -> Self {
@@ -151,6 +188,7 @@ impl Teeth {
             checks: Check::ALL.map(|check| (check.name().to_owned(), check.what().to_owned())).to_vec(),
             rows: found.bites.iter().map(|bite| BiteRow::new(bite, is_best(bite, &found.bites))).collect(),
             operations: operations.iter().map(OperationsRow::new).collect(),
+            sampled: sampled.iter().map(SampledRow::new).collect(),
             regimes: regimes.into_iter().map(ToOwned::to_owned).collect(),
             limits: terms.into_iter().collect(),
         }

@@ -1,7 +1,7 @@
 //! What the checks made of planted faults, as Markdown, from the record alone.
 
 use super::number::error;
-use super::teeth::{OperationsRow, Teeth, UnseenRow};
+use super::teeth::{OperationsRow, SampledRow, Teeth, UnseenRow};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -50,6 +50,7 @@ impl Teeth {
         }
         page.push_str(&self.missed());
         page.push_str(&self.single_operations());
+        page.push_str(&self.sampled_operations());
         page.push_str(&self.detection_limits());
         let _ = write!(
             page,
@@ -107,6 +108,38 @@ impl Teeth {
             let why = reasons.into_iter().collect::<Vec<_>>().join("; ");
             let OperationsRow { code, place, operations, faults, shown, .. } = row;
             let _ = writeln!(text, "| {code} | {place} | {operations} | {faults} | {shown} | {why} |");
+        }
+        text
+    }
+
+    /// What became of a sample of operations in `f64`.
+    fn sampled_operations(&self) -> String {
+        let mut text = String::from(
+            "\n## Single operations in f64\n\nA sample of the operations, spread evenly over the code and the points of each \
+             regime, each multiplied by -1, 0 and 2. Detected is what exceeds a tolerance of the gate. A fault that is \
+             not detected changes a number by less than rounding does. The detection limit of an operation is the \
+             smallest relative error of it that exceeds a tolerance; of the operations that a quantity depends on, the \
+             median is shown, of the equations and of the matrices.\n\n\
+             | regime | code | operations | faults | detected |\n|---|---|---:|---:|---:|\n",
+        );
+        for SampledRow { regime, code, operations, faults, detected, .. } in &self.sampled {
+            let _ = writeln!(text, "| {regime} | {code} | {operations} | {faults} | {detected} |");
+        }
+        let mut quantities: Vec<&str> = Vec::new();
+        for (name, ..) in self.sampled.iter().flat_map(|row| &row.limits) {
+            if !quantities.contains(&name.as_str()) {
+                quantities.push(name);
+            }
+        }
+        let _ = writeln!(text, "\n| regime | code | {} |", quantities.join(" | "));
+        let _ = writeln!(text, "|---|---|{}", "---:|".repeat(quantities.len()));
+        for row in &self.sampled {
+            let median = |quantity: &&str| {
+                let of = row.limits.iter().find(|(name, ..)| name == quantity);
+                of.map_or_else(|| "-".to_owned(), |(_, _, [median, _])| error(Some(*median)))
+            };
+            let medians: Vec<_> = quantities.iter().map(median).collect();
+            let _ = writeln!(text, "| {} | {} | {} |", row.regime, row.code, medians.join(" | "));
         }
         text
     }

@@ -7,7 +7,7 @@ use crate::subject::{Subject, catalogue};
 use rayon::prelude::*;
 
 /// By how much a term is changed to see what changes with it: enough above rounding, and little enough to be linear.
-const NUDGE: f64 = 1.0 / 1024.0;
+pub(super) const NUDGE: f64 = 1.0 / 1024.0;
 
 /// The detection limit of a term in a regime.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,11 +43,13 @@ pub fn limits(seed: u64, regimes: &[Regime]) -> Vec<Limit> {
 
 /// The relative error at which some entry exceeds its tolerance.
 fn smallest(sound: &[Comparison], nudged: &[Comparison]) -> f64 {
-    let limit = |(sound, nudged): (&Comparison, &Comparison)| {
-        // Both sides of an entry may move: of a matrix entry, each is the closed form's.
-        let before = sound.closed - sound.other;
-        let change = (nudged.closed - nudged.other - before).abs() / NUDGE;
-        if sound.is_meaningful() && change > 0.0 { sound.tolerance / change } else { f64::INFINITY }
-    };
-    sound.iter().zip(nudged).map(limit).fold(f64::INFINITY, f64::min)
+    sound.iter().zip(nudged).map(|(sound, nudged)| sensitivity(sound, nudged)).fold(f64::INFINITY, f64::min)
+}
+
+/// The relative error at which this entry exceeds its tolerance, from what a nudge changes.
+pub(super) fn sensitivity(sound: &Comparison, nudged: &Comparison) -> f64 {
+    // Both sides of an entry may move: of a matrix entry, each is the closed form's.
+    let before = sound.closed - sound.other;
+    let change = (nudged.closed - nudged.other - before).abs() / NUDGE;
+    if sound.is_meaningful() && change > 0.0 { sound.tolerance / change } else { f64::INFINITY }
 }

@@ -1,0 +1,127 @@
+//! Single operations made wrong in `f64`, through the gate with its tolerances: a sample of them in every regime.
+//!
+//! Which operations a result depends on is known from the prime field. Here the size of the fault counts: the detection
+//! limit is the smallest relative error of an operation that exceeds a tolerance.
+
+use super::limit::{NUDGE, sensitivity};
+use super::panel::{Sample, panel};
+use crate::check::{Comparison, Regime};
+use crate::linearization::Quantity;
+use crate::number::counted;
+use crate::subject::{Code, Subject};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// How many operations are made wrong in each regime, at least.
+const OPERATIONS: usize = 2000;
+/// What the result of an operation is multiplied by: a wrong sign, a lost one, one that is doubled.
+const FACTORS: [f64; 3] = [-1.0, 0.0, 2.0];
+
+/// What became of a sample of operations in a regime.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sampled {
+    /// The regime.
+    pub regime: Regime,
+    /// The code that the operations belong to.
+    pub code: Code,
+    /// How many operations were made wrong, at all points.
+    pub operations: usize,
+    /// How many faults of them change a number.
+    pub faults: usize,
+    /// How many of these exceed a tolerance.
+    pub detected: usize,
+    /// The detection limits of the operations that a quantity depends on, from the smallest.
+    pub limits: BTreeMap<Quantity, Vec<f64>>,
+}
+
+/// Makes operations wrong in these regimes, in each the same number of the equations and of the matrices at each point.
+pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
+    let of_regime = |&regime: &Regime| {
+        let points = panel(seed, regime);
+        let samples: Vec<_> =
+            points.iter().flat_map(|(case, point)| Sample::in_both_forms(case, point)).collect();
+        let each = OPERATIONS.div_ceil(Code::ALL.len() * samples.len().max(1));
+        Code::ALL.map(|code| {
+            let none =
+                Sampled { regime, code, operations: 0, faults: 0, detected: 0, limits: BTreeMap::new() };
+            let of_sample = |(i, sample): (usize, &Sample)| {
+                let mut rng = ChaCha8Rng::seed_from_u64(seed);
+                rng.set_stream(i as u64);
+                at_sample(none.clone(), sample, each, &mut rng)
+            };
+            let all: Vec<_> = samples.par_iter().enumerate().map(of_sample).collect();
+            let mut sum = all.into_iter().fold(none.clone(), Sampled::and);
+            sum.limits.values_mut().for_each(|limits| limits.sort_by(f64::total_cmp));
+            sum
+        })
+    };
+    regimes.iter().flat_map(of_regime).collect()
+}
+
+fn at_sample(mut found: Sampled, sample: &Sample, each: usize, rng: &mut ChaCha8Rng) -> Sampled {
+    let sound = sample.compared(&Subject::Sound);
+    // A number that no operation has: all are counted, and none is wrong.
+    let with = |number, factor| sample.compared(&Subject::Operation(found.code, number, factor));
+    let (_, count) = counted(|| with(usize::MAX, 1.0));
+    for i in 0..each {
+        // One in each of as many parts of the code.
+        let number = (i * count + rng.random_range(0..count.max(1))) / each;
+        found.operations += 1;
+        for factor in FACTORS {
+            let wrong = with(number, factor);
+            let is_changed = wrong.iter().zip(&sound).any(|(wrong, sound)| sides(wrong) != sides(sound));
+            let is_detected = wrong.iter().any(|entry| entry.is_meaningful() && !entry.agrees());
+            found.faults += usize::from(is_changed);
+            found.detected += usize::from(is_detected);
+        }
+        let mut limits: BTreeMap<Quantity, f64> = BTreeMap::new();
+        for (sound, nudged) in sound.iter().zip(&with(number, 1.0 + NUDGE)) {
+            let limit = sensitivity(sound, nudged);
+            let smallest = limits.entry(sound.quantity).or_insert(f64::INFINITY);
+            *smallest = smallest.min(limit);
+        }
+        for (quantity, limit) in limits.into_iter().filter(|(_, limit)| limit.is_finite()) {
+            found.limits.entry(quantity).or_default().push(limit);
+        }
+    }
+    found
+}
+
+fn sides(entry: &Comparison) -> [u64; 2] {
+    [entry.closed.to_bits(), entry.other.to_bits()]
+}
+
+impl Sampled {
+    fn and(mut self, other: Self) -> Self {
+        self.operations += other.operations;
+        self.faults += other.faults;
+        self.detected += other.detected;
+        for (quantity, limits) in other.limits {
+            self.limits.entry(quantity).or_default().extend(limits);
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{OPERATIONS, sampled};
+    use crate::check::Regime;
+    use crate::linearization::Quantity;
+
+    #[test]
+    fn wrong_operations_exceed_tolerances_in_a_generic_regime() {
+        let found = sampled(1, &[Regime::ALL[0]]);
+        assert!(found.iter().map(|of| of.operations).sum::<usize>() >= OPERATIONS);
+        for of in &found {
+            assert!(of.faults > of.operations && of.detected <= of.faults, "{of:?}");
+            let share = of.detected as f64 / of.faults as f64;
+            assert!(share > 0.95, "{}: {share}", of.code.name());
+            let of_d = &of.limits[&Quantity::D];
+            // A relative error of a millionth of an operation that d depends on is seen, in the median.
+            assert!(of_d[of_d.len() / 2] < 1e-6 && of_d[0] > 1e-17, "{of_d:?}");
+        }
+    }
+}
