@@ -146,8 +146,8 @@ fn sampled_operations(record: &Teeth) -> String {
         table.row([row.regime.clone(), row.code.clone()].into_iter().chain(counts).collect());
     }
     format!(
-        "\nA sample of operations in f64, each multiplied by -1, 0 and 2: faults that change a\n\
-         number, and those that the gate detects by its tolerances\n\n{table}"
+        "\nA sample of operations in f64, each multiplied by -1, 0 and 2: faults that\n\
+         change a number, and those that the gate detects by its tolerances\n\n{table}"
     )
 }
 
