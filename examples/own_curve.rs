@@ -6,6 +6,7 @@ use beamgap::check;
 use beamgap::curve::{Curve, Jet, Shapes};
 use beamgap::nalgebra::{SVector, Vector3};
 use beamgap::number::Real;
+use beamgap::teeth;
 
 /// A Bernstein polynomial of fourth degree in u = (1 + xi)/2.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,4 +68,5 @@ fn main() {
     let found = check::curve(&Quartic, &[beam], 24);
     println!("{found}");
     assert!(found.agrees());
+    println!("{}", teeth::operations_of_curve(&Quartic));
 }

@@ -95,6 +95,9 @@ impl<T: Bits> Real for Faulty<T> {
             record(self.0);
             LABELS.with_borrow_mut(|labels| labels.push(label));
         }
+        if MODE.get() == Mode::Locate && COUNT.get() > WRONG.get() {
+            LABELS.with_borrow_mut(|labels| labels.push(label));
+        }
         CHANGES.with_borrow(|changes| {
             let of_label = changes.iter().filter(|(changed, _)| *changed == label);
             Self(of_label.fold(self.0, |value, (_, change)| match change {

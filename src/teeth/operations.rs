@@ -9,7 +9,7 @@
 mod place;
 mod reason;
 
-use crate::number::{Bits, Change, Residue, Traced, counted, locate, operations, with_operation};
+use crate::number::{Bits, Change, Label, Residue, Traced, counted, locate, operations, with_operation};
 use crate::specimen::Family;
 use crate::subject::Kind;
 use place::Place;
@@ -54,6 +54,8 @@ pub struct Unseen {
     pub wrong: &'static str,
     /// The lines of the source, if the build knows them, from the operation outwards.
     pub at: Vec<String>,
+    /// The first named term that is computed after it.
+    pub term: Option<Label>,
     /// How it is lost.
     pub lost: Lost,
     /// Why that is right, if it is known.
@@ -113,7 +115,7 @@ pub fn all_operations(seed: u64) -> Vec<Operations> {
     all
 }
 
-fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -> Operations {
+pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -> Operations {
     let (sound, count) = counted(|| run(None));
     let own = operations(|| run(None));
     let others: Vec<_> = kinds.iter().map(|&kind| (kind.name(), operations(|| run(Some(kind))))).collect();
@@ -132,10 +134,10 @@ fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -
         let shown = faults.iter().filter(|(_, is_shown)| *is_shown).count();
         (all.faults, all.shown) = (all.faults + faults.len(), all.shown + shown);
         let unseen = |wrong| {
-            let at = locate(operation, || run(None));
+            let (at, term) = locate(operation, || run(None));
             let lost = Lost::of(operation, || run(None));
             let reason = reason(lost, &all.code, place, &at);
-            Unseen { operation, wrong, at, lost, reason }
+            Unseen { operation, wrong, at, term, lost, reason }
         };
         let missed = faults.iter().filter(|(_, is_shown)| !is_shown).map(|(wrong, _)| *wrong);
         let missed =

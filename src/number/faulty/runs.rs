@@ -127,18 +127,21 @@ pub(crate) fn with_terms<R>(changes: Vec<(Label, TermChange)>, run: impl FnOnce(
     run()
 }
 
-/// The lines of this library's source that an operation belongs to, from the innermost on, as far as the build knows them.
-pub(crate) fn locate<R>(operation: usize, run: impl FnOnce() -> R) -> Vec<String> {
+/// The lines of the source that an operation belongs to, from the innermost on, as far as the build knows them: of this
+/// library from its `src` on, of others from the working directory on. And the first term with a name that follows it.
+pub(crate) fn locate<R>(operation: usize, run: impl FnOnce() -> R) -> (Vec<String>, Option<Label>) {
     let _run = Run::start();
     WRONG.set(operation);
     CHANGE.set(Change::PlusOne);
     MODE.set(Mode::Locate);
+    LABELS.take();
     drop(run());
-    let trace = TRACE.take();
-    let lines = trace.lines().filter_map(|line| line.trim().strip_prefix("at ")?.strip_prefix("./src/"));
+    let (trace, labels) = (TRACE.take(), LABELS.take());
+    let lines = trace.lines().filter_map(|line| line.trim().strip_prefix("at ./"));
+    let lines = lines.map(|line| line.strip_prefix("src/").unwrap_or(line));
     let outside = |line: &&str| !line.starts_with("number/") && !line.starts_with("teeth/");
-    lines
+    let lines = lines
         .filter(outside)
-        .map(|line| line.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(':').to_owned())
-        .collect()
+        .map(|line| line.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(':').to_owned());
+    (lines.collect(), labels.first().copied())
 }
