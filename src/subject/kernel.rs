@@ -21,12 +21,12 @@ pub(crate) type Contracted<T> = [[Option<T>; 4]; SCALARS];
 pub(crate) type Layouts<T> = Vec<(&'static str, Contracted<T>)>;
 
 /// One number after the other, in the form given and in memory of this kind; nothing if a curve has no shape functions.
-fn contracted_kernel<T: Real>(
+fn contracted_kernel<T: Real, W: Memory<T>>(
     beams: &[PaddedBeam<T>; 2],
     at: (T, T),
     form: Form,
     contact: &Contact,
-    memory: fn() -> Second<T>,
+    memory: fn() -> W,
 ) -> Option<Contracted<T>> {
     let [_, directions @ ..] = vectors(beams);
     Some(read(&kernel(beams, at, form, contact, memory)?, &directions))
@@ -56,11 +56,16 @@ pub(crate) fn every_layout<T: Real>(
     contact: &Contact,
 ) -> Layouts<T> {
     let of = |(name, memory)| Some((name, contracted_kernel(beams, at, form, contact, memory)?));
-    NAMES.into_iter().zip(Second::ALL).filter_map(of).collect()
+    let gradient = contracted_kernel(beams, at, form, contact, Gradient::<T, BOTH>::zeros);
+    let gradient = gradient.map(|numbers| (GRADIENT, numbers));
+    NAMES.into_iter().zip(Second::ALL).filter_map(of).chain(gradient).collect()
 }
 
 /// The names of [`Second::ALL`].
 const NAMES: [&str; 3] = ["kernel, blocks", "kernel, full", "kernel, packed"];
+
+/// The name of the layout without Hessians.
+const GRADIENT: &str = "kernel, gradient";
 
 /// In every layout, by the public functions and with the vector units of the machine.
 ///
@@ -83,7 +88,7 @@ pub(crate) fn fast_kernel(
         (NAMES[0], one.all(blocks)),
         (NAMES[1], one.all(full)),
         (NAMES[2], one.all(packed)),
-        ("kernel, gradient", one.all(Gradient::<f64, BOTH>::zeros)),
+        (GRADIENT, one.all(Gradient::<f64, BOTH>::zeros)),
         ("kernel in lanes, blocks", four.all(blocks_of_four)),
         ("kernel in lanes, full", four.all(full_of_four)),
         ("kernel in lanes, packed", four.all(packed_of_four)),
