@@ -7,6 +7,7 @@ use crate::curve::{Curve, Jet, Shapes};
 use crate::linearization::closed_form::Form;
 use crate::linearization::closed_form::blocks::{
     Encounter, Gradient, Target, Targets, write_all_batch, write_all_by_shapes_over, write_all_with_slips,
+    write_d, write_d_batch,
 };
 use crate::number::{Lanes, Real};
 use crate::pair::{Contact, DofVector, Pair};
@@ -92,6 +93,8 @@ pub(crate) fn fast_kernel(
         ("kernel in lanes, blocks", four.all(blocks_of_four)),
         ("kernel in lanes, full", four.all(full_of_four)),
         ("kernel in lanes, packed", four.all(packed_of_four)),
+        ("kernel, d alone", one.d(blocks)),
+        ("kernel in lanes, d alone", four.d(blocks_of_four)),
     ]
 }
 
@@ -150,6 +153,20 @@ impl One<'_> {
         write_all_with_slips(self.pair, q, self.point, to, [g_t, g_t_bar]);
         read(&all, directions)
     }
+
+    fn d<W: Memory<f64>>(&self, memory: fn() -> W) -> Contracted<f64> {
+        let [q, directions @ ..] = self.vectors;
+        let mut d = memory();
+        write_d(self.pair, q, self.point, &mut d);
+        alone(d.contracted(directions))
+    }
+}
+
+/// Numbers of d, and none of the others.
+fn alone(d: [Option<f64>; 4]) -> Contracted<f64> {
+    let mut all = [[None; 4]; SCALARS];
+    all[0] = d;
+    all
 }
 
 /// The units of length of the four pairs in the lanes: powers of two, so that all that follows is exact.
@@ -177,8 +194,19 @@ impl<'a> Four<'a> {
         Self { pair, point, q, directions: [in_lanes(dq), in_lanes(linear_dq)] }
     }
 
+    fn encounters(&self) -> [Encounter<'_, Tabulated, Tabulated, DOFS, DOFS>; 4] {
+        self.q.each_ref().map(|q| Encounter { pair: self.pair, q, point: self.point })
+    }
+
+    fn d(&self, memory: fn() -> Second<Lanes>) -> Contracted<f64> {
+        let mut to = [memory()];
+        write_d_batch(&self.encounters(), &mut to, NonZeroUsize::MIN);
+        let [d] = to.map(|memory| memory.contracted(&self.directions));
+        alone(length(d, 0))
+    }
+
     fn all(&self, memory: fn() -> Second<Lanes>) -> Contracted<f64> {
-        let encounters = self.q.each_ref().map(|q| Encounter { pair: self.pair, q, point: self.point });
+        let encounters = self.encounters();
         let mut to = [std::array::from_fn(|_| memory())];
         write_all_batch(&encounters, &mut to, NonZeroUsize::MIN);
         let [[d, xi, xi_bar, t, t_bar]] = to.map(|of| of.map(|memory| memory.contracted(&self.directions)));
