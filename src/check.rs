@@ -70,7 +70,7 @@ pub use run::run;
 pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
 pub use shrink::{Shrunk, shrink, shrink_mismatches};
 pub(crate) use site::Site;
-pub use summary::{Cell, Differences, Summary, Tally};
+pub use summary::{Cell, Differences, MismatchKind, Summary, Tally};
 pub use trial::{Oracles, Trial};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};
 pub use written::Written;

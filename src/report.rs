@@ -46,7 +46,7 @@ pub use peers::{AtGap, LeftOut, Peer, Peers};
 pub use record::Record;
 pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 pub use task::Task;
-pub use teeth::{BiteRow, OperationsRow, Teeth, UnseenRow};
+pub use teeth::{BiteRow, OperationsRow, Teeth, UnseenRow, UnshownRow};
 pub use turns::Turns;
 
 use crate::check::{self, Regime, Selection, Trial};

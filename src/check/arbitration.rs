@@ -61,7 +61,7 @@ impl Arbitration {
 
     /// Arbitrates over all comparisons of one entry.
     fn of_entry(entries: &[&Comparison]) -> Option<Self> {
-        if !entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees()) {
+        if !entries.iter().any(|entry| entry.is_wrong()) {
             return None;
         }
         if matches!(entries[0].order, Order::Symmetry | Order::Matrix) {

@@ -158,9 +158,8 @@ fn compared(candidate: &impl Candidate, case: &Case) -> Found {
                 Err(wrong) => found.misshapen = found.misshapen.or(Some(wrong)),
             }
         }
-        let is_wrong = |entry: &&Comparison| entry.is_meaningful() && !entry.agrees();
         // The reference itself is doubted where the differences in double-double say so.
-        let doubted = entries.iter().any(|entry| is_wrong(&entry)) && is_doubted(&paper, &sides.reference);
+        let doubted = entries.iter().any(Comparison::is_wrong) && is_doubted(&paper, &sides.reference);
         found.add(case, &entries, doubted);
     }
     found

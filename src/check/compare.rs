@@ -20,7 +20,7 @@ pub(super) const ROUTES: [&str; 3] =
     ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
 
 /// What [`Comparison::against`] says of the matrices.
-pub(super) const MATRICES: &str = "gradient and Hessian, contracted";
+pub(super) const MATRICES: &str = "gradient and Hessian";
 
 /// A verdict for each closest point, and one without a point if there is none or there may be more.
 pub type Compared = Vec<(Option<ClosestPoint>, Verdict)>;
@@ -85,7 +85,7 @@ pub(crate) fn judged(entries: Vec<Comparison>) -> Verdict {
 
 /// Whether some entry tells a difference beyond rounding.
 fn is_apart(entries: &[Comparison]) -> bool {
-    entries.iter().any(|entry| entry.is_meaningful() && !entry.agrees())
+    entries.iter().any(Comparison::is_wrong)
 }
 
 /// Adds the comparisons with the differences, where they exist.

@@ -49,7 +49,7 @@ impl Finding {
             Verdict::Pass(_) | Verdict::Inconclusive(..) => None,
         });
         let (minimum, point, entry, entries) = wrong.min_by_key(|(_, _, entry, _)| place(entry))?;
-        let same = |other: &&Comparison| is_wrong(other) && place(other) == place(&entry);
+        let same = |other: &&Comparison| other.is_wrong() && place(other) == place(&entry);
         let mut against: Vec<_> = entries.iter().filter(same).map(|entry| entry.against).collect();
         against.sort_unstable();
         against.dedup();
@@ -85,12 +85,8 @@ pub fn look_at(order: Order, quantity: Quantity) -> &'static str {
     }
 }
 
-fn is_wrong(entry: &Comparison) -> bool {
-    entry.is_meaningful() && !entry.agrees()
-}
-
 fn first(entries: &[Comparison]) -> Option<Comparison> {
-    entries.iter().filter(|entry| is_wrong(entry)).min_by_key(|entry| place(entry)).copied()
+    entries.iter().filter(|entry| entry.is_wrong()).min_by_key(|entry| place(entry)).copied()
 }
 
 /// The place of a number in the order of computation; components of a vector share one, as axes mean nothing.

@@ -1,6 +1,7 @@
 //! What a run of the gate found, gathered so that the order of the cases does not matter.
 
 use super::arbitration::{Arbitration, DIFFERENCES};
+use super::compare::MATRICES;
 use super::diagnosis::Finding;
 use super::draw::Case;
 use super::regime::Regime;
@@ -40,6 +41,12 @@ impl Cell {
     }
 }
 
+fn merge(cells: &mut BTreeMap<(Quantity, Order), Cell>, others: &BTreeMap<(Quantity, Order), Cell>) {
+    for (key, cell) in others {
+        cells.entry(*key).or_default().merge(cell);
+    }
+}
+
 /// The counts of one regime.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
@@ -74,7 +81,7 @@ impl Tally {
 /// All that is reported of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Summary {
-    /// The worst errors, by quantity and order.
+    /// The worst errors, by quantity and order; those with respect to the differences are in `differences`.
     pub cells: BTreeMap<(Quantity, Order), Cell>,
     /// The counts, by regime.
     pub regimes: BTreeMap<Regime, Tally>,
@@ -84,16 +91,40 @@ pub struct Summary {
     pub pairs: BTreeMap<(Family, Family), u64>,
     /// The cases that did not agree, with the entry that is furthest off.
     pub mismatches: BTreeMap<u64, Comparison>,
-    /// The first wrong number of each of them, in the order in which they are computed.
-    pub first: BTreeMap<u64, (Order, Quantity)>,
+    /// The kind of each of them.
+    pub kinds: BTreeMap<u64, MismatchKind>,
     /// Who is wrong in each of them.
     pub arbitrations: BTreeMap<u64, Arbitration>,
     /// What the differences in double-double were asked, and answered.
     pub differences: Differences,
 }
 
+/// What is wrong first, in the order in which numbers are computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct MismatchKind {
+    /// The code that computes the number.
+    pub candidate: &'static str,
+    /// The order of the number.
+    pub order: Order,
+    /// Its quantity.
+    pub quantity: Quantity,
+}
+
+impl MismatchKind {
+    /// The kind of a mismatch that begins with this number.
+    pub fn of(&Comparison { order, quantity, against, .. }: &Comparison) -> Self {
+        // The matrices and the kernel are compared with the equations, the equations with the references.
+        let candidate = match (order, against) {
+            (Order::Matrix, MATRICES) => "matrices",
+            (Order::Matrix, layout) => layout,
+            _ => "equations",
+        };
+        Self { candidate, order, quantity }
+    }
+}
+
 /// Closest points at which the differences in double-double were asked.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Differences {
     /// Points where they were asked and had an answer.
     pub points: u64,
@@ -101,6 +132,8 @@ pub struct Differences {
     pub unclear: u64,
     /// Of these, points that they decided.
     pub decided: u64,
+    /// The worst errors with respect to them, by quantity and order.
+    pub cells: BTreeMap<(Quantity, Order), Cell>,
 }
 
 impl Differences {
@@ -116,7 +149,8 @@ impl Differences {
         }
     }
 
-    fn merge(&mut self, other: Self) {
+    fn merge(&mut self, other: &Self) {
+        merge(&mut self.cells, &other.cells);
         self.points += other.points;
         self.unclear += other.unclear;
         self.decided += other.decided;
@@ -135,7 +169,7 @@ impl Summary {
     pub(super) fn add(&mut self, case: &Case, verdicts: &[(Option<ClosestPoint>, Verdict)]) {
         let tally = self.regimes.entry(case.regime).or_default();
         tally.cases += 1;
-        let mut cells = [[Cell::default(); Order::ALL.len()]; Quantity::ALL.len()];
+        let mut cells = [[[Cell::default(); 2]; Order::ALL.len()]; Quantity::ALL.len()];
         let mut compared = 0;
         for (point, verdict) in verdicts {
             self.differences.add(verdict);
@@ -149,10 +183,12 @@ impl Summary {
                 Verdict::Mismatch(entries) => {
                     tally.mismatches += 1;
                     let earlier = self.mismatches.remove(&case.number);
+                    // What the differences tell is listed only where nothing else is wrong.
+                    let rank = |entry: &Comparison| (entry.is_wrong(), entry.against != DIFFERENCES);
                     let meaningful = entries.iter().filter(|entry| entry.is_meaningful()).copied();
-                    let worst = meaningful
-                        .chain(earlier)
-                        .max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
+                    let worst = meaningful.chain(earlier).max_by(|a, b| {
+                        rank(a).cmp(&rank(b)).then(a.over_tolerance().total_cmp(&b.over_tolerance()))
+                    });
                     self.mismatches.extend(worst.map(|worst| (case.number, worst)));
                     let arbitrated = self.arbitrations.remove(&case.number).into_iter();
                     let arbitrated = arbitrated.chain(Arbitration::of(entries)).reduce(Arbitration::and);
@@ -167,7 +203,8 @@ impl Summary {
             }
             compared += 1;
             for entry in entries.iter().filter(|entry| entry.is_meaningful()) {
-                cells[entry.quantity as usize][entry.order as usize].merge(&Cell {
+                let by_differences = usize::from(entry.against == DIFFERENCES);
+                cells[entry.quantity as usize][entry.order as usize][by_differences].merge(&Cell {
                     scaled_error: entry.scaled_error(),
                     case: case.number,
                     over_tolerance: entry.over_tolerance(),
@@ -176,13 +213,18 @@ impl Summary {
             }
         }
         for (quantity, cells) in Quantity::ALL.into_iter().zip(cells) {
-            for (order, cell) in Order::ALL.into_iter().zip(cells).filter(|(_, cell)| cell.entries > 0) {
-                self.cells.entry((quantity, order)).or_default().merge(&cell);
-                tally.worst.merge(&cell);
+            for (order, [cell, by_differences]) in Order::ALL.into_iter().zip(cells) {
+                if cell.entries > 0 {
+                    self.cells.entry((quantity, order)).or_default().merge(&cell);
+                    tally.worst.merge(&cell);
+                }
+                if by_differences.entries > 0 {
+                    self.differences.cells.entry((quantity, order)).or_default().merge(&by_differences);
+                }
             }
         }
-        let first = Finding::of(verdicts).map(|finding| (finding.entry.order, finding.entry.quantity));
-        self.first.extend(first.map(|first| (case.number, first)));
+        let kind = Finding::of(verdicts).map(|finding| MismatchKind::of(&finding.entry));
+        self.kinds.extend(kind.map(|kind| (case.number, kind)));
         if compared > 0 {
             *self.pairs.entry((case.families[0], case.families[1])).or_default() += compared;
             for family in case.families {
@@ -194,9 +236,7 @@ impl Summary {
     /// The summary of both.
     #[must_use]
     pub fn merge(mut self, other: Self) -> Self {
-        for (key, cell) in &other.cells {
-            self.cells.entry(*key).or_default().merge(cell);
-        }
+        merge(&mut self.cells, &other.cells);
         for (regime, tally) in &other.regimes {
             self.regimes.entry(*regime).or_default().merge(tally);
         }
@@ -207,9 +247,9 @@ impl Summary {
             *self.pairs.entry(pair).or_default() += count;
         }
         self.mismatches.extend(other.mismatches);
-        self.first.extend(other.first);
+        self.kinds.extend(other.kinds);
         self.arbitrations.extend(other.arbitrations);
-        self.differences.merge(other.differences);
+        self.differences.merge(&other.differences);
         self
     }
 

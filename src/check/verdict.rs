@@ -82,6 +82,11 @@ impl Comparison {
         difference == 0.0 || (difference.is_finite() && difference <= self.tolerance)
     }
 
+    /// Whether the two differ beyond rounding.
+    pub fn is_wrong(&self) -> bool {
+        self.is_meaningful() && !self.agrees()
+    }
+
     /// Whether the tolerance is small enough to mean anything: below a thousandth of the scale, or of the other number,
     /// as the scale is the closed form's own and may be what is wrong with it.
     ///

@@ -49,6 +49,12 @@ pub(super) fn subject(plant: &[String]) -> anyhow::Result<Subject> {
     with_faults(plant).map_err(|unknown| clap::Error::raw(ErrorKind::InvalidValue, unknown).into())
 }
 
+/// The program, as whoever reads a printed command can run it: through cargo, if cargo runs it now.
+pub(super) fn program() -> &'static str {
+    let by_cargo = std::env::var_os("CARGO_PKG_NAME").is_some_and(|name| name == env!("CARGO_PKG_NAME"));
+    if by_cargo { "cargo run --release --" } else { "beamgap" }
+}
+
 /// The options that plant these faults again.
 pub(super) fn planting(plant: &[String]) -> String {
     plant.iter().flat_map(|fault| [" --plant '", fault, "'"]).collect()

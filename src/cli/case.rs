@@ -7,7 +7,9 @@ use super::json;
 use super::table::Table;
 use beamgap::check::{Arbitration, Compared, Comparison, Regime, Verdict as Found, Written};
 use beamgap::closest_point::{ClosestPoint, End};
+use beamgap::pair::Contact;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// A case, and what was found at it.
@@ -20,10 +22,12 @@ pub(super) struct Shown<'a> {
     pub(super) points: &'a Compared,
     /// What it amounts to.
     pub(super) verdict: &'a Verdict,
+    /// Whether numbers that agree are left out.
+    pub(super) only_wrong: bool,
 }
 
 /// The case for people; the numbers have all their digits.
-pub(super) fn human(Shown { case, drawn, points, verdict }: &Shown) -> String {
+pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> String {
     let [beam, bar] = case.specimens.each_ref().map(|specimen| specimen.family.name());
     let mut text = match drawn {
         Some((seed, number, regime)) => {
@@ -42,7 +46,13 @@ pub(super) fn human(Shown { case, drawn, points, verdict }: &Shown) -> String {
             }
         }
     }
-    let _ = writeln!(text, "\ncontact\n  {:?}", case.contact);
+    let Contact { radius, radius_bar, xi_0, xi_bar_0 } = case.contact;
+    text += "\ncontact\n";
+    for (name, number) in
+        [("radius", radius), ("radius_bar", radius_bar), ("xi_0", xi_0), ("xi_bar_0", xi_bar_0)]
+    {
+        let _ = writeln!(text, "  {name} = {number:e}");
+    }
     for (point, compared) in *points {
         text += "\n";
         if let Some(point) = point {
@@ -51,11 +61,9 @@ pub(super) fn human(Shown { case, drawn, points, verdict }: &Shown) -> String {
         match compared {
             Found::Inconclusive(reason, entries) => {
                 let _ = writeln!(text, "Not compared: {}", reason.reason());
-                if !entries.is_empty() {
-                    text += &table(entries);
-                }
+                text += &numbers(entries, *only_wrong);
             }
-            Found::Pass(entries) | Found::Mismatch(entries) => text += &table(entries),
+            Found::Pass(entries) | Found::Mismatch(entries) => text += &numbers(entries, *only_wrong),
         }
         if let Some(who) = Arbitration::of(compared.entries()) {
             let _ = writeln!(text, "By differences in double-double: {}", who.words());
@@ -81,47 +89,54 @@ fn described(point: &ClosestPoint) -> String {
     )
 }
 
-fn table(entries: &[Comparison]) -> String {
-    let titles = [
-        "quantity",
-        "part",
-        "order",
-        "against",
-        "closed",
-        "other",
-        "difference",
-        "scale",
-        "tolerance",
-        "verdict",
-    ];
-    let mut table = Table::new(&titles).left(&[1, 2, 3]);
-    for entry in entries {
+/// Each number of the closed form, and what it was compared with: 80 columns wide.
+fn numbers(entries: &[Comparison], only_wrong: bool) -> String {
+    let mut parts: Vec<(String, Vec<&Comparison>)> = Vec::new();
+    let mut places = BTreeMap::new();
+    for entry in entries.iter().filter(|entry| !only_wrong || entry.is_wrong()) {
+        let at = *places.entry((entry.quantity, entry.axis, entry.part)).or_insert_with(|| {
+            let Comparison { closed, scale, part, .. } = entry;
+            parts.push((format!("{}, {part}: {closed:e}, scale {}", name(entry), error(*scale)), Vec::new()));
+            parts.len() - 1
+        });
+        parts[at].1.push(entry);
+    }
+    if parts.is_empty() {
+        let none = "No number differs beyond rounding.\n";
+        return if entries.is_empty() { String::new() } else { none.into() };
+    }
+    let mut table = Table::new(&["compared with", "its number", "error", "tol.", ""]).left(&[4]);
+    for entry in parts.iter().flat_map(|(_, entries)| entries) {
         table.row(vec![
-            name(entry),
-            entry.part.into(),
-            entry.order.name().into(),
             entry.against.into(),
-            format!("{:e}", entry.closed),
             format!("{:e}", entry.other),
             error(entry.difference()),
-            error(entry.scale),
             error(entry.tolerance),
             told(entry).into(),
         ]);
     }
-    table.to_string()
+    let table = table.to_string();
+    let mut rows = table.lines();
+    let mut text = rows.next().unwrap_or_default().to_owned() + "\n";
+    for (title, entries) in &parts {
+        let _ = writeln!(text, "{title}");
+        for row in rows.by_ref().take(entries.len()) {
+            let _ = writeln!(text, "{row}");
+        }
+    }
+    text
 }
 
 fn told(entry: &Comparison) -> &'static str {
     match (entry.is_meaningful(), entry.agrees()) {
-        (false, _) => "not meaningful",
+        (false, _) => "unclear",
         (true, true) => "agrees",
-        (true, false) => "DISAGREES",
+        (true, false) => "WRONG",
     }
 }
 
 /// The case for programs, of the schema `beamgap-case/1`.
-pub(super) fn json(Shown { case, drawn, points, verdict }: &Shown) -> anyhow::Result<String> {
+pub(super) fn json(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> anyhow::Result<String> {
     let mut document = case_file::object(case);
     let mut add = |name: &str, value: Value| drop(document.insert(name.into(), value));
     if let Some((seed, number, regime)) = drawn {
@@ -131,12 +146,12 @@ pub(super) fn json(Shown { case, drawn, points, verdict }: &Shown) -> anyhow::Re
     }
     add("version", json!(env!("CARGO_PKG_VERSION")));
     add("verdict", json!(verdict.name));
-    let points = points.iter().map(|(point, compared)| at_point(point.as_ref(), compared));
+    let points = points.iter().map(|(point, compared)| at_point(point.as_ref(), compared, *only_wrong));
     add("closest_points", points.collect());
     json::text(&document)
 }
 
-fn at_point(point: Option<&ClosestPoint>, compared: &Found) -> Value {
+fn at_point(point: Option<&ClosestPoint>, compared: &Found, only_wrong: bool) -> Value {
     let end = |end: Option<End>| {
         end.map(
             |end| json!({ "side": end.side.parameter(), "strict": end.strict, "multiplier": end.multiplier }),
@@ -161,7 +176,8 @@ fn at_point(point: Option<&ClosestPoint>, compared: &Found) -> Value {
         Found::Inconclusive(reason, entries) => ("not-compared", Some(reason.reason()), entries.as_slice()),
     };
     let arbitration = Arbitration::of(entries).map(Arbitration::name);
-    let entries: Vec<_> = entries.iter().map(json::compared).collect();
+    let shown = entries.iter().filter(|entry| !only_wrong || entry.is_wrong());
+    let entries: Vec<_> = shown.map(json::compared).collect();
     json!({
         "point": point,
         "verdict": verdict,

@@ -3,6 +3,7 @@
 //! A case is `beam`, `bar` and `contact`; a document that shows what was found at a case has more, which is passed
 //! over. What is neither is an error, so that no misspelt name goes unnoticed.
 
+use super::arguments::program;
 use anyhow::{Context, anyhow, bail, ensure};
 use beamgap::check::{Family, Specimen, Written};
 use beamgap::pair::Contact;
@@ -31,7 +32,7 @@ pub(super) fn command(case: &Written) -> String {
     if case.contact == Contact::default() {
         object.remove("contact");
     }
-    format!("echo '{}' | beamgap check --case-file -", short(Value::Object(object)))
+    format!("echo '{}' | {} check --case-file -", short(Value::Object(object)), program())
 }
 
 /// Whole numbers without a point.
@@ -187,13 +188,13 @@ fn shown(value: &Value) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{case, command};
+    use super::{case, command, program};
     use beamgap::check::{Case, Written};
 
     /// The case that the printed command gives to the gate.
     fn given(printed: &str) -> Written {
-        let json =
-            printed.strip_prefix("echo '").unwrap().strip_suffix("' | beamgap check --case-file -").unwrap();
+        let end = format!("' | {} check --case-file -", program());
+        let json = printed.strip_prefix("echo '").unwrap().strip_suffix(end.as_str()).unwrap();
         // Nothing that a shell would take for its own.
         assert!(!json.contains(['\'', '\n']), "{json}");
         case(&serde_json::from_str(json).unwrap()).unwrap()

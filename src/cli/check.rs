@@ -1,6 +1,6 @@
 //! `beamgap check`: random pairs of beams through both linearizations.
 
-use super::arguments::{Format, families, regimes, seed, subject, work_with};
+use super::arguments::{Format, families, planting, regimes, seed, subject, work_with};
 use super::exit::Exit;
 use super::output::Output;
 use super::{case, case_file, human, json};
@@ -33,12 +33,15 @@ pub(crate) struct Check {
     regime: Vec<Regime>,
     /// Only the case with this number, and everything about it
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    #[arg(conflicts_with_all = ["cases", "family", "regime"])]
+    #[arg(conflicts_with_all = ["cases", "family", "regime"], group = "one")]
     case: Option<u64>,
     /// Only the case in this file, or on standard input if it is -: JSON as --case or a disagreement shows it
     #[arg(long, value_name = "PATH")]
-    #[arg(conflicts_with_all = ["cases", "family", "regime", "case", "seed"])]
+    #[arg(conflicts_with_all = ["cases", "family", "regime", "case", "seed"], group = "one")]
     case_file: Option<PathBuf>,
+    /// Of one case, only the numbers that differ beyond rounding
+    #[arg(long, conflicts_with_all = ["cases", "family", "regime"], requires = "one")]
+    only_wrong: bool,
     /// Plant a fault of the catalogue, to see the check fail; may be repeated (see `beamgap teeth --list`)
     #[arg(long, value_name = "FAULT")]
     plant: Vec<String>,
@@ -77,6 +80,15 @@ pub(super) struct Checked {
     pub(super) selection: Selection,
     pub(super) summary: Summary,
     pub(super) shrunk: Vec<Shrunk>,
+    /// Whether the differences were asked.
+    pub(super) differences: bool,
+}
+
+impl Checked {
+    /// The options with which a command shows a case as this run saw it.
+    pub(super) fn options(&self) -> String {
+        planting(&self.plant) + if self.differences { " --oracle all" } else { "" }
+    }
 }
 
 impl Check {
@@ -103,7 +115,8 @@ impl Check {
         };
         let points = case.compare(&Trial { subject: subject(&self.plant)?, oracles })?;
         let verdict = verdict_on(&points);
-        let shown = case::Shown { case, drawn, points: &points, verdict: &verdict };
+        let shown =
+            case::Shown { case, drawn, points: &points, verdict: &verdict, only_wrong: self.only_wrong };
         let document = match self.format {
             Format::Human => case::human(&shown),
             Format::Json => case::json(&shown)?,
@@ -123,7 +136,8 @@ impl Check {
         let summary = with_progress(&trial, self.seed, &selection);
         let verdict = verdict(&summary);
         let shrunk = shrink_mismatches(&trial.subject, self.seed, &summary, SHOWN);
-        let checked = Checked { plant: self.plant.clone(), seed: self.seed, selection, summary, shrunk };
+        let (plant, seed, differences) = (self.plant.clone(), self.seed, self.oracle == Oracle::All);
+        let checked = Checked { plant, seed, selection, summary, shrunk, differences };
         let document = match self.format {
             Format::Human => human::document(&checked, &verdict),
             Format::Json => json::document(&checked, &verdict)?,

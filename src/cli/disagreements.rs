@@ -1,21 +1,20 @@
 //! What does not agree, for people: the numbers, and a small case to paste.
 
-use super::arguments::planting;
 use super::case_file;
 use super::check::{Checked, SHOWN};
 use super::human::{name, repeat};
-use beamgap::check::{Case, Comparison, Regime, Shrunk, look_at, test_source};
+use beamgap::check::{Case, Comparison, MismatchKind, Regime, Shrunk, look_at, test_source};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// The first of them, each with the command that repeats it.
 pub(super) fn listed(checked: &Checked) -> String {
     let mut text = String::new();
-    let (all, first) = (&checked.summary.mismatches, &checked.summary.first);
+    let (all, kinds) = (&checked.summary.mismatches, &checked.summary.kinds);
     // One of each kind, then others.
-    let mut kinds = BTreeSet::new();
+    let mut met = BTreeSet::new();
     let (mut shown, others): (Vec<u64>, Vec<u64>) =
-        all.keys().partition(|number| kinds.insert(first.get(number)));
+        all.keys().partition(|number| met.insert(kinds.get(number)));
     shown.extend(others);
     shown.truncate(SHOWN);
     for (&number, entry) in shown.iter().filter_map(|number| all.get_key_value(number)) {
@@ -26,23 +25,25 @@ pub(super) fn listed(checked: &Checked) -> String {
         if let Some(who) = checked.summary.arbitrations.get(&number) {
             let _ = writeln!(text, "    by differences in double-double: {}", who.words());
         }
-        let _ =
-            writeln!(text, "    repeat with: {}", repeat(checked.seed, number) + &planting(&checked.plant));
+        let command = repeat(checked.seed, number) + &checked.options();
+        let _ = writeln!(text, "    repeat with:\n    {command}");
     }
     match all.len().saturating_sub(SHOWN) {
         0 => {}
         rest => drop(writeln!(text, "  and {rest} more")),
     }
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
-    for kind in first.values() {
+    for kind in kinds.values() {
         *counts.entry(kind).or_default() += 1;
     }
-    if let Some((&&(order, quantity), count)) = counts.iter().max_by_key(|(_, count)| **count) {
-        let (cases, order_name, name) = (first.len(), order.name(), quantity.name());
+    if let Some((MismatchKind { candidate, order, quantity }, count)) =
+        counts.iter().max_by_key(|(_, count)| **count)
+    {
+        let (cases, order_name, name) = (kinds.len(), order.name(), quantity.name());
         let _ = write!(
             text,
-            "\n  {count} of {cases} begin with {name} ({order_name}):\n  look at {}\n",
-            look_at(order, quantity)
+            "\n  {count} of {cases} begin with {name} ({order_name}) of the {candidate}:\n  look at {}\n",
+            look_at(*order, *quantity)
         );
     }
     text
@@ -50,18 +51,28 @@ pub(super) fn listed(checked: &Checked) -> String {
 
 /// What is left of the disagreements, wider than a terminal: it is to be pasted.
 pub(super) fn made_small(checked: &Checked) -> String {
-    let each = checked.shrunk.iter().map(|Shrunk { number, case, finding }| {
+    let each = checked.shrunk.iter().map(|shrunk| {
+        let Shrunk { number, case, finding } = shrunk;
         let entry = &finding.entry;
         format!(
             "\n// From case {number}: {} of {} ({}) is the first wrong number.\n{}{}\n",
             entry.part,
             name(entry),
             entry.order.name(),
-            test_source(case, finding.minimum, entry),
-            case_file::command(case) + &planting(&checked.plant)
+            test(shrunk, &checked.plant),
+            case_file::command(case) + &checked.options()
         )
     });
     each.collect()
+}
+
+/// The test of a shrunk case, and what it does where the fault is only planted.
+pub(super) fn test(Shrunk { case, finding, .. }: &Shrunk, plant: &[String]) -> String {
+    let without = match plant {
+        [] => "",
+        _ => "// The fault is planted by the command below. Without it this test passes.\n",
+    };
+    without.to_owned() + &test_source(case, finding.minimum, &finding.entry)
 }
 
 fn mismatch(entry: &Comparison) -> String {

@@ -1,6 +1,6 @@
 //! A run as tables for people, 80 columns wide.
 
-use super::arguments::planted;
+use super::arguments::{planted, program};
 use super::check::{Checked, Verdict};
 use super::disagreements;
 use super::table::Table;
@@ -19,9 +19,9 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     };
     add(
         "Worst error over scale, the sum of the sizes of its terms",
-        cells(checked, |cell| error(cell.scaled_error) + if cell.over_tolerance > 1.0 { "!" } else { "" }),
+        cells(&checked.summary.cells, &Order::ALL, worst),
     );
-    add("The case that showed it", cells(checked, |cell| case_of(cell).unwrap_or_else(|| "-".into())));
+    add("The case that showed it", cells(&checked.summary.cells, &Order::ALL, shown_by));
     add("Regimes: closest points compared, worst error, and most of a tolerance used", regimes(checked));
     add(&coverage(checked), families(checked));
     add("Not compared", not_compared(checked));
@@ -49,17 +49,32 @@ fn title(Checked { plant, seed, selection, summary, .. }: &Checked) -> String {
     )
 }
 
-fn cells(checked: &Checked, show: impl Fn(&Cell) -> String) -> String {
-    let cells = &checked.summary.cells;
+/// Quantities down, orders across.
+fn cells(
+    cells: &BTreeMap<(Quantity, Order), Cell>,
+    orders: &[Order],
+    show: impl Fn(&Cell) -> String,
+) -> String {
     if cells.is_empty() {
         return String::new();
     }
-    let mut table = Table::new(&[&["quantity"], &Order::ALL.map(Order::name)[..]].concat());
+    let mut table = Table::new(
+        &["quantity"].into_iter().chain(orders.iter().map(|order| order.name())).collect::<Vec<_>>(),
+    );
     for quantity in Quantity::ALL {
-        let of = |order| cells.get(&(quantity, order)).map_or_else(|| "-".into(), &show);
-        table.row([quantity.name().into()].into_iter().chain(Order::ALL.map(of)).collect());
+        let of = |&order| cells.get(&(quantity, order)).map_or_else(|| "-".into(), &show);
+        table.row([quantity.name().into()].into_iter().chain(orders.iter().map(of)).collect());
     }
     table.to_string()
+}
+
+/// The error, marked if it exceeds a tolerance.
+fn worst(cell: &Cell) -> String {
+    error(cell.scaled_error) + if cell.over_tolerance > 1.0 { "!" } else { "" }
+}
+
+fn shown_by(cell: &Cell) -> String {
+    case_of(cell).unwrap_or_else(|| "-".into())
 }
 
 fn regimes(checked: &Checked) -> String {
@@ -109,13 +124,14 @@ fn not_compared(checked: &Checked) -> String {
 
 /// What the third oracle was asked.
 fn differences(checked: &Checked) -> String {
-    let Differences { points, unclear, decided } = checked.summary.differences;
-    if points == 0 {
+    let Differences { points, unclear, decided, cells: of } = &checked.summary.differences;
+    if *points == 0 {
         return String::new();
     }
     format!(
         "  asked at {points} closest points; of {unclear} where the tolerance for AD means nothing,\n  \
-         they decided {decided}\n"
+         they decided {decided}\n\nWorst difference from them over scale\n{}",
+        cells(of, &[Order::Value, Order::First, Order::Second], worst)
     )
 }
 
@@ -138,7 +154,7 @@ pub(super) fn name(entry: &Comparison) -> String {
 
 /// The command that shows one case again.
 pub(super) fn repeat(seed: u64, number: u64) -> String {
-    format!("beamgap check --seed {seed:#x} --case {number}")
+    format!("{} check --seed {seed:#x} --case {number}", program())
 }
 
 /// Two digits.

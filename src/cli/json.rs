@@ -2,20 +2,19 @@
 //!
 //! Names and meanings stay; entries may be added. Errors have two digits; what is infinite or not a number is null.
 
-use super::arguments::planting;
 use super::case_file;
 use super::check::{Checked, Verdict};
+use super::disagreements;
 use super::human::repeat;
-use beamgap::check::{Cell, Comparison, Shrunk, Tally, test_source};
+use beamgap::check::{Cell, Comparison, Order, Shrunk, Tally};
+use beamgap::linearization::Quantity;
 use serde::Serialize;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
 /// All that is to be said about a run.
 pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<String> {
     let Checked { plant, seed, selection, summary, .. } = checked;
-    let quantities = summary.cells.iter().map(|((quantity, order), cell)| {
-        with(json!({ "quantity": quantity.name(), "order": order.name() }), worst(cell))
-    });
     let regimes = summary.regimes.iter().map(|(regime, tally)| tallied(regime.name(), tally));
     let families =
         summary.families.iter().map(|(family, count)| json!({ "family": family.name(), "compared": count }));
@@ -25,17 +24,21 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
         .map(|((beam, bar), count)| json!({ "beam": beam.name(), "bar": bar.name(), "compared": count }));
     let mismatches = summary.mismatches.iter().map(|(&number, entry)| {
         let who = summary.arbitrations.get(&number).map(|who| who.name());
-        let case =
-            json!({ "case": number, "repeat": repeat(*seed, number) + &planting(plant), "arbitration": who });
+        let case = json!({
+            "case": number,
+            "repeat": repeat(*seed, number) + &checked.options(),
+            "arbitration": who,
+            "candidate": summary.kinds.get(&number).map(|kind| kind.candidate),
+        });
         with(case, compared(entry))
     });
-    let shrunk = checked.shrunk.iter().map(|Shrunk { number, case, finding }| {
-        let minimum = finding.minimum;
+    let shrunk = checked.shrunk.iter().map(|shrunk| {
+        let Shrunk { number, case, finding } = shrunk;
         let found = json!({
             "case": number,
-            "minimum": minimum,
-            "test": test_source(case, minimum, &finding.entry),
-            "repeat": case_file::command(case) + &planting(plant),
+            "minimum": finding.minimum,
+            "test": disagreements::test(shrunk, plant),
+            "repeat": case_file::command(case) + &checked.options(),
             "shrunk": case_file::object(case),
         });
         with(found, compared(&finding.entry))
@@ -52,7 +55,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
         },
         "verdict": verdict.name,
         "compared": summary.compared(),
-        "quantities": quantities.collect::<Vec<_>>(),
+        "quantities": quantities(&summary.cells),
         "regimes": regimes.collect::<Vec<_>>(),
         "families": families.collect::<Vec<_>>(),
         "pairs": pairs.collect::<Vec<_>>(),
@@ -60,10 +63,18 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> anyhow::Result<S
             "points": summary.differences.points,
             "unclear": summary.differences.unclear,
             "decided": summary.differences.decided,
+            "quantities": quantities(&summary.differences.cells),
         },
         "mismatches": mismatches.collect::<Vec<_>>(),
         "shrunk": shrunk.collect::<Vec<_>>(),
     }))
+}
+
+fn quantities(cells: &BTreeMap<(Quantity, Order), Cell>) -> Vec<Value> {
+    let each = cells.iter().map(|((quantity, order), cell)| {
+        with(json!({ "quantity": quantity.name(), "order": order.name() }), worst(cell))
+    });
+    each.collect()
 }
 
 fn tallied(regime: &str, tally: &Tally) -> Value {

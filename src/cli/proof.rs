@@ -1,6 +1,6 @@
 //! A proof as tables for people, and as one document for programs.
 
-use super::arguments::{planted, planting};
+use super::arguments::{planted, planting, program};
 use super::json;
 use super::prove::Proved;
 use super::table::Table;
@@ -129,7 +129,8 @@ fn repeat(seed: u64, Draw { families: [one, other], number, .. }: &Draw, plant: 
     if one != other {
         let _ = write!(families, " --family {}", other.name());
     }
-    format!("beamgap prove --seed {seed:#x} --draws {} {families}{}", number + 1, planting(plant))
+    let (program, draws) = (program(), number + 1);
+    format!("{program} prove --seed {seed:#x} --draws {draws} {families}{}", planting(plant))
 }
 
 /// The quantity with its component.
@@ -243,10 +244,7 @@ mod tests {
             text.contains("draw 1, inside both beams: 6 of 113 unequal\n  first Delta-delta of d\n"),
             "{text}"
         );
-        assert!(
-            text.contains("beamgap prove --seed 0x1 --draws 2 --family segment --family arc\n"),
-            "{text}"
-        );
+        assert!(text.contains(" prove --seed 0x1 --draws 2 --family segment --family arc\n"), "{text}");
         assert!(text.ends_with("REFUTED: in 1 of 4 pairs of families they are not equal.\n"), "{text}");
     }
 

@@ -180,7 +180,7 @@ fn human(record: &Teeth) -> String {
     text.push_str(&operations(record));
     text.push_str(&sampled_operations(record));
     for row in record.rows.iter().filter(|row| row.check == "exact" || row.check == "gate") {
-        for fault in row.survivors.iter().chain(&row.false_alarms) {
+        for fault in record.unshown_by(row).chain(row.false_alarms.iter().map(String::as_str)) {
             let _ = write!(text, "\n  {} in {}: {fault}", row.check, row.regime);
         }
     }

@@ -41,7 +41,7 @@ sources![
     "linearization/ad/lift.rs",
     "linearization/ad/orders.rs",
     "closest_point/half_square.rs",
-    "check/site.rs",
+    "check/site/refined.rs",
     "curve.rs",
 ];
 

@@ -1,4 +1,4 @@
-//! The record of planted faults, `beamgap-teeth/2`.
+//! The record of planted faults, `beamgap-teeth/3`.
 
 use super::number::{finite, rounded};
 use super::{Environment, Record};
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 /// What the checks made of planted faults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Teeth {
-    /// `beamgap-teeth/2`.
+    /// `beamgap-teeth/3`.
     pub schema: String,
     /// Where and with what it ran.
     pub environment: Environment,
@@ -27,6 +27,8 @@ pub struct Teeth {
     pub checks: Vec<(String, String)>,
     /// What each does in each regime.
     pub rows: Vec<BiteRow>,
+    /// The faults that a check does not show, by check and by the regimes in which it does not.
+    pub unshown: Vec<UnshownRow>,
     /// What became of single operations, by code and place.
     pub operations: Vec<OperationsRow>,
     /// What became of a sample of operations in `f64`, by regime and code.
@@ -58,8 +60,17 @@ pub struct BiteRow {
     pub pairs: usize,
     /// Pairs of faults shown.
     pub pairs_killed: usize,
-    /// Faults not shown; only counted but in the regime in which the check misses least.
-    pub survivors: Vec<String>,
+}
+
+/// Faults that one check does not show in the same regimes.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct UnshownRow {
+    /// The check.
+    pub check: String,
+    /// The regimes, or `-`.
+    pub regimes: Vec<String>,
+    /// The faults: shown in all other regimes.
+    pub faults: Vec<String>,
 }
 
 /// What became of the operations of one code in one place, each made wrong in several ways.
@@ -152,7 +163,7 @@ impl OperationsRow {
 }
 
 impl Record for Teeth {
-    const SCHEMA: &'static str = "beamgap-teeth/2";
+    const SCHEMA: &'static str = "beamgap-teeth/3";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -160,6 +171,12 @@ impl Record for Teeth {
 }
 
 impl Teeth {
+    /// The faults that a check does not show in a regime.
+    pub fn unshown_by(&self, row: &BiteRow) -> impl Iterator<Item = &str> {
+        let is_of = |of: &&UnshownRow| of.check == row.check && of.regimes.contains(&row.regime);
+        self.unshown.iter().filter(is_of).flat_map(|of| of.faults.iter().map(String::as_str))
+    }
+
     /// The record of a run.
     pub fn new(
         found: &teeth::Teeth,
@@ -186,7 +203,8 @@ impl Teeth {
             kinds: Kind::ALL.map(|kind| (kind.name().to_owned(), count(kind))).to_vec(),
             rewrites: Rewrite::ALL.map(|rewrite| rewrite.name().to_owned()).to_vec(),
             checks: Check::ALL.map(|check| (check.name().to_owned(), check.what().to_owned())).to_vec(),
-            rows: found.bites.iter().map(|bite| BiteRow::new(bite, is_best(bite, &found.bites))).collect(),
+            rows: found.bites.iter().map(BiteRow::new).collect(),
+            unshown: unshown(found),
             operations: operations.iter().map(OperationsRow::new).collect(),
             sampled: sampled.iter().map(SampledRow::new).collect(),
             regimes: regimes.into_iter().map(ToOwned::to_owned).collect(),
@@ -195,18 +213,37 @@ impl Teeth {
     }
 }
 
-/// Whether the check misses fewer faults elsewhere in no regime, and as few in no earlier one.
-fn is_best(bite: &Bite, all: &[Bite]) -> bool {
-    let of_check = all.iter().filter(|other| other.check == bite.check);
-    of_check.min_by_key(|other| (other.survivors.len(), other.regime)) == Some(bite)
+/// The faults that survive, by check and regimes, in the order of the catalogue.
+fn unshown(found: &teeth::Teeth) -> Vec<UnshownRow> {
+    let mut rows = Vec::new();
+    for check in Check::ALL {
+        let bites: Vec<&Bite> = found.bites.iter().filter(|bite| bite.check == check).collect();
+        let mut faults: BTreeMap<Vec<usize>, Vec<String>> = BTreeMap::new();
+        for fault in &found.faults {
+            let survives = |&i: &usize| bites[i].survivors.contains(fault);
+            let regimes: Vec<usize> = (0..bites.len()).filter(survives).collect();
+            if !regimes.is_empty() {
+                faults.entry(regimes).or_default().push(fault.to_string());
+            }
+        }
+        rows.extend(faults.into_iter().map(|(regimes, faults)| UnshownRow {
+            check: check.name().to_owned(),
+            regimes: regimes.into_iter().map(|i| regime_name(bites[i].regime).to_owned()).collect(),
+            faults,
+        }));
+    }
+    rows
+}
+
+fn regime_name(regime: Option<Regime>) -> &'static str {
+    regime.map_or("-", Regime::name)
 }
 
 impl BiteRow {
-    fn new(bite: &Bite, with_survivors: bool) -> Self {
-        let survivors = if with_survivors { bite.survivors.as_slice() } else { &[] };
+    fn new(bite: &Bite) -> Self {
         Self {
             check: bite.check.name().to_owned(),
-            regime: bite.regime.map_or("-", Regime::name).to_owned(),
+            regime: regime_name(bite.regime).to_owned(),
             points: bite.points,
             accused: bite.accused,
             planted: bite.planted,
@@ -214,7 +251,6 @@ impl BiteRow {
             false_alarms: bite.false_alarms.iter().map(|rewrite| rewrite.name().to_owned()).collect(),
             pairs: bite.pairs,
             pairs_killed: bite.pairs - bite.pairs_survived.len(),
-            survivors: survivors.iter().map(ToString::to_string).collect(),
         }
     }
 }

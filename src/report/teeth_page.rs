@@ -54,7 +54,7 @@ impl Teeth {
         page.push_str(&self.detection_limits());
         let _ = write!(
             page,
-            "\n## How it was made\n\n{}| seed | {:#x} |\n\nAll faults that survived, and the limits of all terms, are in \
+            "\n## How it was made\n\n{}| seed | {:#x} |\n\nThe faults that each check does not show in each regime, and the limits of all terms, are in \
              `teeth.json`, from which alone this page is made. `beamgap teeth --list` names the faults, and \
              `beamgap check --plant NAME` plants one.\n",
             self.environment.rows(),
@@ -69,9 +69,14 @@ impl Teeth {
             "\n## What the others miss\n\nIn the regime in which each misses least, the formulas of the faults that it \
              does not show.\n\n| check | regime | missed | of the formulas |\n|---|---|---:|---|\n",
         );
-        for row in self.rows.iter().filter(|row| !row.survivors.is_empty()) {
+        for (check, _) in &self.checks {
+            let of_check = self.rows.iter().filter(|row| row.check == *check);
+            let Some(row) = of_check.min_by_key(|row| row.planted - row.killed) else { continue };
+            if row.killed == row.planted {
+                continue;
+            }
             let mut formulas: BTreeMap<&str, usize> = BTreeMap::new();
-            for fault in &row.survivors {
+            for fault in self.unshown_by(row) {
                 *formulas.entry(fault.split(':').next().unwrap_or(fault)).or_default() += 1;
             }
             let mut formulas: Vec<_> = formulas.into_iter().collect();
@@ -85,7 +90,7 @@ impl Teeth {
                 "| {} | {} | {} of {} | {} |",
                 row.check,
                 row.regime,
-                row.survivors.len(),
+                row.planted - row.killed,
                 row.planted,
                 listed.join(", ")
             );

@@ -27,7 +27,7 @@ pub fn limits(seed: u64, regimes: &[Regime]) -> Vec<Limit> {
     let of_regime = |&regime: &Regime| {
         let points = panel(seed, regime);
         let samples: Vec<_> =
-            points.iter().flat_map(|(case, point)| Sample::in_both_forms(case, point)).collect();
+            points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
         let sound: Vec<_> = samples.iter().map(|sample| sample.compared(&Subject::Sound)).collect();
         let limit = |&label: &Label| {
             let nudged = Subject::Weighted(label, 1.0 + NUDGE);

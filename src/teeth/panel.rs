@@ -23,16 +23,22 @@ pub(super) struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    /// In the paper's form and, inside both beams, in the other one; none if the point has no derivatives that can be
+    /// In the paper's form and, inside both beams, in the three others; none if the point has no derivatives that can be
     /// compared.
-    pub(super) fn in_both_forms(case: &'a Case, point: &ClosestPoint) -> Vec<Self> {
+    ///
+    /// A fault may be seen by one check in one form only: symmetry finds a wrong d.t,xi of the system where (40) is taken
+    /// with the solution by cross products.
+    pub(super) fn in_all_forms(case: &'a Case, point: &ClosestPoint) -> Vec<Self> {
         let site = || Site::new(case.beams(), &case.contact, point).ok();
-        let paper = site().map(|site| Self::new(case, point, site.in_form(Form::paper(point.active()))));
-        let apart = site().filter(|_| point.is_interior()).map(|site| {
-            let form = Form::apart(&site.points(), point.active());
-            Self::new(case, point, site.in_form(form))
-        });
-        paper.into_iter().chain(apart).collect()
+        let Some(first) = site() else { return Vec::new() };
+        let paper = Form::paper(point.active());
+        let apart = Form::apart(&first.points(), point.active());
+        let others =
+            [Form { distance: apart.distance, ..paper }, Form { system: apart.system, ..paper }, apart];
+        let others = others.into_iter().filter(|_| point.is_interior());
+        let in_form = |(site, form)| Self::new(case, point, Site::in_form(site, form));
+        let sites = others.filter_map(|form| Some((site()?, form)));
+        [(first, paper)].into_iter().chain(sites).map(in_form).collect()
     }
 
     /// Evaluates the references.
@@ -84,7 +90,7 @@ fn best(case: &Case, wanted: &BTreeMap<Key, usize>) -> Option<(Key, ClosestPoint
         let key = (xi, xi_bar, linear);
         let is_wanted = wanted.get(&key).is_some_and(|&count| count > 0);
         let passes = |sample: &Sample| matches!(judged(sample.compared(&Subject::Sound)), Verdict::Pass(_));
-        let samples = if is_wanted { Sample::in_both_forms(case, &point) } else { Vec::new() };
+        let samples = if is_wanted { Sample::in_all_forms(case, &point) } else { Vec::new() };
         (!samples.is_empty() && samples.iter().all(passes)).then_some((key, point))
     })
 }

@@ -80,7 +80,7 @@ pub fn teeth(seed: u64, regimes: &[Regime]) -> Teeth {
     for &regime in regimes {
         let points = panel(seed, regime);
         let samples: Vec<_> =
-            points.iter().flat_map(|(case, point)| Sample::in_both_forms(case, point)).collect();
+            points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
         for check in Check::ALL.into_iter().filter(|&check| check != Check::Exact) {
             let planted = if check == Check::Gate { &all } else { &of_variations };
             bites.push(

@@ -41,7 +41,7 @@ pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
     let of_regime = |&regime: &Regime| {
         let points = panel(seed, regime);
         let samples: Vec<_> =
-            points.iter().flat_map(|(case, point)| Sample::in_both_forms(case, point)).collect();
+            points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
         let each = OPERATIONS.div_ceil(Code::ALL.len() * samples.len().max(1));
         Code::ALL.map(|code| {
             let none =

@@ -266,5 +266,5 @@ fn what_is_not_compared_is_shown_with_what_was_tried() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("\nNot compared: the rounding bound exceeds 1e-3 of a scale\n"), "{text}");
     let rows = |told: &str| text.lines().filter(|line| line.ends_with(told)).count();
-    assert!(rows(" not meaningful") > 0 && rows(" agrees") > 0 && rows(" DISAGREES") == 0, "{text}");
+    assert!(rows(" unclear") > 0 && rows(" agrees") > 0 && rows(" WRONG") == 0, "{text}");
 }

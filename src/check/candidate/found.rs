@@ -47,12 +47,14 @@ impl Found {
 
     pub(super) fn add(&mut self, case: &Case, entries: &[Comparison], doubted: bool) {
         self.compared += 1;
-        let is_wrong = |entry: &&Comparison| entry.is_meaningful() && !entry.agrees();
         for entry in entries.iter().filter(|entry| entry.is_meaningful()) {
-            let one = Digits { entries: 1, wrong: u64::from(is_wrong(&entry)), worst: *entry };
+            let one = Digits { entries: 1, wrong: u64::from(entry.is_wrong()), worst: *entry };
             self.and_digits((entry.quantity, entry.order), one);
         }
-        let Some(first) = entries.iter().filter(is_wrong).min_by_key(|entry| place(entry)) else { return };
+        let Some(first) = entries.iter().filter(|entry| entry.is_wrong()).min_by_key(|entry| place(entry))
+        else {
+            return;
+        };
         self.mismatches += 1;
         self.doubted += u64::from(doubted);
         *self.first.entry((first.order, first.quantity)).or_default() += 1;

@@ -113,7 +113,16 @@ fn differences_count_what_they_decide() {
     .map(|verdict| (Some(inside), verdict))
     .into();
     let summary = Summary::of(&case, &verdicts);
-    assert_eq!(summary.differences, Differences { points: 4, unclear: 3, decided: 2 });
+    let Differences { points, unclear, decided, cells } = &summary.differences;
+    assert_eq!((*points, *unclear, *decided), (4, 3, 2));
+    let of_differences = cells[&(Quantity::D, Order::Second)];
+    assert_eq!((of_differences.entries, of_differences.scaled_error), (3, 0.5));
+    // They have cells of their own, and are named only where nothing else is wrong.
+    assert_eq!(summary.cells[&(Quantity::D, Order::Second)].scaled_error.to_bits(), 0);
+    assert_eq!(summary.mismatches[&case.number].against, DIFFERENCES);
+    let both = vec![off(0.25), Comparison { closed: 0.5, ..told }];
+    let both = Summary::of(&case, &[(Some(inside), Verdict::Mismatch(both))]);
+    assert_eq!(both.mismatches, [(case.number, off(0.25))].into());
 }
 
 #[test]
@@ -161,12 +170,16 @@ fn two_summaries_add_up_in_any_order() {
     assert_eq!(both.families.values().sum::<u64>(), 6);
     assert_eq!(both.mismatches.keys().collect::<Vec<_>>(), [&30]);
     assert_eq!(both.arbitrations, one.arbitrations);
-    assert_eq!(both.differences, Differences { points: 2, ..Differences::default() });
+    assert_eq!((both.differences.points, both.differences.unclear, both.differences.decided), (2, 0, 0));
 }
 
 #[test]
 fn differences_add_up() {
-    let mut one = Differences { points: 5, unclear: 3, decided: 2 };
-    one.merge(Differences { points: 50, unclear: 30, decided: 20 });
-    assert_eq!(one, Differences { points: 55, unclear: 33, decided: 22 });
+    let worst = |scaled_error, entries| {
+        let cell = Cell { scaled_error, case: 1, over_tolerance: scaled_error, entries };
+        [((Quantity::D, Order::Second), cell)].into()
+    };
+    let mut one = Differences { points: 5, unclear: 3, decided: 2, cells: worst(0.5, 1) };
+    one.merge(&Differences { points: 50, unclear: 30, decided: 20, cells: worst(0.25, 2) });
+    assert_eq!(one, Differences { points: 55, unclear: 33, decided: 22, cells: worst(0.5, 3) });
 }

@@ -1,6 +1,7 @@
 //! Tables that fit a terminal, and disagreements that can be repeated.
 
 use super::{case_of, document, error, name};
+use crate::cli::arguments::program;
 use crate::cli::check::{Checked, verdict};
 use crate::cli::exit::Exit;
 use crate::cli::json;
@@ -15,7 +16,14 @@ fn shown(summary: Summary) -> (Exit, String) {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1_000_000 };
     let verdict = verdict(&summary);
     let text = document(
-        &Checked { plant: Vec::new(), seed: u64::MAX, selection, summary, shrunk: Vec::new() },
+        &Checked {
+            plant: Vec::new(),
+            differences: false,
+            seed: u64::MAX,
+            selection,
+            summary,
+            shrunk: Vec::new(),
+        },
         &verdict,
     );
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
@@ -56,8 +64,8 @@ fn a_disagreement_is_shown_with_the_command_that_repeats_it() {
     let (exit, text) = shown(Summary::of(&case, &[wrong]));
     assert_eq!(exit, Exit::Disagree);
     assert!(text.contains("by differences in double-double: undecided"), "{text}");
-    let told = "beamgap check --seed 0xffffffffffffffff --case 17\n";
-    assert!(text.contains(told) && text.contains("value of x.x (value), against"), "{text}");
+    let told = format!("    repeat with:\n    {} check --seed 0xffffffffffffffff --case 17\n", program());
+    assert!(text.contains(&told) && text.contains("value of x.x (value), against"), "{text}");
     assert!(text.contains("DISAGREE: 1 of 1 closest point"), "{text}");
 
     // One route of AD alone is off: the routes contradict each other, and the closed form is not accused.
@@ -82,15 +90,17 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
     let finding = Finding::of(&[(point, Verdict::Mismatch(entries))]).unwrap();
     let shrunk = vec![Shrunk { number: 17, finding, case }];
     let (seed, selection) = (1, Selection { regimes: Vec::new(), family: None, cases: 1 });
-    let plant = Vec::new();
-    let checked = Checked { plant, seed, selection, summary: Summary::default(), shrunk };
+    let (plant, summary) = (Vec::new(), Summary::default());
+    let mut checked = Checked { plant, differences: true, seed, selection, summary, shrunk };
     let text = document(&checked, &verdict(&checked.summary));
     assert!(
         text.contains("\n// From case 17: Delta of xi (first) is the first wrong number.\n#[test]\n"),
         "{text}"
     );
     assert!(text.contains("(&pair, &q, point, &dq, &linear_dq).xi.linear;\n"), "{text}");
-    assert!(text.contains("\n}\necho '{") && text.contains("}' | beamgap check --case-file -\n"), "{text}");
+    let planted = "// The fault is planted by the command below. Without it this test passes.\n#[test]\n";
+    assert!(!text.contains(planted), "{text}");
+    assert!(text.contains("\n}\necho '{") && text.contains("check --case-file - --oracle all\n"), "{text}");
     let told: serde_json::Value =
         serde_json::from_str(&json::document(&checked, &verdict(&checked.summary)).unwrap()).unwrap();
     let told = &told["shrunk"][0];
@@ -102,6 +112,8 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
         assert!(text.contains(told[pasted].as_str().unwrap()), "{pasted}");
     }
     assert_eq!(told["shrunk"]["beam"]["family"], "segment");
+    checked.plant = vec!["a: d.t,xi = dropped".into()];
+    assert!(document(&checked, &verdict(&checked.summary)).contains(planted));
 }
 
 #[test]
