@@ -9,7 +9,7 @@ use crate::subject::Subject;
 use std::collections::BTreeMap;
 
 /// Points inside both beams, of each combination of curves linear in their dofs and not.
-const INSIDE: usize = 3;
+const INSIDE: usize = 2;
 /// Cases that are drawn at most.
 const DRAWN: u64 = 2000;
 /// The turns from one case to the next: coprime to the 121 pairs of families, so that all are met.
