@@ -57,7 +57,7 @@ mod written;
 
 pub use accuracy::{Accuracy, Errors, Level, accuracy};
 pub use arbitration::Arbitration;
-pub use candidate::{Answer, CAREFUL, Candidate, Digits, Found, Situation, linearization};
+pub use candidate::{Answer, CAREFUL, Candidate, Digits, Example, Found, Situation, linearization};
 pub(crate) use compare::{Closed, References, judged};
 pub use compare::{Compared, compare};
 pub use diagnosis::{Diagnosis, Finding, look_at};

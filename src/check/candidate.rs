@@ -9,13 +9,15 @@
 
 mod found;
 
-use super::Regime;
 use super::compare::ROUTES;
+use super::diagnosis::place;
 use super::draw::Case;
 use super::oracle::differences;
+use super::shrink::shrink;
 use super::site::Site;
 use super::verdict::{Comparison, Order};
-use crate::closest_point::{Active, Search, closest_points};
+use super::{Regime, Written};
+use crate::closest_point::{Active, ClosestPoint, Search, closest_points};
 use crate::curve::Geometry;
 use crate::linearization::closed_form::{Form, Frozen};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
@@ -26,7 +28,7 @@ use crate::subject::{Subject, When};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-pub use found::{Digits, Found};
+pub use found::{Digits, Example, Found};
 
 /// How many times the rounding of the textbook formulas a careful evaluation may lose, in another order of its sums.
 pub const CAREFUL: f64 = 8.0;
@@ -112,27 +114,58 @@ impl<F: Fn(&Situation<'_>) -> Vec<Answer> + Sync> Candidate for F {
 /// ```
 pub fn linearization(candidate: &impl Candidate, families: [Family; 2], cases: u64) -> Found {
     let regimes = Regime::ALL.len() as u64;
-    let of_case = |number: u64| {
+    let drawn = |number: u64| {
         let regime = Regime::ALL[usize::try_from(number % regimes).unwrap_or(0)];
-        compared(candidate, &Case::of(0x5eed, number, regime, families))
+        Case::of(0x5eed, number, regime, families)
     };
+    let of_case = |number| Found::of(&drawn(number), &at_closest_points(candidate, &drawn(number).written()));
     let all: Vec<Found> = (0..cases * regimes).into_par_iter().map(of_case).collect();
-    all.into_iter().fold(Found::default(), Found::and)
+    let mut found = all.into_iter().fold(Found::default(), Found::and);
+    if let Some(example) = &mut found.example {
+        example.case = shrunk(candidate, &drawn(example.number).written());
+        example.entry = first_wrong(candidate, &example.case).unwrap_or(example.entry);
+    }
+    found
 }
 
-fn compared(candidate: &impl Candidate, case: &Case) -> Found {
-    let mut found = Found::default();
-    let [beam, bar] = case.beams();
-    let Ok(closest) = closest_points(beam, bar, &Search::default()) else { return found };
+/// The first wrong number of a case, if there is one.
+fn first_wrong(candidate: &impl Candidate, case: &Written) -> Option<Comparison> {
+    let all = at_closest_points(candidate, case).into_iter().flat_map(|at| at.entries);
+    all.filter(Comparison::is_wrong).min_by_key(place)
+}
+
+/// A smaller case of the same families with the same first wrong number.
+fn shrunk(candidate: &impl Candidate, case: &Written) -> Written {
+    let families = |case: &Written| case.specimens.each_ref().map(|specimen| specimen.family);
+    shrink(case, |smaller| {
+        let entry = first_wrong(candidate, smaller)?;
+        (families(smaller) == families(case)).then_some((entry.order, entry.quantity))
+    })
+}
+
+/// What was compared at a closest point.
+struct AtPoint {
+    /// All numbers; none if there was no answer.
+    entries: Vec<Comparison>,
+    /// What is wrong with the shape of an answer.
+    misshapen: Option<String>,
+    /// Whether the oracles disagree among themselves.
+    doubted: bool,
+}
+
+fn at_closest_points(candidate: &impl Candidate, case: &Written) -> Vec<AtPoint> {
+    let Ok(beams) = case.beams() else { return Vec::new() };
+    let [beam, bar] = beams.each_ref().map(|beam| &**beam);
+    let Ok(closest) = closest_points(beam, bar, &Search::default()) else { return Vec::new() };
     let [specimen, specimen_bar] = &case.specimens;
     let [dq, linear_dq] = [
         [&specimen.dq[..], &specimen_bar.dq].concat(),
         [&specimen.linear_dq[..], &specimen_bar.linear_dq].concat(),
     ];
-    for point in &closest.minima {
-        let Ok(site) = Site::new(case.beams(), &case.contact, point) else { continue };
+    let at_point = |point: &ClosestPoint| {
+        let site = Site::new([beam, bar], &case.contact, point).ok()?;
         let at = Situation {
-            families: case.families,
+            families: [specimen.family, specimen_bar.family],
             parameters: [&specimen.parameters, &specimen_bar.parameters],
             q: &specimen.q,
             q_bar: &specimen_bar.q,
@@ -143,30 +176,26 @@ fn compared(candidate: &impl Candidate, case: &Case) -> Found {
             linear_dq: &linear_dq,
         };
         let answers = candidate.answers(&at);
-        if answers.is_empty() {
-            found.unanswered += 1;
-            continue;
-        }
         let reference = site.chord();
         let paper = site.in_form(Form::paper(point.active()));
         let sides =
             Sides { reference, textbook: textbook(&paper, case), scales: paper.scales(&Subject::Sound) };
-        let mut entries = Vec::new();
+        let (mut entries, mut misshapen) = (Vec::new(), None);
         for answer in &answers {
             match entries_of(answer, &at, &sides) {
                 Ok(of_answer) => entries.extend(of_answer),
-                Err(wrong) => found.misshapen = found.misshapen.or(Some(wrong)),
+                Err(wrong) => misshapen = misshapen.or(Some(wrong)),
             }
         }
         // The reference itself is doubted where the differences in double-double say so.
         let doubted = entries.iter().any(Comparison::is_wrong) && is_doubted(&paper, &sides.reference);
-        found.add(case, &entries, doubted);
-    }
-    found
+        Some(AtPoint { entries, misshapen, doubted })
+    };
+    closest.minima.iter().filter_map(at_point).collect()
 }
 
 /// The paper's formulas, with bounds on their rounding where shape functions are written as sums of powers.
-fn textbook(site: &Site, case: &Case) -> [Varied<Bounded2>; COMPONENTS] {
+fn textbook(site: &Site, case: &Written) -> [Varied<Bounded2>; COMPONENTS] {
     let mut beams = site.bounded(When::Now);
     for ((frozen, specimen), is_sum) in beams.iter_mut().zip(&case.specimens).zip(site.have_shapes()) {
         if !is_sum {

@@ -2,7 +2,7 @@
 
 use super::case_file;
 use super::check::Verdict;
-use super::human::{error, name, repeat};
+use super::human::{error, name};
 use super::json;
 use super::table::Table;
 use beamgap::check::{Arbitration, Compared, Comparison, Regime, Verdict as Found, Written};
@@ -31,19 +31,20 @@ pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) 
     let [beam, bar] = case.specimens.each_ref().map(|specimen| specimen.family.name());
     let mut text = match drawn {
         Some((seed, number, regime)) => {
-            format!("{}\nregime {}, {beam} and {bar}\n", repeat(*seed, *number), regime.name())
+            format!("seed {seed:#x}, case {number}\nregime {}, {beam} and {bar}\n", regime.name())
         }
         None => format!("{beam} and {bar}\n"),
     };
     for (title, beam) in ["beam", "bar beam"].into_iter().zip(&case.specimens) {
         let _ = writeln!(text, "\n{title}\n  {}", beam.family.name());
         for (name, _) in beam.family.parameters() {
-            let _ = writeln!(text, "  {name} = {:?}", beam.parameter(name));
+            match beam.parameter(name) {
+                [number] => drop(writeln!(text, "  {name} = {number:e}")),
+                numbers => list(&mut text, name, numbers),
+            }
         }
         for (name, numbers) in [("q", &beam.q), ("dq", &beam.dq), ("Dq", &beam.linear_dq)] {
-            for (i, number) in numbers.iter().enumerate() {
-                let _ = writeln!(text, "  {name}[{i}] = {number:e}");
-            }
+            list(&mut text, name, numbers);
         }
     }
     let Contact { radius, radius_bar, xi_0, xi_bar_0 } = case.contact;
@@ -72,8 +73,21 @@ pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) 
     text + "\n" + &verdict.words + "\n"
 }
 
+/// One number a line.
+fn list(text: &mut String, name: &str, numbers: &[f64]) {
+    for (i, number) in numbers.iter().enumerate() {
+        let _ = writeln!(text, "  {name}[{i}] = {number:e}");
+    }
+}
+
 fn described(point: &ClosestPoint) -> String {
-    let end = |end: Option<End>| end.map_or_else(|| "inside".into(), |end| format!("{end:?}"));
+    let end = |end: Option<End>| match end {
+        Some(End { strict, multiplier, .. }) => {
+            let kind = if strict { "held" } else { "weakly held" };
+            format!("at an end, {kind}, multiplier {}", error(multiplier))
+        }
+        None => "inside".into(),
+    };
     let degeneracy = point.degeneracy().map_or_else(|| "none".into(), |degeneracy| format!("{degeneracy:?}"));
     format!(
         "closest point\n  xi = {:e}, {}\n  xi_bar = {:e}, {}\n  kind: {:?}\n  d = {:e}\n  residual = {:e}\n  \

