@@ -22,7 +22,7 @@ pub(crate) struct Site<'a> {
     pub(crate) contact: &'a Contact,
     pub(crate) active: Active,
     /// The closest point, with the parameters refined.
-    point: ClosestPoint,
+    pub(super) point: ClosestPoint,
     /// The formulas under check: those that the library takes here, unless it is told others.
     pub(crate) form: Form,
     /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest

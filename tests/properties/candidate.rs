@@ -39,6 +39,7 @@ fn of_segments(at: &Situation<'_>, change: impl Fn(Quantity, &mut Numbers)) -> V
         ];
         Answer {
             quantity,
+            axis: None,
             value: Some(numbers.value),
             gradient: Some(gradient),
             hessian: Some(hessian),
@@ -107,7 +108,10 @@ fn answers_of_another_shape_are_refused_in_words() {
     assert_eq!(found.to_string(), "DISAGREES: gradient of d: 12 numbers expected, found 11");
     let vector = |_: &Situation<'_>| vec![Answer::of(Quantity::DVector)];
     let found = check::linearization(&vector, [Family::Segment; 2], 1);
-    assert_eq!(found.to_string(), "DISAGREES: d_vector: a scalar quantity expected, found a vector");
+    assert_eq!(
+        found.to_string(),
+        "DISAGREES: d_vector: of a vector a component, x, y or z, and of a scalar none expected, found none"
+    );
 }
 
 #[test]
