@@ -1,5 +1,6 @@
 //! The blocks are the matrices: exactly over a prime field, within the rounding of both in `f64`.
 
+use crate::bounded::{exact_dofs, parameters};
 use crate::pairs::{Contacting, Movable, contacting, hermite, quadratic};
 use beamgap::closest_point::Active;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
@@ -7,9 +8,9 @@ use beamgap::linearization::closed_form::blocks::{
     Full, Targets, write_all_with_slips, write_all_with_slips_over,
 };
 use beamgap::linearization::closed_form::form::{Distance, Elimination};
-use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, jets};
+use beamgap::linearization::closed_form::{Form, Matrices, Points, jets};
 use beamgap::linearization::{Expansion, Linearization};
-use beamgap::number::{Bounded, Real, Residue};
+use beamgap::number::{Real, Residue};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{Rotation3, SVector, Unit, Vector3};
 use proptest::prelude::*;
@@ -115,21 +116,6 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
     }
 }
 
-/// How far a parameter may be from that of the exact closest point.
-fn parameters<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
-    case: &Contacting<A, B, N, M>,
-) -> (Bounded, Bounded) {
-    let Contacting { pair, q, point, .. } = case;
-    let q = DofVector { beam: q.beam.map(Bounded::from), bar: q.bar.map(Bounded::from) };
-    let (jet, jet_bar) = jets(pair, &q, (point.xi.into(), point.xi_bar.into()));
-    let (x, x_bar) = (jet.geometry, jet_bar.geometry);
-    let residual = [x.t, x_bar.t].map(|t| (x.x - x_bar.x).dot(&t)).map(|f| f.value.abs() + f.bound);
-    let [step, step_bar] = Projection::new(&x, &x_bar, point.active())
-        .inverse()
-        .map(|row| 2.0 * row.into_iter().zip(residual).map(|(entry, f)| entry.value.abs() * f).sum::<f64>());
-    (Bounded::new(point.xi, step), Bounded::new(point.xi_bar, step_bar))
-}
-
 /// The form that loses the fewest digits.
 fn form_at<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     Contacting { pair, q, point, .. }: &Contacting<A, B, N, M>,
@@ -168,8 +154,8 @@ fn equal_within_rounding<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
     let (mut five, mut slips) = ([Full::<f64, S>::zeros(); 5], [Full::<f64, S>::zeros(); 2]);
     write_all_with_slips(pair, q, point, &mut targets(&mut five), slips.each_mut());
     let form = form_at(case);
-    let q = DofVector { beam: q.beam.map(Bounded::from), bar: q.bar.map(Bounded::from) };
-    let at = parameters(case);
+    let q = exact_dofs(q);
+    let at = parameters(pair, &q, (point.xi, point.xi_bar), point.active());
     let (ours, theirs) = (by_blocks::<_, _, _, N, M, S>(pair, &q, at, form), by_matrices(pair, &q, at, form));
     let mut widest = 0.0_f64;
     for (i, fast) in five.iter().chain(&slips).enumerate() {

@@ -2,21 +2,22 @@
 
 #![expect(clippy::float_cmp, reason = "multiplying by a power of two is exact, and claimed to be")]
 
-use crate::pairs::{Contacting, Movable, contacting, hermite, refined, relative_difference, segment};
+use crate::bounded::{exact, exact_dofs, is_near, linearized, linearized_case, scalars};
+use crate::pairs::{Contacting, Movable, contacting, hermite, refined, segment};
 use crate::strategies::vector;
 use beamgap::check::{Case, Compared, Comparison, Trial, Verdict, compare};
 use beamgap::closest_point::{Active, ClosestPoint};
 use beamgap::curve::{Bezier, Hermite};
-use beamgap::linearization::{Expansion, Linearization, Quantity, closed_form};
+use beamgap::linearization::{Expansion, Linearization, Quantity};
+use beamgap::number::Bounded;
 use beamgap::pair::{Contact, DofVector, Pair};
-use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
+use nalgebra::{Matrix3, SVector, Vector3};
 use proptest::prelude::*;
 
-const TOLERANCE: f64 = 1e-8;
-
 type HermitePair = Contacting<Hermite, Hermite, 12, 12>;
+type Dofs<const N: usize, const M: usize> = DofVector<Bounded, N, M>;
 
-fn linearized(case: &HermitePair) -> Linearization<f64, 12, 12> {
+fn linearized_in_f64(case: &HermitePair) -> Linearization<f64, 12, 12> {
     case.pair.linearize(&case.q, &case.point)
 }
 
@@ -25,7 +26,7 @@ fn expansions<const N: usize, const M: usize>(l: &Linearization<f64, N, M>) -> [
 }
 
 /// Applies a 3 x 3 matrix to every control vector.
-fn apply<const N: usize>(matrix: &Matrix3<f64>, q: &SVector<f64, N>) -> SVector<f64, N> {
+fn apply<const N: usize>(matrix: &Matrix3<Bounded>, q: &SVector<Bounded, N>) -> SVector<Bounded, N> {
     let mut turned = *q;
     for i in (0..N).step_by(3) {
         turned.fixed_rows_mut::<3>(i).copy_from(&(matrix * q.fixed_rows::<3>(i)));
@@ -33,7 +34,7 @@ fn apply<const N: usize>(matrix: &Matrix3<f64>, q: &SVector<f64, N>) -> SVector<
     turned
 }
 
-fn apply_both(matrix: &Matrix3<f64>, q: &DofVector<f64, 12, 12>) -> DofVector<f64, 12, 12> {
+fn apply_both(matrix: &Matrix3<Bounded>, q: &Dofs<12, 12>) -> Dofs<12, 12> {
     DofVector { beam: apply(matrix, &q.beam), bar: apply(matrix, &q.bar) }
 }
 
@@ -43,21 +44,31 @@ fn moved(case: &HermitePair, q: DofVector<f64, 12, 12>) -> HermitePair {
     Contacting { q, point, ..case.clone() }
 }
 
-fn translation(by: &Vector3<f64>) -> DofVector<f64, 12, 12> {
-    DofVector { beam: Hermite::moved(&SVector::zeros(), by), bar: Hermite::moved(&SVector::zeros(), by) }
+fn translation(by: &Vector3<f64>) -> Dofs<12, 12> {
+    let of_beam = exact(&Hermite::moved(&SVector::zeros(), by));
+    DofVector { beam: of_beam, bar: of_beam }
 }
 
 /// H v.
-fn times(e: &Expansion<f64, 12, 12>, v: &DofVector<f64, 12, 12>) -> Vec<f64> {
+fn times(e: &Expansion<Bounded, 12, 12>, v: &Dofs<12, 12>) -> Vec<Bounded> {
     (0..24).map(|i| e.hessian.along(&DofVector::unit(i), v)).collect()
 }
 
-fn size(row: impl IntoIterator<Item = f64>) -> f64 {
-    row.into_iter().fold(0.0, |size, x| size.max(x.abs()))
+/// A rotation without an error but that of its entries, which are fractions of small numbers.
+fn rotation([a, b, c, d]: [i8; 4]) -> Matrix3<Bounded> {
+    let [a, b, c, d] = [a, b, c, d].map(f64::from);
+    let entries = [
+        [a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c)],
+        [2.0 * (b * c + a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b)],
+        [2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d],
+    ];
+    let norm = Bounded::from(a * a + b * b + c * c + d * d);
+    Matrix3::from_fn(|i, j| Bounded::from(entries[i][j]) / norm)
 }
 
-fn hessian_size(e: &Expansion<f64, 12, 12>) -> f64 {
-    size((0..24 * 24).map(|k| e.hessian.entry(k / 24, k % 24)))
+/// Zero, to rounding.
+fn is_zero(x: Bounded) -> bool {
+    is_near(x, Bounded::from(0.0))
 }
 
 /// The same for verdicts: all pairs of families in all regimes, in units from 2^-40 to 2^40.
@@ -103,20 +114,23 @@ proptest! {
 
     /// d -> x, G -> R G, H -> R H Rᵀ: contracted with turned directions nothing changes.
     #[test]
-    fn rigid_motion_changes_nothing(case in contacting(hermite(), hermite()), axis in vector::<3>(), by in vector::<3>()) {
-        let rotation = *Rotation3::from_scaled_axis(axis).matrix();
-        let turned = apply_both(&rotation, &case.q).plus(1.0, &translation(&by));
-        let (before, after) = (linearized(&case), linearized(&moved(&case, turned)));
-        let (dq, linear_dq) = (apply_both(&rotation, &case.dq), apply_both(&rotation, &case.linear_dq));
-        for (x, y) in expansions(&before).into_iter().zip(expansions(&after)) {
-            let numbers = |e: &Expansion<f64, 12, 12>, dq, linear_dq| {
+    fn rigid_motion_changes_nothing(
+        case in contacting(hermite(), hermite()),
+        quaternion in proptest::array::uniform4(-5..=5_i8).prop_filter("not zero", |q| *q != [0; 4]),
+        by in vector::<3>(),
+    ) {
+        let Contacting { pair, q, point, dq, linear_dq } = &case;
+        let (rotation, near) = (rotation(quaternion), (point.xi, point.xi_bar));
+        let turned = apply_both(&rotation, &exact_dofs(q)).plus(Bounded::from(1.0), &translation(&by));
+        let (before, after) = (linearized_case(&case), linearized(pair, &turned, near, point.active()));
+        let directions = [dq, linear_dq].map(exact_dofs);
+        let turned = directions.each_ref().map(|dq| apply_both(&rotation, dq));
+        for (x, y) in scalars(&before).into_iter().zip(scalars(&after)) {
+            let numbers = |e: &Expansion<Bounded, 12, 12>, [dq, linear_dq]: &[Dofs<12, 12>; 2]| {
                 [e.value, e.gradient.along(dq), e.hessian.along(dq, linear_dq)]
             };
-            let ours = numbers(x, &case.dq, &case.linear_dq);
-            let theirs = numbers(y, &dq, &linear_dq);
-            let scale = [1.0, 10.0 * size((0..24).map(|i| x.gradient.entry(i))), 100.0 * hessian_size(x)];
-            for k in 0..3 {
-                prop_assert!((ours[k] - theirs[k]).abs() <= TOLERANCE * scale[k].max(1.0), "{ours:?} {theirs:?}");
+            for (x, y) in numbers(x, &directions).into_iter().zip(numbers(y, &turned)) {
+                prop_assert!(is_near(x, y), "{x:?} {y:?}");
             }
         }
     }
@@ -131,20 +145,18 @@ proptest! {
             curve_bar: pair.curve,
             contact: Contact { radius: radius_bar, radius_bar: radius, xi_0: xi_bar_0, xi_bar_0: xi_0 },
         };
-        let q_swapped = DofVector { beam: q.bar, bar: q.beam };
+        let q_swapped = DofVector { beam: exact(&q.bar), bar: exact(&q.beam) };
         let active = Active { xi: point.active().xi_bar, xi_bar: point.active().xi };
-        let other = refined(&swapped, &q_swapped, (point.xi_bar, point.xi), active).unwrap();
-        let one = pair.linearize(q, point);
-        let two = swapped.linearize(&q_swapped, &other);
+        let one = linearized_case(&case);
+        let two = linearized(&swapped, &q_swapped, (point.xi_bar, point.xi), active);
         let theirs = [&two.d, &two.t_bar, &two.t, &two.xi_bar, &two.xi, &two.g_t_bar, &two.g_t];
-        for (x, y) in expansions(&one).into_iter().zip(theirs) {
+        for (x, y) in scalars(&one).into_iter().zip(theirs) {
             let index = |i: usize| if i < 12 { i + 6 } else { i - 12 };
-            let largest = size((0..324).map(|k| x.hessian.entry(k / 18, k % 18))).max(1.0);
             for i in 0..18 {
-                prop_assert!((x.gradient.entry(i) - y.gradient.entry(index(i))).abs() <= TOLERANCE * largest);
+                prop_assert!(is_near(x.gradient.entry(i), y.gradient.entry(index(i))));
                 for j in 0..18 {
                     let (a, b) = (x.hessian.entry(i, j), y.hessian.entry(index(i), index(j)));
-                    prop_assert!((a - b).abs() <= TOLERANCE * largest, "{a:e} {b:e} of {largest:e}");
+                    prop_assert!(is_near(a, b), "{a:?} {b:?}");
                 }
             }
         }
@@ -157,7 +169,7 @@ proptest! {
         // Both are solved for from the same start: a second solution may differ from the first in the last digit.
         let (case, scaled) = (moved(&case, case.q), moved(&case, case.q.times(s)));
         prop_assert_eq!((scaled.point.xi, scaled.point.xi_bar), (case.point.xi, case.point.xi_bar));
-        let (before, after) = (linearized(&case), linearized(&scaled));
+        let (before, after) = (linearized_in_f64(&case), linearized_in_f64(&scaled));
         // Value, gradient and Hessian of a length scale by s, 1 and 1/s; of a parameter by 1, 1/s and 1/s².
         for (i, (x, y)) in expansions(&before).into_iter().zip(expansions(&after)).enumerate() {
             let unit = if i == 3 || i == 4 { 1.0 } else { s };
@@ -175,24 +187,22 @@ proptest! {
     #[test]
     fn rigid_translations_are_annihilated(case in contacting(hermite(), hermite()), by in vector::<3>()) {
         let c = translation(&by);
-        for e in expansions(&linearized(&case)) {
-            let scale = size((0..24).map(|i| e.gradient.entry(i))).max(1e-3);
-            prop_assert!(e.gradient.along(&c).abs() <= TOLERANCE * scale);
-            prop_assert!(size(times(e, &c)) <= TOLERANCE * hessian_size(e).max(scale));
+        for e in scalars(&linearized_case(&case)) {
+            prop_assert!(is_zero(e.gradient.along(&c)));
+            prop_assert!(times(e, &c).into_iter().all(is_zero));
         }
     }
 
     /// A rigid rotation changes no scalar: G . (w x q) = 0, and H (w x q) = w x G.
     #[test]
     fn rigid_rotations_turn_the_gradient(case in contacting(hermite(), hermite()), w in vector::<3>()) {
-        let spin = w.cross_matrix();
-        let turning = apply_both(&spin, &case.q);
-        for e in expansions(&linearized(&case)) {
-            let scale = hessian_size(e).max(size((0..24).map(|i| e.gradient.entry(i)))).max(1e-3);
-            prop_assert!(e.gradient.along(&turning).abs() <= TOLERANCE * scale);
+        let spin = w.cross_matrix().map(Bounded::from);
+        let turning = apply_both(&spin, &exact_dofs(&case.q));
+        for e in scalars(&linearized_case(&case)) {
+            prop_assert!(is_zero(e.gradient.along(&turning)));
             let expected = apply_both(&spin, &e.gradient);
             for (i, entry) in times(e, &turning).into_iter().enumerate() {
-                prop_assert!((entry - expected.entry(i)).abs() <= TOLERANCE * 10.0 * scale);
+                prop_assert!(is_near(entry, expected.entry(i)));
             }
         }
     }
@@ -200,14 +210,14 @@ proptest! {
     /// Euler: lengths are homogeneous of degree 1 in q (G . q = v, H q = 0), parameters of degree 0 (G . q = 0, H q = -G).
     #[test]
     fn eulers_theorem_holds(case in contacting(hermite(), hermite())) {
-        for (i, e) in expansions(&linearized(&case)).into_iter().enumerate() {
+        let (q, zero) = (exact_dofs(&case.q), Bounded::from(0.0));
+        for (i, e) in scalars(&linearized_case(&case)).into_iter().enumerate() {
             let parameter = i == 3 || i == 4;
-            let scale = hessian_size(e).max(size((0..24).map(|i| e.gradient.entry(i)))).max(1.0);
-            let value = if parameter { 0.0 } else { e.value };
-            prop_assert!((e.gradient.along(&case.q) - value).abs() <= TOLERANCE * 10.0 * scale);
-            for (i, entry) in times(e, &case.q).into_iter().enumerate() {
-                let expected = if parameter { -e.gradient.entry(i) } else { 0.0 };
-                prop_assert!((entry - expected).abs() <= TOLERANCE * 10.0 * scale);
+            let value = if parameter { zero } else { e.value };
+            prop_assert!(is_near(e.gradient.along(&q), value));
+            for (i, entry) in times(e, &q).into_iter().enumerate() {
+                let expected = if parameter { -e.gradient.entry(i) } else { zero };
+                prop_assert!(is_near(entry, expected));
             }
         }
     }
@@ -221,24 +231,28 @@ proptest! {
         // The fraction of the curve that is kept, beyond the point.
         let at = 0.5 * (1.0 + case.point.xi);
         let u = at + cut * (1.0 - at);
-        let inside = 2.0 * at / u - 1.0;
-        let part = |q: &SVector<f64, 12>| split(q, u);
-        let change = |q: &DofVector<f64, 12, 12>| DofVector { beam: part(&q.beam), bar: q.bar };
-        let q = change(&case.q);
-        let (dq, linear_dq) = (change(&case.dq), change(&case.linear_dq));
-        let point = refined(&case.pair, &q, (inside, case.point.xi_bar), Active::default()).unwrap();
-        let before = closed_form::vary(&case.pair, &case.q, &case.point, &case.dq, &case.linear_dq);
-        let after = closed_form::vary(&case.pair, &q, &point, &dq, &linear_dq);
-        let size = before.xi.second.abs().max(before.xi_bar.second.abs()).max(1.0) * 10.0;
-        for (x, y) in [(before.d, after.d), (before.xi_bar, after.xi_bar), (before.t_bar, after.t_bar)] {
-            prop_assert!(relative_difference(&x.parts(), &y.parts()) <= TOLERANCE * size, "{x:?} {y:?}");
+        let near = (2.0 * at / u - 1.0, case.point.xi_bar);
+        let u = Bounded::from(u);
+        let change = |q: &DofVector<f64, 12, 12>| DofVector { beam: split(&exact(&q.beam), u), bar: exact(&q.bar) };
+        // Slips count from a parameter that has another name on the part.
+        let before = linearized_case(&case);
+        let after = linearized(&case.pair, &change(&case.q), near, Active::default());
+        let numbers = |e: &Expansion<Bounded, 12, 12>, [dq, linear_dq]: [Dofs<12, 12>; 2]| {
+            [e.value, e.gradient.along(&dq), e.hessian.along(&dq, &linear_dq)]
+        };
+        let ours = |e| numbers(e, [&case.dq, &case.linear_dq].map(exact_dofs));
+        let theirs = |e| numbers(e, [&case.dq, &case.linear_dq].map(change));
+        for (x, y) in [(&before.d, &after.d), (&before.xi_bar, &after.xi_bar), (&before.t_bar, &after.t_bar)] {
+            for (x, y) in ours(x).into_iter().zip(theirs(y)) {
+                prop_assert!(is_near(x, y), "{x:?} {y:?}");
+            }
         }
         // ξ is covariant: 1 + ξ = u (1 + ξ'), and t shrinks with it.
-        for (x, y) in before.xi.parts()[1..].iter().zip(&after.xi.parts()[1..]) {
-            prop_assert!((x - u * y).abs() <= TOLERANCE * size * (1.0 + x.abs()), "{x:e} {y:e}");
+        for (x, y) in ours(&before.xi).into_iter().zip(theirs(&after.xi)).skip(1) {
+            prop_assert!(is_near(x, u * y), "{x:?} {y:?}");
         }
-        for (x, y) in before.t.parts().iter().zip(after.t.parts()) {
-            prop_assert!((u * x - y).abs() <= TOLERANCE * size * (1.0 + x.abs()), "{x:e} {y:e}");
+        for (x, y) in ours(&before.t).into_iter().zip(theirs(&after.t)) {
+            prop_assert!(is_near(u * x, y), "{x:?} {y:?}");
         }
     }
 }
@@ -252,12 +266,12 @@ impl Movable<12> for Bezier<4> {
 }
 
 /// De Casteljau: the control points of the first part, up to the fraction `u`; linear in the points.
-fn split(q: &SVector<f64, 12>, u: f64) -> SVector<f64, 12> {
-    let mut points: Vec<Vector3<f64>> = (0..4).map(|i| q.fixed_rows::<3>(3 * i).into_owned()).collect();
-    let mut part = SVector::<f64, 12>::zeros();
+fn split(q: &SVector<Bounded, 12>, u: Bounded) -> SVector<Bounded, 12> {
+    let mut points: Vec<Vector3<Bounded>> = (0..4).map(|i| q.fixed_rows::<3>(3 * i).into_owned()).collect();
+    let mut part = SVector::<Bounded, 12>::zeros();
     for i in 0..4 {
         part.fixed_rows_mut::<3>(3 * i).copy_from(&points[0]);
-        points = points.windows(2).map(|pair| pair[0] * (1.0 - u) + pair[1] * u).collect();
+        points = points.windows(2).map(|pair| pair[0] * (Bounded::from(1.0) - u) + pair[1] * u).collect();
     }
     part
 }

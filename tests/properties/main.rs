@@ -3,6 +3,7 @@
 mod allocation;
 mod batches;
 mod blocks;
+mod bounded;
 mod bounds;
 mod candidate;
 mod case_files;

@@ -132,15 +132,6 @@ pub(crate) fn refined<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair.refine(q, at, active).ok()
 }
 
-/// The largest difference of two rows of numbers, relative to the largest number in them.
-pub(crate) fn relative_difference(ours: &[f64], theirs: &[f64]) -> f64 {
-    assert_eq!(ours.len(), theirs.len());
-    let largest = theirs.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-    let difference = ours.iter().zip(theirs).fold(0.0_f64, |worst, (x, y)| worst.max((x - y).abs()));
-    assert!(largest.is_finite() && difference.is_finite(), "not a number");
-    if difference == 0.0 { 0.0 } else { difference / largest }
-}
-
 #[test]
 fn pairs_are_stationary_and_cover_all_ends() {
     use proptest::{strategy::ValueTree, test_runner::TestRunner};
