@@ -2,8 +2,8 @@
 
 #![expect(clippy::large_stack_arrays, reason = "five quantities of 24 dofs")]
 
-use crate::blocks::{brought_near, targets};
-use crate::pairs::{Contacting, contacting, hermite};
+use crate::blocks::{brought_near, targets, tolerances};
+use crate::pairs::{Contacting, Movable, contacting, hermite};
 use crate::strategies::vector;
 use beamgap::closest_point::Active;
 use beamgap::curve::{Bezier, Hermite, Segment};
@@ -18,7 +18,7 @@ use proptest::prelude::*;
 use std::num::NonZeroUsize;
 
 /// Each of at most eight pairs is the same in its lane as alone.
-fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>], rounding: f64) {
+fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>]) {
     let encounters: Vec<_> =
         cases.iter().map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point }).collect();
     let one = NonZeroUsize::MIN;
@@ -27,16 +27,25 @@ fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>], rounding: f64)
     assert_eq!(write_d_batch(&encounters, &mut d, one), cases.len());
     assert_eq!(write_all_batch(&encounters, &mut all, one), cases.len());
     assert_eq!(write_d_batch(&encounters, &mut d[..1], one), cases.len().min(4));
-    for (i, Contacting { pair, q, point, .. }) in cases.iter().enumerate() {
+    for (i, case) in cases.iter().enumerate() {
+        let Contacting { pair, q, point, .. } = case;
         let mut one_by_one = [Packed::<f64, 24, 300>::zeros(); 5];
         write_all(pair, q, point, &mut targets(&mut one_by_one));
+        let tolerances = tolerances::<_, _, 12, 12, 24>(case);
         let in_lanes = all[i / 4].iter().chain([&d[i / 4]]).map(|of_four| lane(of_four, i % 4));
-        for (one, in_lane) in one_by_one.iter().chain([&one_by_one[0]]).map(alone).zip(in_lanes) {
-            let largest = one.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-            for (one, in_lane) in one.iter().zip(&in_lane) {
-                assert!((in_lane - one).abs() <= rounding * largest, "{in_lane:e}, {one:e} of {largest:e}");
-            }
+        let one_by_one = one_by_one.iter().chain([&one_by_one[0]]).map(alone);
+        for ((one, in_lane), of) in one_by_one.zip(in_lanes).zip([0, 1, 2, 3, 4, 0]) {
+            near(&one, &in_lane, &tolerances[of], 24);
         }
+    }
+}
+
+/// The packed numbers are near, by tolerances of all numbers in full.
+fn near(one: &[f64], in_lane: &[f64], tolerances: &[f64], dofs: usize) {
+    let (of_value, of_hessian) = tolerances.split_at(1 + dofs);
+    let of_half = of_hessian.chunks(dofs).enumerate().flat_map(|(i, row)| &row[..=i]);
+    for ((one, in_lane), tolerance) in one.iter().zip(in_lane).zip(of_value.iter().chain(of_half)) {
+        assert!((in_lane - one).abs() <= *tolerance, "{in_lane:e}, {one:e}, {tolerance:e}");
     }
 }
 
@@ -49,6 +58,10 @@ fn lane(of_four: &Packed<Lanes, 24, 300>, lane: usize) -> Vec<f64> {
 /// The same of one pair.
 fn alone(Packed { hessian, gradient, value }: &Packed<f64, 24, 300>) -> Vec<f64> {
     [value].into_iter().chain(gradient).chain(hessian).copied().collect()
+}
+
+impl Movable<18> for Bezier<6> {
+    const POINTS: &'static [usize] = &[0, 3, 6, 9, 12, 15];
 }
 
 /// A beam of six control vectors above one of two, bent by these dofs.
@@ -93,20 +106,18 @@ proptest! {
         let encounters = cases.each_ref().map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point });
         let mut four = [Packed::<Lanes, 24, 300>::zeros()];
         write_d_batch(&encounters, &mut four, NonZeroUsize::MIN);
-        for (i, Contacting { pair, q, point, .. }) in cases.iter().enumerate() {
+        for (i, case) in cases.iter().enumerate() {
+            let Contacting { pair, q, point, .. } = case;
             let mut one = Packed::<f64, 24, 300>::zeros();
             write_d(pair, q, point, &mut one);
-            let rounding = 1e-13 * one.hessian.iter().fold(1.0_f64, |largest, x| largest.max(x.abs()));
-            for (one, in_lane) in alone(&one).iter().zip(lane(&four[0], i)) {
-                prop_assert!((in_lane - one).abs() <= rounding, "{in_lane:e}, {one:e}");
-            }
+            near(&alone(&one), &lane(&four[0], i), &tolerances::<_, _, 18, 6, 24>(case)[0], 24);
         }
     }
 
     /// Each lane is its pair, the last four and those at an end of a beam among them; whatever is too long is left.
     #[test]
     fn batches(cases in proptest::collection::vec(contacting(hermite(), hermite()), 1..=6)) {
-        equal_in_lanes(&cases, 1e-12);
+        equal_in_lanes(&cases);
     }
 
     /// However many threads there are, and whether or not the memory is for all pairs, each is done as in a batch of four.
@@ -147,6 +158,6 @@ proptest! {
     ) {
         let near = |i: usize| if alike { (1.0, f64::exp2(-6.0 - 0.5 * gaps[i])) } else { (angles[i], f64::exp2(-gaps[i])) };
         let cases: Vec<_> = cases.iter().enumerate().map(|(i, case)| brought_near(case, near(i).0, near(i).1)).collect();
-        equal_in_lanes(&cases, 1e-10);
+        equal_in_lanes(&cases);
     }
 }

@@ -146,6 +146,18 @@ pub(crate) fn brought_near<A: Movable<N>, B: Movable<M>, const N: usize, const M
     near
 }
 
+/// Twice the bounds of the kernel's operations at the exact closest point, of d, xi, xi_bar, t, t_bar and the slips in the
+/// order of [`flat`]: how far two evaluations of the same numbers may be apart.
+pub(crate) fn tolerances<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, const S: usize>(
+    case: &Contacting<A, B, N, M>,
+) -> [Vec<f64>; 7] {
+    let Contacting { pair, q, point, .. } = case;
+    let q = exact_dofs(q);
+    let at = parameters(pair, &q, (point.xi, point.xi_bar), point.active());
+    by_blocks::<_, _, _, N, M, S>(pair, &q, at, form_at(case))
+        .map(|numbers| numbers.into_iter().map(|number| 2.0 * number.bound).collect())
+}
+
 /// The blocks that users get are within both running bounds of the matrices; how wide these are, in parts of a Hessian.
 fn equal_within_rounding<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, const S: usize>(
     case: &Contacting<A, B, N, M>,

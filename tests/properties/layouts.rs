@@ -3,7 +3,7 @@
 #![expect(clippy::float_cmp, reason = "layouts hold the same bits")]
 #![expect(clippy::large_stack_arrays, reason = "five quantities of 22 dofs")]
 
-use crate::blocks::{flat, flat_expansion, targets};
+use crate::blocks::{flat, flat_expansion, targets, tolerances};
 use crate::pairs::{Contacting, any_arc, any_helix, contacting, hermite, quadratic};
 use beamgap::linearization::closed_form::blocks::{Full, Gradient, Packed, write_all, write_d};
 use beamgap::linearization::closed_form::{Form, Matrices, Points, jets};
@@ -20,6 +20,7 @@ proptest! {
         write_all(pair, q, point, &mut targets(&mut blocks));
         write_all(pair, q, point, &mut targets(&mut packed));
         write_all(pair, q, point, &mut targets(&mut gradient));
+        let tolerances = tolerances::<_, _, 9, 12, 21>(&case);
         for (i, full) in full.iter().enumerate() {
             let values = [blocks[i].value, packed[i].value, gradient[i].value];
             prop_assert_eq!(values, [full.value; 3]);
@@ -28,9 +29,9 @@ proptest! {
                 prop_assert_eq!(blocks[i].gradient.entry(j), full.gradient[j]);
                 for (k, entry) in row.iter().enumerate() {
                     // Either triangle was written; what differs is the order of sums.
-                    let rounding = 1e-12 * row.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-                    prop_assert!((packed[i].entry(j, k) - entry).abs() <= rounding.max(1e-12));
-                    prop_assert!((blocks[i].hessian.entry(j, k) - entry).abs() <= rounding.max(1e-12));
+                    let tolerance = tolerances[i][1 + 21 + 21 * j + k];
+                    prop_assert!((packed[i].entry(j, k) - entry).abs() <= tolerance);
+                    prop_assert!((blocks[i].hessian.entry(j, k) - entry).abs() <= tolerance);
                     if k <= j {
                         prop_assert_eq!(packed[i].entry(j, k), *entry);
                         // Matrices lie in memory by their columns.
