@@ -26,7 +26,7 @@ fn of_expansion<const N: usize, const M: usize>(component: usize, numbers: &Expa
 }
 
 /// Of all components the variations.
-fn of_variations(all: Quantities<Varied<f64>>) -> Vec<Answer> {
+fn of_variations(all: &Quantities<Varied<f64>>) -> Vec<Answer> {
     let of = |(component, varied): (usize, Varied<f64>)| Answer {
         axis: Quantity::axis_of_component(component),
         value: Some(varied.value),
@@ -45,6 +45,10 @@ struct At<A, B, const N: usize, const M: usize> {
     linear_dq: DofVector<f64, N, M>,
 }
 
+/// The vectors in the order of their components.
+const VECTORS: [VectorQuantity; 5] =
+    [VectorQuantity::X, VectorQuantity::XBar, VectorQuantity::D, VectorQuantity::T, VectorQuantity::TBar];
+
 /// The scalars that are differentiated, with the places of their components.
 fn scalars<S: nalgebra::Scalar>(q: Quantities<S>) -> [S; 8] {
     [q.d, q.t, q.t_bar, q.xi, q.xi_bar, q.g_n, q.g_t, q.g_t_bar]
@@ -61,7 +65,7 @@ fn methods<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const S: us
 -> [Method<A, B, N, M>; 10] {
     [
         ("equations", |at| {
-            of_variations(closed_form::vary(&at.pair, &at.q, &at.point, &at.dq, &at.linear_dq))
+            of_variations(&closed_form::vary(&at.pair, &at.q, &at.point, &at.dq, &at.linear_dq))
         }),
         ("matrices of scalars", |at| {
             let all = at.pair.linearize(&at.q, &at.point);
@@ -73,10 +77,9 @@ fn methods<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const S: us
             let (jet, jet_bar) = closed_form::jets(&at.pair, &at.q, parameters);
             let matrices = Matrices::new(&jet, &jet_bar, at.point.active());
             let all = matrices.all(parameters, &at.pair.contact);
-            use VectorQuantity::{D, T, TBar, X, XBar};
             let of = |component: usize| {
                 let axis = Vector3::from_fn(|c, _| if c == component % 3 { 1.0 } else { 0.0 });
-                let vector = [X, XBar, D, T, TBar][component / 3];
+                let vector = VECTORS[component / 3];
                 of_expansion(component, &matrices.vector(vector, &axis, [&all.xi, &all.xi_bar]))
             };
             (0..15).map(of).collect()
@@ -112,7 +115,7 @@ fn by_route<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     route: Route,
     at: &At<A, B, N, M>,
 ) -> Vec<Answer> {
-    of_variations(ad::vary(route, &at.pair, &at.q, &at.point, &at.dq, &at.linear_dq))
+    of_variations(&ad::vary(route, &at.pair, &at.q, &at.point, &at.dq, &at.linear_dq))
 }
 
 /// All methods agree, for a pair of families whose curves are made of their parameters.
