@@ -289,7 +289,8 @@ fn entries_of(answer: &Answer, at: &Situation<'_>, sides: &Sides) -> Result<Vec<
         let number = number?;
         let (other, textbook) = (sides.reference[i].parts()[k], sides.textbook[i].parts()[k]);
         // The second bound is of those who solve for the closest point again.
-        let bound = CAREFUL * textbook.bound[1] + number.bound;
+        let [near, far] = textbook.bound;
+        let bound = CAREFUL * near + far + number.bound;
         Some(Comparison {
             quantity,
             axis: answer.axis,
