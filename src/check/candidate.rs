@@ -1,11 +1,11 @@
 //! A linearization of the user's own against automatic differentiation.
 //!
 //! # The tolerance
-//! A number may differ from that of automatic differentiation by the bound on the rounding of the latter, and by
-//! [`CAREFUL`] times the bound on the rounding of the paper's formulas at the same point: what a careful evaluation of the
-//! textbook formulas loses there, once it has solved for the closest point in `f64` again. Their shape functions may be written as sums of powers: near an end of a beam those
-//! cancel, and a point is known to half an ulp of its largest control vectors only. What the contraction with the
-//! directions rounds is added.
+//! A number may differ from that of automatic differentiation by the bound on the rounding of the latter, by [`CAREFUL`]
+//! times the bound on the rounding of the paper's formulas at the same point, and by what solving for the closest point in
+//! `f64` again may change: what a careful evaluation of the textbook formulas loses there. Their shape functions may be
+//! written as sums of powers: near an end of a beam those cancel, and a point is known to half an ulp of its largest
+//! control vectors only. What the contraction with the directions rounds is added.
 
 mod found;
 
