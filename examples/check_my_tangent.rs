@@ -62,7 +62,7 @@ fn tangent(at: &Situation<'_>, forgets_curvature: bool) -> Vec<Answer> {
         -(g.tr_mul(&beam.t) + beam.jacobian_xi.tr_mul(&d)),
         -(g.tr_mul(&bar.t) + bar.jacobian_xi.tr_mul(&d)),
     ];
-    for (i, held) in [at.active.xi, at.active.xi_bar].into_iter().enumerate() {
+    for (i, held) in [at.held.xi, at.held.xi_bar].into_iter().enumerate() {
         if held {
             matrix.set_row(i, &Vector2::ith(i, 1.0).transpose());
             right[i].fill(0.0);

@@ -1,12 +1,12 @@
 //! The gate: random pairs of beams, in regimes that are known to hide faults, through both linearizations.
 //!
 //! A case is drawn from its number alone, its closest points are searched for, and at each of them the closed form is
-//! compared with automatic differentiation, in the [`Form`](crate::linearization::closed_form::Form) that the library takes
+//! compared with automatic differentiation, in the [`Formulation`](crate::linearization::closed_form::Formulation) that the library takes
 //! there: every quantity's value, first and second variations, the symmetry of the second, and the matrices contracted with
 //! the same directions.
 //!
 //! # The tolerance
-//! Both sides are also run over [`Bounded`](crate::number::Bounded), which yields for every number a bound on its
+//! Both sides are also run over [`RunningError`](crate::number::RunningError), which yields for every number a bound on its
 //! distance from exact arithmetic: each operation contributes half an ulp of its result, and passes on what its
 //! operands have. The closest point is refined in double-double, so that its parameters enter with little more than their
 //! own half ulp; routes that solve for it in `f64` again are held to the bound that their residual and the conditioning
@@ -22,7 +22,7 @@
 //!
 //! # What is shown
 //! What is *shown* is the error relative to its scale, the sum of the absolute values of the closed form's terms
-//! ([`Magnitude`](crate::number::Magnitude)), with the vectors that enter it counted by their length and a parameter by
+//! ([`TermScale`](crate::number::TermScale)), with the vectors that enter it counted by their length and a parameter by
 //! its range. The scale knows nothing of rounding in the curves themselves: an arc bent by 1e-6 has its centre a
 //! million lengths away, and its points lose six digits, which the tolerance knows.
 //!

@@ -14,17 +14,17 @@
 mod bounds;
 mod ends;
 mod error;
-mod half_square;
 mod newton;
 mod point;
 mod search;
+mod squared_distance;
 mod tree;
 mod unresolved;
 
 pub use error::ProjectionError;
-pub use half_square::HalfSquare;
 pub use newton::refine;
-pub use point::{Active, ClosestPoint, Degeneracy, End, Kind, Side};
+pub use point::{ClosestPoint, Degeneracy, End, Held, Kind, Side};
+pub use squared_distance::SquaredDistance;
 
 use crate::curve::{Curve, Geometry};
 use crate::pair::{self, DofVector};
@@ -100,10 +100,10 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> pair::Pair<A, B, 
         &self,
         q: &DofVector<f64, N, M>,
         start: (f64, f64),
-        active: Active,
+        held: Held,
     ) -> Result<ClosestPoint, ProjectionError> {
         let (beam, bar) = self.centroids(q);
-        refine(&beam, &bar, start, active)
+        refine(&beam, &bar, start, held)
     }
 
     /// Both curves as the search sees them.

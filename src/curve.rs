@@ -83,7 +83,7 @@ pub struct Jet<T, U> {
     pub dofs: U,
 }
 
-/// Derivatives of a curve with respect to its dofs, at a frozen parameter.
+/// Derivatives of a curve with respect to its dofs, at a fixed parameter.
 ///
 /// The order `k` counts derivatives with respect to xi: 0 is x, 1 is x,xi, 2 is x,xixi.
 pub trait DofDerivatives<T: Real, const N: usize> {

@@ -6,9 +6,9 @@
 
 pub mod ad;
 pub mod closed_form;
-mod expansion;
-mod fastest;
+mod derivatives;
+mod dispatch;
 mod quantities;
 
-pub use expansion::{DofMatrix, Expansion, Linearization};
+pub use derivatives::{BlockHessian, Derivatives, Linearization};
 pub use quantities::{COMPONENTS, Quantities, Quantity, Varied};

@@ -5,9 +5,6 @@
 //! holds for all of them. Everything that iterates, branches or fails stays in `f64`, in
 //! [`closest_point`](crate::closest_point).
 
-mod bounded;
-mod counted;
-mod degree;
 mod double_double;
 mod dual;
 mod extension;
@@ -16,15 +13,15 @@ mod faulty;
 mod hyper_dual;
 mod hyper_dual_row;
 mod lanes;
-mod magnitude;
 mod named;
-mod prime;
+mod operation_count;
+mod polynomial_degree;
+mod prime_field;
+mod running_error;
+mod term_scale;
 #[cfg(feature = "check")]
 mod traced;
 
-pub use bounded::{Bound, Bounded, BoundedBy};
-pub use counted::Counted;
-pub use degree::Degree;
 pub use double_double::DoubleDouble;
 pub use dual::{Differentiable, Dual};
 pub use extension::Extends;
@@ -36,10 +33,13 @@ pub(crate) use faulty::{
 pub use hyper_dual::HyperDual;
 pub use hyper_dual_row::HyperDualRow;
 pub use lanes::Lanes;
-pub use magnitude::Magnitude;
 pub use named::{Label, Term};
 pub(crate) use named::{Of, named, orders};
-pub use prime::Residue;
+pub use operation_count::OperationCount;
+pub use polynomial_degree::PolynomialDegree;
+pub use prime_field::PrimeField;
+pub use running_error::{Bound, RunningError, RunningErrorBy};
+pub use term_scale::TermScale;
 #[cfg(feature = "check")]
 pub(crate) use traced::Traced;
 

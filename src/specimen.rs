@@ -10,7 +10,7 @@ mod padded;
 mod stationary;
 mod written;
 
-pub(crate) use beam::{AnyBeam, Bounded2, Drawn};
+pub(crate) use beam::{AnyBeam, Drawn, RunningError2};
 pub(crate) use draw::Target;
 pub(crate) use exact::ExactBeam;
 pub use family::{Family, Unit};

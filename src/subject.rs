@@ -24,7 +24,7 @@ pub(crate) use layouts::Second;
 pub(crate) use planted::When;
 pub(crate) use point::{CONTACT, Point};
 
-use crate::linearization::closed_form::{Form, Frozen, Matrices, variations_in};
+use crate::linearization::closed_form::{Formulation, Matrices, PartialVariations, variations_in};
 use crate::linearization::{Linearization, Quantities, Varied};
 use crate::number::{Bits, Change, Faulty, Label, Real, with_operation};
 use crate::pair::{Contact, DofVector};
@@ -105,24 +105,24 @@ impl Subject {
         }
     }
 
-    /// All quantities with their variations, of frozen beams, over a scalar that faults can be planted in.
+    /// All quantities with their variations, of beams at fixed parameters, over a scalar that faults can be planted in.
     pub(crate) fn quantities<T: Bits>(
         &self,
-        frozen: impl Fn(When) -> [Frozen<T>; 2],
+        partial: impl Fn(When) -> [PartialVariations<T>; 2],
         at: (T, T),
-        form: Form,
+        form: Formulation,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
         let (faults, operation) = (self.planted(&terms()[0]), self.operation(Code::Equations));
         if faults.is_none() && operation.is_none() {
-            return self.formulas(&frozen(When::Now), at, form, contact);
+            return self.formulas(&partial(When::Now), at, form, contact);
         }
         let run = |kind: Option<Kind>| {
-            let ([mut beam, mut bar], (xi, xi_bar), contact) = mistaken(kind, &frozen, at, *contact);
+            let ([mut beam, mut bar], (xi, xi_bar), contact) = mistaken(kind, &partial, at, *contact);
             if kind == Some(Kind::Transposed) {
                 (beam, bar) = (beam.exchanged(), bar.exchanged());
             }
-            let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| v.map(Faulty)));
+            let [beam, bar] = [beam, bar].map(|partial| partial.map(|v| v.map(Faulty)));
             variations_in(form, &beam, &bar, (Faulty(xi), Faulty(xi_bar)), &contact)
         };
         let quantities = match operation {
@@ -135,9 +135,9 @@ impl Subject {
     /// The same over any scalar, without the faults.
     pub(crate) fn formulas<T: Real>(
         &self,
-        [beam, bar]: &[Frozen<T>; 2],
+        [beam, bar]: &[PartialVariations<T>; 2],
         at: (T, T),
-        form: Form,
+        form: Formulation,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
         match self {
@@ -152,7 +152,7 @@ impl Subject {
         &self,
         padded: impl Fn(When) -> [PaddedBeam<Faulty<T>, D>; 2],
         (xi, xi_bar): (T, T),
-        form: Form,
+        form: Formulation,
         contact: &Contact,
     ) -> Option<[[T; 3]; SCALARS]> {
         let run = |kind: Option<Kind>| {
@@ -171,11 +171,11 @@ impl Subject {
 pub(crate) fn contracted<T: Real, const D: usize>(
     [(jet, [_, dq, linear_dq]), (jet_bar, [_, dq_bar, linear_dq_bar])]: &[PaddedBeam<T, D>; 2],
     at: (T, T),
-    form: Form,
+    form: Formulation,
     contact: &Contact,
 ) -> [[T; 3]; SCALARS] {
     let mut all = Linearization::zeros();
-    Matrices::in_form(jet, jet_bar, form).write_all(at, contact, &mut all);
+    Matrices::in_formulation(jet, jet_bar, form).write_all(at, contact, &mut all);
     let dq = DofVector { beam: *dq, bar: *dq_bar };
     let linear_dq = DofVector { beam: *linear_dq, bar: *linear_dq_bar };
     [&all.d, &all.t, &all.t_bar, &all.xi, &all.xi_bar, &all.g_t, &all.g_t_bar]

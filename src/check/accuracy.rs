@@ -7,8 +7,8 @@
 
 use super::draw::crossing;
 use super::regime::{Draw, Regime};
-use crate::closest_point::Active;
-use crate::linearization::closed_form::{Form, Frozen, Points, Projection, variations_in};
+use crate::closest_point::Held;
+use crate::linearization::closed_form::{Formulation, PartialVariations, Points, Projection, variations_in};
 use crate::linearization::{Quantities, Varied};
 use crate::number::{DoubleDouble, Real};
 use crate::pair::Contact;
@@ -104,7 +104,7 @@ impl Level {
             at,
             pairs: measured.len(),
             normal: measured.iter().filter(|pair| pair.choice.sign().is_some()).count(),
-            crossed: measured.iter().filter(|pair| pair.choice.is_crossed()).count(),
+            crossed: measured.iter().filter(|pair| pair.choice.uses_cross_products()).count(),
             d: errors(|pair| pair.d),
             xi: errors(|pair| pair.xi),
         }
@@ -113,7 +113,7 @@ impl Level {
 
 /// The errors at one closest point, of the paper's form, of the other, and of the choice.
 struct Measured {
-    choice: Form,
+    choice: Formulation,
     d: [f64; 3],
     xi: [f64; 3],
 }
@@ -127,13 +127,14 @@ fn measure(seed: u64, stream: u64, families: [Family; 2], change: impl Fn(Draw) 
     let [beam, bar] = specimens.each_ref().map(Specimen::drawn);
     let at = refined([&*beam, &*bar], draw.at)?;
     let rounded = at.map(DoubleDouble::value);
-    let frozen = [beam.frozen_plain(rounded[0]), bar.frozen_plain(rounded[1])];
-    let points = Points::new(&frozen[0].geometry, &frozen[1].geometry);
-    let inside = Active::default();
+    let partial = [beam.partial_variations_plain(rounded[0]), bar.partial_variations_plain(rounded[1])];
+    let points = Points::new(&partial[0].geometry, &partial[1].geometry);
+    let inside = Held::default();
     let (paper, apart, choice) =
-        (Form::paper(inside), Form::apart(&points, inside), Form::at(&points, inside));
-    let exact = varied(&[beam.frozen_precise(at[0]), bar.frozen_precise(at[1])], apart);
-    let found = [paper, apart, choice].map(|form| varied(&frozen, form));
+        (Formulation::paper(inside), Formulation::robust(&points, inside), Formulation::at(&points, inside));
+    let exact =
+        varied(&[beam.partial_variations_precise(at[0]), bar.partial_variations_precise(at[1])], apart);
+    let found = [paper, apart, choice].map(|form| varied(&partial, form));
     let error = |found: f64, exact: DoubleDouble| ((DoubleDouble::from(found) - exact) / exact).abs().value();
     Some(Measured {
         choice,
@@ -142,7 +143,7 @@ fn measure(seed: u64, stream: u64, families: [Family; 2], change: impl Fn(Draw) 
     })
 }
 
-fn varied<T: Real>([beam, bar]: &[Frozen<T>; 2], form: Form) -> Quantities<Varied<T>> {
+fn varied<T: Real>([beam, bar]: &[PartialVariations<T>; 2], form: Formulation) -> Quantities<Varied<T>> {
     variations_in(form, beam, bar, (T::zero(), T::zero()), &Contact::default())
 }
 
@@ -151,9 +152,11 @@ fn refined([beam, bar]: [&dyn AnyBeam; 2], near: [f64; 2]) -> Option<[DoubleDoub
     let mut at = near.map(DoubleDouble::from);
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
-        let Points { beam: x, bar: x_bar, d } =
-            Points::new(&beam.frozen_precise(at[0]).geometry, &bar.frozen_precise(at[1]).geometry);
-        let projection = Projection::new(&x, &x_bar, Active::default());
+        let Points { beam: x, bar: x_bar, d } = Points::new(
+            &beam.partial_variations_precise(at[0]).geometry,
+            &bar.partial_variations_precise(at[1]).geometry,
+        );
+        let projection = Projection::new(&x, &x_bar, Held::default());
         let (step, step_bar) = projection.solve(-d.dot(&x.t), -d.dot(&x_bar.t));
         at = [at[0] + step, at[1] + step_bar];
         last = step.value().abs().max(step_bar.value().abs());

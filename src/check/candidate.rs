@@ -17,13 +17,13 @@ use super::shrink::shrink;
 use super::site::Site;
 use super::verdict::{Comparison, Order};
 use super::{Regime, Written};
-use crate::closest_point::{Active, ClosestPoint, Search, closest_points};
+use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
 use crate::curve::Geometry;
-use crate::linearization::closed_form::{Form, Frozen};
+use crate::linearization::closed_form::{Formulation, PartialVariations};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
-use crate::number::Bounded;
+use crate::number::RunningError;
 use crate::pair::Contact;
-use crate::specimen::{Bounded2, Family};
+use crate::specimen::{Family, RunningError2};
 use crate::subject::{Subject, When};
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -49,7 +49,7 @@ pub struct Situation<'a> {
     /// Its parameters.
     pub at: (f64, f64),
     /// Which of them an end holds.
-    pub active: Active,
+    pub held: Held,
     /// Radii and reference parameters.
     pub contact: Contact,
     /// The direction delta, over the dofs of both beams.
@@ -177,14 +177,14 @@ fn at_closest_points(candidate: &impl Candidate, case: &Written) -> Vec<AtPoint>
             q_bar: &specimen_bar.q,
             point: site.point,
             at: (site.at.0.value, site.at.1.value),
-            active: site.active,
+            held: site.held,
             contact: case.contact,
             dq: &dq,
             linear_dq: &linear_dq,
         };
         let answers = candidate.answers(&at);
         let reference = site.chord();
-        let paper = site.in_form(Form::paper(point.active()));
+        let paper = site.in_formulation(Formulation::paper(point.held()));
         let sides =
             Sides { reference, textbook: textbook(&paper, case), scales: paper.scales(&Subject::Sound) };
         let (mut entries, mut misshapen) = (Vec::new(), None);
@@ -202,14 +202,14 @@ fn at_closest_points(candidate: &impl Candidate, case: &Written) -> Vec<AtPoint>
 }
 
 /// The paper's formulas, with bounds on their rounding where shape functions are written as sums of powers.
-fn textbook(site: &Site, case: &Written) -> [Varied<Bounded2>; COMPONENTS] {
+fn textbook(site: &Site, case: &Written) -> [Varied<RunningError2>; COMPONENTS] {
     let mut beams = site.bounded(When::Now);
-    for ((frozen, specimen), is_sum) in beams.iter_mut().zip(&case.specimens).zip(site.have_shapes()) {
+    for ((partial, specimen), is_sum) in beams.iter_mut().zip(&case.specimens).zip(site.have_shapes()) {
         if !is_sum {
             continue;
         }
-        let Frozen { geometry: Geometry { x, t, t_xi, t_xixi }, delta_u, linear_u, .. } = frozen;
-        let rounded = |vectors: &mut dyn Iterator<Item = &mut Vector3<Bounded2>>, of: &[f64]| {
+        let PartialVariations { geometry: Geometry { x, t, t_xi, t_xixi }, delta_u, linear_u, .. } = partial;
+        let rounded = |vectors: &mut dyn Iterator<Item = &mut Vector3<RunningError2>>, of: &[f64]| {
             for vector in vectors {
                 for (c, number) in vector.iter_mut().enumerate() {
                     let size: f64 = of.iter().skip(c).step_by(3).map(|dof| dof.abs()).sum();
@@ -226,13 +226,13 @@ fn textbook(site: &Site, case: &Written) -> [Varied<Bounded2>; COMPONENTS] {
 
 /// What an answer is compared with.
 struct Sides {
-    reference: [Varied<Bounded2>; COMPONENTS],
-    textbook: [Varied<Bounded2>; COMPONENTS],
-    scales: [Varied<crate::number::Magnitude>; COMPONENTS],
+    reference: [Varied<RunningError2>; COMPONENTS],
+    textbook: [Varied<RunningError2>; COMPONENTS],
+    scales: [Varied<crate::number::TermScale>; COMPONENTS],
 }
 
 /// Whether the differences in double-double do not agree with the reference.
-fn is_doubted(site: &Site, reference: &[Varied<Bounded2>; COMPONENTS]) -> bool {
+fn is_doubted(site: &Site, reference: &[Varied<RunningError2>; COMPONENTS]) -> bool {
     let Some(differences) = differences(site) else { return false };
     let pairs = differences
         .into_iter()
@@ -267,8 +267,8 @@ fn entries_of(answer: &Answer, at: &Situation<'_>, sides: &Sides) -> Result<Vec<
     };
     shaped("gradient", &answer.gradient, dofs)?;
     shaped("Hessian", &answer.hessian, dofs * dofs)?;
-    let exact = |value: f64| Bounded { value, bound: 0.0 };
-    let sum = |terms: &mut dyn Iterator<Item = Bounded>| terms.fold(exact(0.0), |sum, term| sum + term);
+    let exact = |value: f64| RunningError { value, bound: 0.0 };
+    let sum = |terms: &mut dyn Iterator<Item = RunningError>| terms.fold(exact(0.0), |sum, term| sum + term);
     let dot = |u: &[f64], v: &[f64]| sum(&mut u.iter().zip(v).map(|(&u, &v)| exact(u) * exact(v)));
     let along = |gradient: &Option<Vec<f64>>, dq| gradient.as_ref().map(|gradient| dot(gradient, dq));
     let second = answer.hessian.as_ref().map(|hessian| {
@@ -285,7 +285,7 @@ fn entries_of(answer: &Answer, at: &Situation<'_>, sides: &Sides) -> Result<Vec<
         (3, answer.variations[2].map(exact)),
     ];
     let orders = [Order::Value, Order::First, Order::First, Order::Second];
-    let entry = |(k, number): (usize, Option<Bounded>)| {
+    let entry = |(k, number): (usize, Option<RunningError>)| {
         let number = number?;
         let (other, textbook) = (sides.reference[i].parts()[k], sides.textbook[i].parts()[k]);
         // The second bound is of those who solve for the closest point again.

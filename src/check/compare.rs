@@ -9,9 +9,9 @@ use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
 use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
 use crate::linearization::ad::{evaluate, newton, stationary};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
-use crate::number::{Bounded, Magnitude};
+use crate::number::{RunningError, TermScale};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Bounded2};
+use crate::specimen::{AnyBeam, RunningError2};
 use crate::subject::{Contracted, SCALAR_COMPONENTS, SCALARS, Subject};
 use num_dual::HyperDual64;
 
@@ -106,22 +106,22 @@ fn by_differences(site: &Site, entries: &mut Vec<Comparison>) {
 pub(crate) struct Closed {
     plain: [Varied<f64>; COMPONENTS],
     exchanged: [Varied<f64>; COMPONENTS],
-    scales: [Varied<Magnitude>; COMPONENTS],
-    bounds: [Varied<Bounded2>; COMPONENTS],
-    matrices: [[Bounded; 3]; SCALARS],
+    scales: [Varied<TermScale>; COMPONENTS],
+    bounds: [Varied<RunningError2>; COMPONENTS],
+    matrices: [[RunningError; 3]; SCALARS],
 }
 
 /// Automatic differentiation: two routes of num-dual, and our own numbers with bounds.
 pub(crate) struct References {
     newton: [Varied<f64>; COMPONENTS],
     stationary: [Varied<f64>; COMPONENTS],
-    chord: [Varied<Bounded2>; COMPONENTS],
+    chord: [Varied<RunningError2>; COMPONENTS],
 }
 
 /// Scales below this are of products that may have lost digits to underflow.
 const SMALLEST: f64 = 1e-280;
 
-fn is_finite(varied: &Varied<Bounded2>) -> bool {
+fn is_finite(varied: &Varied<RunningError2>) -> bool {
     varied.parts().iter().all(|part| part.value.is_finite())
 }
 
@@ -133,11 +133,11 @@ impl References {
 
     /// Differentiates at a closest point.
     pub(crate) fn new(site: &Site) -> Self {
-        let Site { beams: [beam, bar], active, at: (xi, xi_bar), .. } = *site;
+        let Site { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *site;
         let at = (xi.value, xi_bar.value);
         Self {
-            newton: hyper_dual(site, newton(beam, bar, at, active)),
-            stationary: hyper_dual(site, stationary(beam, bar, at, active)),
+            newton: hyper_dual(site, newton(beam, bar, at, held)),
+            stationary: hyper_dual(site, stationary(beam, bar, at, held)),
             chord: site.chord(),
         }
     }
@@ -158,7 +158,7 @@ impl Closed {
     /// Whether some number of the closed form without faults overflows, or some term underflows.
     fn is_out_of_range(&self) -> bool {
         let is_out =
-            |scale: Magnitude| !scale.scale.is_finite() || (scale.scale > 0.0 && scale.scale < SMALLEST);
+            |scale: TermScale| !scale.scale.is_finite() || (scale.scale > 0.0 && scale.scale < SMALLEST);
         !self.bounds.iter().all(is_finite)
             || self.scales.iter().any(|scale| scale.parts().into_iter().any(is_out))
     }
@@ -228,18 +228,19 @@ impl Closed {
 
     /// What each layout of the kernel holds, contracted with the directions, against the variations.
     fn kernel(&self, site: &Site) -> Vec<Comparison> {
-        let of_layout = |(layout, numbers, bounds): (&'static str, Contracted<f64>, Contracted<Bounded>)| {
-            let each = (0..SCALARS).flat_map(|scalar| (0..4).map(move |k| [scalar, k]));
-            each.filter_map(move |[scalar, k]| {
-                let (value, bound) = (numbers[scalar][k]?, bounds[scalar][k]?.bound);
-                Some(self.contracted(layout, [scalar, k], Bounded { value, bound }))
-            })
-        };
+        let of_layout =
+            |(layout, numbers, bounds): (&'static str, Contracted<f64>, Contracted<RunningError>)| {
+                let each = (0..SCALARS).flat_map(|scalar| (0..4).map(move |k| [scalar, k]));
+                each.filter_map(move |[scalar, k]| {
+                    let (value, bound) = (numbers[scalar][k]?, bounds[scalar][k]?.bound);
+                    Some(self.contracted(layout, [scalar, k], RunningError { value, bound }))
+                })
+            };
         site.kernel().into_iter().flat_map(of_layout).collect()
     }
 
     /// A part of a scalar that was contracted, against the variation.
-    fn contracted(&self, against: &'static str, [scalar, k]: [usize; 2], other: Bounded) -> Comparison {
+    fn contracted(&self, against: &'static str, [scalar, k]: [usize; 2], other: RunningError) -> Comparison {
         let i = SCALAR_COMPONENTS[scalar];
         let bound = self.bounds[i].parts()[k].bound[0];
         Comparison {

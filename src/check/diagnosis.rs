@@ -2,7 +2,7 @@
 
 use super::compare::MATRICES;
 use super::verdict::{Comparison, Order, Verdict};
-use crate::closest_point::{Active, ClosestPoint};
+use crate::closest_point::{ClosestPoint, Held};
 use crate::linearization::Quantity;
 
 /// What is wrong, in a few words.
@@ -23,7 +23,7 @@ pub struct Diagnosis {
     /// All that it was compared with and does not agree with.
     pub against: Vec<&'static str>,
     /// Which parameters are held at an end.
-    pub active: Active,
+    pub held: Held,
 }
 
 /// A diagnosis and where it shows.
@@ -58,7 +58,7 @@ impl Finding {
             against = vec![MATRICES];
         }
         let Comparison { order, quantity, part, .. } = entry;
-        let diagnosis = Diagnosis { order, quantity, part, against, active: point.active() };
+        let diagnosis = Diagnosis { order, quantity, part, against, held: point.held() };
         let is_clear = entries.iter().all(Comparison::is_meaningful);
         Some(Self { diagnosis, minimum, point, entry, is_clear })
     }

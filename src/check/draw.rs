@@ -2,7 +2,7 @@
 
 use super::regime::{Draw, Regime};
 use super::written::Written;
-use crate::number::Bounded;
+use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::specimen::{AnyBeam, Family, Specimen, Target};
 use nalgebra::{Matrix3, Vector3};
@@ -152,7 +152,7 @@ pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng)
     };
     let mut specimens = [beam(0), beam(1)];
     // What was drawn passes near its target only: measure, and move the first beam to where it belongs.
-    let [x, x_bar] = [0, 1].map(|i| specimens[i].drawn().geometry_at(Bounded::from(draw.at[i])));
+    let [x, x_bar] = [0, 1].map(|i| specimens[i].drawn().geometry_at(RunningError::from(draw.at[i])));
     let [x, t, x_bar, t_bar] = [x.x, x.t, x_bar.x, x_bar.t].map(|v| v.map(|c| c.value));
     let across = t.cross(&t_bar).normalize();
     specimens[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));

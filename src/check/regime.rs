@@ -130,7 +130,7 @@ impl Regime {
     }
 }
 
-/// Where the beams cross: mostly within both, once in eight times beyond an end of one, which is then active.
+/// Where the beams cross: mostly within both, once in eight times beyond an end of one, which is then held.
 fn crossing(rng: &mut ChaCha8Rng) -> [f64; 2] {
     let mut at = [rng.random_range(-0.8..0.8), rng.random_range(-0.8..0.8)];
     if rng.random_ratio(1, 8) {

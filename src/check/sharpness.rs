@@ -10,7 +10,7 @@ use super::site::Site;
 use super::verdict::Order;
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
-use crate::number::{Bounded, BoundedBy, DoubleDouble};
+use crate::number::{DoubleDouble, RunningError, RunningErrorBy};
 use crate::subject::Subject;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -137,8 +137,8 @@ impl Sharpness {
             for (k, order) in orders.into_iter().enumerate() {
                 let mut tolerance = 0.0;
                 for (side, numbers) in &sides {
-                    let BoundedBy { value, bound: [bound, _] } = numbers[i].parts()[k];
-                    let number = Bounded { value, bound };
+                    let RunningErrorBy { value, bound: [bound, _] } = numbers[i].parts()[k];
+                    let number = RunningError { value, bound };
                     tolerance += bound;
                     let error = (DoubleDouble::from(value) - precise[k]).abs().value();
                     let measured = self.measured.entry((case.regime, *side, order)).or_default();
@@ -192,7 +192,7 @@ impl Sharpness {
 
 impl Measured {
     /// Counts a number; false if its bound is none.
-    fn add(&mut self, number: Bounded, error: f64, scale: f64) -> bool {
+    fn add(&mut self, number: RunningError, error: f64, scale: f64) -> bool {
         if !number.bound.is_finite() {
             self.unbounded += 1;
         } else if error == 0.0 {
@@ -215,17 +215,17 @@ impl Measured {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bounded, Measured};
+    use super::{Measured, RunningError};
 
     #[test]
     fn an_error_beyond_its_bound_is_told() {
         let mut measured = Measured::default();
-        assert!(measured.add(Bounded::new(1.0, 1e-16), 1e-16, 1.0));
-        assert!(measured.add(Bounded::new(1.0, f64::INFINITY), 1e-16, 1.0));
-        assert!(measured.add(Bounded::new(0.0, 0.0), 0.0, 1.0));
-        assert!(!measured.add(Bounded::new(1.0, 1e-16), 1.1e-16, 1.0));
-        assert!(!measured.add(Bounded::new(1.0, 0.0), 1e-30, 1.0));
-        assert!(!measured.add(Bounded::new(1.0, 1e-16), f64::NAN, 1.0));
+        assert!(measured.add(RunningError::new(1.0, 1e-16), 1e-16, 1.0));
+        assert!(measured.add(RunningError::new(1.0, f64::INFINITY), 1e-16, 1.0));
+        assert!(measured.add(RunningError::new(0.0, 0.0), 0.0, 1.0));
+        assert!(!measured.add(RunningError::new(1.0, 1e-16), 1.1e-16, 1.0));
+        assert!(!measured.add(RunningError::new(1.0, 0.0), 1e-30, 1.0));
+        assert!(!measured.add(RunningError::new(1.0, 1e-16), f64::NAN, 1.0));
         assert_eq!((measured.exact, measured.unbounded), (1, 1));
     }
 }

@@ -4,13 +4,13 @@ mod refined;
 
 use super::verdict::Inconclusive;
 use super::witness;
-use crate::closest_point::{Active, ClosestPoint, Degeneracy};
+use crate::closest_point::{ClosestPoint, Degeneracy, Held};
 use crate::linearization::ad::Chord;
-use crate::linearization::closed_form::{Form, Frozen, Points, variations_in};
+use crate::linearization::closed_form::{Formulation, PartialVariations, Points, variations_in};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{Bounded, DoubleDouble, Faulty, Magnitude};
+use crate::number::{DoubleDouble, Faulty, RunningError, TermScale};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Bounded2, FEW_DOFS, PaddedBeam, map_padded};
+use crate::specimen::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
 use crate::subject::{Contracted, SCALARS, Subject, When, contracted, every_layout, fast_kernel, terms};
 use refined::Refined;
 use std::sync::OnceLock;
@@ -20,14 +20,14 @@ use std::sync::OnceLock;
 pub(crate) struct Site<'a> {
     pub(crate) beams: [&'a dyn AnyBeam; 2],
     pub(crate) contact: &'a Contact,
-    pub(crate) active: Active,
+    pub(crate) held: Held,
     /// The closest point, with the parameters refined.
     pub(super) point: ClosestPoint,
     /// The formulas under check: those that the library takes here, unless it is told others.
-    pub(crate) form: Form,
+    pub(crate) form: Formulation,
     /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
     /// point; the second ones as far as `f64` can tell, for those who solve for the closest point in `f64` again.
-    pub(crate) at: (Bounded2, Bounded2),
+    pub(crate) at: (RunningError2, RunningError2),
     moments: [Moment; 3],
     unmodified: OnceLock<Box<Unmodified>>,
 }
@@ -35,20 +35,20 @@ pub(crate) struct Site<'a> {
 /// Both beams at some parameters, in the scalars that the check asks for; evaluated once, when they are asked for.
 #[derive(Debug, Default)]
 struct Moment {
-    plain: OnceLock<[Frozen<f64>; 2]>,
-    bounded: OnceLock<[Frozen<Bounded2>; 2]>,
+    plain: OnceLock<[PartialVariations<f64>; 2]>,
+    bounded: OnceLock<[PartialVariations<RunningError2>; 2]>,
     // Large, and the site is passed on by value.
-    padded: OnceLock<Box<[PaddedBeam<Bounded>; 2]>>,
-    padded_few: OnceLock<Box<[PaddedBeam<Bounded, FEW_DOFS>; 2]>>,
+    padded: OnceLock<Box<[PaddedBeam<RunningError>; 2]>>,
+    padded_few: OnceLock<Box<[PaddedBeam<RunningError, FEW_DOFS>; 2]>>,
 }
 
 /// The closed form as it is, in all that the comparison asks for.
 #[derive(Clone, Debug)]
 struct Unmodified {
     plain: [Varied<f64>; COMPONENTS],
-    scales: [Varied<Magnitude>; COMPONENTS],
-    bounds: [Varied<Bounded2>; COMPONENTS],
-    matrices: [[Bounded; 3]; SCALARS],
+    scales: [Varied<TermScale>; COMPONENTS],
+    bounds: [Varied<RunningError2>; COMPONENTS],
+    matrices: [[RunningError; 3]; SCALARS],
 }
 
 impl<'a> Site<'a> {
@@ -67,13 +67,13 @@ impl<'a> Site<'a> {
             Some(_) => return Err(Inconclusive::Singular),
         }
         let (xi, xi_bar) = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
-        let at = [xi, xi_bar].map(|Bounded { value, bound }| Bounded2 { value, bound: [bound; 2] });
+        let at = [xi, xi_bar].map(|RunningError { value, bound }| RunningError2 { value, bound: [bound; 2] });
         let mut site = Self {
             beams,
             contact,
-            active: point.active(),
+            held: point.held(),
             point: *point,
-            form: Form::default(),
+            form: Formulation::default(),
             at: at.into(),
             moments: Default::default(),
             unmodified: OnceLock::new(),
@@ -83,16 +83,16 @@ impl<'a> Site<'a> {
             (site.point.xi, site.point.xi_bar) = (site.at.0.value, site.at.1.value);
         }
         site.widen();
-        let form = Form::at(&site.points(), site.active);
-        Ok(site.in_form(form))
+        let form = Formulation::at(&site.points(), site.held);
+        Ok(site.in_formulation(form))
     }
 
     /// Widens the bounds for those who solve for the closest point in `f64` again, from positions alone: the rounding of
     /// their conditions, whose tangents are derivatives of positions, moves the parameters too.
     fn widen(&mut self) {
-        let Self { beams: [beam, bar], active, at: (xi, xi_bar), .. } = *self;
-        let exact = (Bounded2::from(xi.value), Bounded2::from(xi_bar.value));
-        let chord = Chord::<Bounded2>::new(beam, bar, exact, active);
+        let Self { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *self;
+        let exact = (RunningError2::from(xi.value), RunningError2::from(xi_bar.value));
+        let chord = Chord::<RunningError2>::new(beam, bar, exact, held);
         let [step, step_bar] = chord.step(beam, bar, exact);
         for (at, step) in [(&mut self.at.0, step), (&mut self.at.1, step_bar)] {
             // Two steps, each of which rounds the parameter.
@@ -102,41 +102,41 @@ impl<'a> Site<'a> {
     }
 
     /// With these formulas.
-    pub(crate) fn in_form(self, form: Form) -> Self {
+    pub(crate) fn in_formulation(self, form: Formulation) -> Self {
         Self { form, unmodified: OnceLock::new(), ..self }
     }
 
     /// The points of both beams.
     pub(crate) fn points(&self) -> Points<f64> {
-        let [beam, bar] = self.frozen(When::Now);
+        let [beam, bar] = self.partial_variations(When::Now);
         Points::new(&beam.geometry, &bar.geometry)
     }
 
     /// The parameters with the sharper bounds alone.
-    fn sharp(&self) -> (Bounded, Bounded) {
-        let sharp = |Bounded2 { value, bound: [bound, _] }| Bounded { value, bound };
+    fn sharp(&self) -> (RunningError, RunningError) {
+        let sharp = |RunningError2 { value, bound: [bound, _] }| RunningError { value, bound };
         (sharp(self.at.0), sharp(self.at.1))
     }
 
-    /// Both beams, frozen.
-    pub(crate) fn frozen(&self, when: When) -> [Frozen<f64>; 2] {
-        let frozen = || {
+    /// Both beams, at fixed parameters.
+    pub(crate) fn partial_variations(&self, when: When) -> [PartialVariations<f64>; 2] {
+        let partial = || {
             let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, (self.at.0.value, self.at.1.value));
-            [beam.frozen_plain(xi), bar.frozen_plain(xi_bar)]
+            [beam.partial_variations_plain(xi), bar.partial_variations_plain(xi_bar)]
         };
-        *self.moments[when as usize].plain.get_or_init(frozen)
+        *self.moments[when as usize].plain.get_or_init(partial)
     }
 
-    /// Both beams, frozen, with bounds on their errors.
-    pub(crate) fn bounded(&self, when: When) -> [Frozen<Bounded2>; 2] {
-        let frozen = || {
+    /// Both beams, at fixed parameters, with bounds on their errors.
+    pub(crate) fn bounded(&self, when: When) -> [PartialVariations<RunningError2>; 2] {
+        let partial = || {
             let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.at);
-            [beam.frozen(xi), bar.frozen(xi_bar)]
+            [beam.partial_variations(xi), bar.partial_variations(xi_bar)]
         };
-        *self.moments[when as usize].bounded.get_or_init(frozen)
+        *self.moments[when as usize].bounded.get_or_init(partial)
     }
 
-    fn padded(&self, when: When) -> &[PaddedBeam<Bounded>; 2] {
+    fn padded(&self, when: When) -> &[PaddedBeam<RunningError>; 2] {
         let padded = || {
             let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.sharp());
             Box::new([beam.padded(xi), bar.padded(xi_bar)])
@@ -144,7 +144,7 @@ impl<'a> Site<'a> {
         self.moments[when as usize].padded.get_or_init(padded)
     }
 
-    fn padded_few(&self, when: When) -> &[PaddedBeam<Bounded, FEW_DOFS>; 2] {
+    fn padded_few(&self, when: When) -> &[PaddedBeam<RunningError, FEW_DOFS>; 2] {
         let padded = || {
             let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.sharp());
             Box::new([beam.padded_few(xi), bar.padded_few(xi_bar)])
@@ -167,48 +167,48 @@ impl<'a> Site<'a> {
             return self.unmodified().plain;
         }
         let at = (self.at.0.value, self.at.1.value);
-        subject.quantities(|when| self.frozen(when), at, self.form, self.contact).components()
+        subject.quantities(|when| self.partial_variations(when), at, self.form, self.contact).components()
     }
 
     /// The closed form with the directions exchanged.
     pub(super) fn exchanged(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
         let at = (self.at.0.value, self.at.1.value);
-        let frozen = |when| self.frozen(when).map(Frozen::exchanged);
-        subject.quantities(frozen, at, self.form, self.contact).components()
+        let partial = |when| self.partial_variations(when).map(PartialVariations::exchanged);
+        subject.quantities(partial, at, self.form, self.contact).components()
     }
 
     /// The closed form with bounds on its error: those of the formulas without faults.
-    pub(crate) fn closed(&self, subject: &Subject) -> [Varied<Bounded2>; COMPONENTS] {
+    pub(crate) fn closed(&self, subject: &Subject) -> [Varied<RunningError2>; COMPONENTS] {
         let bounded = || {
-            let frozen = self.bounded(When::Now);
-            subject.formulas(&frozen, self.at, self.form, self.contact).components()
+            let partial = self.bounded(When::Now);
+            subject.formulas(&partial, self.at, self.form, self.contact).components()
         };
         if let Subject::Rewritten(_) = subject { bounded() } else { self.unmodified().bounds }
     }
 
     /// The size of the terms of the closed form without faults.
-    pub(super) fn scales(&self, subject: &Subject) -> [Varied<Magnitude>; COMPONENTS] {
+    pub(super) fn scales(&self, subject: &Subject) -> [Varied<TermScale>; COMPONENTS] {
         if let Subject::Rewritten(_) = subject { self.sized(subject) } else { self.unmodified().scales }
     }
 
-    fn sized(&self, subject: &Subject) -> [Varied<Magnitude>; COMPONENTS] {
-        let at = (Magnitude::parameter(self.at.0.value), Magnitude::parameter(self.at.1.value));
+    fn sized(&self, subject: &Subject) -> [Varied<TermScale>; COMPONENTS] {
+        let at = (TermScale::parameter(self.at.0.value), TermScale::parameter(self.at.1.value));
         // A position has the size of the curve at least: where the origin is says nothing of rounding.
-        let sized = |frozen: Frozen<f64>| {
-            let mut sizes = frozen.map(Magnitude::vector);
+        let sized = |partial: PartialVariations<f64>| {
+            let mut sizes = partial.map(TermScale::vector);
             let of_curve = sizes.geometry.t.map(|t| t.scale).min();
             for x in &mut sizes.geometry.x {
                 x.scale = x.scale.max(of_curve);
             }
             sizes
         };
-        let frozen = self.frozen(When::Now).map(sized);
-        subject.formulas(&frozen, at, self.form, self.contact).components()
+        let partial = self.partial_variations(When::Now).map(sized);
+        subject.formulas(&partial, at, self.form, self.contact).components()
     }
 
     /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors: those of the
     /// formulas without faults.
-    pub(super) fn matrices(&self, subject: &Subject) -> [[Bounded; 3]; SCALARS] {
+    pub(super) fn matrices(&self, subject: &Subject) -> [[RunningError; 3]; SCALARS] {
         let (at, form, contact) = ((self.at.0.value, self.at.1.value), self.form, self.contact);
         let planted = if self.has_few_dofs() {
             let faulty = |when| self.padded_few(when).each_ref().map(|beam| map_padded(beam, of_value));
@@ -229,14 +229,15 @@ impl<'a> Site<'a> {
     /// The kernel in all its layouts, each with bounds on the errors of its numbers; empty if a curve has no shape functions.
     ///
     /// The kernel chooses the form itself: this is for sites in the form that is chosen.
-    pub(super) fn kernel(&self) -> Vec<(&'static str, Contracted<f64>, Contracted<Bounded>)> {
+    pub(super) fn kernel(&self) -> Vec<(&'static str, Contracted<f64>, Contracted<RunningError>)> {
         let beams = self.padded(When::Now);
         let bounds = every_layout(beams, self.sharp(), self.form, self.contact);
         let beams = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
         let of = |(name, numbers): (&'static str, Contracted<f64>)| {
             // Other layouts hold the same numbers, summed in another order.
-            let same =
-                |(of, _): &&(&str, Contracted<Bounded>)| name.rsplit(' ').next() == of.rsplit(' ').next();
+            let same = |(of, _): &&(&str, Contracted<RunningError>)| {
+                name.rsplit(' ').next() == of.rsplit(' ').next()
+            };
             let (_, bounds) = bounds.iter().find(same).or(bounds.first())?;
             Some((name, numbers, *bounds))
         };
@@ -252,16 +253,16 @@ impl<'a> Site<'a> {
                 contracted(self.padded(When::Now), self.sharp(), *form, contact)
             };
             let bounds = Subject::Sound.formulas(&self.bounded(When::Now), *at, *form, contact).components();
-            let [beam, bar] = self.frozen(When::Now);
+            let [beam, bar] = self.partial_variations(When::Now);
             let plain = variations_in(*form, &beam, &bar, (at.0.value, at.1.value), contact).components();
             Box::new(Unmodified { plain, scales: self.sized(&Subject::Sound), bounds, matrices })
         })
     }
 
     /// Automatic differentiation in our own hyper-dual numbers, with bounds on its error.
-    pub(super) fn chord(&self) -> [Varied<Bounded2>; COMPONENTS] {
-        let Self { beams: [beam, bar], contact, active, at, .. } = *self;
-        let chord = Chord::<Bounded2>::new(beam, bar, at, active);
+    pub(super) fn chord(&self) -> [Varied<RunningError2>; COMPONENTS] {
+        let Self { beams: [beam, bar], contact, held, at, .. } = *self;
+        let chord = Chord::<RunningError2>::new(beam, bar, at, held);
         chord.evaluate_by_orders(beam, bar, at, contact).map(Varied::from).components()
     }
 
@@ -271,11 +272,11 @@ impl<'a> Site<'a> {
     pub(super) fn precise(&self) -> Option<[Varied<DoubleDouble>; COMPONENTS]> {
         let Self { beams: [beam, bar], contact, form, .. } = *self;
         let [xi, xi_bar] = self.refined()?.map(|refined| refined.value);
-        let frozen = [beam.frozen_precise(xi), bar.frozen_precise(xi_bar)];
-        Some(variations_in(form, &frozen[0], &frozen[1], (xi, xi_bar), contact).components())
+        let partial = [beam.partial_variations_precise(xi), bar.partial_variations_precise(xi_bar)];
+        Some(variations_in(form, &partial[0], &partial[1], (xi, xi_bar), contact).components())
     }
 }
 
-fn of_value(number: Bounded) -> Faulty<f64> {
+fn of_value(number: RunningError) -> Faulty<f64> {
     Faulty(number.value)
 }

@@ -54,7 +54,7 @@ pub struct Tally {
     pub cases: u64,
     /// Closest points compared, the ones inside both beams.
     pub interior: u64,
-    /// Closest points compared, the ones with an end active.
+    /// Closest points compared, the ones with an end held.
     pub at_end: u64,
     /// Closest points that did not agree.
     pub mismatches: u64,

@@ -3,28 +3,31 @@
 use crate::closest_point::ClosestPoint;
 use crate::curve::Geometry;
 use crate::linearization::closed_form::Projection;
-use crate::number::Bounded;
+use crate::number::RunningError;
 use crate::specimen::AnyBeam;
 
 /// xi and xi_bar with bounds, from the residual of the orthogonality conditions.
 ///
 /// The residual and its rounding, multiplied by the inverse of the projection matrix, bound the step to the exact
 /// closest point; the matrix over the whole uncertain region must stay regular. Nothing if it does not.
-pub(super) fn parameters(beams: [&dyn AnyBeam; 2], point: &ClosestPoint) -> Option<(Bounded, Bounded)> {
-    let active = point.active();
+pub(super) fn parameters(
+    beams: [&dyn AnyBeam; 2],
+    point: &ClosestPoint,
+) -> Option<(RunningError, RunningError)> {
+    let held = point.held();
     let geometry = |xi, xi_bar| [beams[0].geometry_at(xi), beams[1].geometry_at(xi_bar)];
     let centre = geometry(point.xi.into(), point.xi_bar.into());
     // The residual is that of the parameters as they are; the matrix that of the region they may be in.
     let d = centre[0].x - centre[1].x;
     let residual = [d.dot(&centre[0].t), d.dot(&centre[1].t)].map(|f| f.value.abs() + f.bound);
-    let steps = |[x, x_bar]: [Geometry<Bounded>; 2]| {
-        Projection::new(&x, &x_bar, active).inverse().map(|row| {
+    let steps = |[x, x_bar]: [Geometry<RunningError>; 2]| {
+        Projection::new(&x, &x_bar, held).inverse().map(|row| {
             row.into_iter().zip(residual).map(|(entry, f)| (entry.value.abs() + entry.bound) * f).sum::<f64>()
         })
     };
     // The region is guessed from the matrix at its centre, doubled, and must then contain the step it yields.
     let [guess, guess_bar] = steps(centre).map(|step| 2.0 * step);
-    let (xi, xi_bar) = (Bounded::new(point.xi, guess), Bounded::new(point.xi_bar, guess_bar));
+    let (xi, xi_bar) = (RunningError::new(point.xi, guess), RunningError::new(point.xi_bar, guess_bar));
     let [step, step_bar] = steps(geometry(xi, xi_bar));
     (step <= guess && step_bar <= guess_bar).then_some((xi, xi_bar))
 }

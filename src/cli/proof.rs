@@ -5,7 +5,7 @@ use super::json;
 use super::prove::Proved;
 use super::table::Table;
 use beamgap::linearization::Quantity;
-use beamgap::number::Residue;
+use beamgap::number::PrimeField;
 use beamgap::prove::{Draw, Entry, Layer, Proof, Row};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -62,7 +62,7 @@ pub(super) fn human(proved: &Proved) -> String {
 
 /// All entries of one draw: what is unequal starts where the fault is, and goes on through all that hangs on it.
 fn in_full(draw: &Draw) -> String {
-    let part = |title: &str, wanted: fn(&Entry<Residue>) -> bool| {
+    let part = |title: &str, wanted: fn(&Entry<PrimeField>) -> bool| {
         let mut table = Table::new(&["quantity", "part", "closed form", "AD", "ratio"]).left(&[1]);
         let mut any = false;
         for entry in draw.entries.iter().filter(|entry| wanted(entry)) {
@@ -97,14 +97,14 @@ fn in_full(draw: &Draw) -> String {
 
 /// The first inequality of a draw and the command that shows it again.
 fn told(repeat: &str, draw: &Draw) -> String {
-    let Draw { families: [one, other], number, active, .. } = draw;
+    let Draw { families: [one, other], number, held, .. } = draw;
     let Some(first) = draw.unequal().next() else { return String::new() };
     let candidate = match first.layer {
         Layer::Matrix => "contracted matrix, ".into(),
         Layer::Kernel => format!("{}, ", first.candidate),
         _ => String::new(),
     };
-    let ends = match (active.xi, active.xi_bar) {
+    let ends = match (held.xi, held.xi_bar) {
         (false, false) => "inside both beams",
         (true, false) => "at an end of the beam",
         (false, true) => "at an end of the bar beam",
@@ -134,13 +134,13 @@ fn repeat(seed: u64, Draw { families: [one, other], number, .. }: &Draw, plant: 
 }
 
 /// The quantity with its component.
-fn name(entry: &Entry<Residue>) -> String {
+fn name(entry: &Entry<PrimeField>) -> String {
     let quantity = Quantity::name(entry.quantity());
     entry.axis().map_or_else(|| quantity.into(), |axis| format!("{quantity}.{axis}"))
 }
 
 /// Closed form over AD, if it is a small fraction.
-fn ratio(entry: &Entry<Residue>) -> Option<String> {
+fn ratio(entry: &Entry<PrimeField>) -> Option<String> {
     entry.ratio().map(|(above, below)| match below {
         1 => above.to_string(),
         _ => format!("{above}/{below}"),
@@ -165,7 +165,7 @@ pub(super) fn json(proved: &Proved) -> anyhow::Result<String> {
         "version": env!("CARGO_PKG_VERSION"),
         "seed": format!("{seed:#x}"),
         "planted": plant,
-        "prime": Residue::PRIME.to_string(),
+        "prime": PrimeField::PRIME.to_string(),
         "families": families.iter().map(|family| family.name()).collect::<Vec<_>>(),
         "draws": draws,
         "pairs": proof.pairs,
@@ -193,7 +193,7 @@ fn refuted(repeat: &str, draw: &Draw) -> Value {
         "beam": draw.families[0].name(),
         "bar": draw.families[1].name(),
         "draw": draw.number,
-        "held": { "xi": draw.active.xi, "xi_bar": draw.active.xi_bar },
+        "held": { "xi": draw.held.xi, "xi_bar": draw.held.xi_bar },
         "repeat": repeat,
         "entries": entries.collect::<Vec<_>>(),
     })
@@ -204,7 +204,7 @@ mod tests {
     use super::{human, json};
     use crate::cli::prove::Proved;
     use beamgap::linearization::Quantity;
-    use beamgap::number::Residue;
+    use beamgap::number::PrimeField;
     use beamgap::prove::{Draw, prove};
     use beamgap::specimen::Family;
     use beamgap::subject::Subject;
@@ -215,10 +215,10 @@ mod tests {
         let families = vec![Family::Segment, Family::Arc];
         let mut proof = prove(&Subject::Sound, 1, &families, 2);
         let mut draw = Draw::new(&Subject::Sound, 1, [Family::Segment, Family::Arc], 1);
-        let half = Residue::new(1) / Residue::new(2);
+        let half = PrimeField::new(1) / PrimeField::new(2);
         for entry in draw.entries.iter_mut().filter(|entry| entry.part == "Delta-delta") {
             match entry.quantity() {
-                Quantity::D => entry.closed += Residue::new(1),
+                Quantity::D => entry.closed += PrimeField::new(1),
                 Quantity::Xi => entry.closed = -entry.closed,
                 Quantity::GT => entry.closed *= half,
                 _ => {}

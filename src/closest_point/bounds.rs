@@ -1,6 +1,6 @@
 //! What the gradient of the squared distance can do over a box of parameters, from Taylor's theorem at its centre.
 
-use super::HalfSquare;
+use super::SquaredDistance;
 use super::point::SINGULAR;
 use super::tree::Node;
 
@@ -28,7 +28,7 @@ const INFLATED: f64 = INFLATION * INFLATION * INFLATION;
 /// gradient differs from its linear part by at most (Δa h + Δb k)/2 and (Δb h + Δā k)/2.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
-    pub(super) half_square: HalfSquare,
+    pub(super) squared_distance: SquaredDistance,
     half: [f64; 2],
     /// Bounds of |Δa|, |Δb|, |Δā|.
     change: [f64; 3],
@@ -41,11 +41,11 @@ pub(super) struct Bounds {
 impl Bounds {
     #[inline]
     pub(super) fn new(x: &Node, y: &Node) -> Self {
-        let half_square = HalfSquare::new(&x.geometry, &y.geometry);
+        let squared_distance = SquaredDistance::new(&x.geometry, &y.geometry);
         let (h, k) = (x.half, y.half);
         let (g, g_bar) = (&x.geometry, &y.geometry);
         let sag = x.sag + y.sag;
-        let reach = half_square.distance + h * x.speed + k * y.speed + sag;
+        let reach = squared_distance.distance + h * x.speed + k * y.speed + sag;
         let (cross, cross_bar) = (g_bar.t.dot(&g.t_xi).abs(), g.t.dot(&g_bar.t_xi).abs());
         let own = |node: &Node, h: f64, k: f64, cross: f64| {
             3.0 * h * node.geometry.t.dot(&node.geometry.t_xi).abs()
@@ -58,7 +58,7 @@ impl Bounds {
         let da = own(x, h, k, cross);
         let da_bar = own(y, k, h, cross_bar);
         let db = h * cross + k * cross_bar + x.twist * y.speed + y.twist * x.speed + x.turn * y.turn;
-        let HalfSquare { a, b, a_bar, det, .. } = half_square;
+        let SquaredDistance { a, b, a_bar, det, .. } = squared_distance;
         // H⁻¹H is off by the rounding of a a_bar + b² next to det H.
         let invertible = det.abs() > SINGULAR * ((a * a_bar).abs() + b * b);
         let scale = if invertible { 1.0 / det } else { f64::NAN };
@@ -67,13 +67,13 @@ impl Bounds {
             change: [da, db, da_bar],
             remainder: [0.5 * (da * h + db * k), 0.5 * (db * h + da_bar * k)],
             inverse: [-a_bar * scale, b * scale, a * scale],
-            half_square,
+            squared_distance,
         }
     }
 
     /// Whether component `i` of the gradient keeps the sign it has at the centre.
     pub(super) fn keeps_sign(&self, i: usize) -> bool {
-        let HalfSquare { a, b, a_bar, gradient, .. } = self.half_square;
+        let SquaredDistance { a, b, a_bar, gradient, .. } = self.squared_distance;
         let own = if i == 0 { a } else { a_bar };
         let linear = own.abs() * self.half[i] + b.abs() * self.half[1 - i];
         gradient[i].abs() > SLACK * (linear + self.remainder[i])
@@ -84,7 +84,8 @@ impl Bounds {
         if self.keeps_sign(0) || self.keeps_sign(1) {
             return true;
         }
-        let ([g, g_bar], [r, r_bar], [p, q, s]) = (self.half_square.gradient, self.remainder, self.inverse);
+        let ([g, g_bar], [r, r_bar], [p, q, s]) =
+            (self.squared_distance.gradient, self.remainder, self.inverse);
         let [h, k] = self.half;
         (p * g + q * g_bar).abs() > SLACK * (h + p.abs() * r + q.abs() * r_bar)
             || (q * g + s * g_bar).abs() > SLACK * (k + q.abs() * r + s.abs() * r_bar)
@@ -100,12 +101,12 @@ impl Bounds {
 
     /// Whether the Hessian is singular to rounding all over the box, so that halving it is of no use.
     pub(super) fn is_flat(&self) -> bool {
-        let [t2, t_bar2] = self.half_square.squares;
+        let [t2, t_bar2] = self.squared_distance.squares;
         let [da, db, da_bar] = self.change;
         da <= SINGULAR * t2
             && da_bar <= SINGULAR * t_bar2
             && db * db <= SINGULAR * SINGULAR * t2 * t_bar2
-            && self.half_square.smallest_magnitude(super::Active::default()) <= SINGULAR
+            && self.squared_distance.smallest_magnitude(super::Held::default()) <= SINGULAR
     }
 
     /// The Lipschitz constant for component `i` as a function of its own parameter; the other one has no width.
@@ -115,7 +116,7 @@ impl Bounds {
 
     /// Whether the curvature in parameter `i` is zero to rounding all over the interval.
     pub(super) fn is_flat_along(&self, i: usize) -> bool {
-        let scale = SINGULAR * self.half_square.squares[i];
+        let scale = SINGULAR * self.squared_distance.squares[i];
         self.change[2 * i] <= scale && self.curvature(i).abs() <= scale
     }
 
@@ -126,7 +127,7 @@ impl Bounds {
 
     /// The second derivative of F in parameter `i`: a or -a_bar.
     fn curvature(&self, i: usize) -> f64 {
-        if i == 0 { self.half_square.a } else { -self.half_square.a_bar }
+        if i == 0 { self.squared_distance.a } else { -self.squared_distance.a_bar }
     }
 }
 

@@ -4,7 +4,7 @@ use super::bounds::{Bounds, INFLATION, NEXT_DOOR};
 use super::search::{CERTAIN, Pair, UNIQUE};
 use super::tree::{ENDS, ROOT};
 use super::unresolved::{Region, gather};
-use super::{Active, ClosestPoint, End, HalfSquare, Kind, ProjectionError, Search};
+use super::{ClosestPoint, End, Held, Kind, ProjectionError, Search, SquaredDistance};
 
 /// What the edges and corners hold.
 #[derive(Default)]
@@ -22,12 +22,12 @@ pub(super) fn rim(pair: &mut Pair, search: &Search) -> Result<Rim, ProjectionErr
             edge(pair, search, free, end, &mut rim)?;
         }
     }
-    let both = Active { xi: true, xi_bar: true };
+    let both = Held { xi: true, xi_bar: true };
     for end in ENDS {
         for end_bar in ENDS {
             let [x, y] = pair.nodes([end, end_bar]);
             let at = (x.centre, y.centre);
-            let p = HalfSquare::new(&x.geometry, &y.geometry);
+            let p = SquaredDistance::new(&x.geometry, &y.geometry);
             rim.accept(ClosestPoint::new(at, &p, both));
         }
     }
@@ -43,7 +43,7 @@ fn edge(
     end: u32,
     rim: &mut Rim,
 ) -> Result<(), ProjectionError> {
-    let active = Active { xi: free == 1, xi_bar: free == 0 };
+    let held = Held { xi: free == 1, xi_bar: free == 0 };
     let mut zeros: Vec<f64> = Vec::new();
     let mut queue = vec![ROOT];
     let mut next = 0;
@@ -54,12 +54,12 @@ fn edge(
         let nodes = pair.nodes(at);
         let interval = nodes[free];
         let bounds = Bounds::new(nodes[0], nodes[1]);
-        let held = 1 - free;
+        let across = 1 - free;
         // No minimum: the gradient along the edge keeps its sign, or that across it points inward, or F is concave.
         if bounds.keeps_sign(free)
-            || (bounds.keeps_sign(held)
-                && bounds.half_square.gradient[held] * nodes[held].centre > 0.0
-                && !bounds.half_square.is_weak(held))
+            || (bounds.keeps_sign(across)
+                && bounds.squared_distance.gradient[across] * nodes[across].centre > 0.0
+                && !bounds.squared_distance.is_weak(across))
             || bounds.is_concave_along(free)
         {
             continue;
@@ -71,7 +71,7 @@ fn edge(
                 continue;
             }
             let parameter = |point: &ClosestPoint| if free == 0 { point.xi } else { point.xi_bar };
-            match pair.refine((nodes[0].centre, nodes[1].centre), active) {
+            match pair.refine((nodes[0].centre, nodes[1].centre), held) {
                 Err(ProjectionError::NonFinite) => return Err(ProjectionError::NonFinite),
                 Ok(point) if within(parameter(&point), INFLATION) => {
                     if !zeros.iter().any(|&zero| within(zero, NEXT_DOOR)) {
@@ -86,7 +86,7 @@ fn edge(
         }
         let hopeless = bounds.is_flat_along(free) || interval.half <= search.resolution;
         if hopeless || next > search.boxes / 8 {
-            rim.open.push(Region::new(nodes, bounds.half_square.distance));
+            rim.open.push(Region::new(nodes, bounds.squared_distance.distance));
         } else {
             queue.extend(pair.trees[free].halves(index)?);
         }
@@ -107,17 +107,17 @@ impl Rim {
     }
 }
 
-/// The point with more ends active that a stationary point is so near to that only rounding tells them apart.
+/// The point with more ends held that a stationary point is so near to that only rounding tells them apart.
 pub(super) fn at_end(pair: &Pair, zero: &ClosestPoint) -> Option<ClosestPoint> {
     const NEAR: f64 = 1.0 - 1e-7;
-    let held = zero.active();
-    let near = Active { xi: zero.xi.abs() > NEAR, xi_bar: zero.xi_bar.abs() > NEAR };
-    let candidates = [near, Active { xi_bar: held.xi_bar, ..near }, Active { xi: held.xi, ..near }];
-    candidates.into_iter().filter(|&active| active != held).find_map(|active| {
-        let point = pair.refine((zero.xi, zero.xi_bar), active).ok()?;
+    let now = zero.held();
+    let near = Held { xi: zero.xi.abs() > NEAR, xi_bar: zero.xi_bar.abs() > NEAR };
+    let candidates = [near, Held { xi_bar: now.xi_bar, ..near }, Held { xi: now.xi, ..near }];
+    candidates.into_iter().filter(|&held| held != now).find_map(|held| {
+        let point = pair.refine((zero.xi, zero.xi_bar), held).ok()?;
         let close = (point.xi - zero.xi).abs().max((point.xi_bar - zero.xi_bar).abs()) < 1e-6;
         let strict = |end: Option<End>| end.is_some_and(|end| end.strict);
-        let weak = (held.xi || !strict(point.end)) && (held.xi_bar || !strict(point.end_bar));
+        let weak = (now.xi || !strict(point.end)) && (now.xi_bar || !strict(point.end_bar));
         (close && weak).then_some(point)
     })
 }

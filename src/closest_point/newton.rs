@@ -1,6 +1,6 @@
 //! Newton's method for one stationary point.
 
-use super::{Active, Centroid, ClosestPoint, HalfSquare, ProjectionError, Side};
+use super::{Centroid, ClosestPoint, Held, ProjectionError, Side, SquaredDistance};
 use crate::curve::Geometry;
 
 /// The most steps. A simple zero takes two or three from nearby, a multiple one gains a bit a step.
@@ -12,7 +12,7 @@ const LAST: f64 = 1e-8;
 /// The widest step, in both parameters together, that Taylor's polynomials are trusted for.
 const REACH: f64 = 0.5;
 
-/// Follows Newton's method from `start` to the last digit, with the `active` parameters held at their ends.
+/// Follows Newton's method from `start` to the last digit, with the `held` parameters held at their ends.
 ///
 /// The parameters that are free stay in [-1, 1]; those that are held are put to the end they are nearest to. Whether
 /// the point is a minimum is for [`ClosestPoint::kind`] to say.
@@ -25,25 +25,27 @@ pub fn refine(
     beam: &dyn Centroid,
     bar: &dyn Centroid,
     start: (f64, f64),
-    active: Active,
+    held: Held,
 ) -> Result<ClosestPoint, ProjectionError> {
     if !(start.0.is_finite() && start.1.is_finite()) {
         return Err(ProjectionError::NonFinite);
     }
     let place = |held: bool, xi: f64| if held { 1.0_f64.copysign(xi) } else { xi.clamp(-1.0, 1.0) };
-    let start = (place(active.xi, start.0), place(active.xi_bar, start.1));
+    let start = (place(held.xi, start.0), place(held.xi_bar, start.1));
     let cubic = beam.is_cubic() && bar.is_cubic();
     let mut current = Iterate::at(beam, bar, start)?;
     // At rounding level the least gradient is the best, and the steps may go on from a point that is worse.
     let mut best: Option<Iterate> = None;
     let mut previous = f64::INFINITY;
     for _ in 0..STEPS {
-        if current.half_square.is_stationary(active) {
-            return settled(current.at, &current.half_square, active);
+        if current.squared_distance.is_stationary(held) {
+            return settled(current.at, &current.squared_distance, held);
         }
-        let step = current.half_square.step(active);
+        let step = current.squared_distance.step(held);
         if !(step.0.is_finite() && step.1.is_finite()) {
-            return Err(ProjectionError::Singular { conditioning: current.half_square.conditioning(active) });
+            return Err(ProjectionError::Singular {
+                conditioning: current.squared_distance.conditioning(held),
+            });
         }
         let next = moved(current.at, step);
         let size = apart(current.at, next);
@@ -52,17 +54,17 @@ pub fn refine(
         }
         if size <= 2.0 * f64::EPSILON && best.is_none() {
             // The last digits of the parameters move the points by less than their rounding.
-            return settled(next, &current.half_square, active);
+            return settled(next, &current.squared_distance, held);
         }
-        let at = current.ahead(next, size, active);
+        let at = current.ahead(next, size, held);
         let new = if cubic && current.evaluated && apart(current.at, at) < REACH {
             current.extrapolated(at)
         } else {
             Iterate::at(beam, bar, at)?
         };
         // Far away the gradient may grow for a while.
-        let least = &best.as_ref().unwrap_or(&current).half_square;
-        if size >= SMALL || new.half_square.slope(active) < least.slope(active) {
+        let least = &best.as_ref().unwrap_or(&current).squared_distance;
+        if size >= SMALL || new.squared_distance.slope(held) < least.slope(held) {
             best = None;
         } else if best.is_none() {
             best = Some(current);
@@ -71,17 +73,17 @@ pub fn refine(
         previous = size;
     }
     let end = best.as_ref().unwrap_or(&current);
-    settled(end.at, &end.half_square, active)
+    settled(end.at, &end.squared_distance, held)
 }
 
 /// The point where the steps have ended, if they have become small.
 #[inline]
-fn settled(at: (f64, f64), p: &HalfSquare, active: Active) -> Result<ClosestPoint, ProjectionError> {
-    let point = ClosestPoint::new(at, p, active);
+fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoint, ProjectionError> {
+    let point = ClosestPoint::new(at, p, held);
     // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged, unless
     // it leads out of the square.
-    let (step, step_bar) = p.step(active);
-    let free = [(0, active.xi, at.0, step), (1, active.xi_bar, at.1, step_bar)];
+    let (step, step_bar) = p.step(held);
+    let free = [(0, held.xi, at.0, step), (1, held.xi_bar, at.1, step_bar)];
     let free = || free.into_iter().filter(|&(i, held, ..)| !held && !p.is_weak(i));
     let leaves = |at: f64, step: f64| (at + step).abs() > 1.0;
     if let Some((i, _, at, _)) = free().find(|&(_, _, at, step)| at.abs() >= 1.0 && leaves(at, step)) {
@@ -100,7 +102,7 @@ fn settled(at: (f64, f64), p: &HalfSquare, active: Active) -> Result<ClosestPoin
 struct Iterate {
     at: (f64, f64),
     geometry: [Geometry<f64>; 2],
-    half_square: HalfSquare,
+    squared_distance: SquaredDistance,
     /// Whether the curves were evaluated here, and not extrapolated.
     evaluated: bool,
 }
@@ -109,18 +111,23 @@ impl Iterate {
     #[inline(always)]
     fn at(beam: &dyn Centroid, bar: &dyn Centroid, at: (f64, f64)) -> Result<Self, ProjectionError> {
         let geometry = [beam.geometry(at.0), bar.geometry(at.1)];
-        let half_square = HalfSquare::new(&geometry[0], &geometry[1]);
-        if !half_square.is_finite() {
+        let squared_distance = SquaredDistance::new(&geometry[0], &geometry[1]);
+        if !squared_distance.is_finite() {
             return Err(ProjectionError::NonFinite);
         }
-        Ok(Self { at, geometry, half_square, evaluated: true })
+        Ok(Self { at, geometry, squared_distance, evaluated: true })
     }
 
     /// The same by Taylor's polynomials of third degree.
     #[inline(always)]
     fn extrapolated(&self, at: (f64, f64)) -> Self {
         let geometry = self.geometry_at(at);
-        Self { at, half_square: HalfSquare::new(&geometry[0], &geometry[1]), geometry, evaluated: false }
+        Self {
+            at,
+            squared_distance: SquaredDistance::new(&geometry[0], &geometry[1]),
+            geometry,
+            evaluated: false,
+        }
     }
 
     /// The curves by these polynomials.
@@ -134,10 +141,10 @@ impl Iterate {
     /// They are the curves themselves where these are cubic, and a step of any curve is worth two or three of
     /// Newton's. Where a step is not much smaller than the one before, the polynomials are left.
     #[inline]
-    fn ahead(&self, mut next: (f64, f64), mut size: f64, active: Active) -> (f64, f64) {
+    fn ahead(&self, mut next: (f64, f64), mut size: f64, held: Held) -> (f64, f64) {
         while size > LAST && size < REACH {
             let [x, x_bar] = self.geometry_at(next);
-            let further = moved(next, HalfSquare::new(&x, &x_bar).step(active));
+            let further = moved(next, SquaredDistance::new(&x, &x_bar).step(held));
             let step = apart(next, further);
             // Not a number: the polynomials are singular there.
             if step.is_nan() || step > 0.25 * size {

@@ -1,12 +1,12 @@
 //! One closest (or otherwise stationary) point: where it is, what it is and how well it is determined.
 
-use super::HalfSquare;
+use super::SquaredDistance;
 
 /// Scaled eigenvalues below this are rounding: the point is singular.
 pub(super) const SINGULAR: f64 = 1.4e-14;
 /// Tangents shorter than this, relative to the change of the tangent along the beam, have no length.
 pub(super) const STANDSTILL: f64 = 9e-13;
-/// Scaled multipliers below this are zero: the end is weakly active.
+/// Scaled multipliers below this are zero: the end is weakly held.
 pub(super) const WEAK: f64 = 9e-13;
 
 /// Scaled eigenvalues from this on leave gradients of the parameters most of their digits.
@@ -76,7 +76,7 @@ pub enum Side {
 
 /// Which parameters are held at an end, and hence do not vary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Active {
+pub struct Held {
     /// xi is held.
     pub xi: bool,
     /// xi_bar is held.
@@ -114,11 +114,11 @@ pub enum Degeneracy {
 }
 
 impl ClosestPoint {
-    /// Describes the point at the parameters (`xi`, `xi_bar`), of which `active` ones are held.
-    pub(super) fn new((xi, xi_bar): (f64, f64), p: &HalfSquare, active: Active) -> Self {
-        let end = active.xi.then(|| End::new(p, 0, xi));
-        let end_bar = active.xi_bar.then(|| End::new(p, 1, xi_bar));
-        let [low, high] = p.eigenvalues(active);
+    /// Describes the point at the parameters (`xi`, `xi_bar`), of which `held` ones are held.
+    pub(super) fn new((xi, xi_bar): (f64, f64), p: &SquaredDistance, held: Held) -> Self {
+        let end = held.xi.then(|| End::new(p, 0, xi));
+        let end_bar = held.xi_bar.then(|| End::new(p, 1, xi_bar));
+        let [low, high] = p.eigenvalues(held);
         let (conditioning, smallest) = (low, low.abs().min(high.abs()));
         let still = [p.stands_still(0), p.stands_still(1)];
         let degeneracy = if still[0] || still[1] {
@@ -130,7 +130,7 @@ impl ClosestPoint {
         } else if p.is_crossing() {
             Some(Degeneracy::Crossing)
         } else {
-            let gradient_error = if smallest < CLEAR { p.gradient_error(low, active) } else { 0.0 };
+            let gradient_error = if smallest < CLEAR { p.gradient_error(low, held) } else { 0.0 };
             (gradient_error > TOO_LARGE)
                 .then_some(Degeneracy::IllConditioned { conditioning: smallest, gradient_error })
         };
@@ -147,20 +147,20 @@ impl ClosestPoint {
             end_bar,
             kind: Kind::new(p, end, end_bar),
             distance: p.distance,
-            residual: p.residual(active),
+            residual: p.residual(held),
             conditioning,
             degeneracy,
         }
     }
 
     /// Which parameters are held at an end.
-    pub fn active(&self) -> Active {
-        Active { xi: self.end.is_some(), xi_bar: self.end_bar.is_some() }
+    pub fn held(&self) -> Held {
+        Held { xi: self.end.is_some(), xi_bar: self.end_bar.is_some() }
     }
 
     /// Whether both parameters lie inside their beams.
     pub fn is_interior(&self) -> bool {
-        self.active() == Active::default()
+        self.held() == Held::default()
     }
 
     /// Whether two descriptions are of the same point, as far as rounding lets them be told apart.
@@ -168,7 +168,7 @@ impl ClosestPoint {
         let near = |i: usize, difference: f64| {
             difference.abs() < (self.uncertainty[i] + other.uncertainty[i]).max(1e-9)
         };
-        self.active() == other.active() && near(0, self.xi - other.xi) && near(1, self.xi_bar - other.xi_bar)
+        self.held() == other.held() && near(0, self.xi - other.xi) && near(1, self.xi_bar - other.xi_bar)
     }
 
     /// Whether all ends that hold a parameter do so strictly.
@@ -183,7 +183,7 @@ impl ClosestPoint {
 }
 
 impl End {
-    fn new(p: &HalfSquare, i: usize, at: f64) -> Self {
+    fn new(p: &SquaredDistance, i: usize, at: f64) -> Self {
         let side = Side::nearest(at);
         Self { side, strict: !p.is_weak(i), multiplier: 0.0 - side.parameter() * p.cosine(i) }
     }
@@ -206,13 +206,13 @@ impl Side {
 
 impl Kind {
     /// The kind of a stationary point: the sign of the Hessian over the parameters that no end holds strictly.
-    fn new(p: &HalfSquare, end: Option<End>, end_bar: Option<End>) -> Self {
+    fn new(p: &SquaredDistance, end: Option<End>, end_bar: Option<End>) -> Self {
         let strict = |end: Option<End>| end.is_some_and(|end| end.strict);
         let inward = |end: Option<End>| end.is_some_and(|end| end.strict && end.multiplier < 0.0);
         if inward(end) || inward(end_bar) {
             return Self::Saddle;
         }
-        let held = Active { xi: strict(end), xi_bar: strict(end_bar) };
+        let held = Held { xi: strict(end), xi_bar: strict(end_bar) };
         if let (Some(end), Some(end_bar), false, false) = (end, end_bar, held.xi, held.xi_bar) {
             // In a corner both parameters go one way only: the Hessian need but be copositive.
             let b = if end.side == end_bar.side { -p.b } else { p.b };
@@ -222,7 +222,7 @@ impl Kind {
         }
         if p.is_convex(held) {
             Self::Minimum
-        } else if held == Active::default() && p.a < 0.0 && p.det > 0.0 {
+        } else if held == Held::default() && p.a < 0.0 && p.det > 0.0 {
             Self::Maximum
         } else {
             Self::Saddle

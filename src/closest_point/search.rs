@@ -3,7 +3,7 @@
 use super::bounds::{Bounds, INFLATION, NEXT_DOOR};
 use super::tree::{Node, ROOT, Tree};
 use super::unresolved::{Region, gather};
-use super::{Active, Centroid, ClosestPoint, Degeneracy, ProjectionError, Search, refine};
+use super::{Centroid, ClosestPoint, Degeneracy, Held, ProjectionError, Search, refine};
 
 /// Below this Lipschitz constant Newton's method finds the zero of a box if there is one; below 1 there is one at most.
 pub(super) const CERTAIN: f64 = 0.25;
@@ -31,8 +31,8 @@ impl Pair<'_> {
         [self.trees[0].node(at[0]), self.trees[1].node(at[1])]
     }
 
-    pub(super) fn refine(&self, start: (f64, f64), active: Active) -> Result<ClosestPoint, ProjectionError> {
-        refine(self.curves[0], self.curves[1], start, active)
+    pub(super) fn refine(&self, start: (f64, f64), held: Held) -> Result<ClosestPoint, ProjectionError> {
+        refine(self.curves[0], self.curves[1], start, held)
     }
 }
 
@@ -55,7 +55,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
             continue;
         }
         if bounds.is_flat() {
-            open.push(Region::new([x, y], bounds.half_square.distance));
+            open.push(Region::new([x, y], bounds.squared_distance.distance));
             continue;
         }
         let contraction = bounds.contraction();
@@ -67,7 +67,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
             if zeros.iter().any(|zero| within(zero, INFLATION)) {
                 continue;
             }
-            match pair.refine((x.centre, y.centre), Active::default()) {
+            match pair.refine((x.centre, y.centre), Held::default()) {
                 Err(ProjectionError::NonFinite) => return Err(ProjectionError::NonFinite),
                 Ok(zero) if within(&zero, INFLATION) => {
                     if !zeros.iter().any(|known| within(known, NEXT_DOOR)) {
@@ -89,14 +89,14 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
                     queue.push(part);
                 }
             }
-            None => open.push(Region::new([x, y], bounds.half_square.distance)),
+            None => open.push(Region::new([x, y], bounds.squared_distance.distance)),
         }
     }
     for &at in &queue[next..] {
         let nodes = pair.nodes(at);
         let bounds = Bounds::new(nodes[0], nodes[1]);
         if !bounds.excludes_zero() {
-            open.push(Region::new(nodes, bounds.half_square.distance));
+            open.push(Region::new(nodes, bounds.squared_distance.distance));
         }
     }
     sample(pair, &open, &mut zeros);
@@ -106,7 +106,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
 /// Adds the regular zeros that Newton's method finds from some of the boxes that are left open.
 fn sample(pair: &Pair, open: &[Region], zeros: &mut Vec<ClosestPoint>) {
     for region in open.iter().step_by(open.len() / SAMPLES + 1) {
-        if let Ok(zero) = pair.refine(region.nearest, Active::default())
+        if let Ok(zero) = pair.refine(region.nearest, Held::default())
             && zero.degeneracy().is_none_or(|degeneracy| !matches!(degeneracy, Degeneracy::Singular { .. }))
             && !zeros.iter().any(|known| known.is_same(&zero))
         {

@@ -1,6 +1,6 @@
 //! Points that rounding leaves few digits, and steps that lead nowhere: each has an outcome of its own.
 
-use super::{Active, Centroid, ClosestPoints, ProjectionError, Search, Side, closest_points, refine};
+use super::{Centroid, ClosestPoints, Held, ProjectionError, Search, Side, closest_points, refine};
 use crate::curve::Geometry;
 use nalgebra::Vector3;
 
@@ -107,7 +107,7 @@ fn a_start_that_no_step_leaves_is_no_minimum() {
         let beam = line([0.5, 0.0, 1.0], [1.0, 0.0, 0.0], 1.0);
         let bar = line([0.0; 3], [angle.cos(), angle.sin(), 0.0], 1.0);
         for start in [(0.25, 0.5), (0.1, -0.3), (-0.5, 0.5), (0.3, 0.1)] {
-            match refine(&beam, &bar, start, Active::default()) {
+            match refine(&beam, &bar, start, Held::default()) {
                 Ok(point) => assert!(point.residual < 1e-7, "{point:?} at {angle:e}"),
                 Err(error) => assert!(!matches!(error, ProjectionError::NonFinite), "{error}"),
             }
@@ -120,12 +120,12 @@ fn an_end_in_the_way_is_named() {
     let beam = line([0.0, 0.0, 1.0], [1.0, 0.0, 0.0], 1.0);
     for (y, side) in [(3.0, Side::Lower), (-3.0, Side::Upper)] {
         let bar = line([0.0, y, 0.0], [0.0, 1.0, 0.0], 1.0);
-        let inside = Active::default();
+        let inside = Held::default();
         let error = refine(&beam, &bar, (0.1, 0.2), inside).unwrap_err();
         assert_eq!(error, ProjectionError::AtEnd { bar: true, side });
         let swapped = refine(&bar, &beam, (0.2, 0.1), inside).unwrap_err();
         assert_eq!(swapped, ProjectionError::AtEnd { bar: false, side });
-        let held = Active { xi_bar: true, ..inside };
+        let held = Held { xi_bar: true, ..inside };
         let at_end = refine(&beam, &bar, (0.1, side.parameter()), held).unwrap();
         assert_eq!((at_end.xi, at_end.end_bar.unwrap().side), (0.0, side));
     }

@@ -2,7 +2,7 @@
 
 use super::search::Pair;
 use super::tree::{Node, evaluate};
-use super::{Active, ClosestPoint, HalfSquare, ProjectionError, Unresolved};
+use super::{ClosestPoint, Held, ProjectionError, SquaredDistance, Unresolved};
 
 /// Steps towards the representative of a region: a continuum is met after a few, quadratically.
 const STEPS: usize = 12;
@@ -40,18 +40,18 @@ impl Region {
 
     /// A point of the region where the gradient vanishes as far as it can be told, near the smallest distance.
     pub(super) fn point(&self, pair: &Pair) -> Result<ClosestPoint, ProjectionError> {
-        let held = self.extent.map(|[low, high]| low >= high);
-        let active = Active { xi: held[0], xi_bar: held[1] };
+        let thin = self.extent.map(|[low, high]| low >= high);
+        let held = Held { xi: thin[0], xi_bar: thin[1] };
         let (mut xi, mut xi_bar) = self.nearest;
         for _ in 0..STEPS {
             let (x, x_bar) = (evaluate(pair.curves[0], xi)?, evaluate(pair.curves[1], xi_bar)?);
-            let (step, step_bar) = HalfSquare::new(&x, &x_bar).valley_step(active);
+            let (step, step_bar) = SquaredDistance::new(&x, &x_bar).valley_step(held);
             xi = (xi + step).clamp(self.extent[0][0], self.extent[0][1]);
             xi_bar = (xi_bar + step_bar).clamp(self.extent[1][0], self.extent[1][1]);
         }
         let (x, x_bar) = (evaluate(pair.curves[0], xi)?, evaluate(pair.curves[1], xi_bar)?);
-        let p = HalfSquare::new(&x, &x_bar);
-        Ok(ClosestPoint::new((xi, xi_bar), &p, active))
+        let p = SquaredDistance::new(&x, &x_bar);
+        Ok(ClosestPoint::new((xi, xi_bar), &p, held))
     }
 
     pub(super) fn unresolved(&self, point: ClosestPoint) -> Unresolved {

@@ -4,10 +4,10 @@ use super::book::Book;
 use super::paper;
 use super::point::{Point, quantities, vector};
 use super::tally::Tally;
-use crate::closest_point::Active;
+use crate::closest_point::Held;
 use crate::curve::Geometry;
 use crate::linearization::ad::Chord;
-use crate::number::{HyperDual, Residue};
+use crate::number::{HyperDual, PrimeField};
 use crate::pair::Contact;
 use crate::specimen::{AnyBeam, ExactBeam, Family, stationary};
 use nalgebra::Vector3;
@@ -32,7 +32,7 @@ pub(super) fn draw(seed: u64, families: [Family; 2], draw: u64) -> Tally {
 }
 
 /// The words of all equations, which are the same at every point.
-pub(super) fn words() -> Book<Residue> {
+pub(super) fn words() -> Book<PrimeField> {
     let mut rng = stream(0, [Family::Segment; 2], 0);
     let models = [Family::Segment; 2].map(|family| family.model(&mut rng));
     paper::read(&stationary_point(&models, &mut rng))
@@ -44,14 +44,14 @@ fn stream(seed: u64, families: [Family; 2], draw: u64) -> ChaCha8Rng {
     rng
 }
 
-fn residue(rng: &mut ChaCha8Rng) -> Residue {
-    Residue::new(rng.random())
+fn residue(rng: &mut ChaCha8Rng) -> PrimeField {
+    PrimeField::new(rng.random())
 }
 
 /// A pair that is stationary by construction; another of the same families is where its finite increments lead.
-fn stationary_point(models: &[Box<dyn AnyBeam>; 2], rng: &mut ChaCha8Rng) -> Point<Residue> {
-    let (beams, at) = stationary(models, Active::default(), rng);
-    let (others, other_at) = stationary(models, Active::default(), rng);
+fn stationary_point(models: &[Box<dyn AnyBeam>; 2], rng: &mut ChaCha8Rng) -> Point<PrimeField> {
+    let (beams, at) = stationary(models, Held::default(), rng);
+    let (others, other_at) = stationary(models, Held::default(), rng);
     let after = quantities(both(&others), lifted(both(&others), other_at), &CONTACT);
     let mut reference = || {
         let mut vector = || Vector3::from_fn(|_, _| residue(rng));
@@ -59,19 +59,19 @@ fn stationary_point(models: &[Box<dyn AnyBeam>; 2], rng: &mut ChaCha8Rng) -> Poi
     };
     let references = [reference(), reference()];
     let beams = both(&beams);
-    let jets = [beams[0].frozen(at.0), beams[1].frozen(at.1)];
+    let jets = [beams[0].partial_variations(at.0), beams[1].partial_variations(at.1)];
     let after = [vector(after.d_vector), vector(after.t_vector)];
     Point::new(beams, jets, lifted(beams, at), references, &CONTACT, after)
 }
 
-fn both(beams: &[Box<dyn ExactBeam<Residue>>; 2]) -> [&dyn ExactBeam<Residue>; 2] {
+fn both(beams: &[Box<dyn ExactBeam<PrimeField>>; 2]) -> [&dyn ExactBeam<PrimeField>; 2] {
     [&*beams[0], &*beams[1]]
 }
 
 /// Two chord steps, exact since what they neglect is nilpotent.
 fn lifted(
-    [beam, bar]: [&dyn ExactBeam<Residue>; 2],
-    at: (Residue, Residue),
-) -> (HyperDual<Residue>, HyperDual<Residue>) {
-    Chord::<Residue>::new(beam, bar, at, Active::default()).lift(beam, bar, at, 2)
+    [beam, bar]: [&dyn ExactBeam<PrimeField>; 2],
+    at: (PrimeField, PrimeField),
+) -> (HyperDual<PrimeField>, HyperDual<PrimeField>) {
+    Chord::<PrimeField>::new(beam, bar, at, Held::default()).lift(beam, bar, at, 2)
 }

@@ -5,11 +5,11 @@ use super::paper;
 use super::point::{Point, quantities, vector};
 use super::tally::Tally;
 use crate::check::{Case, Regime, Selection};
-use crate::closest_point::{Active, ClosestPoint, Search, closest_points, refine};
+use crate::closest_point::{ClosestPoint, Held, Search, closest_points, refine};
 use crate::curve::Geometry;
 use crate::linearization::Varied;
 use crate::linearization::ad::newton;
-use crate::number::Magnitude;
+use crate::number::TermScale;
 use crate::pair::Contact;
 use crate::specimen::{AnyBeam, Family};
 use nalgebra::Vector3;
@@ -65,13 +65,13 @@ fn case(seed: u64, number: u64) -> Option<(Tally, [super::arc::Measured; 2])> {
     let after = after([&*moved.beam().ok()?, beams[1]], &case.contact, at)?;
     let point = Point::new(
         beams,
-        [beams[0].frozen_plain(at.0), beams[1].frozen_plain(at.1)],
+        [beams[0].partial_variations_plain(at.0), beams[1].partial_variations_plain(at.1)],
         lifted(beams, at),
         references,
         &case.contact,
         after,
     );
-    let sized = point.map(&mut Magnitude::from, &mut Magnitude::vector);
+    let sized = point.map(&mut TermScale::from, &mut TermScale::vector);
     let nonlinear = !case.families.into_iter().all(Family::is_linear);
     let tally = Tally::of_point(nonlinear, &paper::read(&sized));
     let measured = [0, 1].map(|i| super::arc::measure(case.families[i], beams[i], [at.0, at.1][i]));
@@ -79,7 +79,7 @@ fn case(seed: u64, number: u64) -> Option<(Tally, [super::arc::Measured; 2])> {
 }
 
 fn lifted([beam, bar]: [&dyn AnyBeam; 2], at: (f64, f64)) -> (HyperDual64, HyperDual64) {
-    newton(beam, bar, at, Active::default())
+    newton(beam, bar, at, Held::default())
 }
 
 /// d and t of the moved beams at the closest point that the old one leads to.
@@ -88,7 +88,7 @@ fn after(
     contact: &Contact,
     start: (f64, f64),
 ) -> Option<[Varied<Vector3<f64>>; 2]> {
-    let point = refine(beams[0], beams[1], start, Active::default()).ok()?;
+    let point = refine(beams[0], beams[1], start, Held::default()).ok()?;
     let all = quantities(beams, lifted(beams, (point.xi, point.xi_bar)), contact);
     Some([vector(all.d_vector), vector(all.t_vector)])
 }

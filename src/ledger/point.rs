@@ -1,12 +1,12 @@
 //! A stationary pair of beams as the equations of the paper see it.
 //!
-//! The letters have two sources. What varies at a frozen parameter (delta_u u and its like) and the derivatives of the
+//! The letters have two sources. What varies at a fixed parameter (delta_u u and its like) and the derivatives of the
 //! tangents come from the jets of the curves; every total variation comes from hyper-dual numbers, which know no
 //! formula. An equation is judged alone: it is fed with the true values of everything but itself.
 
 use crate::curve::Geometry;
 use crate::linearization::ad::{PositionAt, evaluate};
-use crate::linearization::closed_form::Frozen;
+use crate::linearization::closed_form::PartialVariations;
 use crate::linearization::{Quantities, Varied};
 use crate::number::{Differentiable, HyperDual, Real};
 use crate::pair::Contact;
@@ -25,8 +25,8 @@ pub(super) struct Both<T> {
 /// One beam of the pair.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side<T> {
-    /// x, t, t,xi and t,xixi with the variations at a frozen parameter, from the jet.
-    pub(super) jet: Frozen<T>,
+    /// x, t, t,xi and t,xixi with the variations at a fixed parameter, from the jet.
+    pub(super) jet: PartialVariations<T>,
     /// x_C.
     pub(super) x: Varied<V<T>>,
     /// t, the vector.
@@ -118,7 +118,7 @@ impl<T: Real> Point<T> {
     /// The point of two beams whose parameters were lifted; `after` is d and t at another stationary point.
     pub(super) fn new<H: Hyper<T>, B: PositionAt<H::Dual> + ?Sized>(
         beams: [&B; 2],
-        jets: [Frozen<T>; 2],
+        jets: [PartialVariations<T>; 2],
         lifted: (H, H),
         references: [Geometry<T>; 2],
         contact: &Contact,
@@ -220,9 +220,13 @@ fn moving<T: Real>(reference: &Geometry<T>, xi: HyperDual<T>) -> [Varied<V<T>>; 
     let [x, x_xi, x_xixi, x_xixixi] =
         [reference.x, reference.t, reference.t_xi, reference.t_xixi].map(constant);
     // s³ = 0.
-    let half_square = s * s * HyperDual::from(0.5);
-    [x + x_xi * s + x_xixi * half_square, x_xi + x_xixi * s + x_xixixi * half_square, x_xixi + x_xixixi * s]
-        .map(vector)
+    let squared_distance = s * s * HyperDual::from(0.5);
+    [
+        x + x_xi * s + x_xixi * squared_distance,
+        x_xi + x_xixi * s + x_xixixi * squared_distance,
+        x_xixi + x_xixixi * s,
+    ]
+    .map(vector)
 }
 
 impl<T: Real> Both<T> {
@@ -259,7 +263,7 @@ impl<T: Real> Side<T> {
         };
         let (jet, reference) = (geometry(self.jet.geometry), geometry(self.reference));
         Side {
-            jet: Frozen {
+            jet: PartialVariations {
                 geometry: jet,
                 delta_u: self.jet.delta_u.map(&mut *vector),
                 linear_u: self.jet.linear_u.map(&mut *vector),

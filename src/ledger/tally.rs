@@ -2,7 +2,7 @@
 
 use super::book::{Book, Order, Reading};
 use super::record::{Counts, Score};
-use crate::number::{Magnitude, Residue};
+use crate::number::{PrimeField, TermScale};
 
 /// The counts of one reading.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,7 +32,11 @@ pub(super) struct Tally {
 
 impl Tally {
     /// A draw over the prime field: a stationary point, random operands, and both with delta and Delta exchanged.
-    pub(super) fn of_draw(nonlinear: bool, point: [&Book<Residue>; 2], random: [&Book<Residue>; 2]) -> Self {
+    pub(super) fn of_draw(
+        nonlinear: bool,
+        point: [&Book<PrimeField>; 2],
+        random: [&Book<PrimeField>; 2],
+    ) -> Self {
         let at = usize::from(nonlinear);
         let mut tally = Self::default();
         let exchanged = [point, random].map(|[book, exchanged]| unchanged(book, exchanged));
@@ -76,7 +80,7 @@ impl Tally {
     }
 
     /// A closest point in `f64`.
-    pub(super) fn of_point(nonlinear: bool, book: &Book<Magnitude>) -> Self {
+    pub(super) fn of_point(nonlinear: bool, book: &Book<TermScale>) -> Self {
         let at = usize::from(nonlinear);
         let mut tally = Self::default();
         tally.points[at] = 1;
@@ -147,8 +151,8 @@ impl Tallied {
 }
 
 /// Reading by reading, whether both sides stay the same when delta and Delta are exchanged.
-fn unchanged(book: &Book<Residue>, exchanged: &Book<Residue>) -> Vec<bool> {
-    let lines = |book: &Book<Residue>| -> Vec<[Vec<Residue>; 2]> {
+fn unchanged(book: &Book<PrimeField>, exchanged: &Book<PrimeField>) -> Vec<bool> {
+    let lines = |book: &Book<PrimeField>| -> Vec<[Vec<PrimeField>; 2]> {
         let parts = book.equations.iter().flat_map(|equation| &equation.parts);
         parts.flat_map(|part| &part.lines).map(|line| [line.left.clone(), line.right.clone()]).collect()
     };
@@ -156,10 +160,10 @@ fn unchanged(book: &Book<Residue>, exchanged: &Book<Residue>) -> Vec<bool> {
 }
 
 /// The length of the difference over the larger scale of the two sides; infinite if it is not a number.
-fn error(left: &[Magnitude], right: &[Magnitude]) -> f64 {
+fn error(left: &[TermScale], right: &[TermScale]) -> f64 {
     let length = |of: &mut dyn Iterator<Item = f64>| of.map(|x| x * x).sum::<f64>().sqrt();
     let difference = length(&mut left.iter().zip(right).map(|(l, r)| l.value - r.value));
-    let scale = |side: &[Magnitude]| length(&mut side.iter().map(|x| x.scale));
+    let scale = |side: &[TermScale]| length(&mut side.iter().map(|x| x.scale));
     let error = difference / scale(left).max(scale(right));
     match (difference == 0.0, error.is_nan()) {
         (true, _) => 0.0,

@@ -9,7 +9,7 @@
 //! [`variations`] is the framework of sections 2-5 of the paper, in two directions; [`Matrices`] is the step its
 //! section 6 leaves to the reader, gradients and Hessians in all dofs. Contracting the one gives the other. Both have the
 //! variations of d and the solution of the two-by-two system in two forms, the paper's and one that keeps its digits at
-//! small gaps and angles: see [`Form`].
+//! small gaps and angles: see [`Formulation`].
 
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet};
@@ -17,26 +17,26 @@ use crate::linearization::{Linearization, Quantities, Varied};
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 
-pub mod blocks;
 mod first_order;
-pub mod form;
-mod frozen;
+pub mod formulation;
+pub mod kernel;
 mod matrices;
 mod norms;
+mod partial_variations;
 mod projection;
 mod second_order;
 mod sums;
 mod variations;
 
-pub use form::Form;
-pub use frozen::Frozen;
+pub use formulation::Formulation;
 pub use matrices::{Matrices, VectorQuantity};
+pub use partial_variations::PartialVariations;
 pub use projection::{Points, Projection};
 pub use variations::{variations, variations_in};
 
 impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
     /// All scalar quantities with gradients and Hessians, at a closest point of the pair, by the formulas that lose the
-    /// fewest digits there ([`Form::at`]): the kernel.
+    /// fewest digits there ([`Formulation::at`]): the kernel.
     ///
     /// Where the centroids cross inside both beams, d = 0 and d as a length has no derivatives. What is returned there are
     /// those of the signed distance along n = t × t_bar/|t × t_bar|; its sign, and that of n, is a choice. Elsewhere n
@@ -47,7 +47,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
     #[must_use]
     pub fn linearize(&self, q: &DofVector<f64, N, M>, point: &ClosestPoint) -> Linearization<f64, N, M> {
         let mut all = Linearization::ZEROS;
-        blocks::write_linearization(self, q, point, &mut all);
+        kernel::write_linearization(self, q, point, &mut all);
         all
     }
 
@@ -58,7 +58,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
         point: &ClosestPoint,
         to: &mut Linearization<f64, N, M>,
     ) {
-        blocks::write_linearization(self, q, point, to);
+        kernel::write_linearization(self, q, point, to);
     }
 }
 
@@ -73,9 +73,9 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 ) -> Quantities<Varied<f64>> {
     let at = (point.xi, point.xi_bar);
     let (jet, jet_bar) = jets(pair, q, at);
-    let beam = Frozen::new(&jet, &dq.beam, &linear_dq.beam);
-    let bar = Frozen::new(&jet_bar, &dq.bar, &linear_dq.bar);
-    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+    let beam = PartialVariations::new(&jet, &dq.beam, &linear_dq.beam);
+    let bar = PartialVariations::new(&jet_bar, &dq.bar, &linear_dq.bar);
+    let form = Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.held());
     variations_in(form, &beam, &bar, at, &pair.contact)
 }
 

@@ -5,7 +5,8 @@
 //! primitive must be a float, the [`Dual`] of this file does.
 
 use super::{
-    Bound, BoundedBy, Degree, DoubleDouble, HyperDual, HyperDualRow, Real, Residue, field_from_operators,
+    Bound, DoubleDouble, HyperDual, HyperDualRow, PolynomialDegree, PrimeField, Real, RunningErrorBy,
+    field_from_operators,
 };
 use num_dual::DualNum;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -131,4 +132,4 @@ macro_rules! differentiable_by_own_dual {
         }
     )*};
 }
-differentiable_by_own_dual!([B: Bound] BoundedBy<B>, [] Degree, [] DoubleDouble, [] Residue, [T: Real] Dual<T>, [T: Real] HyperDual<T>, [const C: usize] HyperDualRow<C>);
+differentiable_by_own_dual!([B: Bound] RunningErrorBy<B>, [] PolynomialDegree, [] DoubleDouble, [] PrimeField, [T: Real] Dual<T>, [T: Real] HyperDual<T>, [const C: usize] HyperDualRow<C>);

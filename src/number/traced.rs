@@ -1,14 +1,14 @@
 //! A residue that is marked where an operation entered it.
 
 use super::faulty::Bits;
-use super::{Real, Residue, field_from_operators};
+use super::{PrimeField, Real, field_from_operators};
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A residue, and whether the marked operation entered it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Traced {
-    value: Residue,
+    value: PrimeField,
     is_marked: bool,
 }
 
@@ -33,7 +33,7 @@ impl Traced {
     }
 
     /// A number that is zero whatever the marked operation is, or one that the operation enters.
-    fn unless_zero(value: Residue, is_zero: bool, is_marked: bool) -> Self {
+    fn unless_zero(value: PrimeField, is_zero: bool, is_marked: bool) -> Self {
         IS_LOST.set(IS_LOST.get() || is_zero);
         Self { value, is_marked: is_marked && !is_zero }
     }
@@ -49,7 +49,7 @@ impl Bits for Traced {
     }
 
     fn from_bits(bits: u64) -> Self {
-        Self { value: Residue::new(bits & !(1 << MARK)), is_marked: Self::is_marked(bits) }
+        Self { value: PrimeField::new(bits & !(1 << MARK)), is_marked: Self::is_marked(bits) }
     }
 
     fn is_finite(self) -> bool {
@@ -61,15 +61,15 @@ impl Bits for Traced {
     }
 }
 
-impl From<Residue> for Traced {
-    fn from(value: Residue) -> Self {
+impl From<PrimeField> for Traced {
+    fn from(value: PrimeField) -> Self {
         Self { value, is_marked: false }
     }
 }
 
 impl From<f64> for Traced {
     fn from(value: f64) -> Self {
-        Self::from(Residue::from(value))
+        Self::from(PrimeField::from(value))
     }
 }
 

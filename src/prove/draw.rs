@@ -2,9 +2,9 @@
 
 use super::entry::{Entry, entries};
 use super::{Sides, differentiated};
-use crate::closest_point::Active;
-use crate::linearization::closed_form::Form;
-use crate::number::{Faulty, Residue};
+use crate::closest_point::Held;
+use crate::linearization::closed_form::Formulation;
+use crate::number::{Faulty, PrimeField};
 use crate::specimen::{Family, apart, map_padded, stationary};
 use crate::subject::{CONTACT, Subject, When, contracted, every_layout};
 use rand::SeedableRng;
@@ -21,9 +21,9 @@ pub struct Draw {
     /// Its number; with the seed and the families it decides all the rest.
     pub number: u64,
     /// Which parameters were held at an end.
-    pub active: Active,
+    pub held: Held,
     /// What was compared.
-    pub entries: Vec<Entry<Residue>>,
+    pub entries: Vec<Entry<PrimeField>>,
 }
 
 impl Draw {
@@ -31,20 +31,20 @@ impl Draw {
     pub fn new(subject: &Subject, seed: u64, families: [Family; 2], number: u64) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream((number * 256 + families[0] as u64) * 256 + families[1] as u64);
-        // Eight draws go through all combinations of active ends.
-        let active = Active { xi: number % 8 == 5 || number % 8 == 7, xi_bar: number % 8 >= 6 };
+        // Eight draws go through all combinations of held ends.
+        let held = Held { xi: number % 8 == 5 || number % 8 == 7, xi_bar: number % 8 >= 6 };
         let models = families.map(|family| family.model(&mut rng));
-        let (beams, at) = stationary(&models, active, &mut rng);
-        let form = if number % 2 == 1 { apart(&beams, at, active) } else { Form::paper(active) };
+        let (beams, at) = stationary(&models, held, &mut rng);
+        let form = if number % 2 == 1 { apart(&beams, at, held) } else { Formulation::paper(held) };
         let with_matrices = (number / 8).is_multiple_of(MATRICES_EVERY);
         let beams = [&*beams[0], &*beams[1]];
         let padded = |when: When| {
             let ([x, y], at) = when.place(beams, at);
             [x.padded(at.0), y.padded(at.1)]
         };
-        let frozen = |when: When| {
+        let partial = |when: When| {
             let ([x, y], at) = when.place(beams, at);
-            [x.frozen(at.0), y.frozen(at.1)]
+            [x.partial_variations(at.0), y.partial_variations(at.1)]
         };
         let faulty = |when: When| padded(when).each_ref().map(|beam| map_padded(beam, Faulty));
         let matrices = || {
@@ -53,17 +53,17 @@ impl Draw {
         };
         let kernel = || every_layout(&padded(When::Now), at, form, &CONTACT);
         let sides = Sides {
-            closed: subject.quantities(frozen, at, form, &CONTACT).components(),
-            ad: differentiated(beams, at, active, &CONTACT),
+            closed: subject.quantities(partial, at, form, &CONTACT).components(),
+            ad: differentiated(beams, at, held, &CONTACT),
             matrices: with_matrices.then(matrices),
             // Faults are planted in the formulas that the kernel stands beside.
             kernel: if with_matrices && *subject == Subject::Sound { kernel() } else { Vec::new() },
         };
-        Self { families, number, active, entries: entries(&sides) }
+        Self { families, number, held, entries: entries(&sides) }
     }
 
     /// The entries in which the two sides are not equal.
-    pub fn unequal(&self) -> impl Iterator<Item = &Entry<Residue>> {
+    pub fn unequal(&self) -> impl Iterator<Item = &Entry<PrimeField>> {
         self.entries.iter().filter(|entry| !entry.is_equal())
     }
 }

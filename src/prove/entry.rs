@@ -2,7 +2,7 @@
 
 use super::Sides;
 use crate::linearization::{COMPONENTS, Quantity, Varied};
-use crate::number::Residue;
+use crate::number::PrimeField;
 use crate::subject::SCALAR_COMPONENTS;
 
 /// What is compared of a quantity.
@@ -65,7 +65,7 @@ impl<T> Entry<T> {
     }
 }
 
-impl Entry<Residue> {
+impl Entry<PrimeField> {
     /// Whether both sides have the same number.
     pub fn is_equal(&self) -> bool {
         self.closed == self.ad
@@ -74,7 +74,7 @@ impl Entry<Residue> {
     /// Closed form over AD as numerator and denominator, if both are at most 1000: a wrong sign of the whole makes it
     /// -1 / 1, a doubled result 2 / 1. None if AD has nought, or if the fault is in one term of several.
     pub fn ratio(&self) -> Option<(i64, u64)> {
-        let nought = Residue::new(0);
+        let nought = PrimeField::new(0);
         if self.ad == nought { None } else { (self.closed / self.ad).fraction(1000) }
     }
 }

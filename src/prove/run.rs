@@ -2,11 +2,11 @@
 
 use super::entry::{Entry, Layer, entries};
 use super::{Draw, Sides, differentiated};
-use crate::closest_point::Active;
-use crate::linearization::closed_form::form::{Distance, Elimination};
-use crate::linearization::closed_form::{Form, variations_in};
+use crate::closest_point::Held;
+use crate::linearization::closed_form::formulation::{Distance, System};
+use crate::linearization::closed_form::{Formulation, variations_in};
 use crate::linearization::{COMPONENTS, Quantity};
-use crate::number::Degree;
+use crate::number::PolynomialDegree;
 use crate::specimen::Family;
 use crate::subject::{CONTACT, Subject, contracted, every_layout};
 use rand::SeedableRng;
@@ -106,18 +106,18 @@ fn prove_pair(subject: &Subject, seed: u64, families: [Family; 2], draws: u64) -
 fn degrees(families: [Family; 2]) -> Degrees {
     let mut rng = ChaCha8Rng::seed_from_u64(0);
     let beams = families.map(|family| family.model(&mut rng).degrees());
-    let at = (Degree::VARIABLE, Degree::VARIABLE);
+    let at = (PolynomialDegree::VARIABLE, PolynomialDegree::VARIABLE);
     let mut degrees = Degrees::default();
-    let active = Active::default();
+    let held = Held::default();
     let apart =
-        Form { active, distance: Distance::Normal { reversed: false }, system: Elimination::CrossProducts };
-    for form in [Form::paper(active), apart] {
+        Formulation { held, distance: Distance::Normal { reversed: false }, system: System::CrossProducts };
+    for form in [Formulation::paper(held), apart] {
         let [beam, bar] = [&*beams[0], &*beams[1]];
-        let (frozen, frozen_bar) = (beam.frozen(at.0), bar.frozen(at.1));
+        let (partial, partial_bar) = (beam.partial_variations(at.0), bar.partial_variations(at.1));
         let padded = [beam.padded(at.0), bar.padded(at.1)];
         let sides = Sides {
-            closed: variations_in(form, &frozen, &frozen_bar, at, &CONTACT).components(),
-            ad: differentiated([beam, bar], at, active, &CONTACT),
+            closed: variations_in(form, &partial, &partial_bar, at, &CONTACT).components(),
+            ad: differentiated([beam, bar], at, held, &CONTACT),
             matrices: Some(contracted(&padded, at, form, &CONTACT)),
             kernel: every_layout(&padded, at, form, &CONTACT),
         };

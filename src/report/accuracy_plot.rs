@@ -36,7 +36,7 @@ impl Accuracy {
     /// # Errors
     /// [`ReportError::Draw`].
     pub fn angle_to_svg(&self) -> Result<String, ReportError> {
-        let names = ["paper: products", "by cross products", "chosen"];
+        let names = ["paper: determinants", "by cross products", "chosen"];
         picture("Median error of Delta-delta xi over the angle", names, &self.angles, |row| row.xi)
     }
 }

@@ -5,9 +5,10 @@ use super::padded::{FEW_DOFS, Padded, PaddedBeam};
 use crate::closest_point::Centroid;
 use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
-use crate::linearization::closed_form::Frozen;
+use crate::linearization::closed_form::PartialVariations;
 use crate::number::{
-    Bits, Bounded, BoundedBy, Degree, DoubleDouble, Dual, Extends, Faulty, HyperDual, Real, Residue, Traced,
+    Bits, DoubleDouble, Dual, Extends, Faulty, HyperDual, PolynomialDegree, PrimeField, Real, RunningError,
+    RunningErrorBy, Traced,
 };
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
@@ -15,7 +16,7 @@ use std::fmt::Debug;
 
 /// A number with two bounds: what it is known up to if the parameters of the closest point are as good as
 /// double-double makes them, and if they are as good as `f64` does.
-pub(crate) type Bounded2 = BoundedBy<[f64; 2]>;
+pub(crate) type RunningError2 = RunningErrorBy<[f64; 2]>;
 
 /// What the gate asks of a beam.
 pub(crate) trait AnyBeam:
@@ -23,8 +24,8 @@ pub(crate) trait AnyBeam:
     + PositionAt<num_dual::Dual<HyperDual64>>
     + PositionAt<num_dual::Dual<DualSVec<HyperDual64, 2>>>
     + PositionAt<Dual2SVec<HyperDual64, 2>>
-    + PositionAt<Dual<HyperDual<Bounded2>>>
-    + PositionAt<Dual<Dual<Bounded2>>>
+    + PositionAt<Dual<HyperDual<RunningError2>>>
+    + PositionAt<Dual<Dual<RunningError2>>>
     + Debug
     + Send
     + Sync
@@ -33,38 +34,38 @@ pub(crate) trait AnyBeam:
     fn dofs(&self) -> usize;
 
     /// Point and tangent at any parameter, also beyond the ends.
-    fn geometry_at(&self, xi: Bounded) -> Geometry<Bounded>;
+    fn geometry_at(&self, xi: RunningError) -> Geometry<RunningError>;
 
     /// The same in double-double.
     fn geometry_precise(&self, xi: DoubleDouble) -> Geometry<DoubleDouble>;
 
-    /// The variations at a frozen parameter, with bounds on their error.
-    fn frozen(&self, xi: Bounded2) -> Frozen<Bounded2>;
+    /// The variations at a fixed parameter, with bounds on their error.
+    fn partial_variations(&self, xi: RunningError2) -> PartialVariations<RunningError2>;
 
     /// The same in plain `f64`.
-    fn frozen_plain(&self, xi: f64) -> Frozen<f64>;
+    fn partial_variations_plain(&self, xi: f64) -> PartialVariations<f64>;
 
     /// The variations in double-double.
-    fn frozen_precise(&self, xi: DoubleDouble) -> Frozen<DoubleDouble>;
+    fn partial_variations_precise(&self, xi: DoubleDouble) -> PartialVariations<DoubleDouble>;
 
     /// The beam in double-double at q + `along`\[0\] dq + `along`\[1\] Dq.
     fn moved(&self, along: [DoubleDouble; 2]) -> Box<dyn PositionAt<DoubleDouble> + '_>;
 
     /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
-    fn padded(&self, xi: Bounded) -> PaddedBeam<Bounded>;
+    fn padded(&self, xi: RunningError) -> PaddedBeam<RunningError>;
 
     /// The same for a beam with few dofs.
-    fn padded_few(&self, xi: Bounded) -> PaddedBeam<Bounded, FEW_DOFS>;
+    fn padded_few(&self, xi: RunningError) -> PaddedBeam<RunningError, FEW_DOFS>;
 
     /// A beam of the same family and parameters, with random dofs and directions over the prime field.
-    fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>>;
+    fn residues(&self, random: &mut dyn FnMut() -> PrimeField) -> Box<dyn ExactBeam<PrimeField>>;
 
     /// The jet of such a curve with all its derivatives, as a function of the parameter, over a scalar that makes
     /// operations wrong.
     fn jets(&self, random: &mut dyn FnMut() -> Traced) -> Box<dyn Fn(Traced) -> Vec<u64> + Send + Sync>;
 
     /// The same with every dof and direction a variable whose degree counts.
-    fn degrees(&self) -> Box<dyn ExactBeam<Degree>>;
+    fn degrees(&self) -> Box<dyn ExactBeam<PolynomialDegree>>;
 }
 
 /// A curve with its dofs and the two directions of variation.
@@ -83,9 +84,9 @@ impl<C: Curve<N>, const N: usize> Drawn<C, N> {
         [&self.q, &self.dq, &self.linear_dq].map(|v| v.map(T::from))
     }
 
-    fn frozen_in<T: Real>(&self, xi: T) -> Frozen<T> {
+    fn partial_variations_in<T: Real>(&self, xi: T) -> PartialVariations<T> {
         let [q, dq, linear_dq] = self.lift();
-        Frozen::new(&self.curve.jet(&q, xi), &dq, &linear_dq)
+        PartialVariations::new(&self.curve.jet(&q, xi), &dq, &linear_dq)
     }
 
     /// The dofs perturbed in both directions.
@@ -103,7 +104,7 @@ impl<C: Curve<N>, const N: usize> Drawn<C, N> {
         Exact { curve: self.curve.clone(), q, dq, linear_dq, points: self.points.clone() }
     }
 
-    fn filled_up<const D: usize>(&self, xi: Bounded) -> PaddedBeam<Bounded, D> {
+    fn filled_up<const D: usize>(&self, xi: RunningError) -> PaddedBeam<RunningError, D> {
         let [q, dq, linear_dq] = self.lift();
         let jet = self.curve.jet(&q, xi);
         if N > D {
@@ -142,19 +143,19 @@ macro_rules! hyper_dual_position {
 }
 hyper_dual_position!(num_dual::Dual<HyperDual64>, num_dual::Dual<DualSVec<HyperDual64, 2>>, Dual2SVec<HyperDual64, 2>);
 
-impl<C: Curve<N>, const N: usize> PositionAt<Dual<HyperDual<Bounded2>>> for Drawn<C, N> {
-    fn position_at(&self, xi: Dual<HyperDual<Bounded2>>) -> Vector3<Dual<HyperDual<Bounded2>>> {
+impl<C: Curve<N>, const N: usize> PositionAt<Dual<HyperDual<RunningError2>>> for Drawn<C, N> {
+    fn position_at(&self, xi: Dual<HyperDual<RunningError2>>) -> Vector3<Dual<HyperDual<RunningError2>>> {
         let seed = |q, dq, linear_dq| {
-            let [q, dq, linear_dq] = [q, dq, linear_dq].map(Bounded2::from);
-            HyperDual::new(q, dq, linear_dq, Bounded2::from(0.0))
+            let [q, dq, linear_dq] = [q, dq, linear_dq].map(RunningError2::from);
+            HyperDual::new(q, dq, linear_dq, RunningError2::from(0.0))
         };
         self.seeded(seed).position_at(xi)
     }
 }
 
-impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<Bounded2>>> for Drawn<C, N> {
-    fn position_at(&self, xi: Dual<Dual<Bounded2>>) -> Vector3<Dual<Dual<Bounded2>>> {
-        self.seeded(|q, _, _| Bounded2::from(q)).position_at(xi)
+impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<RunningError2>>> for Drawn<C, N> {
+    fn position_at(&self, xi: Dual<Dual<RunningError2>>) -> Vector3<Dual<Dual<RunningError2>>> {
+        self.seeded(|q, _, _| RunningError2::from(q)).position_at(xi)
     }
 }
 
@@ -163,24 +164,24 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
         N
     }
 
-    fn geometry_at(&self, xi: Bounded) -> Geometry<Bounded> {
-        self.curve.jet(&self.q.map(Bounded::from), xi).geometry
+    fn geometry_at(&self, xi: RunningError) -> Geometry<RunningError> {
+        self.curve.jet(&self.q.map(RunningError::from), xi).geometry
     }
 
     fn geometry_precise(&self, xi: DoubleDouble) -> Geometry<DoubleDouble> {
         self.curve.jet(&self.q.map(DoubleDouble::from), xi).geometry
     }
 
-    fn frozen(&self, xi: Bounded2) -> Frozen<Bounded2> {
-        self.frozen_in(xi)
+    fn partial_variations(&self, xi: RunningError2) -> PartialVariations<RunningError2> {
+        self.partial_variations_in(xi)
     }
 
-    fn frozen_plain(&self, xi: f64) -> Frozen<f64> {
-        self.frozen_in(xi)
+    fn partial_variations_plain(&self, xi: f64) -> PartialVariations<f64> {
+        self.partial_variations_in(xi)
     }
 
-    fn frozen_precise(&self, xi: DoubleDouble) -> Frozen<DoubleDouble> {
-        self.frozen_in(xi)
+    fn partial_variations_precise(&self, xi: DoubleDouble) -> PartialVariations<DoubleDouble> {
+        self.partial_variations_in(xi)
     }
 
     fn moved(&self, [along, linear]: [DoubleDouble; 2]) -> Box<dyn PositionAt<DoubleDouble> + '_> {
@@ -188,15 +189,15 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
         Box::new(Perturbed { curve: &self.curve, q: q + dq * along + linear_dq * linear })
     }
 
-    fn padded(&self, xi: Bounded) -> PaddedBeam<Bounded> {
+    fn padded(&self, xi: RunningError) -> PaddedBeam<RunningError> {
         self.filled_up(xi)
     }
 
-    fn padded_few(&self, xi: Bounded) -> PaddedBeam<Bounded, FEW_DOFS> {
+    fn padded_few(&self, xi: RunningError) -> PaddedBeam<RunningError, FEW_DOFS> {
         self.filled_up(xi)
     }
 
-    fn residues(&self, random: &mut dyn FnMut() -> Residue) -> Box<dyn ExactBeam<Residue>> {
+    fn residues(&self, random: &mut dyn FnMut() -> PrimeField) -> Box<dyn ExactBeam<PrimeField>> {
         Box::new(self.exact(random))
     }
 
@@ -206,7 +207,8 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
         let w = Vector3::from_fn(|_, _| Faulty(random()));
         Box::new(move |xi| {
             let jet = curve.jet(&q, Faulty(xi));
-            let Frozen { geometry, delta_u, linear_u, second_u } = Frozen::new(&jet, &dq, &linear_dq);
+            let PartialVariations { geometry, delta_u, linear_u, second_u } =
+                PartialVariations::new(&jet, &dq, &linear_dq);
             let Geometry { x, t, t_xi, t_xixi } = geometry;
             let mut all = Vec::new();
             let mut write = |numbers: &[Faulty<Traced>]| all.extend(numbers.iter().map(|n| n.0.bits()));
@@ -227,7 +229,7 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
         })
     }
 
-    fn degrees(&self) -> Box<dyn ExactBeam<Degree>> {
-        Box::new(self.exact(&mut || Degree::VARIABLE))
+    fn degrees(&self) -> Box<dyn ExactBeam<PolynomialDegree>> {
+        Box::new(self.exact(&mut || PolynomialDegree::VARIABLE))
     }
 }

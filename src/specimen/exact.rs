@@ -3,7 +3,7 @@
 use super::padded::{DOFS, Padded, PaddedBeam};
 use crate::curve::{Curve, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
-use crate::linearization::closed_form::Frozen;
+use crate::linearization::closed_form::PartialVariations;
 use crate::number::{Dual, Extends, HyperDual, Real};
 use nalgebra::{SVector, Vector3};
 
@@ -17,8 +17,8 @@ pub(crate) trait ExactBeam<T: Real>:
     /// Moves the whole beam.
     fn translate(&mut self, by: &Vector3<T>);
 
-    /// The variations at a frozen parameter.
-    fn frozen(&self, xi: T) -> Frozen<T>;
+    /// The variations at a fixed parameter.
+    fn partial_variations(&self, xi: T) -> PartialVariations<T>;
 
     /// The jet and the two directions, filled up to a common number of dofs.
     fn padded(&self, xi: T) -> PaddedBeam<T>;
@@ -63,8 +63,8 @@ impl<C: Curve<N> + Send + Sync, T: Real + Send + Sync, const N: usize> ExactBeam
         }
     }
 
-    fn frozen(&self, xi: T) -> Frozen<T> {
-        Frozen::new(&self.curve.jet(&self.q, xi), &self.dq, &self.linear_dq)
+    fn partial_variations(&self, xi: T) -> PartialVariations<T> {
+        PartialVariations::new(&self.curve.jet(&self.q, xi), &self.dq, &self.linear_dq)
     }
 
     fn padded(&self, xi: T) -> PaddedBeam<T> {

@@ -1,32 +1,32 @@
 //! Two beams over the prime field, at a point that is stationary by construction.
 
 use super::{AnyBeam, ExactBeam};
-use crate::closest_point::Active;
-use crate::linearization::closed_form::form::{Distance, Elimination, unit_normal};
-use crate::linearization::closed_form::{Form, Points};
-use crate::number::{Real, Residue};
+use crate::closest_point::Held;
+use crate::linearization::closed_form::formulation::{Distance, System, unit_normal};
+use crate::linearization::closed_form::{Formulation, Points};
+use crate::number::{PrimeField, Real};
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 /// Two beams and the parameters of their stationary point.
-type Stationary = ([Box<dyn ExactBeam<Residue>>; 2], (Residue, Residue));
+type Stationary = ([Box<dyn ExactBeam<PrimeField>>; 2], (PrimeField, PrimeField));
 
 /// Draws dofs until d, t and t_bar have square roots, and moves the first beam to where the point is stationary.
-pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], active: Active, rng: &mut ChaCha8Rng) -> Stationary {
-    let random = |rng: &mut ChaCha8Rng| Residue::new(rng.random());
+pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], held: Held, rng: &mut ChaCha8Rng) -> Stationary {
+    let random = |rng: &mut ChaCha8Rng| PrimeField::new(rng.random());
     loop {
         let mut beams = models.each_ref().map(|model| model.residues(&mut || random(rng)));
         let end = |held: bool, rng: &mut ChaCha8Rng| match (held, rng.random()) {
             (false, _) => random(rng),
-            (true, false) => Residue::one(),
-            (true, true) => -Residue::one(),
+            (true, false) => PrimeField::one(),
+            (true, true) => -PrimeField::one(),
         };
-        let at = (end(active.xi, rng), end(active.xi_bar, rng));
+        let at = (end(held.xi, rng), end(held.xi_bar, rng));
         let (x, x_bar) = (beams[0].geometry(at.0), beams[1].geometry(at.1));
-        let (t, t_bar): (Vector3<Residue>, Vector3<Residue>) = (x.t, x_bar.t);
-        let d = normal_to_free(active, &t, &t_bar, &Vector3::from_fn(|_, _| random(rng)));
+        let (t, t_bar): (Vector3<PrimeField>, Vector3<PrimeField>) = (x.t, x_bar.t);
+        let d = normal_to_free(held, &t, &t_bar, &Vector3::from_fn(|_, _| random(rng)));
         let squares = [&d, &t, &t_bar].map(|v| v.dot(v));
         if squares.iter().all(|v| v.is_square() && !v.is_zero()) {
             beams[0].translate(&(d - (x.x - x_bar.x)));
@@ -37,13 +37,13 @@ pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], active: Active, rng: &m
 
 /// A vector d, made of `w`, that is normal to the tangents of the free parameters.
 pub(crate) fn normal_to_free(
-    active: Active,
-    t: &Vector3<Residue>,
-    t_bar: &Vector3<Residue>,
-    w: &Vector3<Residue>,
-) -> Vector3<Residue> {
-    let normal_to = |t: &Vector3<Residue>| w - t * (w.dot(t) / t.dot(t));
-    match (active.xi, active.xi_bar) {
+    held: Held,
+    t: &Vector3<PrimeField>,
+    t_bar: &Vector3<PrimeField>,
+    w: &Vector3<PrimeField>,
+) -> Vector3<PrimeField> {
+    let normal_to = |t: &Vector3<PrimeField>| w - t * (w.dot(t) / t.dot(t));
+    match (held.xi, held.xi_bar) {
         (false, false) => t.cross(t_bar) * w.x,
         (true, false) => normal_to(t_bar),
         (false, true) => normal_to(t),
@@ -53,12 +53,12 @@ pub(crate) fn normal_to_free(
 
 /// The form that is not the paper's: n has the sign with which n·d is the root that the field takes of d·d.
 pub(crate) fn apart(
-    beams: &[Box<dyn ExactBeam<Residue>>; 2],
-    (xi, xi_bar): (Residue, Residue),
-    active: Active,
-) -> Form {
+    beams: &[Box<dyn ExactBeam<PrimeField>>; 2],
+    (xi, xi_bar): (PrimeField, PrimeField),
+    held: Held,
+) -> Formulation {
     let points = Points::new(&beams[0].geometry(xi), &beams[1].geometry(xi_bar));
     let along = unit_normal(&points.cross()).dot(&points.d);
     let reversed = along != points.d.dot(&points.d).sqrt();
-    Form { active, distance: Distance::Normal { reversed }, system: Elimination::CrossProducts }
+    Formulation { held, distance: Distance::Normal { reversed }, system: System::CrossProducts }
 }

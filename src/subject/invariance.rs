@@ -2,9 +2,9 @@
 
 use super::Rewrite;
 use super::rewrites::parts;
-use crate::closest_point::Active;
+use crate::closest_point::Held;
 use crate::curve::Geometry;
-use crate::linearization::closed_form::{Form, Frozen};
+use crate::linearization::closed_form::{Formulation, PartialVariations};
 use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use crate::pair::Contact;
@@ -12,19 +12,21 @@ use nalgebra::{Matrix3, Vector3};
 
 /// What evaluates the variations of two beams.
 pub(crate) type Variations<'a, T> =
-    dyn Fn([Frozen<T>; 2], (T, T), Form, &Contact) -> Quantities<Varied<T>> + 'a;
+    dyn Fn([PartialVariations<T>; 2], (T, T), Formulation, &Contact) -> Quantities<Varied<T>> + 'a;
 
 /// The variations of other beams, from which those of these follow.
 pub(crate) fn by_invariance<T: Real>(
     rewrite: Rewrite,
     variations: &Variations<'_, T>,
-    [beam, bar]: [&Frozen<T>; 2],
+    [beam, bar]: [&PartialVariations<T>; 2],
     (xi, xi_bar): (T, T),
-    form: Form,
+    form: Formulation,
     contact: &Contact,
 ) -> Option<Quantities<Varied<T>>> {
     let (three, nine) = (T::from(3.0), T::from(9.0));
-    let of = |beam: Frozen<T>, bar: Frozen<T>| variations([beam, bar], (xi, xi_bar), form, contact);
+    let of = |beam: PartialVariations<T>, bar: PartialVariations<T>| {
+        variations([beam, bar], (xi, xi_bar), form, contact)
+    };
     Some(match rewrite {
         Rewrite::DirectionsExchanged => of(beam.exchanged(), bar.exchanged()).map(exchanged),
         Rewrite::Symmetrized => {
@@ -44,8 +46,8 @@ pub(crate) fn by_invariance<T: Real>(
                 xi_bar_0: contact.xi_0,
             };
             // Both d and t × t̄ change their sign, and so does n.
-            let active = Active { xi: form.active.xi_bar, xi_bar: form.active.xi };
-            let other = variations([*bar, *beam], (xi_bar, xi), Form { active, ..form }, &contact);
+            let held = Held { xi: form.held.xi_bar, xi_bar: form.held.xi };
+            let other = variations([*bar, *beam], (xi_bar, xi), Formulation { held, ..form }, &contact);
             Quantities {
                 x: other.x_bar,
                 x_bar: other.x,
@@ -62,7 +64,7 @@ pub(crate) fn by_invariance<T: Real>(
             }
         }
         Rewrite::Ninths => {
-            let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| v * nine));
+            let [beam, bar] = [beam, bar].map(|partial| partial.map(|v| v * nine));
             let contact =
                 Contact { radius: 9.0 * contact.radius, radius_bar: 9.0 * contact.radius_bar, ..*contact };
             let other = variations([beam, bar], (xi, xi_bar), form, &contact);
@@ -72,8 +74,8 @@ pub(crate) fn by_invariance<T: Real>(
         Rewrite::Moved => {
             let by = beam.geometry.x * T::from(0.5);
             let mut both = [*beam, *bar];
-            for frozen in &mut both {
-                frozen.geometry.x += by;
+            for partial in &mut both {
+                partial.geometry.x += by;
             }
             let other = of(both[0], both[1]);
             let back = |x: Vector3<Varied<T>>| x.zip_map(&by, |x, by| Varied { value: x.value - by, ..x });
@@ -83,7 +85,7 @@ pub(crate) fn by_invariance<T: Real>(
             // Columns (2, 1, 2), (-2, 2, 1), (-1, -2, 2), over 3: orthonormal.
             let entries = [2.0, 1.0, 2.0, -2.0, 2.0, 1.0, -1.0, -2.0, 2.0].map(|e| T::from(e) / three);
             let turn = Matrix3::from_column_slice(&entries);
-            let [beam, bar] = [beam, bar].map(|frozen| frozen.map(|v| turn * v));
+            let [beam, bar] = [beam, bar].map(|partial| partial.map(|v| turn * v));
             let other = of(beam, bar);
             let back = |v: Vector3<Varied<T>>| {
                 let [value, delta, linear, second] = parts(&v).map(|part| turn.tr_mul(&part));
@@ -106,10 +108,10 @@ pub(crate) fn by_invariance<T: Real>(
         Rewrite::Reversed => stretched(-1.0, variations, [beam, bar], (xi, xi_bar), form, contact),
         Rewrite::Reparametrized => stretched(0.5, variations, [beam, bar], (xi, xi_bar), form, contact),
         Rewrite::LongDirections => {
-            let long = |frozen: &Frozen<T>| Frozen {
-                delta_u: frozen.delta_u.map(|v| v * three),
-                second_u: frozen.second_u.map(|v| v * three),
-                ..*frozen
+            let long = |partial: &PartialVariations<T>| PartialVariations {
+                delta_u: partial.delta_u.map(|v| v * three),
+                second_u: partial.second_u.map(|v| v * three),
+                ..*partial
             };
             of(long(beam), long(bar)).map(|v| Varied {
                 delta: v.delta / three,
@@ -125,9 +127,9 @@ pub(crate) fn by_invariance<T: Real>(
 fn stretched<T: Real>(
     unit: f64,
     variations: &Variations<'_, T>,
-    [beam, bar]: [&Frozen<T>; 2],
+    [beam, bar]: [&PartialVariations<T>; 2],
     (xi, xi_bar): (T, T),
-    form: Form,
+    form: Formulation,
     contact: &Contact,
 ) -> Quantities<Varied<T>> {
     let factor = T::from(unit);
@@ -135,7 +137,7 @@ fn stretched<T: Real>(
     let Geometry { x, t, t_xi, t_xixi } = beam.geometry;
     let [u, linear_u] =
         [beam.delta_u, beam.linear_u].map(|[u, u_xi, u_xixi]| [u, u_xi * factor, u_xixi * square]);
-    let other = Frozen {
+    let other = PartialVariations {
         geometry: Geometry { x, t: t * factor, t_xi: t_xi * square, t_xixi: t_xixi * (square * factor) },
         delta_u: u,
         linear_u,

@@ -4,9 +4,9 @@ use super::SCALARS;
 use super::layouts::{BOTH, Memory, Second};
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet, Shapes};
-use crate::linearization::closed_form::Form;
-use crate::linearization::closed_form::blocks::{
-    Encounter, Gradient, Target, Targets, write_all_batch, write_all_by_shapes_over, write_all_with_slips,
+use crate::linearization::closed_form::Formulation;
+use crate::linearization::closed_form::kernel::{
+    Gradient, PairAtPoint, Target, Targets, write_all_batch, write_all_by_shapes_over, write_all_with_slips,
     write_d, write_d_batch,
 };
 use crate::number::{Lanes, Real};
@@ -25,7 +25,7 @@ pub(crate) type Layouts<T> = Vec<(&'static str, Contracted<T>)>;
 fn contracted_kernel<T: Real, W: Memory<T>>(
     beams: &[PaddedBeam<T>; 2],
     at: (T, T),
-    form: Form,
+    form: Formulation,
     contact: &Contact,
     memory: fn() -> W,
 ) -> Option<Contracted<T>> {
@@ -37,7 +37,7 @@ fn contracted_kernel<T: Real, W: Memory<T>>(
 pub(crate) fn kernel<T: Real, W: Target<T, D, D>, const D: usize>(
     beams: &[PaddedBeam<T, D>; 2],
     at: (T, T),
-    form: Form,
+    form: Formulation,
     contact: &Contact,
     memory: fn() -> W,
 ) -> Option<[W; SCALARS]> {
@@ -53,7 +53,7 @@ pub(crate) fn kernel<T: Real, W: Target<T, D, D>, const D: usize>(
 pub(crate) fn every_layout<T: Real>(
     beams: &[PaddedBeam<T>; 2],
     at: (T, T),
-    form: Form,
+    form: Formulation,
     contact: &Contact,
 ) -> Layouts<T> {
     let of = |(name, memory)| Some((name, contracted_kernel(beams, at, form, contact, memory)?));
@@ -194,21 +194,21 @@ impl<'a> Four<'a> {
         Self { pair, point, q, directions: [in_lanes(dq), in_lanes(linear_dq)] }
     }
 
-    fn encounters(&self) -> [Encounter<'_, Tabulated, Tabulated, DOFS, DOFS>; 4] {
-        self.q.each_ref().map(|q| Encounter { pair: self.pair, q, point: self.point })
+    fn pairs_at_points(&self) -> [PairAtPoint<'_, Tabulated, Tabulated, DOFS, DOFS>; 4] {
+        self.q.each_ref().map(|q| PairAtPoint { pair: self.pair, q, point: self.point })
     }
 
     fn d(&self, memory: fn() -> Second<Lanes>) -> Contracted<f64> {
         let mut to = [memory()];
-        write_d_batch(&self.encounters(), &mut to, NonZeroUsize::MIN);
+        write_d_batch(&self.pairs_at_points(), &mut to, NonZeroUsize::MIN);
         let [d] = to.map(|memory| memory.contracted(&self.directions));
         alone(length(d, 0))
     }
 
     fn all(&self, memory: fn() -> Second<Lanes>) -> Contracted<f64> {
-        let encounters = self.encounters();
+        let pairs_at_points = self.pairs_at_points();
         let mut to = [std::array::from_fn(|_| memory())];
-        write_all_batch(&encounters, &mut to, NonZeroUsize::MIN);
+        write_all_batch(&pairs_at_points, &mut to, NonZeroUsize::MIN);
         let [[d, xi, xi_bar, t, t_bar]] = to.map(|of| of.map(|memory| memory.contracted(&self.directions)));
         let none = [None; 4];
         [length(d, 0), length(t, 1), length(t_bar, 2), number(xi, 3), number(xi_bar, 0), none, none]

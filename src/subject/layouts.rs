@@ -1,7 +1,7 @@
 //! The layouts that the kernel writes, which can be read and contracted with two directions.
 
-use crate::linearization::Expansion;
-use crate::linearization::closed_form::blocks::{Full, Gradient, Packed, Target};
+use crate::linearization::Derivatives;
+use crate::linearization::closed_form::kernel::{Full, Gradient, Packed, Target};
 use crate::number::Real;
 use crate::pair::DofVector;
 use crate::specimen::DOFS;
@@ -20,7 +20,7 @@ pub(crate) trait Memory<T: Real>: Target<T, DOFS, DOFS> {
 ///
 /// `S` is 2 `D`, and `H` is `S` (`S` + 1)/2.
 pub(crate) enum Second<T, const D: usize = DOFS, const S: usize = BOTH, const H: usize = HALF> {
-    Blocks(Box<Expansion<T, D, D>>),
+    Blocks(Box<Derivatives<T, D, D>>),
     Full(Box<Full<T, S>>),
     Packed(Box<Packed<T, S, H>>),
 }
@@ -28,7 +28,7 @@ pub(crate) enum Second<T, const D: usize = DOFS, const S: usize = BOTH, const H:
 impl<T: Real, const D: usize, const S: usize, const H: usize> Second<T, D, S, H> {
     /// In all layouts.
     pub(crate) const ALL: [fn() -> Self; 3] = [
-        || Self::Blocks(Box::new(Expansion::zero())),
+        || Self::Blocks(Box::new(Derivatives::zero())),
         || Self::Full(Box::new(Full::zeros())),
         || Self::Packed(Box::new(Packed::zeros())),
     ];

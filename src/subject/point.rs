@@ -2,10 +2,10 @@
 
 use super::planted::When;
 use super::{SCALARS, Subject, contracted};
-use crate::closest_point::Active;
-use crate::linearization::closed_form::{Form, Frozen, variations_in};
+use crate::closest_point::Held;
+use crate::linearization::closed_form::{Formulation, PartialVariations, variations_in};
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{Faulty, Label, Residue, recorded_terms};
+use crate::number::{Faulty, Label, PrimeField, recorded_terms};
 use crate::pair::Contact;
 use crate::specimen::{ExactBeam, Family, PaddedBeam, apart, map_padded, stationary};
 use rand::SeedableRng;
@@ -16,11 +16,11 @@ pub(crate) const CONTACT: Contact = Contact { radius: 0.125, radius_bar: 0.25, x
 
 /// Two beams over the prime field at a stationary point, with all that operands can be mistaken for.
 pub(crate) struct Point {
-    pub(crate) beams: [Box<dyn ExactBeam<Residue>>; 2],
-    pub(crate) at: (Residue, Residue),
-    pub(crate) form: Form,
-    frozen: [[Frozen<Residue>; 2]; 3],
-    padded: [[PaddedBeam<Residue>; 2]; 3],
+    pub(crate) beams: [Box<dyn ExactBeam<PrimeField>>; 2],
+    pub(crate) at: (PrimeField, PrimeField),
+    pub(crate) form: Formulation,
+    partial: [[PartialVariations<PrimeField>; 2]; 3],
+    padded: [[PaddedBeam<PrimeField>; 2]; 3],
     /// The terms of the variations, and of the matrices.
     labels: [Vec<Label>; 2],
     /// What the closed form as it is yields.
@@ -30,7 +30,7 @@ pub(crate) struct Point {
 impl Point {
     /// Curves that are not linear in their dofs, inside and at ends; inside in both forms.
     pub(crate) fn all() -> Vec<Self> {
-        let end = |xi, xi_bar| Active { xi, xi_bar };
+        let end = |xi, xi_bar| Held { xi, xi_bar };
         let (families, others) =
             ([Family::NurbsWeighted, Family::Helix], [Family::Arc, Family::NurbsWeighted]);
         vec![
@@ -43,22 +43,24 @@ impl Point {
         ]
     }
 
-    fn new(families: [Family; 2], active: Active, is_apart: bool) -> Self {
+    fn new(families: [Family; 2], held: Held, is_apart: bool) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(0);
         let models = families.map(|family| family.model(&mut rng));
-        let (beams, at) = stationary(&models, active, &mut rng);
-        let form = if is_apart { apart(&beams, at, active) } else { Form::paper(active) };
+        let (beams, at) = stationary(&models, held, &mut rng);
+        let form = if is_apart { apart(&beams, at, held) } else { Formulation::paper(held) };
         let [beam, bar] = beams;
         let placed = |when: When| when.place([&*beam, &*bar], at);
-        let frozen = When::ALL.map(placed).map(|([x, y], at)| [x.frozen(at.0), y.frozen(at.1)]);
+        let partial = When::ALL
+            .map(placed)
+            .map(|([x, y], at)| [x.partial_variations(at.0), y.partial_variations(at.1)]);
         let padded = When::ALL.map(placed).map(|([x, y], at)| [x.padded(at.0), y.padded(at.1)]);
-        let [x, y] = &frozen[When::Now as usize];
+        let [x, y] = &partial[When::Now as usize];
         let unmodified = (
             variations_in(form, x, y, at, &CONTACT).components(),
             contracted(&padded[When::Now as usize], at, form, &CONTACT),
         );
         let mut point =
-            Self { beams: [beam, bar], at, form, frozen, padded, labels: Default::default(), unmodified };
+            Self { beams: [beam, bar], at, form, partial, padded, labels: Default::default(), unmodified };
         point.labels = point.named();
         point
     }
@@ -68,8 +70,8 @@ impl Point {
         let Self { at, form, labels: [of_variations, of_matrices], .. } = self;
         let (mut variations, mut matrices) = self.unmodified;
         if subject.changes(of_variations) {
-            let frozen = |when: When| self.frozen[when as usize];
-            variations = subject.quantities(frozen, *at, *form, &CONTACT).components();
+            let partial = |when: When| self.partial[when as usize];
+            variations = subject.quantities(partial, *at, *form, &CONTACT).components();
         }
         if subject.changes(of_matrices) {
             let faulty = |when: When| self.faulty(when);
@@ -86,17 +88,17 @@ impl Point {
     fn named(&self) -> [Vec<Label>; 2] {
         let Self { at: (xi, xi_bar), form, .. } = self;
         let at = (Faulty(*xi), Faulty(*xi_bar));
-        let [beam, bar] = self.frozen[When::Now as usize].map(|frozen| frozen.map(|v| v.map(Faulty)));
+        let [beam, bar] = self.partial[When::Now as usize].map(|partial| partial.map(|v| v.map(Faulty)));
         let varied = recorded_terms(|| variations_in(*form, &beam, &bar, at, &CONTACT));
         let beams = self.faulty(When::Now);
         let expanded = recorded_terms(|| contracted(&beams, at, *form, &CONTACT));
         [varied.0, expanded.0]
     }
 
-    fn faulty(&self, when: When) -> [PaddedBeam<Faulty<Residue>>; 2] {
+    fn faulty(&self, when: When) -> [PaddedBeam<Faulty<PrimeField>>; 2] {
         self.padded[when as usize].each_ref().map(|beam| map_padded(beam, Faulty))
     }
 }
 
 /// The variations, and the matrices contracted.
-pub(crate) type Results = ([Varied<Residue>; COMPONENTS], [[Residue; 3]; SCALARS]);
+pub(crate) type Results = ([Varied<PrimeField>; COMPONENTS], [[PrimeField; 3]; SCALARS]);

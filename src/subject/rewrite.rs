@@ -2,7 +2,7 @@
 
 use super::invariance::by_invariance;
 use super::rewrites::by_term;
-use crate::linearization::closed_form::{Form, Frozen, variations_in};
+use crate::linearization::closed_form::{Formulation, PartialVariations, variations_in};
 use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use crate::pair::Contact;
@@ -23,7 +23,7 @@ pub enum Rewrite {
     /// The same, with the projector where the vector is normal to d already.
     SecondDProjectedTwice,
     /// delta xi by elimination instead of Cramer's rule.
-    Elimination,
+    System,
     /// delta xi by the symmetric matrix, the Hessian of half the squared distance.
     SymmetricMatrix,
     /// delta xi by unit tangents.
@@ -73,7 +73,7 @@ impl Rewrite {
         Self::SecondDSymmetric,
         Self::SecondDProjected,
         Self::SecondDProjectedTwice,
-        Self::Elimination,
+        Self::System,
         Self::SymmetricMatrix,
         Self::UnitTangents,
         Self::CrossProduct,
@@ -104,7 +104,7 @@ impl Rewrite {
             Self::SecondDSymmetric => "Ddd with its bracket in a, b and a_bar",
             Self::SecondDProjected => "Ddd by the projector normal to d",
             Self::SecondDProjectedTwice => "Ddd with the projector on what is normal to d already",
-            Self::Elimination => "dxi by elimination",
+            Self::System => "dxi by elimination",
             Self::SymmetricMatrix => "dxi by the symmetric matrix",
             Self::UnitTangents => "dxi by unit tangents",
             Self::CrossProduct => "dxi with D by the cross product of the tangents",
@@ -130,16 +130,16 @@ impl Rewrite {
     /// The variations, rewritten.
     pub(super) fn variations<T: Real>(
         self,
-        beams: [&Frozen<T>; 2],
+        beams: [&PartialVariations<T>; 2],
         at: (T, T),
-        form: Form,
+        form: Formulation,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
-        let sound = |[beam, bar]: [Frozen<T>; 2], at, form, contact: &Contact| {
+        let sound = |[beam, bar]: [PartialVariations<T>; 2], at, form, contact: &Contact| {
             variations_in(form, &beam, &bar, at, contact)
         };
         by_invariance(self, &sound, beams, at, form, contact).unwrap_or_else(|| {
-            by_term(self, beams, form.active, sound(beams.map(|beam| *beam), at, form, contact))
+            by_term(self, beams, form.held, sound(beams.map(|beam| *beam), at, form, contact))
         })
     }
 }

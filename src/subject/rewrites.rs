@@ -1,8 +1,8 @@
 //! The formulas of [`Rewrite`] that replace one.
 
 use super::Rewrite;
-use crate::closest_point::Active;
-use crate::linearization::closed_form::{Frozen, Projection};
+use crate::closest_point::Held;
+use crate::linearization::closed_form::{PartialVariations, Projection};
 use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use nalgebra::Vector3;
@@ -11,8 +11,8 @@ use nalgebra::Vector3;
 #[expect(clippy::too_many_lines, reason = "a list of formulas, each of a few lines")]
 pub(super) fn by_term<T: Real>(
     rewrite: Rewrite,
-    [beam, bar]: [&Frozen<T>; 2],
-    active: Active,
+    [beam, bar]: [&PartialVariations<T>; 2],
+    held: Held,
     sound: Quantities<Varied<T>>,
 ) -> Quantities<Varied<T>> {
     let mut all = sound;
@@ -46,7 +46,7 @@ pub(super) fn by_term<T: Real>(
                 - u_hat.dot(&d) * d.dot(&linear_u_hat) / (dist * dist * dist);
         }
         Rewrite::SecondDSymmetric => {
-            let Projection { a, b, a_bar, .. } = Projection::new(x, y, active);
+            let Projection { a, b, a_bar, .. } = Projection::new(x, y, held);
             let bracket = b * (xi.delta * xi_bar.linear + xi_bar.delta * xi.linear)
                 + a_bar * xi_bar.delta * xi_bar.linear
                 - a * xi.delta * xi.linear;
@@ -60,24 +60,24 @@ pub(super) fn by_term<T: Real>(
             let moved = if rewrite == Rewrite::SecondDProjected { moved } else { normal(moved) };
             all.d.second = (u_hat.dot(&(moved + normal(linear_u_hat))) + turned) / dist;
         }
-        Rewrite::Elimination => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
+        Rewrite::System => solve(&mut all, [beam, bar], held, |p, r, r_bar| {
             let factor = p.b / p.a;
             let xi_bar = (r_bar - factor * r) / (p.a_bar + factor * p.b);
             ((r + p.b * xi_bar) / p.a, xi_bar)
         }),
-        Rewrite::SymmetricMatrix => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
+        Rewrite::SymmetricMatrix => solve(&mut all, [beam, bar], held, |p, r, r_bar| {
             let (h, h_bar, rhs) = (p.a, -p.a_bar, -r_bar);
             let det = h * h_bar - p.b * p.b;
             ((h_bar * r + p.b * rhs) / det, (p.b * r + h * rhs) / det)
         }),
-        Rewrite::UnitTangents => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
+        Rewrite::UnitTangents => solve(&mut all, [beam, bar], held, |p, r, r_bar| {
             let (s, s_bar) = (one / sound.t.value, one / sound.t_bar.value);
             let (a, b, a_bar) = (p.a * s * s, p.b * s * s_bar, p.a_bar * s_bar * s_bar);
-            let unit = Projection { a, b, a_bar, active, crossed: None };
+            let unit = Projection { a, b, a_bar, held, crossed: None };
             let (xi, xi_bar) = unit.solve(r * s, r_bar * s_bar);
             (xi * s, xi_bar * s_bar)
         }),
-        Rewrite::CrossProduct => solve(&mut all, [beam, bar], active, |p, r, r_bar| {
+        Rewrite::CrossProduct => solve(&mut all, [beam, bar], held, |p, r, r_bar| {
             // D = −|t × t̄|² + .., with the curvature terms apart
             let c = x.t.cross(&y.t);
             let (e, e_bar) = (d.dot(&x.t_xi), d.dot(&y.t_xi));
@@ -128,19 +128,19 @@ pub(super) fn by_term<T: Real>(
     all
 }
 
-/// delta xi and delta xi_bar by another way of solving the system, where no end is active.
+/// delta xi and delta xi_bar by another way of solving the system, where no end is held.
 fn solve<T: Real>(
     all: &mut Quantities<Varied<T>>,
-    [beam, bar]: [&Frozen<T>; 2],
-    active: Active,
+    [beam, bar]: [&PartialVariations<T>; 2],
+    held: Held,
     by: impl Fn(&Projection<T>, T, T) -> (T, T),
 ) {
-    if active != Active::default() {
+    if held != Held::default() {
         return;
     }
     let (x, y) = (&beam.geometry, &bar.geometry);
     let d = x.x - y.x;
-    let projection = Projection::new(x, y, active);
+    let projection = Projection::new(x, y, held);
     let u_hat = beam.delta_u[0] - bar.delta_u[0];
     // Eq. (50)
     let r = -u_hat.dot(&x.t) - beam.delta_u[1].dot(&d);

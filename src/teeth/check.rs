@@ -5,7 +5,7 @@ use super::panel::Sample;
 use crate::check::{Site, Verdict, judged};
 use crate::linearization::closed_form::variations_in;
 use crate::linearization::{COMPONENTS, Varied};
-use crate::specimen::Bounded2;
+use crate::specimen::RunningError2;
 use crate::subject::{Rewrite, Subject, When, by_invariance};
 use std::cell::Cell;
 
@@ -85,36 +85,39 @@ fn is_violated(
     rewrite: Rewrite,
     subject: &Subject,
     sample: &Sample,
-    closed: &[Varied<Bounded2>; COMPONENTS],
+    closed: &[Varied<RunningError2>; COMPONENTS],
 ) -> bool {
     let Site { at, form, contact, .. } = sample.site;
     // The beams that operands are mistaken for, moved alike.
     let moved = When::ALL.map(|when| {
-        let frozen = Cell::new(sample.site.bounded(when));
-        let [beam, bar] = &frozen.get();
+        let partial = Cell::new(sample.site.bounded(when));
+        let [beam, bar] = &partial.get();
         let keep = |beams: [_; 2], at, form, contact: &_| {
-            frozen.set(beams);
+            partial.set(beams);
             variations_in(form, &beams[0], &beams[1], at, contact)
         };
         by_invariance(rewrite, &keep, [beam, bar], at, form, contact);
-        frozen.get()
+        partial.get()
     });
     let [beam, bar] = &sample.site.bounded(When::Now);
-    let of = |frozen: [_; 2], at: (Bounded2, Bounded2), form, contact: &_| {
-        let bounded = subject.formulas(&frozen, at, form, contact);
+    let of = |partial: [_; 2], at: (RunningError2, RunningError2), form, contact: &_| {
+        let bounded = subject.formulas(&partial, at, form, contact);
         let plain = |when: When| {
-            let beams = if when == When::Now { frozen } else { moved[when as usize] };
-            beams.map(|beam| beam.map(|v| v.map(|number: Bounded2| number.value)))
+            let beams = if when == When::Now { partial } else { moved[when as usize] };
+            beams.map(|beam| beam.map(|v| v.map(|number: RunningError2| number.value)))
         };
         let values = subject.quantities(plain, (at.0.value, at.1.value), form, contact);
         // The values of the faults, with the bounds of the formulas without them.
         let mut values = values.components().into_iter().flat_map(Varied::parts);
         bounded.map(|parts| {
-            parts.map(|Bounded2 { value, bound }| Bounded2 { value: values.next().unwrap_or(value), bound })
+            parts.map(|RunningError2 { value, bound }| RunningError2 {
+                value: values.next().unwrap_or(value),
+                bound,
+            })
         })
     };
     let Some(other) = by_invariance(rewrite, &of, [beam, bar], at, form, contact) else { return false };
-    let differ = |x: f64, y: Bounded2, bound: f64| {
+    let differ = |x: f64, y: RunningError2, bound: f64| {
         let difference = (x - y.value).abs();
         difference > bound + y.bound[0] || difference.is_nan()
     };

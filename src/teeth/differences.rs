@@ -6,7 +6,7 @@
 
 use super::panel::Sample;
 use crate::closest_point::{ClosestPoint, refine};
-use crate::linearization::closed_form::Frozen;
+use crate::linearization::closed_form::PartialVariations;
 use crate::linearization::{COMPONENTS, Varied};
 use crate::specimen::Specimen;
 use crate::subject::{Subject, When};
@@ -58,7 +58,7 @@ const TAYLOR: [f64; 4] = [0.01, 0.005, 0.0025, 0.00125];
 const STEPS: [f64; 5] = [1e-6, -1e-6, 5e-5, -5e-5, 1.490_116_119_384_765_6e-8];
 
 /// Both beams, moved, at the closest point that they then have, and what operands are mistaken for there.
-type Moved = Option<((f64, f64), [[Frozen<f64>; 2]; 3])>;
+type Moved = Option<((f64, f64), [[PartialVariations<f64>; 2]; 3])>;
 
 /// All that the tools evaluate the closed form at.
 pub(super) struct Steps {
@@ -103,13 +103,13 @@ impl Steps {
 fn solved(specimens: &[Specimen; 2], point: &ClosestPoint) -> Moved {
     let [beam, bar] = specimens.each_ref().map(|specimen| specimen.beam().ok());
     let (beam, bar) = (beam?, bar?);
-    let found = refine(&*beam, &*bar, (point.xi, point.xi_bar), point.active()).ok()?;
+    let found = refine(&*beam, &*bar, (point.xi, point.xi_bar), point.held()).ok()?;
     let at = (found.xi, found.xi_bar);
-    let frozen = |when: When| {
+    let partial = |when: When| {
         let ([beam, bar], (xi, xi_bar)) = when.place([&*beam, &*bar], at);
-        [beam.frozen_plain(xi), bar.frozen_plain(xi_bar)]
+        [beam.partial_variations_plain(xi), bar.partial_variations_plain(xi_bar)]
     };
-    Some((at, When::ALL.map(frozen)))
+    Some((at, When::ALL.map(partial)))
 }
 
 /// The closed form of a subject, at a sample and at all its steps.
@@ -144,9 +144,9 @@ impl<'a> Differences<'a> {
     }
 
     fn at(&self, moved: &Moved) -> Option<[Varied<f64>; COMPONENTS]> {
-        let (at, frozen) = moved.as_ref()?;
+        let (at, partial) = moved.as_ref()?;
         let site = &self.sample.site;
-        let of = |when: When| frozen[when as usize];
+        let of = |when: When| partial[when as usize];
         Some(self.subject.quantities(of, *at, site.form, site.contact).components())
     }
 
@@ -181,7 +181,7 @@ impl<'a> Differences<'a> {
         })
     }
 
-    /// The remainders of the expansion along delta q fall with the square, and with the cube, of the step.
+    /// The remainders of the derivatives along delta q fall with the square, and with the cube, of the step.
     fn passes_taylor(&self) -> Option<bool> {
         let [unit, _] = self.sample.steps.units;
         let twice = self.at(&self.sample.steps.twice)?;
@@ -195,8 +195,8 @@ impl<'a> Differences<'a> {
             let (slope, bend) = (self.here[i].delta / unit, twice[i].second / (unit * unit));
             let remainders = |with_bend: f64| -> Vec<f64> {
                 let of = |(step, moved): (f64, &[Varied<f64>; COMPONENTS])| {
-                    let expansion = self.here[i].value + step * (slope + with_bend * 0.5 * step * bend);
-                    (moved[i].value - expansion).abs()
+                    let derivatives = self.here[i].value + step * (slope + with_bend * 0.5 * step * bend);
+                    (moved[i].value - derivatives).abs()
                 };
                 TAYLOR.into_iter().zip(&moved).map(of).collect()
             };

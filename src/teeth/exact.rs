@@ -1,18 +1,18 @@
 //! The exact check: the closed form against AD over the prime field.
 
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::Residue;
+use crate::number::PrimeField;
 use crate::prove::differentiated;
 use crate::subject::{CONTACT, Point, SCALAR_COMPONENTS, Subject};
 
 /// Stationary points with what AD finds there.
-pub(super) struct Exact(Vec<(Point, [Varied<Residue>; COMPONENTS])>);
+pub(super) struct Exact(Vec<(Point, [Varied<PrimeField>; COMPONENTS])>);
 
 impl Exact {
     pub(super) fn new() -> Self {
         let with_ad = |point: Point| {
             let beams = point.beams.each_ref().map(|beam| &**beam);
-            let ad = differentiated(beams, point.at, point.form.active, &CONTACT);
+            let ad = differentiated(beams, point.at, point.form.held, &CONTACT);
             (point, ad)
         };
         Self(Point::all().into_iter().map(with_ad).collect())
@@ -23,8 +23,8 @@ impl Exact {
         self.0.iter().any(|(point, ad)| {
             let (variations, matrices) = point.results(subject);
             let of_ad = |i: usize| ad[i].parts();
-            let unequal = |(i, closed): (usize, &Varied<Residue>)| closed.parts() != of_ad(i);
-            let apart = |(&i, matrix): (&usize, &[Residue; 3])| matrix[..] != of_ad(i)[1..];
+            let unequal = |(i, closed): (usize, &Varied<PrimeField>)| closed.parts() != of_ad(i);
+            let apart = |(&i, matrix): (&usize, &[PrimeField; 3])| matrix[..] != of_ad(i)[1..];
             variations.iter().enumerate().any(unequal) || SCALAR_COMPONENTS.iter().zip(&matrices).any(apart)
         })
     }

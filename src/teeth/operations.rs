@@ -9,7 +9,7 @@
 mod place;
 mod reason;
 
-use crate::number::{Bits, Change, Label, Residue, Traced, counted, locate, operations, with_operation};
+use crate::number::{Bits, Change, Label, PrimeField, Traced, counted, locate, operations, with_operation};
 use crate::specimen::Family;
 use crate::subject::Kind;
 use place::Place;
@@ -107,7 +107,7 @@ pub fn all_operations(seed: u64) -> Vec<Operations> {
     }
     for family in Family::ALL {
         let model = family.model(&mut rng);
-        let mut random = || Traced::from(Residue::new(rng.random()));
+        let mut random = || Traced::from(PrimeField::new(rng.random()));
         let (jets, now, before) = (model.jets(&mut random), random(), random());
         let run = |kind: Option<Kind>| jets(if kind.is_some() { before } else { now });
         all.push(examined(format!("jet of {}", family.name()), "-", &[Kind::Stale], &run));
@@ -151,7 +151,7 @@ pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &
 #[cfg(test)]
 mod tests {
     use super::{Kind, Lost, Place, examined};
-    use crate::number::{Bits, Faulty, Real, Residue, Traced};
+    use crate::number::{Bits, Faulty, PrimeField, Real, Traced};
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
 
@@ -160,7 +160,7 @@ mod tests {
         // x y + z, a product that is dropped, one that is multiplied by zero, and one that cancels.
         let run = |kind: Option<Kind>| {
             let [x, y, z] = if kind.is_some() { [3, 2, 7] } else { [2, 3, 5] };
-            let [x, y, z, zero] = [x, y, z, 0].map(|n| Faulty(Traced::from(Residue::new(n))));
+            let [x, y, z, zero] = [x, y, z, 0].map(|n| Faulty(Traced::from(PrimeField::new(n))));
             let _ = x * z;
             let twice = z + z;
             let cancels = x + z;
@@ -183,7 +183,7 @@ mod tests {
             let found = examined(code.to_owned(), place.name, kinds, &*run);
             assert!(found.operations > 400 && found.shown == found.faults && found.is_whole(), "{found:?}");
         }
-        let root = |x: u64| Faulty(Residue::new(x)).sqrt().0.value();
-        assert_eq!((root(4) * root(4), root(Residue::PRIME - 4)), (4, Residue::PRIME - 4));
+        let root = |x: u64| Faulty(PrimeField::new(x)).sqrt().0.value();
+        assert_eq!((root(4) * root(4), root(PrimeField::PRIME - 4)), (4, PrimeField::PRIME - 4));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::operations::{Lost, Operations, examined};
 use crate::curve::Curve;
-use crate::number::{Bits, Faulty, Real, Residue, Traced};
+use crate::number::{Bits, Faulty, PrimeField, Real, Traced};
 use crate::specimen::{AnyBeam, Drawn};
 use crate::subject::Kind;
 use nalgebra::SVector;
@@ -39,7 +39,7 @@ pub trait Formula: Sync {
 pub fn operations_of(formula: &impl Formula, inputs: usize) -> Operations {
     let mut rng = ChaCha8Rng::seed_from_u64(0x5eed);
     let mut random = || -> Vec<Faulty<Traced>> {
-        (0..inputs).map(|_| Faulty(Traced::from(Residue::new(rng.random())))).collect()
+        (0..inputs).map(|_| Faulty(Traced::from(PrimeField::new(rng.random())))).collect()
     };
     let (now, before) = (random(), random());
     let run = |kind: Option<Kind>| {
@@ -60,7 +60,7 @@ where
     let mut rng = ChaCha8Rng::seed_from_u64(0x5eed);
     let zero = SVector::<f64, N>::zeros();
     let drawn = Drawn { curve: curve.clone(), q: zero, dq: zero, linear_dq: zero, points: Vec::new() };
-    let mut random = || Traced::from(Residue::new(rng.random()));
+    let mut random = || Traced::from(PrimeField::new(rng.random()));
     let (jets, now, before) = (drawn.jets(&mut random), random(), random());
     let run = |kind: Option<Kind>| jets(if kind.is_some() { before } else { now });
     examined("jet".to_owned(), "-", &[Kind::Stale], &run)

@@ -2,8 +2,8 @@
 
 use super::differences::Steps;
 use crate::check::{Case, Closed, Comparison, References, Regime, Selection, Site, Verdict, judged};
-use crate::closest_point::{Active, ClosestPoint, Search, closest_points};
-use crate::linearization::closed_form::Form;
+use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
+use crate::linearization::closed_form::Formulation;
 use crate::specimen::Family;
 use crate::subject::Subject;
 use std::collections::BTreeMap;
@@ -31,12 +31,15 @@ impl<'a> Sample<'a> {
     pub(super) fn in_all_forms(case: &'a Case, point: &ClosestPoint) -> Vec<Self> {
         let site = || Site::new(case.beams(), &case.contact, point).ok();
         let Some(first) = site() else { return Vec::new() };
-        let paper = Form::paper(point.active());
-        let apart = Form::apart(&first.points(), point.active());
-        let others =
-            [Form { distance: apart.distance, ..paper }, Form { system: apart.system, ..paper }, apart];
+        let paper = Formulation::paper(point.held());
+        let apart = Formulation::robust(&first.points(), point.held());
+        let others = [
+            Formulation { distance: apart.distance, ..paper },
+            Formulation { system: apart.system, ..paper },
+            apart,
+        ];
         let others = others.into_iter().filter(|_| point.is_interior());
-        let in_form = |(site, form)| Self::new(case, point, Site::in_form(site, form));
+        let in_form = |(site, form)| Self::new(case, point, Site::in_formulation(site, form));
         let sites = others.filter_map(|form| Some((site()?, form)));
         [(first, paper)].into_iter().chain(sites).map(in_form).collect()
     }
@@ -54,7 +57,7 @@ impl<'a> Sample<'a> {
     }
 }
 
-/// The cases and closest points of a regime: inside, and with one end active, beams of both kinds.
+/// The cases and closest points of a regime: inside, and with one end held, beams of both kinds.
 pub(super) fn panel(seed: u64, regime: Regime) -> Vec<(Case, ClosestPoint)> {
     let selection = Selection { regimes: vec![regime], family: None, cases: 121 * DRAWN };
     let mut wanted = BTreeMap::new();
@@ -86,7 +89,7 @@ fn best(case: &Case, wanted: &BTreeMap<Key, usize>) -> Option<(Key, ClosestPoint
     let [beam, bar] = case.beams();
     let minima = closest_points(beam, bar, &Search::default()).ok()?.minima;
     minima.into_iter().find_map(|point| {
-        let Active { xi, xi_bar } = point.active();
+        let Held { xi, xi_bar } = point.held();
         let key = (xi, xi_bar, linear);
         let is_wanted = wanted.get(&key).is_some_and(|&count| count > 0);
         let passes = |sample: &Sample| matches!(judged(sample.compared(&Subject::Sound)), Verdict::Pass(_));

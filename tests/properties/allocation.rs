@@ -1,7 +1,7 @@
 //! No evaluation allocates: not the curves, not the closed form, not AD.
 
 use crate::pairs::{Contacting, contacting, hermite};
-use beamgap::linearization::closed_form::blocks::{Encounter, Packed, write_d_batch};
+use beamgap::linearization::closed_form::kernel::{Packed, PairAtPoint, write_d_batch};
 use beamgap::linearization::{Linearization, ad, closed_form};
 use beamgap::number::Lanes;
 use proptest::{strategy::Strategy, strategy::ValueTree, test_runner::TestRunner};
@@ -17,9 +17,9 @@ fn nothing_is_allocated_in_an_evaluation() {
     let one = std::num::NonZeroUsize::MIN;
     let counted = allocation_counter::measure(|| {
         let (jet, jet_bar) = closed_form::jets(pair, q, at);
-        closed_form::Matrices::new(&jet, &jet_bar, point.active()).write_all(at, &pair.contact, &mut all);
+        closed_form::Matrices::new(&jet, &jet_bar, point.held()).write_all(at, &pair.contact, &mut all);
         let written = write_d_batch(
-            &[(); 4].map(|()| Encounter { pair, q, point }),
+            &[(); 4].map(|()| PairAtPoint { pair, q, point }),
             std::slice::from_mut(&mut four),
             one,
         );

@@ -2,14 +2,14 @@
 
 #![expect(clippy::large_stack_arrays, reason = "five quantities of 24 dofs")]
 
-use crate::blocks::{brought_near, targets, tolerances};
+use crate::kernel::{brought_near, targets, tolerances};
 use crate::pairs::{Contacting, Movable, contacting, hermite};
 use crate::strategies::vector;
-use beamgap::closest_point::Active;
+use beamgap::closest_point::Held;
 use beamgap::curve::{Bezier, Hermite, Segment};
-use beamgap::linearization::closed_form::Form;
-use beamgap::linearization::closed_form::blocks::{
-    Encounter, Gradient, Packed, write_all, write_all_batch, write_all_over, write_d, write_d_batch,
+use beamgap::linearization::closed_form::Formulation;
+use beamgap::linearization::closed_form::kernel::{
+    Gradient, Packed, PairAtPoint, write_all, write_all_batch, write_all_over, write_d, write_d_batch,
 };
 use beamgap::number::Lanes;
 use beamgap::pair::{DofVector, Pair};
@@ -19,14 +19,14 @@ use std::num::NonZeroUsize;
 
 /// Each of at most eight pairs is the same in its lane as alone.
 fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>]) {
-    let encounters: Vec<_> =
-        cases.iter().map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point }).collect();
+    let pairs_at_points: Vec<_> =
+        cases.iter().map(|Contacting { pair, q, point, .. }| PairAtPoint { pair, q, point }).collect();
     let one = NonZeroUsize::MIN;
     let zeros = Packed::<Lanes, 24, 300>::zeros();
     let (mut d, mut all) = ([zeros; 2], [[zeros; 5]; 2]);
-    assert_eq!(write_d_batch(&encounters, &mut d, one), cases.len());
-    assert_eq!(write_all_batch(&encounters, &mut all, one), cases.len());
-    assert_eq!(write_d_batch(&encounters, &mut d[..1], one), cases.len().min(4));
+    assert_eq!(write_d_batch(&pairs_at_points, &mut d, one), cases.len());
+    assert_eq!(write_all_batch(&pairs_at_points, &mut all, one), cases.len());
+    assert_eq!(write_d_batch(&pairs_at_points, &mut d[..1], one), cases.len().min(4));
     for (i, case) in cases.iter().enumerate() {
         let Contacting { pair, q, point, .. } = case;
         let mut one_by_one = [Packed::<f64, 24, 300>::zeros(); 5];
@@ -70,7 +70,7 @@ fn long_and_short(bent: &SVector<f64, 18>) -> Contacting<Bezier<6>, Segment, 18,
     let straight = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
     let beam = SVector::from_fn(|i, _| if i % 3 == 0 { straight[i / 3] } else { 0.0 } + 0.03 * bent[i]);
     let q = DofVector { beam, bar: SVector::from([0.1, -1.0, -1.0, -0.1, 1.0, -1.1]) };
-    let point = pair.refine(&q, (0.0, 0.0), Active::default()).unwrap();
+    let point = pair.refine(&q, (0.0, 0.0), Held::default()).unwrap();
     Contacting { pair, q, point, dq: DofVector::zeros(), linear_dq: DofVector::zeros() }
 }
 
@@ -78,7 +78,7 @@ proptest! {
     /// What a machine without vectors does in lanes, by the source of every scalar.
     #[test]
     fn numbers_in_lanes(cases in proptest::array::uniform4(contacting(hermite(), hermite()))) {
-        let form = Form::paper(Active::default());
+        let form = Formulation::paper(Held::default());
         let in_lanes = |of: fn(&Contacting<Hermite, Hermite, 12, 12>, usize) -> f64, i: usize| {
             Lanes(cases.each_ref().map(|case| of(case, i)))
         };
@@ -103,9 +103,9 @@ proptest! {
     #[test]
     fn batches_of_long_and_short_curves(bent in proptest::array::uniform4(vector::<18>())) {
         let cases = bent.each_ref().map(long_and_short);
-        let encounters = cases.each_ref().map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point });
+        let pairs_at_points = cases.each_ref().map(|Contacting { pair, q, point, .. }| PairAtPoint { pair, q, point });
         let mut four = [Packed::<Lanes, 24, 300>::zeros()];
-        write_d_batch(&encounters, &mut four, NonZeroUsize::MIN);
+        write_d_batch(&pairs_at_points, &mut four, NonZeroUsize::MIN);
         for (i, case) in cases.iter().enumerate() {
             let Contacting { pair, q, point, .. } = case;
             let mut one = Packed::<f64, 24, 300>::zeros();
@@ -128,9 +128,9 @@ proptest! {
         memory in 1..=80_usize,
         threads in 1..=5_usize,
     ) {
-        let encounters: Vec<_> = cases
+        let pairs_at_points: Vec<_> = cases
             .iter()
-            .map(|Contacting { pair, q, point, .. }| Encounter { pair, q, point })
+            .map(|Contacting { pair, q, point, .. }| PairAtPoint { pair, q, point })
             .cycle()
             .take(count)
             .collect();
@@ -139,9 +139,9 @@ proptest! {
         let (mut d_of_four, mut all_of_four) = (d.clone(), all.clone());
         let threads = NonZeroUsize::new(threads).unwrap();
         let written = count.min(4 * memory);
-        prop_assert_eq!(write_d_batch(&encounters, &mut d, threads), written);
-        prop_assert_eq!(write_all_batch(&encounters, &mut all, threads), written);
-        for (i, four) in encounters[..written].chunks(4).enumerate() {
+        prop_assert_eq!(write_d_batch(&pairs_at_points, &mut d, threads), written);
+        prop_assert_eq!(write_all_batch(&pairs_at_points, &mut all, threads), written);
+        for (i, four) in pairs_at_points[..written].chunks(4).enumerate() {
             write_d_batch(four, &mut d_of_four[i..=i], NonZeroUsize::MIN);
             write_all_batch(four, &mut all_of_four[i..=i], NonZeroUsize::MIN);
         }

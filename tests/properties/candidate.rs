@@ -2,19 +2,19 @@
 
 use beamgap::check::{self, Answer, Family, Found, Order, Situation};
 use beamgap::curve::Segment;
-use beamgap::linearization::closed_form::{Form, Matrices};
-use beamgap::linearization::{Expansion, Quantity};
+use beamgap::linearization::closed_form::{Formulation, Matrices};
+use beamgap::linearization::{Derivatives, Quantity};
 use beamgap::pair::DofVector;
 use nalgebra::SVector;
 
-type Numbers = Expansion<f64, 6, 6>;
+type Numbers = Derivatives<f64, 6, 6>;
 
 /// The paper's matrices of two segments, changed by `change`.
 fn of_segments(at: &Situation<'_>, change: impl Fn(Quantity, &mut Numbers)) -> Vec<Answer> {
     use beamgap::curve::Curve;
     let [q, q_bar] = [at.q, at.q_bar].map(SVector::<f64, 6>::from_column_slice);
     let (jet, jet_bar) = (Segment::new().jet(&q, at.at.0), Segment::new().jet(&q_bar, at.at.1));
-    let all = Matrices::in_form(&jet, &jet_bar, Form::paper(at.active)).all(at.at, &at.contact);
+    let all = Matrices::in_formulation(&jet, &jet_bar, Formulation::paper(at.held)).all(at.at, &at.contact);
     let quantities = [
         (Quantity::Xi, all.xi),
         (Quantity::XiBar, all.xi_bar),

@@ -6,13 +6,16 @@ use beamgap::closest_point::ClosestPoint;
 use beamgap::curve::{Arc, Curve, Helix, Hermite, NurbsWeighted, Quadratic, Segment};
 use beamgap::linearization::ad::{self, Route};
 use beamgap::linearization::closed_form::{self, Matrices, VectorQuantity};
-use beamgap::linearization::{Expansion, Quantities, Quantity, Varied};
+use beamgap::linearization::{Derivatives, Quantities, Quantity, Varied};
 use beamgap::pair::{DofVector, Pair};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 
 /// Of one component a value, a gradient and a Hessian.
-fn of_expansion<const N: usize, const M: usize>(component: usize, numbers: &Expansion<f64, N, M>) -> Answer {
+fn of_expansion<const N: usize, const M: usize>(
+    component: usize,
+    numbers: &Derivatives<f64, N, M>,
+) -> Answer {
     let (mut gradient, mut hessian) = (vec![0.0; N + M], vec![0.0; (N + M) * (N + M)]);
     numbers.gradient.write_to(&mut gradient).unwrap();
     numbers.hessian.write_dense(&mut hessian).unwrap();
@@ -54,7 +57,7 @@ fn scalars<S: nalgebra::Scalar>(q: Quantities<S>) -> [S; 8] {
     [q.d, q.t, q.t_bar, q.xi, q.xi_bar, q.g_n, q.g_t, q.g_t_bar]
 }
 
-fn of_scalars<const N: usize, const M: usize>(all: [Expansion<f64, N, M>; 8]) -> Vec<Answer> {
+fn of_scalars<const N: usize, const M: usize>(all: [Derivatives<f64, N, M>; 8]) -> Vec<Answer> {
     all.iter().enumerate().map(|(i, numbers)| of_expansion(15 + i, numbers)).collect()
 }
 
@@ -75,7 +78,7 @@ fn methods<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const S: us
         ("matrices of vectors", |at| {
             let parameters = (at.point.xi, at.point.xi_bar);
             let (jet, jet_bar) = closed_form::jets(&at.pair, &at.q, parameters);
-            let matrices = Matrices::new(&jet, &jet_bar, at.point.active());
+            let matrices = Matrices::new(&jet, &jet_bar, at.point.held());
             let all = matrices.all(parameters, &at.pair.contact);
             let of = |component: usize| {
                 let axis = Vector3::from_fn(|c, _| if c == component % 3 { 1.0 } else { 0.0 });

@@ -1,8 +1,8 @@
 //! Closest points against published values and values computed with fifty digits.
 
 use crate::centroids::{Winding, apart, close, ellipse, line, over_pieces};
-use beamgap::closest_point::{Active, HalfSquare, Kind, Search, closest_points, refine};
 use beamgap::closest_point::{Centroid, ClosestPoint};
+use beamgap::closest_point::{Held, Kind, Search, SquaredDistance, closest_points, refine};
 use beamgap::curve::{Arc, Geometry, Hermite};
 use beamgap::pair::{DofVector, Pair};
 use nalgebra::{Rotation3, SVector, Vector3};
@@ -13,8 +13,8 @@ fn unit_circle() -> Winding {
 }
 
 /// a, b, a_bar and D per unit of the sources' parameters, of which a piece covers `half` to either side.
-fn projection(curve: &Winding, bar: &Winding, point: &ClosestPoint) -> HalfSquare {
-    HalfSquare::new(&curve.geometry(point.xi), &bar.geometry(point.xi_bar))
+fn projection(curve: &Winding, bar: &Winding, point: &ClosestPoint) -> SquaredDistance {
+    SquaredDistance::new(&curve.geometry(point.xi), &bar.geometry(point.xi_bar))
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn line_against_circle() {
     close(saddle.distance, 2.454_826_435_356_576, 1e-14);
     let [at, at_bar] =
         [(x, minimum.xi), (unit_circle(), minimum.xi_bar)].map(|(curve, s)| unit_speed(&curve, s));
-    close(HalfSquare::new(&at, &at_bar).determinant(), -0.901_801_550_299_113_9, 1e-14);
+    close(SquaredDistance::new(&at, &at_bar).determinant(), -0.901_801_550_299_113_9, 1e-14);
 }
 
 /// The geometry with respect to the parameter of the source.
@@ -124,7 +124,7 @@ fn two_segments() {
     close(point.xi_bar, 0.142_898_011_729_366_33, 1e-15);
     close(point.distance, 0.494_733_384_199_867_6, 1e-15);
     assert!(point.residual < 1e-15);
-    let again = refine(&x, &bar, (0.9, -0.9), Active::default()).unwrap();
+    let again = refine(&x, &bar, (0.9, -0.9), Held::default()).unwrap();
     assert_eq!((again.xi, again.xi_bar), (point.xi, point.xi_bar));
 }
 
@@ -146,8 +146,8 @@ impl Centroid for Rough {
 fn newtons_method_ends_at_the_rounding_of_the_points() {
     let x = Rough(ellipse([0.1, 0.2, 0.3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]).over(-1.0, 1.0));
     let bar = Rough(ellipse([2.3, 0.4, 0.1], [-0.9, 0.0, 0.3], [0.0, 0.8, 0.7]).over(-1.0, 1.0));
-    let point = refine(&x, &bar, (0.1, 0.2), Active::default()).unwrap();
-    let exact = refine(&x.0, &bar.0, (0.1, 0.2), Active::default()).unwrap();
+    let point = refine(&x, &bar, (0.1, 0.2), Held::default()).unwrap();
+    let exact = refine(&x.0, &bar.0, (0.1, 0.2), Held::default()).unwrap();
     assert!(point.residual > 1e-12, "{}", point.residual);
     assert!((point.xi - exact.xi).abs().max((point.xi_bar - exact.xi_bar).abs()) < 1e-8);
 }

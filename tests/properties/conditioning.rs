@@ -5,22 +5,22 @@
 use crate::pairs::{
     Contacting, Movable, any_arc, any_helix, contacting, hermite, nurbs, quadratic, refined, segment,
 };
-use beamgap::closest_point::{Active, Degeneracy};
+use beamgap::closest_point::{Degeneracy, Held};
 use beamgap::curve::{Curve, Hermite, Segment};
-use beamgap::linearization::closed_form::form::{Distance, Elimination};
-use beamgap::linearization::closed_form::{Form, Matrices, Points, Projection, jets};
-use beamgap::linearization::{DofMatrix, Expansion, Linearization};
-use beamgap::number::{Bounded, DoubleDouble, Real};
+use beamgap::linearization::closed_form::formulation::{Distance, System};
+use beamgap::linearization::closed_form::{Formulation, Matrices, Points, Projection, jets};
+use beamgap::linearization::{BlockHessian, Derivatives, Linearization};
+use beamgap::number::{DoubleDouble, Real, RunningError};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-const INSIDE: Active = Active { xi: false, xi_bar: false };
-const APART: Form = Form {
-    active: INSIDE,
+const INSIDE: Held = Held { xi: false, xi_bar: false };
+const APART: Formulation = Formulation {
+    held: INSIDE,
     distance: Distance::Normal { reversed: false },
-    system: Elimination::CrossProducts,
+    system: System::CrossProducts,
 };
 
 /// A pair of beams.
@@ -30,12 +30,12 @@ type Beams<A, B, const N: usize, const M: usize> = (Pair<A, B, N, M>, DofVector<
 fn all<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     (pair, q): &Beams<A, B, N, M>,
     at: (T, T),
-    form: impl FnOnce(&Points<T>) -> Form,
+    form: impl FnOnce(&Points<T>) -> Formulation,
 ) -> Linearization<T, N, M> {
     let q = DofVector { beam: q.beam.map(T::from), bar: q.bar.map(T::from) };
     let (jet, jet_bar) = jets(pair, &q, at);
     let form = form(&Points::new(&jet.geometry, &jet_bar.geometry));
-    Matrices::in_form(&jet, &jet_bar, form).all(at, &pair.contact)
+    Matrices::in_formulation(&jet, &jet_bar, form).all(at, &pair.contact)
 }
 
 /// The closest point in double-double, by Newton's method.
@@ -56,8 +56,8 @@ fn precise<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 
 /// The difference of two matrices over the size of the second, both in the norm of Frobenius.
 fn error<const N: usize, const M: usize>(
-    of: &DofMatrix<f64, N, M>,
-    exact: &DofMatrix<DoubleDouble, N, M>,
+    of: &BlockHessian<f64, N, M>,
+    exact: &BlockHessian<DoubleDouble, N, M>,
 ) -> f64 {
     let entries = (0..N + M).flat_map(|i| (0..N + M).map(move |j| (i, j)));
     let (off, size) = entries.fold((0.0, 0.0), |(off, size), (i, j)| {
@@ -72,19 +72,20 @@ fn error<const N: usize, const M: usize>(
 fn errors<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const K: usize>(
     beams: &Beams<A, B, N, M>,
     near: (f64, f64),
-    forms: [Form; K],
-) -> (Form, [f64; 2], [[f64; 2]; K]) {
+    forms: [Formulation; K],
+) -> (Formulation, [f64; 2], [[f64; 2]; K]) {
     let at = precise(beams, near);
     let rounded = (at.0.value(), at.1.value());
     let mut choice = APART;
     all(beams, rounded, |points| {
-        choice = Form::at(points, INSIDE);
+        choice = Formulation::at(points, INSIDE);
         choice
     });
     // n of either side, the same in both numbers.
-    let reversed = |form: Form| if is_reversed(choice, beams, rounded) { form.reversed() } else { form };
+    let reversed =
+        |form: Formulation| if is_reversed(choice, beams, rounded) { form.reversed() } else { form };
     let exact = all(beams, at, |_| reversed(APART));
-    let of = |form: Form| {
+    let of = |form: Formulation| {
         let found = all(beams, rounded, |_| form);
         [error(&found.d.hessian, &exact.d.hessian), error(&found.xi.hessian, &exact.xi.hessian)]
     };
@@ -92,12 +93,12 @@ fn errors<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const K: usi
 }
 
 fn is_reversed<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    choice: Form,
+    choice: Formulation,
     (pair, q): &Beams<A, B, N, M>,
     at: (f64, f64),
 ) -> bool {
     let (jet, jet_bar) = jets(pair, q, at);
-    let apart = Form::apart(&Points::new(&jet.geometry, &jet_bar.geometry), choice.active);
+    let apart = Formulation::robust(&Points::new(&jet.geometry, &jet_bar.geometry), choice.held);
     apart.sign() == Some(-1.0)
 }
 
@@ -136,7 +137,7 @@ fn is_continuous<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
         let (beams, at) = with_gap(case, gap)?;
         let mut choice = APART;
         all(&beams, at, |points: &Points<f64>| {
-            choice = Form::at(points, INSIDE);
+            choice = Formulation::at(points, INSIDE);
             choice
         });
         Some((choice, beams, at))
@@ -156,11 +157,11 @@ fn is_continuous<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     let (normal, beams, at) = chosen(near).unwrap();
     let point = refined(&beams.0, &beams.1, at, INSIDE).expect("the gap changes no parameter");
     let at = (point.xi, point.xi_bar);
-    let [length, normal] = [Form::paper(INSIDE), normal].map(|form| {
-        let uncertain = |xi: f64| Bounded::new(xi, 1e-14);
+    let [length, normal] = [Formulation::paper(INSIDE), normal].map(|form| {
+        let uncertain = |xi: f64| RunningError::new(xi, 1e-14);
         all(&beams, (uncertain(at.0), uncertain(at.1)), |_| form).d
     });
-    let agree = |x: Bounded, y: Bounded| {
+    let agree = |x: RunningError, y: RunningError| {
         assert!((x.value - y.value).abs() <= x.bound + y.bound, "{x:?} is not {y:?} at a gap of {near}");
     };
     agree(length.value, normal.value);
@@ -170,7 +171,7 @@ fn is_continuous<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
             agree(length.hessian.entry(i, j), normal.hessian.entry(i, j));
         }
     }
-    let size = |of: &Expansion<Bounded, N, M>| {
+    let size = |of: &Derivatives<RunningError, N, M>| {
         (0..N + M).fold(0.0_f64, |size, i| size.max(of.hessian.entry(i, i).value.abs()))
     };
     let apart = (0..N + M).flat_map(|i| (0..N + M).map(move |j| (i, j))).fold(0.0_f64, |apart, (i, j)| {
@@ -216,8 +217,8 @@ fn segments(angle: f64, gap: f64) -> Beams<Segment, Segment, 6, 6> {
 fn nearly_parallel_segments_keep_their_digits() {
     for gap in [0.1, 1e-3, 1e-6] {
         let beams = segments(1e-5, gap);
-        let (form, [of_d, of_xi], [paper]) = errors(&beams, (0.0, 0.0), [Form::paper(INSIDE)]);
-        assert!(form.is_crossed() && form.sign().is_some(), "{form:?}");
+        let (form, [of_d, of_xi], [paper]) = errors(&beams, (0.0, 0.0), [Formulation::paper(INSIDE)]);
+        assert!(form.uses_cross_products() && form.sign().is_some(), "{form:?}");
         assert!(of_d < 1e-10 && of_xi < 1e-10, "{of_d:e} and {of_xi:e} at a gap of {gap}");
         assert!(paper[0] > 1e-8 && paper[1] > 1e-8, "the paper's form is as good: {paper:?}");
     }
@@ -230,9 +231,9 @@ fn the_choice_of_the_system_is_continuous() {
     for angle in [switch * (1.0 - 1e-9), switch * (1.0 + 1e-9)] {
         let beams = segments(angle, 0.75);
         let (form, ..) = errors(&beams, (0.0, 0.0), []);
-        assert_eq!(form.is_crossed(), angle < switch);
-        let crossed = Form { system: Elimination::CrossProducts, ..Form::paper(INSIDE) };
-        let (_, _, both) = errors(&beams, (0.0, 0.0), [Form::paper(INSIDE), crossed]);
+        assert_eq!(form.uses_cross_products(), angle < switch);
+        let crossed = Formulation { system: System::CrossProducts, ..Formulation::paper(INSIDE) };
+        let (_, _, both) = errors(&beams, (0.0, 0.0), [Formulation::paper(INSIDE), crossed]);
         assert!(both.iter().flatten().all(|&error| error < 1e-13), "{both:?}");
     }
 }
@@ -250,7 +251,7 @@ fn the_signed_distance_has_derivatives_where_the_centroids_cross() {
     let sides = [h, -h].map(|gap| {
         let beams = segments(1.0, gap);
         let at = precise(&beams, (point.xi, point.xi_bar));
-        all(&beams, at, |_| Form::paper(INSIDE)).d
+        all(&beams, at, |_| Formulation::paper(INSIDE)).d
     });
     let sign = crossing.gradient.along(&sides[0].gradient_as_f64()).signum();
     for i in 0..12 {
@@ -264,11 +265,11 @@ fn the_signed_distance_has_derivatives_where_the_centroids_cross() {
     }
 }
 
-/// An expansion's gradient as a direction.
+/// An derivatives's gradient as a direction.
 trait AsF64<const N: usize, const M: usize> {
     fn gradient_as_f64(&self) -> DofVector<f64, N, M>;
 }
-impl<const N: usize, const M: usize> AsF64<N, M> for Expansion<DoubleDouble, N, M> {
+impl<const N: usize, const M: usize> AsF64<N, M> for Derivatives<DoubleDouble, N, M> {
     fn gradient_as_f64(&self) -> DofVector<f64, N, M> {
         let DofVector { beam, bar } = &self.gradient;
         DofVector { beam: beam.map(DoubleDouble::value), bar: bar.map(DoubleDouble::value) }
@@ -280,12 +281,12 @@ proptest! {
     #[test]
     fn at_an_end_there_is_one_form(case in contacting(hermite(), any_arc())) {
         let Contacting { pair, q, point, .. } = case;
-        let active = point.active();
-        prop_assume!(active != INSIDE);
+        let held = point.held();
+        prop_assume!(held != INSIDE);
         let beams = (pair, q);
         let of = |form| all(&beams, (point.xi, point.xi_bar), |_| form);
-        let paper = of(Form::paper(active));
-        let other = of(Form { active, ..APART });
+        let paper = of(Formulation::paper(held));
+        let other = of(Formulation { held, ..APART });
         prop_assert!(other == paper);
     }
 }

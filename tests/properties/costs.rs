@@ -2,7 +2,7 @@
 //! changes no result, and shows here.
 
 use crate::centroids::Cubic;
-use beamgap::closest_point::{Active, Centroid, ClosestPoint, Search, closest_points, refine};
+use beamgap::closest_point::{Centroid, ClosestPoint, Held, Search, closest_points, refine};
 use beamgap::curve::Geometry;
 use nalgebra::Vector3;
 use std::cell::Cell;
@@ -23,7 +23,7 @@ fn costs(options: &Search, change: impl Fn(Cubic) -> Cubic) -> [usize; 4] {
     let mut costs = [0; 4];
     for _ in 0..24 {
         let [x, bar] = [(); 2].map(|()| curves.next().unwrap());
-        let [x, bar] = [&x, &bar].map(|curve| Counted::new(curve, true));
+        let [x, bar] = [&x, &bar].map(|curve| OperationCount::new(curve, true));
         let found = closest_points(&x, &bar, options).unwrap();
         assert!(found.stationary.iter().all(ClosestPoint::is_interior), "{:?}", found.stationary);
         let (cost, all) = (found.statistics, x.evaluations.get() + bar.evaluations.get());
@@ -70,19 +70,19 @@ fn a_search_looks_at_as_many_boxes_as_it_did() {
 }
 
 /// A curve that counts its evaluations, and may deny that it is a cubic.
-struct Counted<'a> {
+struct OperationCount<'a> {
     curve: &'a Cubic,
     is_cubic: bool,
     evaluations: Cell<usize>,
 }
 
-impl<'a> Counted<'a> {
+impl<'a> OperationCount<'a> {
     fn new(curve: &'a Cubic, is_cubic: bool) -> Self {
         Self { curve, is_cubic, evaluations: Cell::new(0) }
     }
 }
 
-impl Centroid for Counted<'_> {
+impl Centroid for OperationCount<'_> {
     fn geometry(&self, xi: f64) -> Geometry<f64> {
         self.evaluations.set(self.evaluations.get() + 1);
         self.curve.geometry(xi)
@@ -105,9 +105,9 @@ fn evaluations(are_cubic: [bool; 2], away: f64) -> usize {
         let [x, bar] = [(); 2].map(|()| curves.next().unwrap());
         for point in closest_points(&x, &bar, &Search::default()).unwrap().minima {
             let [x, bar] = [(&x, are_cubic[0]), (&bar, are_cubic[1])]
-                .map(|(curve, is_cubic)| Counted::new(curve, is_cubic));
-            let active = Active { xi: point.end.is_some(), xi_bar: point.end_bar.is_some() };
-            let _ = refine(&x, &bar, (point.xi - away, point.xi_bar + away), active);
+                .map(|(curve, is_cubic)| OperationCount::new(curve, is_cubic));
+            let held = Held { xi: point.end.is_some(), xi_bar: point.end_bar.is_some() };
+            let _ = refine(&x, &bar, (point.xi - away, point.xi_bar + away), held);
             assert_eq!(x.evaluations.get(), bar.evaluations.get());
             count += x.evaluations.get();
         }

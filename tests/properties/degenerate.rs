@@ -2,7 +2,7 @@
 
 use crate::centroids::{Cubic, Winding, close, ellipse, line};
 use beamgap::closest_point::{
-    Active, Centroid, ClosestPoints, Degeneracy, Kind, ProjectionError, Search, Side, closest_points, refine,
+    Centroid, ClosestPoints, Degeneracy, Held, Kind, ProjectionError, Search, Side, closest_points, refine,
 };
 use beamgap::curve::{Geometry, Segment};
 use beamgap::linearization::ad::{Perturbed, Route, hyper_dual, seeded};
@@ -53,7 +53,7 @@ fn no_route_finds_numbers_where_the_closest_point_is_not_determined() {
     let curve = Segment::new();
     let [beam, bar] = [q, above].map(|q| Perturbed { curve: &curve, q: seeded(&q, &none, &none) });
     for route in [Route::Newton, Route::Stationary] {
-        let found = hyper_dual(route, &beam, &bar, (0.0, 0.0), Active::default(), &Contact::default());
+        let found = hyper_dual(route, &beam, &bar, (0.0, 0.0), Held::default(), &Contact::default());
         assert!(!found.xi.re.is_finite());
     }
 }
@@ -150,7 +150,7 @@ fn newtons_method_tells_where_one_parameter_is_singular() {
     let zero = Vector3::zeros();
     let x = Cubic([Vector3::new(1.0, -1.0, 1.0), Vector3::y(), zero, zero]);
     let bar = Cubic([zero, Vector3::x(), Vector3::z() * 0.5, zero]);
-    let found = refine(&x, &bar, (1.0, 0.0), Active { xi: true, xi_bar: false });
+    let found = refine(&x, &bar, (1.0, 0.0), Held { xi: true, xi_bar: false });
     assert!(matches!(found, Err(ProjectionError::Singular { .. })), "{found:?}");
 }
 
@@ -202,7 +202,7 @@ fn a_minimum_about_an_end_is_reported_once() {
             assert_eq!((found.minima.len(), found.stationary.len()), (1, 0), "{found:?}");
             assert_eq!(end(&found).map(|end| end.strict), Some(false));
             assert!(matches!(found.minima[0].degeneracy(), Some(Degeneracy::WeakEnd { .. })));
-            assert_eq!(found.minima[0].active(), Active { xi: true, xi_bar: false });
+            assert_eq!(found.minima[0].held(), Held { xi: true, xi_bar: false });
         }
         for offset in [1e-11, 1e-9, 1e-7, 1e-5, 1e-3] {
             let inside = tee(sign * (1.0 + 1.0 / 65.0 * sign - offset));
@@ -232,15 +232,15 @@ fn input_that_is_not_finite() {
         let bar = line([0.0, 0.0, bad], [0.0, 1.0, 0.0], -1.0, 1.0);
         assert_eq!(closest_points(&x, &bar, &Search::default()), Err(ProjectionError::NonFinite));
         assert_eq!(closest_points(&bar, &x, &Search::default()), Err(ProjectionError::NonFinite));
-        assert_eq!(refine(&x, &bar, (0.0, 0.0), Active::default()), Err(ProjectionError::NonFinite));
-        assert_eq!(refine(&x, &x, (bad, 0.0), Active::default()), Err(ProjectionError::NonFinite));
+        assert_eq!(refine(&x, &bar, (0.0, 0.0), Held::default()), Err(ProjectionError::NonFinite));
+        assert_eq!(refine(&x, &x, (bad, 0.0), Held::default()), Err(ProjectionError::NonFinite));
     }
     // Finite, but their squares are not.
     for huge in
         [line([0.0, 0.0, 1e155], [0.0, 1.0, 0.0], -1.0, 1.0), line([0.0; 3], [0.0, 1e155, 0.0], -1.0, 1.0)]
     {
-        assert_eq!(refine(&x, &huge, (0.0, 0.5), Active::default()), Err(ProjectionError::NonFinite));
-        assert_eq!(refine(&huge, &x, (0.5, 0.0), Active::default()), Err(ProjectionError::NonFinite));
+        assert_eq!(refine(&x, &huge, (0.0, 0.5), Held::default()), Err(ProjectionError::NonFinite));
+        assert_eq!(refine(&huge, &x, (0.5, 0.0), Held::default()), Err(ProjectionError::NonFinite));
         assert_eq!(closest_points(&x, &huge, &Search::default()), Err(ProjectionError::NonFinite));
     }
 }
@@ -265,13 +265,13 @@ fn tangents_of_zero_length() {
 #[test]
 fn newton_says_what_it_found() {
     let (x, bar) = (circle(1.0, 0.0).over(-1.0, 1.0), line([3.0, 0.0, 0.25], [0.0, 1.0, 0.0], -1.0, 1.0));
-    let point = refine(&x, &bar, (0.1, -0.1), Active::default()).unwrap();
+    let point = refine(&x, &bar, (0.1, -0.1), Held::default()).unwrap();
     assert_eq!((point.kind, point.xi, point.xi_bar), (Kind::Minimum, 0.0, 0.0));
-    let held = refine(&x, &bar, (0.9, 0.1), Active { xi: true, xi_bar: false }).unwrap();
+    let held = refine(&x, &bar, (0.9, 0.1), Held { xi: true, xi_bar: false }).unwrap();
     assert_eq!((held.xi, held.kind), (1.0, Kind::Saddle));
     assert!(held.end.unwrap().multiplier < 0.0);
     let away = line([3.0, 9.0, 0.25], [0.0, 1.0, 0.0], -1.0, 1.0);
-    let failure = refine(&x, &away, (0.1, 0.1), Active::default());
+    let failure = refine(&x, &away, (0.1, 0.1), Held::default());
     assert_eq!(failure, Err(ProjectionError::AtEnd { bar: true, side: Side::Lower }));
 }
 

@@ -1,7 +1,9 @@
 //! The search misses nothing: against brute force on strongly curved pairs, and against itself on transformed ones.
 
 use crate::centroids::Cubic;
-use beamgap::closest_point::{Centroid, ClosestPoint, ClosestPoints, HalfSquare, Search, closest_points};
+use beamgap::closest_point::{
+    Centroid, ClosestPoint, ClosestPoints, Search, SquaredDistance, closest_points,
+};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -138,7 +140,7 @@ proptest! {
     fn residuals_are_rounding(x in cubic(), bar in cubic()) {
         let found = search(&x, &bar);
         for point in found.minima.iter().chain(&found.stationary) {
-            let p = HalfSquare::new(&x.geometry(point.xi), &bar.geometry(point.xi_bar));
+            let p = SquaredDistance::new(&x.geometry(point.xi), &bar.geometry(point.xi_bar));
             let rounding = 1e-15 * (p.a.abs() + p.b.abs() + p.a_bar.abs() + 2.0 * p.distance);
             let free = [point.end.is_none(), point.end_bar.is_none()];
             prop_assert!((0..2).all(|i| !free[i] || p.gradient[i].abs() < rounding), "{:?}", point);

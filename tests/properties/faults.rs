@@ -72,9 +72,9 @@ fn committed_teeth_bite_where_others_do_not() {
     assert!(committed.operations.len() > 30);
     for row in &committed.operations {
         assert!(row.unseen.iter().all(|unseen| unseen.reason.is_some()), "{row:?}");
-        let is_inside = row.place.ends_with("products") || row.place.ends_with("cross");
+        let is_inside = row.place.ends_with("determinants") || row.place.ends_with("cross");
         if (row.code == "equations" && is_inside)
-            || (row.code == "kernel, full" && row.place == "normal, products")
+            || (row.code == "kernel, full" && row.place == "normal, determinants")
         {
             assert_eq!((row.shown, row.unseen.len()), (row.faults, 0), "{row:?}");
         }

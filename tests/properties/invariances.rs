@@ -6,27 +6,32 @@ use crate::bounded::{exact, exact_dofs, is_near, linearized, linearized_case, sc
 use crate::pairs::{Contacting, Movable, contacting, hermite, refined, segment};
 use crate::strategies::vector;
 use beamgap::check::{Case, Compared, Comparison, Trial, Verdict, compare};
-use beamgap::closest_point::{Active, ClosestPoint};
+use beamgap::closest_point::{ClosestPoint, Held};
 use beamgap::curve::{Bezier, Hermite};
-use beamgap::linearization::{Expansion, Linearization, Quantity};
-use beamgap::number::Bounded;
+use beamgap::linearization::{Derivatives, Linearization, Quantity};
+use beamgap::number::RunningError;
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{Matrix3, SVector, Vector3};
 use proptest::prelude::*;
 
 type HermitePair = Contacting<Hermite, Hermite, 12, 12>;
-type Dofs<const N: usize, const M: usize> = DofVector<Bounded, N, M>;
+type Dofs<const N: usize, const M: usize> = DofVector<RunningError, N, M>;
 
 fn linearized_in_f64(case: &HermitePair) -> Linearization<f64, 12, 12> {
     case.pair.linearize(&case.q, &case.point)
 }
 
-fn expansions<const N: usize, const M: usize>(l: &Linearization<f64, N, M>) -> [&Expansion<f64, N, M>; 7] {
+fn all_derivatives<const N: usize, const M: usize>(
+    l: &Linearization<f64, N, M>,
+) -> [&Derivatives<f64, N, M>; 7] {
     [&l.d, &l.t, &l.t_bar, &l.xi, &l.xi_bar, &l.g_t, &l.g_t_bar]
 }
 
 /// Applies a 3 x 3 matrix to every control vector.
-fn apply<const N: usize>(matrix: &Matrix3<Bounded>, q: &SVector<Bounded, N>) -> SVector<Bounded, N> {
+fn apply<const N: usize>(
+    matrix: &Matrix3<RunningError>,
+    q: &SVector<RunningError, N>,
+) -> SVector<RunningError, N> {
     let mut turned = *q;
     for i in (0..N).step_by(3) {
         turned.fixed_rows_mut::<3>(i).copy_from(&(matrix * q.fixed_rows::<3>(i)));
@@ -34,13 +39,13 @@ fn apply<const N: usize>(matrix: &Matrix3<Bounded>, q: &SVector<Bounded, N>) -> 
     turned
 }
 
-fn apply_both(matrix: &Matrix3<Bounded>, q: &Dofs<12, 12>) -> Dofs<12, 12> {
+fn apply_both(matrix: &Matrix3<RunningError>, q: &Dofs<12, 12>) -> Dofs<12, 12> {
     DofVector { beam: apply(matrix, &q.beam), bar: apply(matrix, &q.bar) }
 }
 
 fn moved(case: &HermitePair, q: DofVector<f64, 12, 12>) -> HermitePair {
     let at = (case.point.xi, case.point.xi_bar);
-    let point = refined(&case.pair, &q, at, case.point.active()).expect("the moved point is stationary too");
+    let point = refined(&case.pair, &q, at, case.point.held()).expect("the moved point is stationary too");
     Contacting { q, point, ..case.clone() }
 }
 
@@ -50,25 +55,25 @@ fn translation(by: &Vector3<f64>) -> Dofs<12, 12> {
 }
 
 /// H v.
-fn times(e: &Expansion<Bounded, 12, 12>, v: &Dofs<12, 12>) -> Vec<Bounded> {
+fn times(e: &Derivatives<RunningError, 12, 12>, v: &Dofs<12, 12>) -> Vec<RunningError> {
     (0..24).map(|i| e.hessian.along(&DofVector::unit(i), v)).collect()
 }
 
 /// A rotation without an error but that of its entries, which are fractions of small numbers.
-fn rotation([a, b, c, d]: [i8; 4]) -> Matrix3<Bounded> {
+fn rotation([a, b, c, d]: [i8; 4]) -> Matrix3<RunningError> {
     let [a, b, c, d] = [a, b, c, d].map(f64::from);
     let entries = [
         [a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c)],
         [2.0 * (b * c + a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b)],
         [2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d],
     ];
-    let norm = Bounded::from(a * a + b * b + c * c + d * d);
-    Matrix3::from_fn(|i, j| Bounded::from(entries[i][j]) / norm)
+    let norm = RunningError::from(a * a + b * b + c * c + d * d);
+    Matrix3::from_fn(|i, j| RunningError::from(entries[i][j]) / norm)
 }
 
 /// Zero, to rounding.
-fn is_zero(x: Bounded) -> bool {
-    is_near(x, Bounded::from(0.0))
+fn is_zero(x: RunningError) -> bool {
+    is_near(x, RunningError::from(0.0))
 }
 
 /// The same for verdicts: all pairs of families in all regimes, in units from 2^-40 to 2^40.
@@ -121,12 +126,12 @@ proptest! {
     ) {
         let Contacting { pair, q, point, dq, linear_dq } = &case;
         let (rotation, near) = (rotation(quaternion), (point.xi, point.xi_bar));
-        let turned = apply_both(&rotation, &exact_dofs(q)).plus(Bounded::from(1.0), &translation(&by));
-        let (before, after) = (linearized_case(&case), linearized(pair, &turned, near, point.active()));
+        let turned = apply_both(&rotation, &exact_dofs(q)).plus(RunningError::from(1.0), &translation(&by));
+        let (before, after) = (linearized_case(&case), linearized(pair, &turned, near, point.held()));
         let directions = [dq, linear_dq].map(exact_dofs);
         let turned = directions.each_ref().map(|dq| apply_both(&rotation, dq));
         for (x, y) in scalars(&before).into_iter().zip(scalars(&after)) {
-            let numbers = |e: &Expansion<Bounded, 12, 12>, [dq, linear_dq]: &[Dofs<12, 12>; 2]| {
+            let numbers = |e: &Derivatives<RunningError, 12, 12>, [dq, linear_dq]: &[Dofs<12, 12>; 2]| {
                 [e.value, e.gradient.along(dq), e.hessian.along(dq, linear_dq)]
             };
             for (x, y) in numbers(x, &directions).into_iter().zip(numbers(y, &turned)) {
@@ -146,9 +151,9 @@ proptest! {
             contact: Contact { radius: radius_bar, radius_bar: radius, xi_0: xi_bar_0, xi_bar_0: xi_0 },
         };
         let q_swapped = DofVector { beam: exact(&q.bar), bar: exact(&q.beam) };
-        let active = Active { xi: point.active().xi_bar, xi_bar: point.active().xi };
+        let held = Held { xi: point.held().xi_bar, xi_bar: point.held().xi };
         let one = linearized_case(&case);
-        let two = linearized(&swapped, &q_swapped, (point.xi_bar, point.xi), active);
+        let two = linearized(&swapped, &q_swapped, (point.xi_bar, point.xi), held);
         let theirs = [&two.d, &two.t_bar, &two.t, &two.xi_bar, &two.xi, &two.g_t_bar, &two.g_t];
         for (x, y) in scalars(&one).into_iter().zip(theirs) {
             let index = |i: usize| if i < 12 { i + 6 } else { i - 12 };
@@ -171,7 +176,7 @@ proptest! {
         prop_assert_eq!((scaled.point.xi, scaled.point.xi_bar), (case.point.xi, case.point.xi_bar));
         let (before, after) = (linearized_in_f64(&case), linearized_in_f64(&scaled));
         // Value, gradient and Hessian of a length scale by s, 1 and 1/s; of a parameter by 1, 1/s and 1/s².
-        for (i, (x, y)) in expansions(&before).into_iter().zip(expansions(&after)).enumerate() {
+        for (i, (x, y)) in all_derivatives(&before).into_iter().zip(all_derivatives(&after)).enumerate() {
             let unit = if i == 3 || i == 4 { 1.0 } else { s };
             prop_assert_eq!(x.value * unit, y.value);
             for i in 0..24 {
@@ -196,7 +201,7 @@ proptest! {
     /// A rigid rotation changes no scalar: G . (w x q) = 0, and H (w x q) = w x G.
     #[test]
     fn rigid_rotations_turn_the_gradient(case in contacting(hermite(), hermite()), w in vector::<3>()) {
-        let spin = w.cross_matrix().map(Bounded::from);
+        let spin = w.cross_matrix().map(RunningError::from);
         let turning = apply_both(&spin, &exact_dofs(&case.q));
         for e in scalars(&linearized_case(&case)) {
             prop_assert!(is_zero(e.gradient.along(&turning)));
@@ -210,7 +215,7 @@ proptest! {
     /// Euler: lengths are homogeneous of degree 1 in q (G . q = v, H q = 0), parameters of degree 0 (G . q = 0, H q = -G).
     #[test]
     fn eulers_theorem_holds(case in contacting(hermite(), hermite())) {
-        let (q, zero) = (exact_dofs(&case.q), Bounded::from(0.0));
+        let (q, zero) = (exact_dofs(&case.q), RunningError::from(0.0));
         for (i, e) in scalars(&linearized_case(&case)).into_iter().enumerate() {
             let parameter = i == 3 || i == 4;
             let value = if parameter { zero } else { e.value };
@@ -225,19 +230,19 @@ proptest! {
     /// The part of a Bezier curve over [-1, s], as a curve of its own: xi is another, d and its variations are not.
     #[test]
     fn an_affine_change_of_parameter_changes_no_distance(
-        case in contacting(bezier(), bezier()).prop_filter("inside both", |case| case.point.active() == Active::default()),
+        case in contacting(bezier(), bezier()).prop_filter("inside both", |case| case.point.held() == Held::default()),
         cut in 0.1..0.9_f64,
     ) {
         // The fraction of the curve that is kept, beyond the point.
         let at = 0.5 * (1.0 + case.point.xi);
         let u = at + cut * (1.0 - at);
         let near = (2.0 * at / u - 1.0, case.point.xi_bar);
-        let u = Bounded::from(u);
+        let u = RunningError::from(u);
         let change = |q: &DofVector<f64, 12, 12>| DofVector { beam: split(&exact(&q.beam), u), bar: exact(&q.bar) };
         // Slips count from a parameter that has another name on the part.
         let before = linearized_case(&case);
-        let after = linearized(&case.pair, &change(&case.q), near, Active::default());
-        let numbers = |e: &Expansion<Bounded, 12, 12>, [dq, linear_dq]: [Dofs<12, 12>; 2]| {
+        let after = linearized(&case.pair, &change(&case.q), near, Held::default());
+        let numbers = |e: &Derivatives<RunningError, 12, 12>, [dq, linear_dq]: [Dofs<12, 12>; 2]| {
             [e.value, e.gradient.along(&dq), e.hessian.along(&dq, &linear_dq)]
         };
         let ours = |e| numbers(e, [&case.dq, &case.linear_dq].map(exact_dofs));
@@ -266,12 +271,14 @@ impl Movable<12> for Bezier<4> {
 }
 
 /// De Casteljau: the control points of the first part, up to the fraction `u`; linear in the points.
-fn split(q: &SVector<Bounded, 12>, u: Bounded) -> SVector<Bounded, 12> {
-    let mut points: Vec<Vector3<Bounded>> = (0..4).map(|i| q.fixed_rows::<3>(3 * i).into_owned()).collect();
-    let mut part = SVector::<Bounded, 12>::zeros();
+fn split(q: &SVector<RunningError, 12>, u: RunningError) -> SVector<RunningError, 12> {
+    let mut points: Vec<Vector3<RunningError>> =
+        (0..4).map(|i| q.fixed_rows::<3>(3 * i).into_owned()).collect();
+    let mut part = SVector::<RunningError, 12>::zeros();
     for i in 0..4 {
         part.fixed_rows_mut::<3>(3 * i).copy_from(&points[0]);
-        points = points.windows(2).map(|pair| pair[0] * (Bounded::from(1.0) - u) + pair[1] * u).collect();
+        points =
+            points.windows(2).map(|pair| pair[0] * (RunningError::from(1.0) - u) + pair[1] * u).collect();
     }
     part
 }

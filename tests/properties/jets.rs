@@ -1,14 +1,14 @@
 //! What [`Curve::jet`] states in closed form is the derivative of what [`Curve::position`] computes.
 //!
 //! The derivatives come from num-dual; how far two results may differ is measured by the size of the terms of both,
-//! which the same formulas over [`Magnitude`] yield.
+//! which the same formulas over [`TermScale`] yield.
 
 use crate::strategies::{arc, helix, knots, parameter, vector, weighted_points, weights};
 use beamgap::curve::{
     Arc, BSpline, Bezier, Cubic, Curve, DofDerivatives, Helix, Hermite, Jet, Lagrange, Nurbs, NurbsWeighted,
     Quadratic, Segment,
 };
-use beamgap::number::{Dual, HyperDual, Magnitude, Real};
+use beamgap::number::{Dual, HyperDual, Real, TermScale};
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual3, Dual64, DualNum, HyperDual64};
 use proptest::prelude::*;
@@ -44,8 +44,8 @@ fn nested_derivatives<T: Real, const N: usize>(
     [x.map(|x| x.re.re.re), x.map(|x| x.eps.re.re), x.map(|x| x.eps.eps.re), x.map(|x| x.eps.eps.eps)]
 }
 
-fn sizes<const N: usize>(v: &SVector<f64, N>) -> SVector<Magnitude, N> {
-    v.map(Magnitude::from)
+fn sizes<const N: usize>(v: &SVector<f64, N>) -> SVector<TermScale, N> {
+    v.map(TermScale::from)
 }
 
 /// Equality up to rounding: `scales` holds the sizes of the terms of both sides.
@@ -69,14 +69,14 @@ fn jet_is_derivative_of_position<C: Curve<N>, const N: usize>(
     xi: f64,
 ) -> Result<(), TestCaseError> {
     let jet = curve.jet(q, xi);
-    let jet_sizes: Jet<Magnitude, _> = curve.jet(&sizes(q), Magnitude::from(xi));
-    let scale = |v: Vector3<Magnitude>| v.map(|v| v.scale);
+    let jet_sizes: Jet<TermScale, _> = curve.jet(&sizes(q), TermScale::from(xi));
+    let scale = |v: Vector3<TermScale>| v.map(|v| v.scale);
 
     // The geometry.
     let g = &jet.geometry;
     let s = &jet_sizes.geometry;
     let expected = position_derivatives(curve, q, xi);
-    let expected_sizes = nested_derivatives(curve, &sizes(q), Magnitude::from(xi)).map(scale);
+    let expected_sizes = nested_derivatives(curve, &sizes(q), TermScale::from(xi)).map(scale);
     let actual =
         [("x", &g.x, s.x), ("t", &g.t, s.t), ("t_xi", &g.t_xi, s.t_xi), ("t_xixi", &g.t_xixi, s.t_xixi)];
     for (k, (name, actual, size)) in actual.into_iter().enumerate() {
@@ -87,7 +87,7 @@ fn jet_is_derivative_of_position<C: Curve<N>, const N: usize>(
     let along = SVector::from_fn(|i, _| Dual64::new(q[i], dq[i]));
     let expected = position_derivatives(curve, &along, xi);
     let along = SVector::from_fn(|i, _| Dual::new(q[i].into(), dq[i].into()));
-    let expected_sizes = nested_derivatives(curve, &along, Dual::<Magnitude>::from(xi));
+    let expected_sizes = nested_derivatives(curve, &along, Dual::<TermScale>::from(xi));
     for k in 0..3 {
         let scales = [expected_sizes[k].map(|x| x.eps.scale), scale(jet_sizes.dofs.variation(k, &sizes(dq)))];
         let actual = jet.dofs.variation(k, dq);
@@ -99,7 +99,7 @@ fn jet_is_derivative_of_position<C: Curve<N>, const N: usize>(
     let expected = position_derivatives(curve, &along, xi);
     let along =
         SVector::from_fn(|i, _| HyperDual::new(q[i].into(), dq[i].into(), linear_dq[i].into(), 0.0.into()));
-    let expected_sizes = nested_derivatives(curve, &along, HyperDual::<Magnitude>::from(xi));
+    let expected_sizes = nested_derivatives(curve, &along, HyperDual::<TermScale>::from(xi));
     for k in 0..2 {
         let scales = [
             expected_sizes[k].map(|x| x.eps1eps2.scale),
@@ -122,9 +122,9 @@ fn matrices_hold_the_variations<C: Curve<N>, const N: usize>(
     xi: f64,
 ) -> Result<(), TestCaseError> {
     let dofs = curve.jet(q, xi).dofs;
-    let dof_sizes = curve.jet(&sizes(q), Magnitude::from(xi)).dofs;
+    let dof_sizes = curve.jet(&sizes(q), TermScale::from(xi)).dofs;
     let unit = |i: usize| SVector::<f64, N>::from_fn(|j, _| f64::from(u8::from(i == j)));
-    let size = |v: Vector3<Magnitude>| sizes(w).dot(&v).scale;
+    let size = |v: Vector3<TermScale>| sizes(w).dot(&v).scale;
     for i in 0..N {
         for k in 0..3 {
             let error = dofs.gradient(k, w)[i] - w.dot(&dofs.variation(k, &unit(i)));
@@ -149,7 +149,7 @@ fn bound_holds<const N: usize>(curve: &impl Curve<N>, q: &SVector<f64, N>) -> Re
     for i in -10..=10 {
         let xi = 0.1 * f64::from(i);
         let third = curve.jet(q, xi).geometry.t_xixi.norm();
-        let rounding = curve.jet(&sizes(q), Magnitude::from(xi)).geometry.t_xixi.map(|x| x.scale).norm();
+        let rounding = curve.jet(&sizes(q), TermScale::from(xi)).geometry.t_xixi.map(|x| x.scale).norm();
         prop_assert!(third <= bound + TOLERANCE * rounding, "{third} > {bound} at {xi}");
     }
     Ok(())

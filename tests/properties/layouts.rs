@@ -3,18 +3,18 @@
 #![expect(clippy::float_cmp, reason = "layouts hold the same bits")]
 #![expect(clippy::large_stack_arrays, reason = "five quantities of 22 dofs")]
 
-use crate::blocks::{flat, flat_expansion, targets, tolerances};
+use crate::kernel::{flat, flat_expansion, targets, tolerances};
 use crate::pairs::{Contacting, any_arc, any_helix, contacting, hermite, quadratic};
-use beamgap::linearization::closed_form::blocks::{Full, Gradient, Packed, write_all, write_d};
-use beamgap::linearization::closed_form::{Form, Matrices, Points, jets};
-use beamgap::linearization::{Expansion, Linearization};
+use beamgap::linearization::closed_form::kernel::{Full, Gradient, Packed, write_all, write_d};
+use beamgap::linearization::closed_form::{Formulation, Matrices, Points, jets};
+use beamgap::linearization::{Derivatives, Linearization};
 use proptest::prelude::*;
 
 proptest! {
     #[test]
     fn layouts_agree(case in contacting(quadratic(), hermite())) {
         let Contacting { pair, q, point, .. } = &case;
-        let (mut full, mut blocks) = ([Full::<f64, 21>::zeros(); 5], [Expansion::zero(); 5]);
+        let (mut full, mut blocks) = ([Full::<f64, 21>::zeros(); 5], [Derivatives::zero(); 5]);
         let (mut packed, mut gradient) = ([Packed::<f64, 21, 231>::zeros(); 5], [Gradient::<f64, 21>::zeros(); 5]);
         write_all(pair, q, point, &mut targets(&mut full));
         write_all(pair, q, point, &mut targets(&mut blocks));
@@ -53,9 +53,9 @@ proptest! {
         write_all(pair, q, point, &mut targets(&mut full));
         let at = (point.xi, point.xi_bar);
         let (jet, jet_bar) = jets(pair, q, at);
-        let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
+        let form = Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.held());
         let Linearization::<f64, 12, 9> { d, xi, xi_bar, t, t_bar, .. } =
-            Matrices::in_form(&jet, &jet_bar, form).all(at, &pair.contact);
+            Matrices::in_formulation(&jet, &jet_bar, form).all(at, &pair.contact);
         prop_assert_eq!(full.each_ref().map(flat), [d, xi, xi_bar, t, t_bar].map(flat_expansion));
     }
 

@@ -2,7 +2,6 @@
 
 mod allocation;
 mod batches;
-mod blocks;
 mod bounded;
 mod bounds;
 mod candidate;
@@ -20,6 +19,7 @@ mod families;
 mod faults;
 mod invariances;
 mod jets;
+mod kernel;
 mod layouts;
 mod ledger;
 mod numbers;

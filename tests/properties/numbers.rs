@@ -1,7 +1,9 @@
 //! The scalars of the library against each other, over random expressions.
 
 use crate::strategies::{Expression, expression};
-use beamgap::number::{Bounded, BoundedBy, DoubleDouble, Dual, HyperDual, HyperDualRow, Magnitude, Real};
+use beamgap::number::{
+    DoubleDouble, Dual, HyperDual, HyperDualRow, Real, RunningError, RunningErrorBy, TermScale,
+};
 use num_dual::{Dual64, HyperDual64};
 use proptest::prelude::*;
 
@@ -27,7 +29,7 @@ fn distance(a: DoubleDouble, b: DoubleDouble) -> f64 {
 }
 
 /// Two ways of rounding lie no farther apart than a few times the bound of one of them.
-fn assert_near(what: &str, ours: Bounded, theirs: f64) -> Result<(), TestCaseError> {
+fn assert_near(what: &str, ours: RunningError, theirs: f64) -> Result<(), TestCaseError> {
     let error = (ours.value - theirs).abs();
     let conclusive = ours.value.is_finite() && ours.bound.is_finite() && theirs.is_finite();
     prop_assert!(!conclusive || error <= 16.0 * ours.bound, "{what}: {ours:?} is not {theirs:?}");
@@ -39,7 +41,7 @@ proptest! {
 
     #[test]
     fn dual_is_the_dual_of_num_dual(f in expression(), x in pair(), dx in pair()) {
-        let ours = f.evaluate([0, 1].map(|i| Dual::<Bounded>::new(x[i].into(), dx[i].into())));
+        let ours = f.evaluate([0, 1].map(|i| Dual::<RunningError>::new(x[i].into(), dx[i].into())));
         let theirs = f.evaluate([0, 1].map(|i| Dual64::new(x[i], dx[i])));
         assert_near("re", ours.re, theirs.re)?;
         assert_near("eps", ours.eps, theirs.eps)?;
@@ -53,7 +55,7 @@ proptest! {
     ) {
         let parts = [[x[0], p[0], p[1], p[2]], [x[1], p[3], p[4], p[5]]];
         let ours = f.evaluate(parts.map(|p| {
-            let [re, eps1, eps2, both] = p.map(Bounded::from);
+            let [re, eps1, eps2, both] = p.map(RunningError::from);
             HyperDual::new(re, eps1, eps2, both)
         }));
         let theirs = f.evaluate(parts.map(|[re, eps1, eps2, both]| HyperDual64::new(re, eps1, eps2, both)));
@@ -76,7 +78,7 @@ proptest! {
         }));
         for j in 0..3 {
             let one = f.evaluate([0, 1].map(|i| {
-                let [re, eps1, eps2, both] = [x[i], delta[i], linear[i][j], both[i][j]].map(Bounded::from);
+                let [re, eps1, eps2, both] = [x[i], delta[i], linear[i][j], both[i][j]].map(RunningError::from);
                 HyperDual::new(re, eps1, eps2, both)
             }));
             assert_near("re", one.re, row.re)?;
@@ -88,7 +90,7 @@ proptest! {
 
     #[test]
     fn bounded_has_the_bits_of_f64_and_bounds_its_error(f in expression(), x in pair()) {
-        let bounded = f.evaluate(x.map(Bounded::from));
+        let bounded = f.evaluate(x.map(RunningError::from));
         prop_assert!(same_bits(bounded.value, f.evaluate(x)));
         let exact = f.evaluate(x.map(DoubleDouble::from));
         if bounded.value.is_finite() && exact.value().is_finite() {
@@ -102,10 +104,10 @@ proptest! {
         f in expression(), x in pair(), bounds in pair(), size in -12..-2_i32,
     ) {
         let bounds = bounds.map(|bound| bound * 10_f64.powi(size));
-        let bounded = f.evaluate([0, 1].map(|i| Bounded::new(x[i], bounds[i].abs())));
-        let both = f.evaluate([0, 1].map(|i| BoundedBy::new(x[i], [0.0, bounds[i].abs()])));
+        let bounded = f.evaluate([0, 1].map(|i| RunningError::new(x[i], bounds[i].abs())));
+        let both = f.evaluate([0, 1].map(|i| RunningErrorBy::new(x[i], [0.0, bounds[i].abs()])));
         prop_assert!(same_bits(both.value, bounded.value));
-        prop_assert!(same_bits(both.bound[0], f.evaluate(x.map(Bounded::from)).bound));
+        prop_assert!(same_bits(both.bound[0], f.evaluate(x.map(RunningError::from)).bound));
         prop_assert!(same_bits(both.bound[1], bounded.bound));
         let exact = f.evaluate([0, 1].map(|i| DoubleDouble::from(x[i]) + DoubleDouble::from(bounds[i])));
         if bounded.value.is_finite() && exact.value().is_finite() {
@@ -116,7 +118,7 @@ proptest! {
 
     #[test]
     fn magnitude_is_not_below_the_value(f in expression(), x in pair()) {
-        let size = f.evaluate(x.map(Magnitude::from));
+        let size = f.evaluate(x.map(TermScale::from));
         let value = f.evaluate(x);
         prop_assert!(same_bits(size.value, value));
         prop_assert!(value.is_nan() || size.scale >= value.abs());
@@ -167,7 +169,7 @@ fn double_double_sine_and_cosine_of_one_are_those_of_the_tables() {
 
 #[test]
 fn root_of_negative_nought_has_a_bound() {
-    let root = Bounded::new(-0.0, 1e-4).sqrt();
+    let root = RunningError::new(-0.0, 1e-4).sqrt();
     assert!((1e-2..1e-2 + 1e-8).contains(&root.bound));
 }
 

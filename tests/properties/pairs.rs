@@ -1,7 +1,7 @@
 //! Pairs of beams at a closest point: drawn at random, made stationary, with directions to vary in.
 
 use crate::strategies::{arc, helix, parameter, vector, weighted_points};
-use beamgap::closest_point::{Active, ClosestPoint};
+use beamgap::closest_point::{ClosestPoint, Held};
 use beamgap::curve::{Arc, Curve, Helix, Hermite, Jet, NurbsWeighted, Quadratic, Segment};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{SVector, Vector3};
@@ -77,7 +77,7 @@ fn geometry<C: Curve<N>, const N: usize>(curve: &C, q: &SVector<f64, N>, xi: f64
     [jet.geometry.x, jet.geometry.t]
 }
 
-/// Pairs of two families, stationary inside, or with an end active.
+/// Pairs of two families, stationary inside, or with an end held.
 ///
 /// The bar beam is moved so that d is normal to the tangents of all free parameters; whether the point is a minimum,
 /// a saddle or a maximum makes no difference to its variations.
@@ -85,20 +85,20 @@ pub(crate) fn contacting<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
     beam: impl Strategy<Value = (A, SVector<f64, N>)>,
     bar: impl Strategy<Value = (B, SVector<f64, M>)>,
 ) -> impl Strategy<Value = Contacting<A, B, N, M>> {
-    let active = prop_oneof![4 => Just((false, false)), 1 => Just((true, false)), 1 => Just((false, true)),
+    let held = prop_oneof![4 => Just((false, false)), 1 => Just((true, false)), 1 => Just((false, true)),
         1 => Just((true, true))];
     let directions = (vector::<N>(), vector::<M>(), vector::<N>(), vector::<M>());
     let contact = (0.0..0.5, 0.0..0.5, parameter(), parameter())
         .prop_map(|(radius, radius_bar, xi_0, xi_bar_0)| Contact { radius, radius_bar, xi_0, xi_bar_0 });
-    (beam, bar, (-0.95..0.95, -0.95..0.95), active, vector::<3>(), directions, contact).prop_filter_map(
+    (beam, bar, (-0.95..0.95, -0.95..0.95), held, vector::<3>(), directions, contact).prop_filter_map(
         "regular and not too ill-conditioned",
-        |((curve, q), (curve_bar, q_bar), at, active, offset, directions, contact)| {
+        |((curve, q), (curve_bar, q_bar), at, held, offset, directions, contact)| {
             let end = |held: bool, xi: f64| if held { 1.0_f64.copysign(xi) } else { xi };
-            let at = (end(active.0, at.0), end(active.1, at.1));
+            let at = (end(held.0, at.0), end(held.1, at.1));
             let [x, t] = geometry(&curve, &q, at.0);
             let [x_bar, t_bar] = geometry(&curve_bar, &q_bar, at.1);
             // The part of the offset that is normal to the tangents of the free parameters.
-            let d = match active {
+            let d = match held {
                 (false, false) => t.cross(&t_bar).normalize() * offset.x,
                 (true, false) => offset - t_bar * (offset.dot(&t_bar) / t_bar.norm_squared()),
                 (false, true) => offset - t * (offset.dot(&t) / t.norm_squared()),
@@ -106,7 +106,7 @@ pub(crate) fn contacting<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
             };
             let q = DofVector { beam: A::moved(&q, &(d - (x - x_bar))), bar: q_bar };
             let pair = Pair { curve, curve_bar, contact };
-            let held = Active { xi: active.0, xi_bar: active.1 };
+            let held = Held { xi: held.0, xi_bar: held.1 };
             let point = refined(&pair, &q, at, held)?;
             let lengths = [t.norm(), t_bar.norm(), point.distance];
             let regular = point.conditioning.abs() > 0.1 && lengths.iter().all(|length| *length > 0.2);
@@ -127,9 +127,9 @@ pub(crate) fn refined<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     at: (f64, f64),
-    active: Active,
+    held: Held,
 ) -> Option<ClosestPoint> {
-    pair.refine(q, at, active).ok()
+    pair.refine(q, at, held).ok()
 }
 
 #[test]
@@ -140,13 +140,13 @@ fn pairs_are_stationary_and_cover_all_ends() {
     let mut counts = [0; 4];
     for _ in 0..200 {
         let Contacting { pair, q, point, .. } = strategy.new_tree(&mut runner).unwrap().current();
-        let active = point.active();
-        counts[usize::from(active.xi) + 2 * usize::from(active.xi_bar)] += 1;
+        let held = point.held();
+        counts[usize::from(held.xi) + 2 * usize::from(held.xi_bar)] += 1;
         let [x, t] = geometry(&pair.curve, &q.beam, point.xi);
         let [x_bar, t_bar] = geometry(&pair.curve_bar, &q.bar, point.xi_bar);
         let d = x - x_bar;
-        assert!(active.xi || d.dot(&t).abs() < 1e-12 * x.norm().max(1.0) * t.norm());
-        assert!(active.xi_bar || d.dot(&t_bar).abs() < 1e-12 * x.norm().max(1.0) * t_bar.norm());
+        assert!(held.xi || d.dot(&t).abs() < 1e-12 * x.norm().max(1.0) * t.norm());
+        assert!(held.xi_bar || d.dot(&t_bar).abs() < 1e-12 * x.norm().max(1.0) * t_bar.norm());
     }
     assert!(counts.iter().all(|&count| count > 10), "{counts:?}");
 }

@@ -1,7 +1,7 @@
 //! Over a prime field the closed form and AD are equal, not nearly equal.
 
 use crate::command_line::{blind_json, blind_text, golden, run};
-use beamgap::number::Residue;
+use beamgap::number::PrimeField;
 use beamgap::prove::{Layer, Proof, prove};
 use beamgap::specimen::Family;
 use beamgap::subject::Subject;
@@ -33,13 +33,13 @@ proptest! {
     /// What a refutation is told by: the ratio of both sides, if it is a small fraction.
     #[test]
     fn small_fractions_are_recognized(above in -1000_i64..=1000, below in 1..=1000_u32, other: u64) {
-        let (one, whole) = (Residue::new(above.unsigned_abs()), Residue::new(below.into()));
+        let (one, whole) = (PrimeField::new(above.unsigned_abs()), PrimeField::new(below.into()));
         let fraction = if above < 0 { -one / whole } else { one / whole };
         let (numerator, denominator) = fraction.fraction(1000).unwrap();
         prop_assert_eq!(i128::from(numerator) * i128::from(below), i128::from(above) * i128::from(denominator));
         prop_assert!(numerator.unsigned_abs() <= above.unsigned_abs() && denominator <= below.into());
         // One number in 10^12 is a small fraction.
-        prop_assert_eq!(Residue::new(other | 1 << 20).fraction(1000), None);
+        prop_assert_eq!(PrimeField::new(other | 1 << 20).fraction(1000), None);
     }
 }
 

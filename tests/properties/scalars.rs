@@ -14,9 +14,9 @@ const PRIME: u64 = (1 << 61) - 1;
 
 /// An element of the field, between 0 and `PRIME` - 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Residue(u64);
+struct PrimeField(u64);
 
-impl Residue {
+impl PrimeField {
     fn new(value: i64) -> Self {
         Self(value.rem_euclid(PRIME.cast_signed()).cast_unsigned())
     }
@@ -34,7 +34,7 @@ impl Residue {
     }
 }
 
-impl From<f64> for Residue {
+impl From<f64> for PrimeField {
     /// Exact: an `f64` is an integer times a power of two, and 2^61 = 1.
     fn from(value: f64) -> Self {
         let bits = value.to_bits();
@@ -46,21 +46,21 @@ impl From<f64> for Residue {
     }
 }
 
-impl Add for Residue {
+impl Add for PrimeField {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self((self.0 + other.0) % PRIME)
     }
 }
 
-impl Sub for Residue {
+impl Sub for PrimeField {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul for Residue {
+impl Mul for PrimeField {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let product = u128::from(self.0) * u128::from(other.0) % u128::from(PRIME);
@@ -68,7 +68,7 @@ impl Mul for Residue {
     }
 }
 
-impl Div for Residue {
+impl Div for PrimeField {
     type Output = Self;
     /// By Fermat, 1 / a = a^(p - 2).
     fn div(self, other: Self) -> Self {
@@ -76,38 +76,38 @@ impl Div for Residue {
     }
 }
 
-impl Neg for Residue {
+impl Neg for PrimeField {
     type Output = Self;
     fn neg(self) -> Self {
         Self((PRIME - self.0) % PRIME)
     }
 }
 
-impl AddAssign for Residue {
+impl AddAssign for PrimeField {
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl SubAssign for Residue {
+impl SubAssign for PrimeField {
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl MulAssign for Residue {
+impl MulAssign for PrimeField {
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
 }
 
-impl DivAssign for Residue {
+impl DivAssign for PrimeField {
     fn div_assign(&mut self, other: Self) {
         *self = *self / other;
     }
 }
 
-impl Zero for Residue {
+impl Zero for PrimeField {
     fn zero() -> Self {
         Self(0)
     }
@@ -117,13 +117,13 @@ impl Zero for Residue {
     }
 }
 
-impl One for Residue {
+impl One for PrimeField {
     fn one() -> Self {
         Self(1)
     }
 }
 
-impl Real for Residue {
+impl Real for PrimeField {
     /// The root of a square; the prime is 3 modulo 4.
     fn sqrt(self) -> Self {
         self.power((PRIME + 1) / 4)
@@ -137,39 +137,39 @@ impl Real for Residue {
     }
 }
 
-fn residue() -> impl Strategy<Value = Residue> {
-    (0..PRIME).prop_map(Residue)
+fn residue() -> impl Strategy<Value = PrimeField> {
+    (0..PRIME).prop_map(PrimeField)
 }
 
-fn residues<const N: usize>() -> impl Strategy<Value = SVector<Residue, N>> {
+fn residues<const N: usize>() -> impl Strategy<Value = SVector<PrimeField, N>> {
     proptest::array::uniform::<_, N>(residue()).prop_map(SVector::from)
 }
 
 /// Every identity between the jet and the position that a first-order dual number can state, exactly.
 fn jet_is_exact<const N: usize>(
     curve: &impl Curve<N>,
-    q: &SVector<Residue, N>,
-    dq: [&SVector<Residue, N>; 2],
-    xi: Residue,
+    q: &SVector<PrimeField, N>,
+    dq: [&SVector<PrimeField, N>; 2],
+    xi: PrimeField,
 ) -> Result<(), TestCaseError> {
     let jet = curve.jet(q, xi);
     let g = jet.geometry;
     prop_assert_eq!(g.x, curve.position(q, xi));
 
-    let moving = Dual::new(xi, Residue::one());
-    let constant = |q: Residue| Dual::new(q, Residue::zero());
+    let moving = Dual::new(xi, PrimeField::one());
+    let constant = |q: PrimeField| Dual::new(q, PrimeField::zero());
     prop_assert_eq!(g.t, curve.position(&q.map(constant), moving).map(|x| x.eps));
     let along = curve.jet(&q.map(constant), moving).geometry;
     prop_assert_eq!(g.t_xi, along.t.map(|x| x.eps));
     prop_assert_eq!(g.t_xixi, along.t_xi.map(|x| x.eps));
 
-    let varied = SVector::from_fn(|i, _| HyperDual::new(q[i], dq[0][i], dq[1][i], Residue::zero()));
-    let still = HyperDual::new(xi, Residue::zero(), Residue::zero(), Residue::zero());
+    let varied = SVector::from_fn(|i, _| HyperDual::new(q[i], dq[0][i], dq[1][i], PrimeField::zero()));
+    let still = HyperDual::new(xi, PrimeField::zero(), PrimeField::zero(), PrimeField::zero());
     let along = curve.jet(&varied, still).geometry;
     let x = curve.position(&varied, still);
     prop_assert_eq!(x, along.x);
     for (k, x) in [x, along.t, along.t_xi].into_iter().enumerate() {
-        let parts = |part: fn(&HyperDual<Residue>) -> Residue| -> Vector3<Residue> {
+        let parts = |part: fn(&HyperDual<PrimeField>) -> PrimeField| -> Vector3<PrimeField> {
             Vector3::from_fn(|i, _| part(&x[i]))
         };
         let (w, delta) = (g.x, jet.dofs.variation(k, dq[0]));
@@ -197,9 +197,9 @@ proptest! {
         let root = (a * a).sqrt();
         prop_assert_eq!(root * root, a * a);
         let (sin, cos) = a.sin_cos();
-        prop_assert_eq!(sin * sin + cos * cos, Residue::one());
-        prop_assert_eq!(Residue::from(f64::from(n)), Residue::new(n.into()));
-        prop_assert_eq!(Residue::from(f64::from(n) / 1024.0) * Residue::new(1024), Residue::new(n.into()));
+        prop_assert_eq!(sin * sin + cos * cos, PrimeField::one());
+        prop_assert_eq!(PrimeField::from(f64::from(n)), PrimeField::new(n.into()));
+        prop_assert_eq!(PrimeField::from(f64::from(n) / 1024.0) * PrimeField::new(1024), PrimeField::new(n.into()));
     }
 
     #[test]

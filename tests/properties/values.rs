@@ -2,7 +2,7 @@
 
 use crate::centroids::Winding;
 use crate::pairs::{Contacting, Movable, any_helix, contacting, hermite, nurbs, refined};
-use beamgap::closest_point::{Active, Centroid, HalfSquare};
+use beamgap::closest_point::{Centroid, Held, SquaredDistance};
 use beamgap::curve::Segment;
 use beamgap::linearization::closed_form;
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -22,7 +22,7 @@ fn two_lines_have_the_known_derivatives() {
         beam: SVector::from([-1.0, 0.0, 0.0, 1.0, 0.25, 0.125]),
         bar: SVector::from([-0.5, -1.0, 0.5, 0.75, 1.0, 0.625]),
     };
-    let point = refined(&pair, &q, (0.0, 0.0), Active::default()).unwrap();
+    let point = refined(&pair, &q, (0.0, 0.0), Held::default()).unwrap();
     let l = pair.linearize(&q, &point);
     close(l.xi.value, 0.243_598_912_887_998_86);
     close(l.xi_bar.value, 0.142_898_011_729_366_33);
@@ -45,7 +45,7 @@ fn differences_agree<A: Movable<N>, B: Movable<M>, const N: usize, const M: usiz
     let at = (point.xi, point.xi_bar);
     let along = |h: f64| {
         let q = q.plus(h, linear_dq);
-        let point = refined(pair, &q, at, point.active()).expect("stays regular");
+        let point = refined(pair, &q, at, point.held()).expect("stays regular");
         closed_form::vary(pair, &q, &point, dq, linear_dq).components()
     };
     // A step that moves the parameters by a ten-thousandth.
@@ -106,7 +106,7 @@ fn the_local_theory_gives_the_determinant() {
         let beam = circle(0.0, Vector3::x(), 1.0, k);
         let bar = circle(h, Vector3::new(alpha.cos(), alpha.sin(), 0.0), -1.0, k_bar);
         let (x, y) = (beam.geometry(0.0), bar.geometry(0.0));
-        let at = HalfSquare::new(&x, &y);
+        let at = SquaredDistance::new(&x, &y);
         let scaled = at.determinant() / (x.t.norm_squared() * y.t.norm_squared());
         let expected = alpha.cos().powi(2) - (1.0 - h * k) * (1.0 - h * k_bar);
         assert!((scaled - expected).abs() < 1e-14, "{scaled}, not {expected}");

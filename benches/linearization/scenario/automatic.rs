@@ -7,7 +7,7 @@ use beamgap::linearization::ad::{
     Chord, Route, chord, expand_by_orders, expand_by_rows, expand_by_sweep, expand_by_vector_dual,
     expand_d_by_orders,
 };
-use beamgap::linearization::{Expansion, Quantities};
+use beamgap::linearization::{Derivatives, Quantities};
 
 /// The dofs that a row takes at once: four vectors of the default target.
 const ROW: usize = 8;
@@ -28,7 +28,7 @@ pub(super) fn scenarios<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, cons
     judge: &Judge,
 ) -> Vec<Scenario> {
     // One chord step makes the first variation of xi exact, and d needs no more.
-    let of_d: [Way<A, B, [Expansion<f64, N, M>; 1], N, M>; 5] = [
+    let of_d: [Way<A, B, [Derivatives<f64, N, M>; 1], N, M>; 5] = [
         ("rows of hyper-duals, by orders", |p| {
             [expand_d_by_orders::<_, _, N, M, ROW>(&p.pair, &p.q, &p.point)]
         }),
@@ -39,7 +39,7 @@ pub(super) fn scenarios<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, cons
         ("hyper-dual, Newton", |p| expand_by_sweep(Route::Newton, &p.pair, &p.q, &p.point, d)),
         ("hyper-dual, stationary", |p| expand_by_sweep(Route::Stationary, &p.pair, &p.q, &p.point, d)),
     ];
-    let of_all: [Way<A, B, [Expansion<f64, N, M>; 5], N, M>; 5] = [
+    let of_all: [Way<A, B, [Derivatives<f64, N, M>; 5], N, M>; 5] = [
         ("rows of hyper-duals, by orders", |p| {
             expand_by_orders::<_, _, N, M, ROW, 5>(&p.pair, &p.q, &p.point, all)
         }),

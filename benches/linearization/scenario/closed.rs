@@ -4,9 +4,9 @@ use super::error::Rows;
 use super::input::{Input, TimedCurve};
 use super::work::{Judge, rows, scenario, written};
 use super::{Scenario, Task};
-use beamgap::linearization::closed_form::blocks::{self, Full, Gradient, Packed, Targets};
+use beamgap::linearization::closed_form::kernel::{self, Full, Gradient, Packed, Targets};
 use beamgap::linearization::closed_form::{Matrices, jets};
-use beamgap::linearization::{Expansion, Linearization};
+use beamgap::linearization::{Derivatives, Linearization};
 use beamgap::report::CLOSED_FORM;
 
 pub(super) const IN_FULL: &str = "closed form, in full";
@@ -43,7 +43,7 @@ pub(super) fn scenarios<
         written(
             (Task::GradientOfDistance, CLOSED_FORM),
             input,
-            |p, to| blocks::write_d(&p.pair, &p.q, &p.point, to),
+            |p, to| kernel::write_d(&p.pair, &p.q, &p.point, to),
             Gradient::<f64, S>::zeros,
             move |of| gradients(std::slice::from_ref(of)),
             judge.of_gradients(1),
@@ -52,7 +52,7 @@ pub(super) fn scenarios<
             (Task::Gradients, CLOSED_FORM),
             input,
             |p, [d, xi, xi_bar, t, t_bar]: &mut [Gradient<f64, S>; 5]| {
-                blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+                kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
             },
             || [Gradient::zeros(); 5],
             move |of| gradients(of),
@@ -67,10 +67,10 @@ pub(super) fn distance<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const
     input: &Input<A, B, N, M>,
     judge: &Judge,
 ) -> Scenario {
-    let work = |p: &Input<A, B, N, M>, to: &mut Expansion<f64, N, M>| {
-        blocks::write_d(&p.pair, &p.q, &p.point, to);
+    let work = |p: &Input<A, B, N, M>, to: &mut Derivatives<f64, N, M>| {
+        kernel::write_d(&p.pair, &p.q, &p.point, to);
     };
-    written((task, CLOSED_FORM), input, work, Expansion::zero, |of| rows(&[of]), judge.of_first(3))
+    written((task, CLOSED_FORM), input, work, Derivatives::zero, |of| rows(&[of]), judge.of_first(3))
 }
 
 /// All quantities but the slips.
@@ -79,19 +79,19 @@ pub(super) fn all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: u
     input: &Input<A, B, N, M>,
     judge: &Judge,
 ) -> Scenario {
-    let work = |p: &Input<A, B, N, M>, to: &mut [Expansion<f64, N, M>; 5]| {
+    let work = |p: &Input<A, B, N, M>, to: &mut [Derivatives<f64, N, M>; 5]| {
         let [d, xi, xi_bar, t, t_bar] = to;
-        blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+        kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
     };
-    let memory = || [Expansion::zero(); 5];
+    let memory = || [Derivatives::zero(); 5];
     written((task, CLOSED_FORM), input, work, memory, |of| rows(&of.each_ref()), judge.of_first(15))
 }
 
 fn d_by_terms<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     p: &Input<A, B, N, M>,
-) -> Expansion<f64, N, M> {
+) -> Derivatives<f64, N, M> {
     let (jet, jet_bar) = jets(&p.pair, &p.q, (p.point.xi, p.point.xi_bar));
-    Matrices::new(&jet, &jet_bar, p.point.active()).d()
+    Matrices::new(&jet, &jet_bar, p.point.held()).d()
 }
 
 /// The layouts other than that of blocks: `S` dofs, `H` entries of the lower triangle.
@@ -122,7 +122,7 @@ pub(super) fn layouts<
         written(
             (Task::Distance, IN_FULL),
             input,
-            |p, to| blocks::write_d(&p.pair, &p.q, &p.point, to),
+            |p, to| kernel::write_d(&p.pair, &p.q, &p.point, to),
             Full::<f64, S>::zeros,
             move |of| full(std::slice::from_ref(of)),
             judge.of_first(3),
@@ -130,7 +130,7 @@ pub(super) fn layouts<
         written(
             (Task::Distance, PACKED),
             input,
-            |p, to| blocks::write_d(&p.pair, &p.q, &p.point, to),
+            |p, to| kernel::write_d(&p.pair, &p.q, &p.point, to),
             Packed::<f64, S, H>::zeros,
             move |of| packed(std::slice::from_ref(of)),
             judge.of_first(3),
@@ -139,7 +139,7 @@ pub(super) fn layouts<
             (Task::All, IN_FULL),
             input,
             |p, [d, xi, xi_bar, t, t_bar]: &mut [Full<f64, S>; 5]| {
-                blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+                kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
             },
             || [Full::zeros(); 5],
             move |of| full(of),
@@ -149,7 +149,7 @@ pub(super) fn layouts<
             (Task::All, PACKED),
             input,
             |p, [d, xi, xi_bar, t, t_bar]: &mut [Packed<f64, S, H>; 5]| {
-                blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+                kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
             },
             || [Packed::zeros(); 5],
             move |of| packed(of),

@@ -36,7 +36,7 @@ pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const 
         }),
         ("Newton from 0.05 off", |p| {
             let start = (p.point.xi + OFF, p.point.xi_bar - OFF);
-            let found = p.pair.refine(&p.q, start, p.point.active()).expect("it is near");
+            let found = p.pair.refine(&p.q, start, p.point.held()).expect("it is near");
             (found.xi, found.xi_bar)
         }),
     ];

@@ -5,12 +5,12 @@ use super::input::{Input, hermites};
 use super::many::FOUR_AT_ONCE;
 use super::{Scenario, Task};
 use beamgap::curve::Hermite;
-use beamgap::linearization::Expansion;
-use beamgap::linearization::closed_form::Form;
-use beamgap::linearization::closed_form::blocks::{
+use beamgap::linearization::Derivatives;
+use beamgap::linearization::closed_form::Formulation;
+use beamgap::linearization::closed_form::kernel::{
     Full, Packed, Target, Targets, write_all_over, write_d_over,
 };
-use beamgap::number::Counted;
+use beamgap::number::OperationCount;
 use beamgap::pair::{DofVector, Pair};
 use beamgap::report::CLOSED_FORM;
 use nalgebra::SVector;
@@ -24,14 +24,14 @@ pub(super) fn counted(mut scenarios: Vec<Scenario>) -> Vec<Scenario> {
 }
 
 fn multiply_adds(task: Task, way: &str) -> Option<usize> {
-    let full = Full::<Counted, 24>::zeros();
-    let packed = Packed::<Counted, 24, 300>::zeros();
+    let full = Full::<OperationCount, 24>::zeros();
+    let packed = Packed::<OperationCount, 24, 300>::zeros();
     match task {
-        Task::Distance if way == CLOSED_FORM => Some(of_d(Expansion::zero())),
+        Task::Distance if way == CLOSED_FORM => Some(of_d(Derivatives::zero())),
         Task::Distance if way == IN_FULL => Some(of_d(full)),
         Task::Distance if way == PACKED => Some(of_d(packed)),
         Task::DistanceOfMany if way == FOUR_AT_ONCE => Some(of_d(packed)),
-        Task::All if way == CLOSED_FORM => Some(of_all(Expansion::zero())),
+        Task::All if way == CLOSED_FORM => Some(of_all(Derivatives::zero())),
         Task::All if way == IN_FULL => Some(of_all(full)),
         Task::All if way == PACKED => Some(of_all(packed)),
         Task::AllOfMany if way == FOUR_AT_ONCE => Some(of_all(packed)),
@@ -39,30 +39,30 @@ fn multiply_adds(task: Task, way: &str) -> Option<usize> {
     }
 }
 
-fn of_d(mut to: impl Target<Counted, 12, 12>) -> usize {
+fn of_d(mut to: impl Target<OperationCount, 12, 12>) -> usize {
     let Given { pair, q, at, form } = given();
-    Counted::count(|| assert!(write_d_over(&pair, &q, at, form, &mut to)))
+    OperationCount::count(|| assert!(write_d_over(&pair, &q, at, form, &mut to)))
 }
 
-fn of_all(to: impl Target<Counted, 12, 12> + Copy) -> usize {
+fn of_all(to: impl Target<OperationCount, 12, 12> + Copy) -> usize {
     let Given { pair, q, at, form } = given();
     let mut five = [to; 5];
     let [d, xi, xi_bar, t, t_bar] = &mut five;
     let mut to = Targets { d, xi, xi_bar, t, t_bar };
-    Counted::count(|| assert!(write_all_over(&pair, &q, at, form, &mut to)))
+    OperationCount::count(|| assert!(write_all_over(&pair, &q, at, form, &mut to)))
 }
 
 struct Given {
     pair: Pair<Hermite, Hermite, 12, 12>,
-    q: DofVector<Counted, 12, 12>,
-    at: (Counted, Counted),
-    form: Form,
+    q: DofVector<OperationCount, 12, 12>,
+    at: (OperationCount, OperationCount),
+    form: Formulation,
 }
 
 fn given() -> Given {
     let Input { pair, q, point, .. } = hermites();
-    let counted = |q: SVector<f64, 12>| q.map(Counted::given);
+    let counted = |q: SVector<f64, 12>| q.map(OperationCount::given);
     let q = DofVector { beam: counted(q.beam), bar: counted(q.bar) };
-    let at = (Counted::given(point.xi), Counted::given(point.xi_bar));
-    Given { pair, q, at, form: Form::paper(point.active()) }
+    let at = (OperationCount::given(point.xi), OperationCount::given(point.xi_bar));
+    Given { pair, q, at, form: Formulation::paper(point.held()) }
 }

@@ -6,8 +6,8 @@ use super::work::{Judge, rows, scenario};
 use super::{Error, Scenario, Task, automatic};
 use beamgap::closest_point::ClosestPoint;
 use beamgap::linearization::ad::{Perturbed, evaluate};
-use beamgap::linearization::closed_form::blocks::{self, Gradient, Targets};
-use beamgap::linearization::{Expansion, Quantities};
+use beamgap::linearization::closed_form::kernel::{self, Gradient, Targets};
+use beamgap::linearization::{Derivatives, Quantities};
 use beamgap::pair::DofVector;
 
 /// The step for differences of values: the fourth root of epsilon, about the best for lengths near 1.
@@ -25,7 +25,7 @@ fn moved<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     for &(i, step) in moves {
         q.set(i, q.entry(i) + step);
     }
-    let point = pair.refine(&q, (point.xi, point.xi_bar), point.active()).expect("a small move");
+    let point = pair.refine(&q, (point.xi, point.xi_bar), point.held()).expect("a small move");
     (q, point)
 }
 
@@ -34,7 +34,7 @@ fn of_values<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize,
     input: &Input<A, B, N, M>,
     pick: impl Fn(Quantities<f64>) -> [f64; K],
     width: f64,
-) -> [Expansion<f64, N, M>; K] {
+) -> [Derivatives<f64, N, M>; K] {
     let h = width * OF_VALUES;
     let at = |moves: &[(usize, f64)]| {
         let (q, found) = moved(input, moves);
@@ -43,22 +43,22 @@ fn of_values<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize,
         pick(evaluate(&beam, &bar, (found.xi, found.xi_bar), &input.pair.contact))
     };
     let centre = at(&[]);
-    let mut expansions = centre.map(|value| Expansion { value, ..Expansion::zero() });
+    let mut all_derivatives = centre.map(|value| Derivatives { value, ..Derivatives::zero() });
     for j in 0..N + M {
         let (plus, minus) = (at(&[(j, h)]), at(&[(j, -h)]));
-        for (k, expansion) in expansions.iter_mut().enumerate() {
-            expansion.gradient.set(j, (plus[k] - minus[k]) / (2.0 * h));
-            expansion.hessian.set(j, j, (plus[k] - 2.0 * centre[k] + minus[k]) / (h * h));
+        for (k, derivatives) in all_derivatives.iter_mut().enumerate() {
+            derivatives.gradient.set(j, (plus[k] - minus[k]) / (2.0 * h));
+            derivatives.hessian.set(j, j, (plus[k] - 2.0 * centre[k] + minus[k]) / (h * h));
         }
         for i in 0..j {
             let [pp, pm, mp, mm] =
                 [(h, h), (h, -h), (-h, h), (-h, -h)].map(|(one, other)| at(&[(i, one), (j, other)]));
-            for (k, expansion) in expansions.iter_mut().enumerate() {
-                expansion.hessian.set(i, j, (pp[k] - pm[k] - mp[k] + mm[k]) / (4.0 * h * h));
+            for (k, derivatives) in all_derivatives.iter_mut().enumerate() {
+                derivatives.hessian.set(i, j, (pp[k] - pm[k] - mp[k] + mm[k]) / (4.0 * h * h));
             }
         }
     }
-    expansions
+    all_derivatives
 }
 
 /// Values and gradients that `gradients` has in closed form, and Hessians by differences of them `width` steps wide.
@@ -73,27 +73,27 @@ fn of_gradients<
     input: &Input<A, B, N, M>,
     gradients: impl Fn(&Input<A, B, N, M>) -> [Gradient<f64, S>; K],
     width: f64,
-) -> [Expansion<f64, N, M>; K] {
+) -> [Derivatives<f64, N, M>; K] {
     let h = width * OF_GRADIENTS;
     let at = |moves: &[(usize, f64)]| {
         let (q, point) = moved(input, moves);
         gradients(&Input { q, point, ..*input })
     };
-    let mut expansions = at(&[]).map(|centre| {
-        let mut expansion = Expansion { value: centre.value, ..Expansion::zero() };
-        centre.gradient.into_iter().enumerate().for_each(|(i, slope)| expansion.gradient.set(i, slope));
-        expansion
+    let mut all_derivatives = at(&[]).map(|centre| {
+        let mut derivatives = Derivatives { value: centre.value, ..Derivatives::zero() };
+        centre.gradient.into_iter().enumerate().for_each(|(i, slope)| derivatives.gradient.set(i, slope));
+        derivatives
     });
     for j in 0..N + M {
         let (plus, minus) = (at(&[(j, h)]), at(&[(j, -h)]));
-        for (k, expansion) in expansions.iter_mut().enumerate() {
+        for (k, derivatives) in all_derivatives.iter_mut().enumerate() {
             for i in 0..=j {
                 let slope = (plus[k].gradient[i] - minus[k].gradient[i]) / (2.0 * h);
-                expansion.hessian.set(i, j, slope);
+                derivatives.hessian.set(i, j, slope);
             }
         }
     }
-    expansions
+    all_derivatives
 }
 
 /// What is differenced.
@@ -130,7 +130,7 @@ fn gradient_of_d<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: us
     p: &Input<A, B, N, M>,
 ) -> [Gradient<f64, S>; 1] {
     let mut to = [Gradient::zeros()];
-    blocks::write_d(&p.pair, &p.q, &p.point, &mut to[0]);
+    kernel::write_d(&p.pair, &p.q, &p.point, &mut to[0]);
     to
 }
 
@@ -139,7 +139,7 @@ fn gradients_of_all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M:
 ) -> [Gradient<f64, S>; 5] {
     let mut to = [Gradient::zeros(); 5];
     let [d, xi, xi_bar, t, t_bar] = &mut to;
-    blocks::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
     to
 }
 
@@ -149,13 +149,13 @@ fn by<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize, const 
     differenced: Differenced,
     input: &Input<A, B, N, M>,
     judge: &Judge,
-    work: fn(&Input<A, B, N, M>, f64) -> [Expansion<f64, N, M>; K],
+    work: fn(&Input<A, B, N, M>, f64) -> [Derivatives<f64, N, M>; K],
 ) -> Scenario {
     let way = match differenced {
         Differenced::Values => "differences of values",
         Differenced::Gradients => "differences of gradients",
     };
-    let rows = |of: &[Expansion<f64, N, M>; K]| rows(&of.each_ref());
+    let rows = |of: &[Derivatives<f64, N, M>; K]| rows(&of.each_ref());
     let (moved, judge) = (*input, judge.clone());
     let error =
         move |fine: Rows| error(&fine, &rows(&work(&moved, 2.0)), &judge.truth()[..3 * K], differenced);

@@ -6,8 +6,8 @@ use super::truth;
 use super::work::{Judge, rows};
 use super::{Error, Runner, Scenario, Task};
 use beamgap::curve::Hermite;
-use beamgap::linearization::Expansion;
-use beamgap::linearization::closed_form::blocks::{self, Encounter, Packed, Targets};
+use beamgap::linearization::Derivatives;
+use beamgap::linearization::closed_form::kernel::{self, Packed, PairAtPoint, Targets};
 use beamgap::number::Lanes;
 use beamgap::specimen::Family;
 use rayon::prelude::*;
@@ -29,9 +29,9 @@ const CHUNK: usize = 128;
 pub(super) const FOUR_AT_ONCE: &str = "closed form, four at once, 1 thread";
 
 type Hermites = Twins<Hermite, 12>;
-type Met = Encounter<'static, Hermite, Hermite, 12, 12>;
+type Met = PairAtPoint<'static, Hermite, Hermite, 12, 12>;
 /// `K` quantities of a pair.
-type Expansions<const K: usize> = [Expansion<f64, 12, 12>; K];
+type Expansions<const K: usize> = [Derivatives<f64, 12, 12>; K];
 /// `K` quantities of four pairs, halves of the Hessians.
 type Four<const K: usize> = [Packed<Lanes, 24, 300>; K];
 
@@ -39,10 +39,10 @@ type Four<const K: usize> = [Packed<Lanes, 24, 300>; K];
 type Batch<const K: usize> = fn(&[Met], &mut [Four<K>], NonZeroUsize);
 
 const D: Batch<1> = |of, to, threads| {
-    blocks::write_d_batch(of, to.as_flattened_mut(), threads);
+    kernel::write_d_batch(of, to.as_flattened_mut(), threads);
 };
 const ALL: Batch<5> = |of, to, threads| {
-    blocks::write_all_batch(of, to, threads);
+    kernel::write_all_batch(of, to, threads);
 };
 
 /// By one thread and by two.
@@ -51,16 +51,16 @@ pub(super) fn scenarios() -> Vec<Scenario> {
     let different: &[Hermites] = drawn(Family::Hermite, DIFFERENT, |_| Hermite::new()).leak();
     let met = |Twins { pair, q, point, .. }: &'static Hermites| Met { pair, q, point };
     let pairs: Arc<[Met]> = different.iter().map(met).cycle().take(IN_CACHE).collect();
-    let judges = different.iter().map(|&input| Judge::new(move || truth::expansions(&input))).collect();
+    let judges = different.iter().map(|&input| Judge::new(move || truth::all_derivatives(&input))).collect();
     let many = Many { pairs, judges };
     let mut all = Vec::new();
     for threads in [1, 2] {
         all.push(many.one_by_one(Task::DistanceOfMany, threads, |p, [d]: &mut Expansions<1>| {
-            blocks::write_d(p.pair, p.q, p.point, d);
+            kernel::write_d(p.pair, p.q, p.point, d);
         }));
         all.push(many.one_by_one(Task::AllOfMany, threads, |p, to: &mut Expansions<5>| {
             let [d, xi, xi_bar, t, t_bar] = to;
-            blocks::write_all(p.pair, p.q, p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+            kernel::write_all(p.pair, p.q, p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
         }));
         all.push(many.four_at_once(Task::DistanceOfMany, threads, D));
         all.push(many.four_at_once(Task::AllOfMany, threads, ALL));
@@ -90,7 +90,7 @@ impl Many {
             Box::new(move || {
                 pool.install(|| {
                     pairs[..IN_CACHE / K].par_chunks(CHUNK).for_each(|chunk| {
-                        let mut to = [Expansion::zero(); K];
+                        let mut to = [Derivatives::zero(); K];
                         for pair in chunk {
                             work(black_box(pair), black_box(&mut to));
                         }
@@ -99,7 +99,7 @@ impl Many {
             })
         };
         let rows = move |i: usize| {
-            let mut to = [Expansion::zero(); K];
+            let mut to = [Derivatives::zero(); K];
             work(&of_first[i], &mut to);
             rows(&to.each_ref())
         };

@@ -8,7 +8,7 @@ use beamgap::curve::Hermite;
 /// The standard pair, with what is compiled for one pair only.
 pub(super) fn standard(input: &Twins<Hermite, 12>) -> Vec<Scenario> {
     let owned = *input;
-    let judge = Judge::new(move || truth::expansions(&owned));
+    let judge = Judge::new(move || truth::all_derivatives(&owned));
     let mut scenarios = Vec::from(closed::scenarios::<_, _, 12, 12, 24>(input, &judge));
     scenarios.extend(closed::layouts::<_, _, 12, 12, 24, 300>(input, &judge));
     scenarios.extend(automatic::scenarios(input, &judge));
@@ -32,7 +32,7 @@ pub(super) fn others(of: &Inputs) -> Vec<Scenario> {
 /// The closed form at a small gap.
 fn near() -> [Scenario; 2] {
     let input = input::near();
-    let judge = Judge::new(move || truth::expansions(&input));
+    let judge = Judge::new(move || truth::all_derivatives(&input));
     [closed::distance(Task::Distance, &input, &judge), closed::all(Task::All, &input, &judge)]
 }
 
@@ -40,7 +40,7 @@ fn near() -> [Scenario; 2] {
 fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize, const S: usize>(
     input: Input<A, B, N, M>,
 ) -> Vec<Scenario> {
-    let judge = Judge::new(move || truth::expansions(&input));
+    let judge = Judge::new(move || truth::all_derivatives(&input));
     let mut scenarios = Vec::from(closed::scenarios::<_, _, N, M, S>(&input, &judge));
     scenarios.extend(automatic::scenarios(&input, &judge));
     scenarios.extend(differences::scenarios::<_, _, N, M, S>(&input, &judge));

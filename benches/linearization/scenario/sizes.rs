@@ -40,6 +40,6 @@ where
 }
 
 fn of_pair<C: TimedCurve<N>, const N: usize>(input: Twins<C, N>) -> [Scenario; 2] {
-    let judge = Judge::new(move || truth::expansions(&input));
+    let judge = Judge::new(move || truth::all_derivatives(&input));
     [closed::distance(Task::DistanceBySize, &input, &judge), closed::all(Task::AllBySize, &input, &judge)]
 }

@@ -7,12 +7,12 @@
 
 use super::error::Exact;
 use super::input::{Input, TimedCurve};
-use beamgap::closest_point::Active;
+use beamgap::closest_point::Held;
 use beamgap::curve::{Curve, Geometry, Jet};
 use beamgap::linearization::ad::{Chord, Perturbed, PositionAt};
-use beamgap::linearization::closed_form::{Frozen, Projection, variations};
+use beamgap::linearization::closed_form::{PartialVariations, Projection, variations};
 use beamgap::linearization::{COMPONENTS, Quantity, Varied};
-use beamgap::number::{Bounded, DoubleDouble, Dual, HyperDual, Real};
+use beamgap::number::{DoubleDouble, Dual, HyperDual, Real, RunningError};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::SVector;
 
@@ -26,26 +26,26 @@ const SCALARS: [usize; 7] = [15, 18, 19, 16, 17, 21, 22];
 /// A beam at its closest point, in the scalars of the truth.
 trait Side {
     /// In double-double, varied along two directions.
-    fn precise(&self, along: [&[f64]; 2]) -> Frozen<DoubleDouble>;
+    fn precise(&self, along: [&[f64]; 2]) -> PartialVariations<DoubleDouble>;
 
     /// With bounds, varied along two directions.
-    fn bounded(&self, along: [&[f64]; 2]) -> Frozen<Bounded>;
+    fn bounded(&self, along: [&[f64]; 2]) -> PartialVariations<RunningError>;
 
     /// With bounds and hyper-dual dofs.
-    fn perturbed(&self, along: [&[f64]; 2]) -> Box<dyn PositionAt<Dual<HyperDual<Bounded>>> + '_>;
+    fn perturbed(&self, along: [&[f64]; 2]) -> Box<dyn PositionAt<Dual<HyperDual<RunningError>>> + '_>;
 }
 
 struct At<'a, C: Curve<N>, const N: usize> {
     curve: &'a C,
     q: SVector<f64, N>,
     precise: Jet<DoubleDouble, C::Dofs<DoubleDouble>>,
-    bounded: Jet<Bounded, C::Dofs<Bounded>>,
+    bounded: Jet<RunningError, C::Dofs<RunningError>>,
 }
 
 impl<'a, C: Curve<N>, const N: usize> At<'a, C, N> {
-    fn new(curve: &'a C, q: SVector<f64, N>, xi: DoubleDouble, near: Bounded) -> Self {
+    fn new(curve: &'a C, q: SVector<f64, N>, xi: DoubleDouble, near: RunningError) -> Self {
         let precise = curve.jet(&q.map(DoubleDouble::from), xi);
-        Self { curve, q, precise, bounded: curve.jet(&q.map(Bounded::from), near) }
+        Self { curve, q, precise, bounded: curve.jet(&q.map(RunningError::from), near) }
     }
 }
 
@@ -54,19 +54,19 @@ fn vector<T: Real, const N: usize>(along: &[f64]) -> SVector<T, N> {
 }
 
 impl<C: Curve<N>, const N: usize> Side for At<'_, C, N> {
-    fn precise(&self, along: [&[f64]; 2]) -> Frozen<DoubleDouble> {
+    fn precise(&self, along: [&[f64]; 2]) -> PartialVariations<DoubleDouble> {
         let [dq, linear_dq] = along.map(vector);
-        Frozen::new(&self.precise, &dq, &linear_dq)
+        PartialVariations::new(&self.precise, &dq, &linear_dq)
     }
 
-    fn bounded(&self, along: [&[f64]; 2]) -> Frozen<Bounded> {
+    fn bounded(&self, along: [&[f64]; 2]) -> PartialVariations<RunningError> {
         let [dq, linear_dq] = along.map(vector);
-        Frozen::new(&self.bounded, &dq, &linear_dq)
+        PartialVariations::new(&self.bounded, &dq, &linear_dq)
     }
 
-    fn perturbed(&self, along: [&[f64]; 2]) -> Box<dyn PositionAt<Dual<HyperDual<Bounded>>> + '_> {
+    fn perturbed(&self, along: [&[f64]; 2]) -> Box<dyn PositionAt<Dual<HyperDual<RunningError>>> + '_> {
         let q = SVector::from_fn(|i, _| {
-            let [re, eps1, eps2, both] = [self.q[i], along[0][i], along[1][i], 0.0].map(Bounded::from);
+            let [re, eps1, eps2, both] = [self.q[i], along[0][i], along[1][i], 0.0].map(RunningError::from);
             HyperDual::new(re, eps1, eps2, both)
         });
         Box::new(Perturbed { curve: self.curve, q })
@@ -77,9 +77,9 @@ impl<C: Curve<N>, const N: usize> Side for At<'_, C, N> {
 struct Site<'a> {
     sides: [Box<dyn Side + 'a>; 2],
     xi: [DoubleDouble; 2],
-    near: (Bounded, Bounded),
-    chord: Chord<Bounded>,
-    active: Active,
+    near: (RunningError, RunningError),
+    chord: Chord<RunningError>,
+    held: Held,
     contact: &'a Contact,
 }
 
@@ -89,8 +89,8 @@ impl<'a> Site<'a> {
     ) -> Self {
         let Input { pair, q, point, .. } = input;
         let [(xi, near), (xi_bar, near_bar)] = parameters(input);
-        let beam = Perturbed { curve: &pair.curve, q: q.beam.map(Bounded::from) };
-        let bar = Perturbed { curve: &pair.curve_bar, q: q.bar.map(Bounded::from) };
+        let beam = Perturbed { curve: &pair.curve, q: q.beam.map(RunningError::from) };
+        let bar = Perturbed { curve: &pair.curve_bar, q: q.bar.map(RunningError::from) };
         Self {
             sides: [
                 Box::new(At::new(&pair.curve, q.beam, xi, near)),
@@ -98,23 +98,26 @@ impl<'a> Site<'a> {
             ],
             xi: [xi, xi_bar],
             near: (near, near_bar),
-            chord: Chord::<Bounded>::new(&beam, &bar, (near, near_bar), point.active()),
-            active: point.active(),
+            chord: Chord::<RunningError>::new(&beam, &bar, (near, near_bar), point.held()),
+            held: point.held(),
             contact: &pair.contact,
         }
     }
 
     /// All components with their variations along two directions, each for beam and bar beam.
     fn along(&self, of_beam: [&[f64]; 2], of_bar: [&[f64]; 2]) -> [Varied<Exact>; COMPONENTS] {
-        let Self { sides: [beam, bar], xi: [xi, xi_bar], near, active, contact, .. } = self;
-        let frozen = [beam.precise(of_beam), bar.precise(of_bar)];
-        let precise = variations(&frozen[0], &frozen[1], (*xi, *xi_bar), *active, contact).components();
-        let frozen = [beam.bounded(of_beam), bar.bounded(of_bar)];
-        let closed = variations(&frozen[0], &frozen[1], *near, *active, contact).components();
+        let Self { sides: [beam, bar], xi: [xi, xi_bar], near, held, contact, .. } = self;
+        let partial = [beam.precise(of_beam), bar.precise(of_bar)];
+        let precise = variations(&partial[0], &partial[1], (*xi, *xi_bar), *held, contact).components();
+        let partial = [beam.bounded(of_beam), bar.bounded(of_bar)];
+        let closed = variations(&partial[0], &partial[1], *near, *held, contact).components();
         let (beam, bar) = (beam.perturbed(of_beam), bar.perturbed(of_bar));
         let by_ad = self.chord.evaluate_by_orders(&*beam, &*bar, *near, contact);
         let by_ad = by_ad.map(Varied::from).components();
-        let exact = |value, one: Bounded, other: Bounded| Exact { value, tolerance: one.bound + other.bound };
+        let exact = |value, one: RunningError, other: RunningError| Exact {
+            value,
+            tolerance: one.bound + other.bound,
+        };
         std::array::from_fn(|i| {
             let (precise, closed, by_ad) = (precise[i], closed[i], by_ad[i]);
             Varied {
@@ -128,7 +131,7 @@ impl<'a> Site<'a> {
 }
 
 /// Values, gradients and Hessians of all scalars.
-pub(super) fn expansions<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
+pub(super) fn all_derivatives<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
 ) -> Truth {
     let site = Site::new(input);
@@ -183,32 +186,32 @@ pub(super) fn by_quantity<T>(varied: [Varied<T>; COMPONENTS]) -> Vec<Vec<T>> {
 pub(super) fn closest_point<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
 ) -> Truth {
-    let exact = |(value, near): (DoubleDouble, Bounded)| Exact { value, tolerance: near.bound };
+    let exact = |(value, near): (DoubleDouble, RunningError)| Exact { value, tolerance: near.bound };
     vec![parameters(input).map(exact).to_vec()]
 }
 
 /// xi and xi_bar in double-double, and as they were found, with how far off they may be.
 fn parameters<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
-) -> [(DoubleDouble, Bounded); 2] {
+) -> [(DoubleDouble, RunningError); 2] {
     let Input { pair, q, point, .. } = input;
-    let active = point.active();
+    let held = point.held();
     let (mut xi, mut xi_bar) = (DoubleDouble::from(point.xi), DoubleDouble::from(point.xi_bar));
     for _ in 0..STEPS {
         let [x, x_bar] = geometry(pair, q, (xi, xi_bar));
         let d = x.x - x_bar.x;
         // Eq. (48): d·t = d·t̄ = 0, by the matrix of (50).
-        let (step, step_bar) = Projection::new(&x, &x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
+        let (step, step_bar) = Projection::new(&x, &x_bar, held).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
         (xi, xi_bar) = (xi + step, xi_bar + step_bar);
     }
     let [x, x_bar] = geometry(pair, q, (point.xi.into(), point.xi_bar.into()));
-    let d: nalgebra::Vector3<Bounded> = x.x - x_bar.x;
+    let d: nalgebra::Vector3<RunningError> = x.x - x_bar.x;
     let rounding = [d.dot(&x.t), d.dot(&x_bar.t)].map(|f| 2.0 * f.bound);
-    let far = Projection::new(&x, &x_bar, active).inverse().map(|row| {
+    let far = Projection::new(&x, &x_bar, held).inverse().map(|row| {
         let terms = row.into_iter().zip(rounding).map(|(entry, f)| (entry.value.abs() + entry.bound) * f);
         terms.sum::<f64>()
     });
-    [(xi, Bounded::new(point.xi, far[0])), (xi_bar, Bounded::new(point.xi_bar, far[1]))]
+    [(xi, RunningError::new(point.xi, far[0])), (xi_bar, RunningError::new(point.xi_bar, far[1]))]
 }
 
 /// Steps of Newton's method from a point that is good to `f64`: each doubles the digits.

@@ -4,7 +4,7 @@ use super::error::Rows;
 use super::input::{Input, TimedCurve};
 use super::truth::Truth;
 use super::{Error, Runner, Scenario, Task};
-use beamgap::linearization::Expansion;
+use beamgap::linearization::Derivatives;
 use std::hint::black_box;
 use std::sync::{Arc, OnceLock};
 
@@ -101,12 +101,12 @@ where
 }
 
 /// Values, gradients and Hessians.
-pub(super) fn rows<const N: usize, const M: usize>(expansions: &[&Expansion<f64, N, M>]) -> Rows {
-    let rows = |expansion: &&Expansion<f64, N, M>| {
-        let Expansion { value, gradient, hessian } = expansion;
+pub(super) fn rows<const N: usize, const M: usize>(all_derivatives: &[&Derivatives<f64, N, M>]) -> Rows {
+    let rows = |derivatives: &&Derivatives<f64, N, M>| {
+        let Derivatives { value, gradient, hessian } = derivatives;
         let all = || 0..N + M;
         let entries = all().flat_map(|i| all().map(move |j| hessian.entry(i, j))).collect();
         [vec![*value], all().map(|i| gradient.entry(i)).collect(), entries]
     };
-    expansions.iter().flat_map(rows).collect()
+    all_derivatives.iter().flat_map(rows).collect()
 }

@@ -1,6 +1,6 @@
 //! The pairs that every peer is given.
 
-use beamgap::closest_point::{Active, ClosestPoint, Kind};
+use beamgap::closest_point::{Held, ClosestPoint, Kind};
 use beamgap::curve::{Curve, Hermite};
 use beamgap::nalgebra::SVector;
 use beamgap::pair::{Contact, DofVector, Pair};
@@ -84,7 +84,7 @@ fn moved(case: &Case, gap: f64) -> Option<Case> {
             *dof += by[i % 3];
         }
     }
-    let point = PAIR.refine(&case.q, (case.xi, case.xi_bar), Active::default()).ok()?;
+    let point = PAIR.refine(&case.q, (case.xi, case.xi_bar), Held::default()).ok()?;
     let near = (point.xi - case.xi).abs().max((point.xi_bar - case.xi_bar).abs()) < 1e-6;
     if !near || point.kind != Kind::Minimum || point.degeneracy().is_some() {
         return None;

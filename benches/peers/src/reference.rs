@@ -2,8 +2,8 @@
 
 use crate::cases::{Case, PAIR};
 use crate::ways::FULL;
-use beamgap::closest_point::Active;
-use beamgap::linearization::Expansion;
+use beamgap::closest_point::Held;
+use beamgap::linearization::Derivatives;
 use beamgap::linearization::closed_form::{Matrices, Projection, jets};
 use beamgap::number::DoubleDouble;
 use beamgap::pair::DofVector;
@@ -18,7 +18,7 @@ fn closest_point(q: &DofVector<DoubleDouble, 12, 12>, at: (f64, f64)) -> (Double
         let (jet, jet_bar) = jets(&PAIR, q, (xi, xi_bar));
         let (x, y) = (jet.geometry, jet_bar.geometry);
         let d = x.x - y.x;
-        let step = Projection::new(&x, &y, Active::default()).solve(-d.dot(&x.t), -d.dot(&y.t));
+        let step = Projection::new(&x, &y, Held::default()).solve(-d.dot(&x.t), -d.dot(&y.t));
         xi += step.0;
         xi_bar += step.1;
     }
@@ -36,16 +36,16 @@ pub unsafe extern "C" fn right_all_full(q: *const f64, xi: f64, xi_bar: f64, out
     let q = DofVector { beam: case.q.beam.map(DoubleDouble::from), bar: case.q.bar.map(DoubleDouble::from) };
     let at = closest_point(&q, (xi, xi_bar));
     let (jet, jet_bar) = jets(&PAIR, &q, at);
-    let all = Matrices::new(&jet, &jet_bar, Active::default()).all(at, &PAIR.contact);
+    let all = Matrices::new(&jet, &jet_bar, Held::default()).all(at, &PAIR.contact);
     let quantities = [&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar];
     for (quantity, block) in quantities.into_iter().zip(out.chunks_exact_mut(FULL)) {
         write_full(quantity, DoubleDouble::value, block);
     }
 }
 
-/// Writes an expansion in the full layout.
+/// Writes an derivatives in the full layout.
 pub(crate) fn write_full<T: Copy + beamgap::number::Real>(
-    quantity: &Expansion<T, 12, 12>,
+    quantity: &Derivatives<T, 12, 12>,
     value: impl Fn(T) -> f64,
     block: &mut [f64],
 ) {

@@ -2,15 +2,15 @@
 
 use crate::cases::{Case, PAIR};
 use crate::reference::write_full;
-use beamgap::closest_point::Active;
+use beamgap::closest_point::Held;
 use beamgap::curve::{DofDerivatives, Hermite};
 use beamgap::linearization::ad::{
     Perturbed, Route, chord, evaluate, expand_by_orders, expand_by_sweep, expand_by_vector_dual,
     expand_d_by_orders,
 };
-use beamgap::linearization::closed_form::blocks::{self, Encounter, Full, Packed, Targets};
+use beamgap::linearization::closed_form::kernel::{self, PairAtPoint, Full, Packed, Targets};
 use beamgap::linearization::closed_form::{Matrices, Projection, jets};
-use beamgap::linearization::{Expansion, Linearization, Quantities};
+use beamgap::linearization::{Derivatives, Linearization, Quantities};
 use beamgap::number::Lanes;
 use beamgap::pair::DofVector;
 use std::num::NonZeroUsize;
@@ -18,7 +18,7 @@ use std::num::NonZeroUsize;
 /// Numbers in a block of the full layout.
 pub(crate) const FULL: usize = 608;
 
-type Quantity = Expansion<f64, 12, 12>;
+type Quantity = Derivatives<f64, 12, 12>;
 type Row = Full<f64, 24>;
 
 /// A way from a case to a result, and a way from the result to blocks of the full layout.
@@ -61,13 +61,13 @@ fn write_rows(quantities: &[Row], full: &mut [f64]) {
 
 way!(crate_d, crate_d_read: Quantity, |case, to| {
     let (jet, jet_bar) = jets(&PAIR, &case.q, (case.point.xi, case.point.xi_bar));
-    Matrices::new(&jet, &jet_bar, case.point.active()).write_d(to);
+    Matrices::new(&jet, &jet_bar, case.point.held()).write_d(to);
 }, |d, full| write(&[d], full));
 
 way!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
     let at = (case.point.xi, case.point.xi_bar);
     let (jet, jet_bar) = jets(&PAIR, &case.q, at);
-    Matrices::new(&jet, &jet_bar, case.point.active()).write_all(at, &PAIR.contact, to);
+    Matrices::new(&jet, &jet_bar, case.point.held()).write_all(at, &PAIR.contact, to);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(linearize_all, linearize_all_read: Linearization<f64, 12, 12>, |case, to| {
@@ -79,21 +79,21 @@ way!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to| {
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(blocks_d_full, blocks_d_full_read: Row, |case, to| {
-    blocks::write_d(&PAIR, &case.q, &case.point, to);
+    kernel::write_d(&PAIR, &case.q, &case.point, to);
 }, |d, full| write_rows(std::slice::from_ref(d), full));
 
 way!(blocks_d_upper, blocks_d_upper_read: Quantity, |case, to| {
-    blocks::write_d(&PAIR, &case.q, &case.point, to);
+    kernel::write_d(&PAIR, &case.q, &case.point, to);
 }, |d, full| write(&[d], full));
 
 way!(blocks_all_full, blocks_all_full_read: [Row; 5], |case, to| {
     let [d, xi, xi_bar, t, t_bar] = to;
-    blocks::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    kernel::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
 }, |all, full| write_rows(all, full));
 
 way!(blocks_all_upper, blocks_all_upper_read: [Quantity; 5], |case, to| {
     let [d, xi, xi_bar, t, t_bar] = to;
-    blocks::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    kernel::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
 }, |all, full| write(&all.each_ref(), full));
 
 /// A quantity of four pairs in the lanes of a vector, half of its Hessian.
@@ -106,12 +106,12 @@ macro_rules! four {
         /// `q` points to four pointers to cases, `out` to memory for the result.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(q: *const *const f64, out: *mut f64) {
-            let work: fn(&[Encounter<'_, Hermite, Hermite, 12, 12>; 4], &mut $result) = $work;
+            let work: fn(&[PairAtPoint<'_, Hermite, Hermite, 12, 12>; 4], &mut $result) = $work;
             // SAFETY: the caller's promise.
             let cases = unsafe { (&*q.cast::<[*const f64; 4]>()).map(|q| Case::of(q)) };
             // SAFETY: the caller's promise.
             let to = unsafe { &mut *out.cast() };
-            work(&cases.map(|Case { q, point, .. }| Encounter { pair: &PAIR, q, point }), to);
+            work(&cases.map(|Case { q, point, .. }| PairAtPoint { pair: &PAIR, q, point }), to);
         }
 
         /// # Safety
@@ -138,11 +138,11 @@ fn write_lane(of: &Four, lane: usize, block: &mut [f64]) {
 }
 
 four!(four_d, four_d_read: [Four; 1], |cases, to| {
-    blocks::write_d_batch(cases, to, NonZeroUsize::MIN);
+    kernel::write_d_batch(cases, to, NonZeroUsize::MIN);
 });
 
 four!(four_all, four_all_read: [Four; 5], |cases, to| {
-    blocks::write_all_batch(cases, std::slice::from_mut(to), NonZeroUsize::MIN);
+    kernel::write_all_batch(cases, std::slice::from_mut(to), NonZeroUsize::MIN);
 });
 
 /// The quantities of task A.
@@ -214,7 +214,7 @@ fn moved(case: &Case, moves: &[(usize, f64)]) -> (DofVector<f64, 12, 12>, (f64, 
         q.set(i, q.entry(i) + step);
     }
     let at = (case.point.xi, case.point.xi_bar);
-    let found = PAIR.refine(&q, at, Active::default()).map_or((f64::NAN, f64::NAN), |p| (p.xi, p.xi_bar));
+    let found = PAIR.refine(&q, at, Held::default()).map_or((f64::NAN, f64::NAN), |p| (p.xi, p.xi_bar));
     (q, found)
 }
 
@@ -260,7 +260,7 @@ fn gradients<const K: usize>(q: &DofVector<f64, 12, 12>, at: (f64, f64)) -> [(f6
     let of_d = DofVector { beam: jet.dofs.gradient(0, &n), bar: -jet_bar.dofs.gradient(0, &n) };
     let mut all = [(distance, of_d); 5];
     if K > 1 {
-        let [[p, q], [r, s]] = Projection::new(&x, &y, Active::default()).inverse();
+        let [[p, q], [r, s]] = Projection::new(&x, &y, Held::default()).inverse();
         let right = DofVector {
             beam: -jet.dofs.gradient(0, &x.t) - jet.dofs.gradient(1, &d),
             bar: jet_bar.dofs.gradient(0, &x.t),

@@ -4,7 +4,7 @@ use super::{APART, Case, FAMILIES, REGIMES, Selection, families, orthonormal, re
 use crate::check::regime::Draw;
 use crate::check::{Family, Regime};
 use crate::curve::Geometry;
-use crate::number::Bounded;
+use crate::number::RunningError;
 use nalgebra::Vector3;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -22,7 +22,7 @@ fn drawn(number: u64) -> Draw {
 /// Point and tangent of both beams where they are to cross.
 fn crossing(case: &Case, at: [f64; 2]) -> [[Vector3<f64>; 2]; 2] {
     [0, 1].map(|i| {
-        let Geometry { x, t, .. } = case.beams()[i].geometry_at(Bounded::from(at[i]));
+        let Geometry { x, t, .. } = case.beams()[i].geometry_at(RunningError::from(at[i]));
         [x, t].map(|v| v.map(|c| c.value))
     })
 }

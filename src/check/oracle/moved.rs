@@ -117,7 +117,7 @@ impl<'a> Base<'a> {
             bends[i] = norm(&(up.t[i] - down.t[i])) / (2.0 * MATRIX);
         }
         let rounded = [0, 1].map(|i| of_position(site.beams[i], at[i].value()));
-        let inverse = inverse(jacobian, [site.active.xi, site.active.xi_bar]);
+        let inverse = inverse(jacobian, [site.held.xi, site.held.xi_bar]);
         let mut base = Self { site, place, inverse, bends, rounded, settled: [0.0; 2] };
         base.settled = base.noise_of_parameters();
         base.place = base.solve(&beams)?.0;

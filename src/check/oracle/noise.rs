@@ -5,7 +5,7 @@ use super::norm;
 use super::tangent::{REACH, STEP, WEIGHTS, tangent};
 use crate::linearization::{COMPONENTS, Quantities};
 use crate::number::{Differentiable, DoubleDouble, Dual};
-use crate::specimen::{AnyBeam, Bounded2};
+use crate::specimen::{AnyBeam, RunningError2};
 use nalgebra::Vector3;
 
 /// The rounding of double-double over that of `f64`: eight of its units 2^-106 in an operation.
@@ -26,7 +26,8 @@ pub(super) struct Noise {
 /// those that the tangent is made of, as shape functions may vanish at one of them.
 pub(super) fn of_position(beam: &dyn AnyBeam, xi: f64) -> f64 {
     let at = |xi: f64| {
-        let x: Vector3<Dual<Dual<Bounded2>>> = beam.position_at(Bounded2::from(xi).dual(0.0).dual(0.0));
+        let x: Vector3<Dual<Dual<RunningError2>>> =
+            beam.position_at(RunningError2::from(xi).dual(0.0).dual(0.0));
         FINER * x.map(|x| x.re.re.bound[0]).norm()
     };
     [-REACH, 0.0, REACH].map(|off| at(xi + off)).into_iter().fold(0.0, f64::max)

@@ -2,16 +2,16 @@
 
 use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::PositionAt;
-use crate::linearization::closed_form::Frozen;
+use crate::linearization::closed_form::PartialVariations;
 use crate::number::{Dual, HyperDual};
-use crate::specimen::{AnyBeam, Bounded2, Drawn};
+use crate::specimen::{AnyBeam, Drawn, RunningError2};
 use nalgebra::{SVector, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use std::fmt;
 
-type Lifted = Dual<HyperDual<Bounded2>>;
-type Vector = Vector3<Bounded2>;
+type Lifted = Dual<HyperDual<RunningError2>>;
+type Vector = Vector3<RunningError2>;
 
 /// The variations by the derivatives in ξ.
 const VARIATIONS: [&str; 3] = [
@@ -56,10 +56,10 @@ pub(super) fn findings<C, const N: usize>(
 where
     C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
 {
-    let at = Bounded2::from(xi);
-    let (zero, one) = (Bounded2::from(0.0), Bounded2::from(1.0));
+    let at = RunningError2::from(xi);
+    let (zero, one) = (RunningError2::from(0.0), RunningError2::from(1.0));
     let number = |value, first| HyperDual::new(value, first, zero, zero);
-    let lifted = |value: HyperDual<Bounded2>| Lifted::new(value, number(one, zero));
+    let lifted = |value: HyperDual<RunningError2>| Lifted::new(value, number(one, zero));
     let still = |dq, linear_dq| Drawn { dq, linear_dq, ..beam.clone() };
     let none = SVector::zeros();
     // Nilpotents along ξ, once, twice and three times; dofs as they are, or varied along one direction, or along both.
@@ -71,7 +71,7 @@ where
     let first =
         |x: &Vector3<Lifted>| [x.map(|x| x.re.eps2), x.map(|x| x.re.eps1eps2), x.map(|x| x.eps.eps1eps2)];
 
-    let Frozen { geometry, delta_u, linear_u, second_u } = AnyBeam::frozen(beam, at);
+    let PartialVariations { geometry, delta_u, linear_u, second_u } = AnyBeam::partial_variations(beam, at);
     let Geometry { x, t, t_xi, t_xixi } = geometry;
     let [x_xixi, x_xixixi] = second(&along);
     let mut pairs: Vec<(&'static str, Vector, Vector)> = vec![
@@ -93,7 +93,7 @@ where
     ));
     pairs.extend(consistent(beam, at, rng));
     let wrong = |(part, jet, other): (&'static str, Vector, Vector)| {
-        let finding = |(jet, other): (&Bounded2, &Bounded2)| {
+        let finding = |(jet, other): (&RunningError2, &RunningError2)| {
             let tolerance = jet.bound[0] + other.bound[0];
             let is_apart =
                 (jet.value - other.value).abs() > tolerance || jet.value.is_nan() != other.value.is_nan();
@@ -109,13 +109,14 @@ where
 /// functions, if there are any, against the points.
 fn consistent<C: Curve<N>, const N: usize>(
     beam: &Drawn<C, N>,
-    at: Bounded2,
+    at: RunningError2,
     rng: &mut ChaCha8Rng,
 ) -> Vec<(&'static str, Vector, Vector)> {
-    let [q, dq, linear_dq] = [beam.q, beam.dq, beam.linear_dq].map(|v| v.map(Bounded2::from));
+    let [q, dq, linear_dq] = [beam.q, beam.dq, beam.linear_dq].map(|v| v.map(RunningError2::from));
     let jet = beam.curve.jet(&q, at);
-    let w = Vector::from_fn(|_, _| Bounded2::from(rng.random_range(-1.0..1.0)));
-    let alone = |number: Bounded2| Vector::new(number, Bounded2::from(0.0), Bounded2::from(0.0));
+    let w = Vector::from_fn(|_, _| RunningError2::from(rng.random_range(-1.0..1.0)));
+    let alone =
+        |number: RunningError2| Vector::new(number, RunningError2::from(0.0), RunningError2::from(0.0));
     let mut pairs = Vec::new();
     for k in 0..3 {
         let variation = jet.dofs.variation(k, &dq);
@@ -133,7 +134,7 @@ fn consistent<C: Curve<N>, const N: usize>(
         let Some(shapes) = jet.dofs.shapes(k) else { break };
         let sum = Vector::from_fn(|c, _| {
             let terms = shapes.iter().enumerate().map(|(a, &shape)| shape * q[3 * a + c]);
-            terms.fold(Bounded2::from(0.0), |sum, term| sum + term)
+            terms.fold(RunningError2::from(0.0), |sum, term| sum + term)
         });
         pairs.push(("shapes, times the control vectors against the jet", sum, point));
     }

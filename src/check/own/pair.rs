@@ -5,7 +5,7 @@ use super::varied;
 use crate::check::draw::orthonormal;
 use crate::check::regime::{Draw, Regime};
 use crate::curve::Curve;
-use crate::number::Bounded;
+use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::specimen::{AnyBeam, Drawn, Family, Target};
 use nalgebra::{Matrix3, Vector3};
@@ -34,7 +34,7 @@ impl Spot {
     /// At a parameter; beyond an end of the beam, on the tangent there.
     fn on(beam: &dyn AnyBeam, xi: f64) -> Self {
         let within = xi.clamp(-1.0, 1.0);
-        let geometry = beam.geometry_at(Bounded::from(within));
+        let geometry = beam.geometry_at(RunningError::from(within));
         let [x, t] = [geometry.x, geometry.t].map(|v| v.map(|c| c.value));
         Self { x: x + t * (xi - within), t, length: 2.0 * t.norm() }
     }
@@ -116,7 +116,7 @@ impl Pair {
 impl Spot {
     /// At any parameter, of a curve that is known beyond its ends.
     fn beyond(beam: &dyn AnyBeam, xi: f64) -> Self {
-        let geometry = beam.geometry_at(Bounded::from(xi));
+        let geometry = beam.geometry_at(RunningError::from(xi));
         let [x, t] = [geometry.x, geometry.t].map(|v| v.map(|c| c.value));
         Self { x, t, length: 2.0 * t.norm() }
     }

@@ -17,7 +17,7 @@ pub(super) fn simpler(case: &Written, beam: usize, family: Family) -> Option<Spe
     let found = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?;
     let point = found.minima.first()?;
     let xi = [point.xi, point.xi_bar][beam];
-    let at = beams[beam].frozen_plain(xi);
+    let at = beams[beam].partial_variations_plain(xi);
     let dofs = |derivatives: &[Vector3<f64>]| {
         // Position and slope at another parameter.
         let [position, slope] = [0, 1].map(|order| {

@@ -3,24 +3,24 @@
 use super::Site;
 use crate::linearization::closed_form::Projection;
 use crate::number::DoubleDouble;
-use crate::specimen::Bounded2;
+use crate::specimen::RunningError2;
 
 impl Site<'_> {
     /// The parameters in double-double, by Newton's method; nothing if it does not settle.
     pub(super) fn refined(&self) -> Option<[Refined; 2]> {
-        let Self { beams: [beam, bar], active, at, .. } = *self;
+        let Self { beams: [beam, bar], held, at, .. } = *self;
         let (mut xi, mut xi_bar) = (DoubleDouble::from(at.0.value), DoubleDouble::from(at.1.value));
         let mut previous = f64::INFINITY;
         for _ in 0..STEPS {
             let (x, x_bar) = (beam.geometry_precise(xi), bar.geometry_precise(xi_bar));
             let d = x.x - x_bar.x;
             // Eq. (48): d·t = d·t̄ = 0, by the matrix of (50).
-            let (step, step_bar) = Projection::new(&x, &x_bar, active).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
+            let (step, step_bar) = Projection::new(&x, &x_bar, held).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
             let [size, size_bar] = [step, step_bar].map(|step| step.value().abs());
             let larger = size.max(size_bar);
             let is_last = size <= FINER * at.0.bound[0] && size_bar <= FINER * at.1.bound[0];
             if is_last || larger >= 0.5 * previous {
-                let end = |value, size: f64, was: Bounded2| Refined {
+                let end = |value, size: f64, was: RunningError2| Refined {
                     value,
                     bound: 2.0 * size + FINER * was.bound[0],
                     within: was,
@@ -41,7 +41,7 @@ pub(super) struct Refined {
     /// The step that is left, and the rounding of double-double: that part of the rounding of `f64`.
     bound: f64,
     /// Where it is known to be.
-    within: Bounded2,
+    within: RunningError2,
 }
 
 impl Refined {
@@ -52,11 +52,11 @@ impl Refined {
     }
 
     /// The nearest `f64`, known to half an ulp or so; and as far as it was known before.
-    pub(super) fn rounded(self) -> Bounded2 {
+    pub(super) fn rounded(self) -> RunningError2 {
         let value = self.value.value();
         let rounding = (self.value - DoubleDouble::from(value)).abs().value();
         let [_, within] = self.within.bound;
-        Bounded2::new(value, [rounding + self.bound, within + (value - self.within.value).abs()])
+        RunningError2::new(value, [rounding + self.bound, within + (value - self.within.value).abs()])
     }
 }
 

@@ -1,8 +1,8 @@
 //! The bounds against numbers by hand, exact in binary.
 
-use super::super::half_square::HalfSquare;
+use super::super::squared_distance::SquaredDistance;
 use super::super::tree::{ROOT, Tree};
-use super::super::{Active, Centroid};
+use super::super::{Centroid, Held};
 use super::{Bounds, INFLATED, SINGULAR};
 use crate::curve::Geometry;
 
@@ -32,13 +32,13 @@ fn curved() -> [Geometry<f64>; 2] {
 }
 
 /// Parallel lines, but for t,xi and t_bar,xi_bar along d.
-fn parallel(bend: f64, bend_bar: f64) -> HalfSquare {
+fn parallel(bend: f64, bend_bar: f64) -> SquaredDistance {
     let x = geometry([0.0, 0.0, 1.0], [2.0, 0.0, 0.0], [0.0, 0.0, bend]);
-    HalfSquare::new(&x, &geometry([0.0; 3], [4.0, 0.0, 0.0], [0.0, 0.0, bend_bar]))
+    SquaredDistance::new(&x, &geometry([0.0; 3], [4.0, 0.0, 0.0], [0.0, 0.0, bend_bar]))
 }
 
-fn bounds(half_square: HalfSquare) -> Bounds {
-    Bounds { half_square, half: [0.5, 0.25], change: [0.0; 3], remainder: [2.0, 4.0], inverse: [0.0; 3] }
+fn bounds(squared_distance: SquaredDistance) -> Bounds {
+    Bounds { squared_distance, half: [0.5, 0.25], change: [0.0; 3], remainder: [2.0, 4.0], inverse: [0.0; 3] }
 }
 
 fn exact<const N: usize>(found: [f64; N], expected: [f64; N]) {
@@ -61,7 +61,7 @@ fn bounds_are_those_of_the_derivation() {
     exact(bounds.change, [172.6875, 43.75, 270.593_75]);
     exact(bounds.remainder, [48.640_625, 44.761_718_75]);
     let (det, [p, q, s]) = (538.25, bounds.inverse);
-    exact([bounds.half_square.det], [det]);
+    exact([bounds.squared_distance.det], [det]);
     for (entry, expected) in [(p, 18.25), (q, 8.0), (s, 33.0)] {
         assert!((entry * det - expected).abs() < 1e-14, "{entry}");
     }
@@ -71,7 +71,7 @@ fn bounds_are_those_of_the_derivation() {
 #[test]
 fn a_box_without_zeros_is_told_by_components_or_by_newton() {
     let [x, x_bar] = curved();
-    let at = bounds(HalfSquare::new(&x, &x_bar));
+    let at = bounds(SquaredDistance::new(&x, &x_bar));
     // (p, q, s) on either side of where a component of H⁻¹ grad F leaves the box
     for (inverse, excluded) in [
         ([0.64, 0.5, 0.5], false),
@@ -97,7 +97,7 @@ fn a_bound_that_is_reached_excludes_nothing() {
     // d·t = 17 = 17/16 of 16
     let [mut x, x_bar] = curved();
     x.x.z = 4.25;
-    let at = Bounds { half: [0.0; 2], remainder: [16.0; 2], ..bounds(HalfSquare::new(&x, &x_bar)) };
+    let at = Bounds { half: [0.0; 2], remainder: [16.0; 2], ..bounds(SquaredDistance::new(&x, &x_bar)) };
     for inverse in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
         assert!(!at.keeps_sign(0) && !Bounds { inverse, ..at }.excludes_zero(), "{inverse:?}");
     }
@@ -109,7 +109,7 @@ fn contractions_are_those_of_the_maximum_norm() {
     let at = Bounds {
         change: [1.0, 2.0, 3.0],
         inverse: [0.5, -0.25, 0.75],
-        ..bounds(HalfSquare::new(&x, &x_bar))
+        ..bounds(SquaredDistance::new(&x, &x_bar))
     };
     exact([at.contraction()], [INFLATED * 6.25]);
     exact([Bounds { half: [0.25, 0.5], ..at }.contraction()], [INFLATED * 4.5]);
@@ -127,8 +127,8 @@ fn a_box_is_flat_if_all_of_it_is_singular_to_rounding() {
         assert!(!Bounds { change, ..at }.is_flat(), "{change:?}");
     }
     let regular = parallel(0.1, 0.0);
-    assert!(regular.smallest_magnitude(Active::default()) > SINGULAR);
-    assert!(!Bounds { half_square: regular, ..at }.is_flat());
+    assert!(regular.smallest_magnitude(Held::default()) > SINGULAR);
+    assert!(!Bounds { squared_distance: regular, ..at }.is_flat());
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Tangents that have no length, the ends of the parameters, and points that are the same.
 
-use super::{Active, ClosestPoint, HalfSquare, STANDSTILL, Side};
+use super::{ClosestPoint, Held, STANDSTILL, Side, SquaredDistance};
 use crate::curve::Geometry;
 
 #[test]
@@ -14,7 +14,7 @@ fn a_tangent_stands_still_next_to_its_change() {
             t_xixi: [0.0, 0.0, twist].into(),
         };
         for (factor, still) in [(0.5, true), (0.99, true), (1.001, false), (1.5, false), (1e12, false)] {
-            let p = HalfSquare::new(&at(1.0), &at(factor * limit));
+            let p = SquaredDistance::new(&at(1.0), &at(factor * limit));
             assert_eq!([p.stands_still(0), p.stands_still(1)], [false, still], "{bend}, {twist}, {factor}");
         }
     }
@@ -36,8 +36,8 @@ fn points_are_the_same_if_they_are_nearer_than_newtons_method_ends() {
         t_xi: [0.0; 3].into(),
         t_xixi: [0.0; 3].into(),
     };
-    let p = HalfSquare::new(&line([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), &line([0.0; 3], [0.0, 1.0, 0.0]));
-    let at = |xi, xi_bar, held| ClosestPoint::new((xi, xi_bar), &p, Active { xi: held, xi_bar: false });
+    let p = SquaredDistance::new(&line([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), &line([0.0; 3], [0.0, 1.0, 0.0]));
+    let at = |xi, xi_bar, held| ClosestPoint::new((xi, xi_bar), &p, Held { xi: held, xi_bar: false });
     let same = |xi, xi_bar, held| at(0.0, 0.0, false).is_same(&at(xi, xi_bar, held));
     assert!(same(0.9e-9, -0.9e-9, false));
     assert!(!same(1e-9, 0.0, false) && !same(0.0, -1e-9, false) && !same(0.0, 0.0, true));

@@ -75,13 +75,13 @@ struct Hat<T> {
     /// Δu_C − Δū_C with Δu_C = u_C,ξ Δξ + Δᵤu_C.
     total: Vector3<T>,
     /// Δᵤu_C − Δᵤū_C.
-    frozen: Vector3<T>,
+    partial: Vector3<T>,
 }
 
 impl<T: Real> Hat<T> {
     fn new(p: &Point<T>) -> Self {
         let u = |s: &Side<T>| (s.jet.geometry.t - s.reference.t) * s.xi.linear + s.jet.linear_u[0];
-        Self { total: u(&p.beam) - u(&p.bar), frozen: p.beam.jet.linear_u[0] - p.bar.jet.linear_u[0] }
+        Self { total: u(&p.beam) - u(&p.bar), partial: p.beam.jet.linear_u[0] - p.bar.jet.linear_u[0] }
     }
 }
 
@@ -121,7 +121,7 @@ pub(super) fn readings<T: Real>(
     formula: impl Fn(&Vector3<T>) -> T,
 ) {
     let hat = Hat::new(p);
-    let (left, mended) = ([p.distance.second], formula(&hat.frozen));
+    let (left, mended) = ([p.distance.second], formula(&hat.partial));
     equation
         .read("Δû_C = Δu_C − Δū_C̄, total", left, [formula(&hat.total)])
         .other("Δû_C = Δd", left, [formula(&p.d.linear)])
@@ -174,9 +174,9 @@ fn distance<T: Real>(p: &Point<T>, book: &mut Book<T>) {
     ]);
 
     // (39): Δδd = [δᵤû·(t Δξ − t̄ Δξ̄ + Δᵤu − Δᵤū) + d·(..)]/d − [δᵤû·d d·Δû]/d³
-    let frozen = Hat::new(p).frozen;
+    let partial = Hat::new(p).partial;
     let formula = |hat: &Vector3<T>| {
-        (delta_u.dot(&(slid(p) + frozen)) + turned(p)) / d.value
+        (delta_u.dot(&(slid(p) + partial)) + turned(p)) / d.value
             - delta_u.dot(&vector.value) * vector.value.dot(hat) / (d.value * d.value * d.value)
     };
     let equation = book.state(

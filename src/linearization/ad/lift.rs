@@ -2,7 +2,7 @@
 //! are perturbed.
 
 use super::evaluate::{PositionAt, quantities, tangent};
-use crate::closest_point::Active;
+use crate::closest_point::Held;
 use crate::linearization::Quantities;
 use crate::number::{Differentiable, Extends, HyperDual, Real};
 use crate::pair::Contact;
@@ -27,7 +27,7 @@ fn conditions<T: Real>((x, t): (Vector3<T>, Vector3<T>), (x_bar, t_bar): (Vector
 
 /// Lifts by Newton's method in dual arithmetic on the orthogonality conditions.
 #[doc(alias = "Eq. (48)")]
-pub fn newton<B, C>(beam: &B, bar: &C, (xi, xi_bar): (f64, f64), active: Active) -> (HyperDual64, HyperDual64)
+pub fn newton<B, C>(beam: &B, bar: &C, (xi, xi_bar): (f64, f64), held: Held) -> (HyperDual64, HyperDual64)
 where
     B: PositionAt<Dual<DualSVec<HyperDual64, 2>>> + ?Sized,
     C: PositionAt<Dual<DualSVec<HyperDual64, 2>>> + ?Sized,
@@ -36,10 +36,10 @@ where
     let conditions = |xi_lifted: Scalar, xi_bar_lifted: Scalar, (): &()| {
         let [mut f, mut f_bar] = orthogonality(beam, bar, (xi_lifted, xi_bar_lifted));
         // At an end the condition is that the parameter stays.
-        if active.xi {
+        if held.xi {
             f = xi_lifted - Scalar::from(xi);
         }
-        if active.xi_bar {
+        if held.xi_bar {
             f_bar = xi_bar_lifted - Scalar::from(xi_bar);
         }
         [f, f_bar]
@@ -50,31 +50,26 @@ where
 
 /// Lifts by making the squared distance stationary.
 #[doc(alias = "Eq. (2)")]
-pub fn stationary<B, C>(
-    beam: &B,
-    bar: &C,
-    (xi, xi_bar): (f64, f64),
-    active: Active,
-) -> (HyperDual64, HyperDual64)
+pub fn stationary<B, C>(beam: &B, bar: &C, (xi, xi_bar): (f64, f64), held: Held) -> (HyperDual64, HyperDual64)
 where
     B: PositionAt<Dual2SVec<HyperDual64, 2>> + ?Sized,
     C: PositionAt<Dual2SVec<HyperDual64, 2>> + ?Sized,
 {
     type Scalar = Dual2SVec<HyperDual64, 2>;
     let potential = |parameters: SVector<Scalar, 2>| {
-        let [held, held_bar] = [xi, xi_bar].map(Scalar::from);
+        let [end, end_bar] = [xi, xi_bar].map(Scalar::from);
         // A held parameter leaves the distance and is tied to its end by a potential of its own.
         let mut tie = Scalar::from(0.0);
-        let mut at = |held: Scalar, free: Scalar, active: bool| {
-            if active {
-                tie += (free - held) * (free - held);
-                held
+        let mut at = |end: Scalar, free: Scalar, held: bool| {
+            if held {
+                tie += (free - end) * (free - end);
+                end
             } else {
                 free
             }
         };
-        let x = beam.position_at(at(held, parameters[0], active.xi));
-        let x_bar = bar.position_at(at(held_bar, parameters[1], active.xi_bar));
+        let x = beam.position_at(at(end, parameters[0], held.xi));
+        let x_bar = bar.position_at(at(end_bar, parameters[1], held.xi_bar));
         let d = x - x_bar;
         d.dot(&d) + tie
     };
@@ -104,20 +99,20 @@ where
     B::Dual: Differentiable,
 {
     /// Differentiates the unperturbed orthogonality conditions, from positions alone.
-    pub fn new<S, R>(beam: &S, bar: &R, (xi, xi_bar): (B, B), active: Active) -> Self
+    pub fn new<S, R>(beam: &S, bar: &R, (xi, xi_bar): (B, B), held: Held) -> Self
     where
         S: PositionAt<<B::Dual as Differentiable>::Dual> + ?Sized,
         R: PositionAt<<B::Dual as Differentiable>::Dual> + ?Sized,
     {
-        // Each beam once, moving; held it is the same without the last derivative.
-        let held = |v: Vector3<B::Dual>| v.map(|component| B::parts(component).0.dual(0.0));
+        // Each beam once, moving; at rest it is the same without the last derivative.
+        let at_rest = |v: Vector3<B::Dual>| v.map(|component| B::parts(component).0.dual(0.0));
         let slopes = |x, x_bar| conditions::<B::Dual>(x, x_bar).map(|f| B::parts(f).1);
         let (x, t) = tangent::<B::Dual>(beam, xi.dual(1.0));
         let (x_bar, t_bar) = tangent::<B::Dual>(bar, xi_bar.dual(1.0));
-        let [j00, j10] = slopes((x, t), (held(x_bar), held(t_bar)));
-        let [j01, j11] = slopes((held(x), held(t)), (x_bar, t_bar));
+        let [j00, j10] = slopes((x, t), (at_rest(x_bar), at_rest(t_bar)));
+        let [j01, j11] = slopes((at_rest(x), at_rest(t)), (x_bar, t_bar));
         let (zero, one) = (B::zero(), B::one());
-        let inverse = match (active.xi, active.xi_bar) {
+        let inverse = match (held.xi, held.xi_bar) {
             (false, false) => {
                 let det = j00 * j11 - j01 * j10;
                 [[j11 / det, -j01 / det], [-j10 / det, j00 / det]]

@@ -11,7 +11,7 @@ use super::lift::{Chord, orthogonality};
 use super::sweep::chord;
 use crate::closest_point::ClosestPoint;
 use crate::curve::Curve;
-use crate::linearization::{Expansion, Quantities};
+use crate::linearization::{Derivatives, Quantities};
 use crate::number::{Extends, HyperDualRow, Real};
 use crate::pair::{DofVector, Pair};
 use nalgebra::SVector;
@@ -30,12 +30,12 @@ pub fn expand_by_orders<
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDualRow<C>>) -> [HyperDualRow<C>; K],
-) -> [Expansion<f64, N, M>; K] {
+) -> [Derivatives<f64, N, M>; K] {
     let site = Site { pair, q, point };
     let chord = chord(pair, q, point);
     let gradients = site.gradients::<C>(&chord);
     let slopes = site.slopes(&pick);
-    let mut expansions = [Expansion::zero(); K];
+    let mut all_derivatives = [Derivatives::zero(); K];
     for (a, start) in rows::<C>(N + M) {
         let (beam, bar) = site.perturbed::<C>(Some(a), start);
         let quantities = evaluate(&beam, &bar, site.lifted::<C>(&gradients, a, start), &pair.contact);
@@ -46,15 +46,17 @@ pub fn expand_by_orders<
         for (j, b) in entries::<C>(N + M, start) {
             // Eq. (56)
             let [second, second_bar] = chord.solve(residual.eps1eps2[j], residual_bar.eps1eps2[j]);
-            for ((expansion, number), [slope, slope_bar]) in expansions.iter_mut().zip(&picked).zip(slopes) {
+            for ((derivatives, number), [slope, slope_bar]) in
+                all_derivatives.iter_mut().zip(&picked).zip(slopes)
+            {
                 let entry = number.eps1eps2[j] + slope * second + slope_bar * second_bar;
-                expansion.hessian.set(a, b, entry);
-                expansion.gradient.set(b, number.eps2[j]);
-                expansion.value = number.re;
+                derivatives.hessian.set(a, b, entry);
+                derivatives.gradient.set(b, number.eps2[j]);
+                derivatives.value = number.re;
             }
         }
     }
-    expansions
+    all_derivatives
 }
 
 /// d with gradient and Hessian, by the envelope theorem: xi and xi_bar to first order.
@@ -63,10 +65,10 @@ pub fn expand_d_by_orders<A: Curve<N>, B: Curve<M>, const N: usize, const M: usi
     pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
-) -> Expansion<f64, N, M> {
+) -> Derivatives<f64, N, M> {
     let site = Site { pair, q, point };
     let gradients = site.gradients::<C>(&chord(pair, q, point));
-    let mut expansion = Expansion::zero();
+    let mut derivatives = Derivatives::zero();
     for (a, start) in rows::<C>(N + M) {
         let (beam, bar) = site.perturbed::<C>(Some(a), start);
         let (xi, xi_bar) = site.lifted::<C>(&gradients, a, start);
@@ -74,12 +76,12 @@ pub fn expand_d_by_orders<A: Curve<N>, B: Curve<M>, const N: usize, const M: usi
         let d = beam.position_at(xi) - bar.position_at(xi_bar);
         let d = d.dot(&d).sqrt();
         for (j, b) in entries::<C>(N + M, start) {
-            expansion.hessian.set(a, b, d.eps1eps2[j]);
-            expansion.gradient.set(b, d.eps2[j]);
+            derivatives.hessian.set(a, b, d.eps1eps2[j]);
+            derivatives.gradient.set(b, d.eps2[j]);
         }
-        expansion.value = d.re;
+        derivatives.value = d.re;
     }
-    expansion
+    derivatives
 }
 
 /// Gradients and Hessians of the quantities that `pick` picks, by chord steps in each row: two for all quantities, one
@@ -98,22 +100,22 @@ pub fn expand_by_rows<
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDualRow<C>>) -> [HyperDualRow<C>; K],
-) -> [Expansion<f64, N, M>; K] {
+) -> [Derivatives<f64, N, M>; K] {
     let site = Site { pair, q, point };
-    let mut expansions = [Expansion::zero(); K];
+    let mut all_derivatives = [Derivatives::zero(); K];
     for (a, start) in rows::<C>(N + M) {
         let (beam, bar) = site.perturbed::<C>(Some(a), start);
         let lifted = chord.lift(&beam, &bar, (point.xi, point.xi_bar), steps);
         let picked = pick(evaluate(&beam, &bar, lifted, &pair.contact));
-        for (expansion, number) in expansions.iter_mut().zip(&picked) {
+        for (derivatives, number) in all_derivatives.iter_mut().zip(&picked) {
             for (j, b) in entries::<C>(N + M, start) {
-                expansion.hessian.set(a, b, number.eps1eps2[j]);
-                expansion.gradient.set(b, number.eps2[j]);
+                derivatives.hessian.set(a, b, number.eps1eps2[j]);
+                derivatives.gradient.set(b, number.eps2[j]);
             }
-            expansion.value = number.re;
+            derivatives.value = number.re;
         }
     }
-    expansions
+    all_derivatives
 }
 
 /// A pair at its closest point.

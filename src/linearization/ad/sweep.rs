@@ -2,9 +2,9 @@
 
 use super::evaluate::{Perturbed, PositionAt, evaluate};
 use super::lift::{Chord, newton, stationary};
-use crate::closest_point::{Active, ClosestPoint};
+use crate::closest_point::{ClosestPoint, Held};
 use crate::curve::Curve;
-use crate::linearization::{Expansion, Quantities, Varied};
+use crate::linearization::{Derivatives, Quantities, Varied};
 use crate::pair::{Contact, DofVector, Pair};
 use nalgebra::{Const, SMatrix, SVector, U1};
 use num_dual::{Dual, Dual2SVec, Dual2SVec64, DualSVec, HyperDual64};
@@ -44,12 +44,12 @@ pub fn hyper_dual(
     beam: &(impl HyperBeam + ?Sized),
     bar: &(impl HyperBeam + ?Sized),
     at: (f64, f64),
-    active: Active,
+    held: Held,
     contact: &Contact,
 ) -> Quantities<HyperDual64> {
     let lifted = match route {
-        Route::Newton => newton(beam, bar, at, active),
-        Route::Stationary => stationary(beam, bar, at, active),
+        Route::Newton => newton(beam, bar, at, held),
+        Route::Stationary => stationary(beam, bar, at, held),
         Route::Chord(chord, steps) => chord.lift(beam, bar, at, steps),
     };
     evaluate::<HyperDual64>(beam, bar, lifted, contact)
@@ -63,7 +63,7 @@ pub fn chord<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 ) -> Chord<f64> {
     let beam = Perturbed { curve: &pair.curve, q: q.beam };
     let bar = Perturbed { curve: &pair.curve_bar, q: q.bar };
-    Chord::new(&beam, &bar, (point.xi, point.xi_bar), point.active())
+    Chord::new(&beam, &bar, (point.xi, point.xi_bar), point.held())
 }
 
 /// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair.
@@ -78,7 +78,7 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     let beam = Perturbed { curve: &pair.curve, q: seeded(&q.beam, &dq.beam, &linear_dq.beam) };
     let bar = Perturbed { curve: &pair.curve_bar, q: seeded(&q.bar, &dq.bar, &linear_dq.bar) };
     let (at, beams) = ((point.xi, point.xi_bar), nameless(&beam, &bar));
-    hyper_dual(route, beams.0, beams.1, at, point.active(), &pair.contact).map(Varied::from)
+    hyper_dual(route, beams.0, beams.1, at, point.held(), &pair.contact).map(Varied::from)
 }
 
 /// Both curves with their families forgotten: what solves for the closest point is long, and is compiled once this way.
@@ -104,8 +104,8 @@ pub fn expand_by_sweep<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize,
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDual64>) -> [HyperDual64; K],
-) -> [Expansion<f64, N, M>; K] {
-    let mut expansions = [Expansion::zero(); K];
+) -> [Derivatives<f64, N, M>; K] {
+    let mut all_derivatives = [Derivatives::zero(); K];
     let at = (point.xi, point.xi_bar);
     let unit = DofVector::<f64, N, M>::unit;
     for j in 0..N + M {
@@ -113,15 +113,15 @@ pub fn expand_by_sweep<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize,
             let beam = Perturbed { curve: &pair.curve, q: seeded(&q.beam, &unit(i).beam, &unit(j).beam) };
             let bar = Perturbed { curve: &pair.curve_bar, q: seeded(&q.bar, &unit(i).bar, &unit(j).bar) };
             let beams = nameless(&beam, &bar);
-            let picked = pick(hyper_dual(route, beams.0, beams.1, at, point.active(), &pair.contact));
-            for (expansion, number) in expansions.iter_mut().zip(picked) {
-                expansion.value = number.re;
-                expansion.gradient.set(j, number.eps2);
-                expansion.hessian.set(i, j, number.eps1eps2);
+            let picked = pick(hyper_dual(route, beams.0, beams.1, at, point.held(), &pair.contact));
+            for (derivatives, number) in all_derivatives.iter_mut().zip(picked) {
+                derivatives.value = number.re;
+                derivatives.gradient.set(j, number.eps2);
+                derivatives.hessian.set(i, j, number.eps1eps2);
             }
         }
     }
-    expansions
+    all_derivatives
 }
 
 /// Gradients and Hessians of the quantities that `pick` picks, all `S` = N + M dofs at once in vector duals.
@@ -139,7 +139,7 @@ pub fn expand_by_vector_dual<
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
     pick: impl Fn(Quantities<Dual2SVec64<S>>) -> [Dual2SVec64<S>; K],
-) -> [Expansion<f64, N, M>; K] {
+) -> [Derivatives<f64, N, M>; K] {
     const { assert!(S == N + M, "one variable for each dof of both beams") };
     let seeded = |value: f64, i: usize| Dual2SVec64::<S>::from_re(value).derivative(i);
     let beam = Perturbed { curve: &pair.curve, q: SVector::from_fn(|i, _| seeded(q.beam[i], i)) };
@@ -148,13 +148,13 @@ pub fn expand_by_vector_dual<
     pick(evaluate(&beam, &bar, lifted, &pair.contact)).map(|number| {
         let gradient: SMatrix<f64, 1, S> = number.v1.unwrap_generic(U1, Const::<S>);
         let hessian: SMatrix<f64, S, S> = number.v2.unwrap_generic(Const::<S>, Const::<S>);
-        let mut expansion = Expansion { value: number.re, ..Expansion::zero() };
+        let mut derivatives = Derivatives { value: number.re, ..Derivatives::zero() };
         for j in 0..S {
-            expansion.gradient.set(j, gradient[j]);
+            derivatives.gradient.set(j, gradient[j]);
             for i in 0..=j {
-                expansion.hessian.set(i, j, hessian[(i, j)]);
+                derivatives.hessian.set(i, j, hessian[(i, j)]);
             }
         }
-        expansion
+        derivatives
     })
 }

@@ -1,6 +1,6 @@
 //! The first variations of the parameters, points and tangents, along one direction.
 
-use super::Frozen;
+use super::PartialVariations;
 use super::projection::Projection;
 use crate::number::{Of, Real, named};
 use nalgebra::Vector3;
@@ -21,7 +21,7 @@ pub(super) struct First<T> {
 /// First variations of one beam.
 #[derive(Clone, Copy)]
 pub(super) struct FirstOfBeam<T> {
-    /// At a frozen parameter: δᵤu, δᵤu,ξ and δᵤu,ξξ.
+    /// At a fixed parameter: δᵤu, δᵤu,ξ and δᵤu,ξξ.
     pub(super) u: [Vector3<T>; 3],
     /// δξ.
     pub(super) xi: T,
@@ -32,10 +32,10 @@ pub(super) struct FirstOfBeam<T> {
 }
 
 impl<T: Real> First<T> {
-    /// From the variations `u` and `u_bar` at frozen parameters.
+    /// From the variations `u` and `u_bar` at fixed parameters.
     #[inline]
     pub(super) fn new(
-        [beam, bar]: [&Frozen<T>; 2],
+        [beam, bar]: [&PartialVariations<T>; 2],
         [u, u_bar]: [&[Vector3<T>; 3]; 2],
         d: &Vector3<T>,
         projection: &Projection<T>,
@@ -69,7 +69,7 @@ impl<T: Real> First<T> {
 
 impl<T: Real> FirstOfBeam<T> {
     #[inline]
-    fn new(of: Of, beam: &Frozen<T>, u: &[Vector3<T>; 3], xi: T) -> Self {
+    fn new(of: Of, beam: &PartialVariations<T>, u: &[Vector3<T>; 3], xi: T) -> Self {
         let (t, t_xi) = (beam.geometry.t, beam.geometry.t_xi);
         Self {
             u: *u,

@@ -17,10 +17,10 @@
 //! ```
 
 use super::sums::{add_product, write_length, write_slip};
-use super::{Form, Points, Projection};
-use crate::closest_point::Active;
+use super::{Formulation, Points, Projection};
+use crate::closest_point::Held;
 use crate::curve::{DofDerivatives, Jet};
-use crate::linearization::{Expansion, Linearization};
+use crate::linearization::{Derivatives, Linearization};
 use crate::number::{Of, Real, named};
 use crate::pair::{Contact, DofVector};
 use nalgebra::Vector3;
@@ -45,7 +45,7 @@ pub struct Matrices<'a, T, U, V, const N: usize, const M: usize> {
     g: DofVector<T, N, M>,
     /// The gradient of xi_bar, g_bar.
     g_bar: DofVector<T, N, M>,
-    form: Form,
+    form: Formulation,
 }
 
 impl<'a, T, U, V, const N: usize, const M: usize> Matrices<'a, T, U, V, N, M>
@@ -56,18 +56,18 @@ where
 {
     /// The first order: gradients of xi and xi_bar, from the jets of both curves at the closest point.
     ///
-    /// All formulas are the paper's; [`Matrices::in_form`] takes those of any [`Form`].
+    /// All formulas are the paper's; [`Matrices::in_formulation`] takes those of any [`Formulation`].
     #[doc(alias = "compute_lin_xi_and_lin_eta")]
     #[inline]
-    pub fn new(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, active: Active) -> Self {
-        Self::in_form(jet, jet_bar, Form::paper(active))
+    pub fn new(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, held: Held) -> Self {
+        Self::in_formulation(jet, jet_bar, Formulation::paper(held))
     }
 
     /// The same in the form asked for.
     #[inline]
-    pub fn in_form(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Form) -> Self {
+    pub fn in_formulation(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Formulation) -> Self {
         let points = Points::new(&jet.geometry, &jet_bar.geometry);
-        let projection = Projection::in_form(&points, form);
+        let projection = Projection::in_formulation(&points, form);
         let zeros = DofVector::zeros();
         let mut matrices = Self { jet, jet_bar, d: points.d, projection, g: zeros, g_bar: zeros, form };
         // Eq. (50), (52): g = p r + q r̄ with r = −(Gᵀt + A₁ᵀd), r̄ = −(Gᵀt̄ + B₁ᵀd), and ḡ by the other row: with the row's
@@ -113,7 +113,7 @@ where
 
     /// t, written over `to`.
     #[inline]
-    fn write_t(&self, xi: &Expansion<T, N, M>, to: &mut Expansion<T, N, M>) {
+    fn write_t(&self, xi: &Derivatives<T, N, M>, to: &mut Derivatives<T, N, M>) {
         let Jet { geometry, dofs: a } = self.jet;
         let gradient = |k, w: &Vector3<T>| DofVector::of_beam(a.gradient(k, w));
         let (inverse, w) = write_length(Of::BEAM, geometry, gradient, xi, to);
@@ -125,7 +125,7 @@ where
 
     /// t_bar, written over `to`.
     #[inline]
-    fn write_t_bar(&self, xi_bar: &Expansion<T, N, M>, to: &mut Expansion<T, N, M>) {
+    fn write_t_bar(&self, xi_bar: &Derivatives<T, N, M>, to: &mut Derivatives<T, N, M>) {
         let Jet { geometry, dofs: b } = self.jet_bar;
         let gradient = |k, w: &Vector3<T>| DofVector::of_bar(b.gradient(k, w));
         let (inverse, w) = write_length(Of::BAR, geometry, gradient, xi_bar, to);

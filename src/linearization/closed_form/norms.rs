@@ -1,8 +1,8 @@
 //! The lengths of vectors and the slips: section 4 of the paper, and what its section 2.2 makes of it.
 
-use super::Frozen;
+use super::PartialVariations;
 use super::first_order::First;
-use super::form::unit_normal;
+use super::formulation::unit_normal;
 use super::second_order::Second;
 use crate::linearization::Varied;
 use crate::number::{Of, Real, named};
@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 /// d = |d| and its variations.
 #[inline]
 pub(super) fn by_length<T: Real>(
-    [beam, bar]: [&Frozen<T>; 2],
+    [beam, bar]: [&PartialVariations<T>; 2],
     [delta, linear]: [&First<T>; 2],
     d: &Vector3<T>,
 ) -> Varied<T> {
@@ -25,7 +25,7 @@ pub(super) fn by_length<T: Real>(
     let linear_first = named("d|d|: d.du_hat", d.dot(linear_du_hat)) / value;
     // Eq. (40), (57), from (38) and (39), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû:
     // d Δδd = δᵤû·(t Δξ − t̄ Δξ̄) + d·(δᵤu,ξ Δξ − δᵤū,ξ̄ Δξ̄) + δᵤû·Δᵤû + d·Δᵤδᵤû − δd Δd
-    // As (37) it holds at an active end too, where δξ = 0 takes the place of d·t = 0.
+    // As (37) it holds at an held end too, where δξ = 0 takes the place of d·t = 0.
     let moved = named("Dd|d|: du_hat.t Dxi", t * linear_dxi)
         - named("Dd|d|: du_hat.t_bar Dxi_bar", t_bar * linear_dxi_bar);
     let turned = named("Dd|d|: d.du,xi Dxi", delta.beam.u[1] * linear_dxi)
@@ -43,7 +43,7 @@ pub(super) fn by_length<T: Real>(
 /// d = n . d and its variations, where n is the common normal of the tangents: no division by d.
 #[inline]
 pub(super) fn along_normal<T: Real>(
-    [beam, bar]: [&Frozen<T>; 2],
+    [beam, bar]: [&PartialVariations<T>; 2],
     [delta, linear]: [&First<T>; 2],
     [second, second_bar]: [&Second<T>; 2],
     d: &Vector3<T>,

@@ -1,7 +1,7 @@
 //! The two-by-two system that the variations of xi and xi_bar solve, to first and to second order alike.
 
-use super::Form;
-use crate::closest_point::Active;
+use super::Formulation;
+use crate::closest_point::Held;
 use crate::curve::Geometry;
 use crate::number::{Real, named};
 use nalgebra::Vector3;
@@ -31,8 +31,8 @@ pub struct Projection<T> {
     /// a_bar = -t_bar . t_bar + d . t_bar,xi_bar: *minus* the twin of a.
     pub a_bar: T,
     /// Which parameters are held at an end.
-    pub active: Active,
-    /// What takes the place of products that cancel, in the [`Form`] that asks for it.
+    pub held: Held,
+    /// What takes the place of products that cancel, in the [`Formulation`] that asks for it.
     pub crossed: Option<Crossed<T>>,
 }
 
@@ -89,13 +89,13 @@ impl<T: Real> Points<T> {
 impl<T: Real> Projection<T> {
     /// Sets the matrix up from the geometry of both curves at the closest point.
     #[inline]
-    pub fn new(beam: &Geometry<T>, bar: &Geometry<T>, active: Active) -> Self {
-        Self::in_form(&Points::new(beam, bar), Form::paper(active))
+    pub fn new(beam: &Geometry<T>, bar: &Geometry<T>, held: Held) -> Self {
+        Self::in_formulation(&Points::new(beam, bar), Formulation::paper(held))
     }
 
     /// The same in the form asked for.
     #[inline]
-    pub fn in_form(points: &Points<T>, form: Form) -> Self {
+    pub fn in_formulation(points: &Points<T>, form: Formulation) -> Self {
         let Points { beam: Geometry { t, t_xi, .. }, bar: y, d } = points;
         let (t_bar, t_bar_xi) = (&y.t, &y.t_xi);
         // Eq. (50), (51): a = t·t + d·t,ξ   b = t·t̄   ā = −t̄·t̄ + d·t̄,ξ̄
@@ -103,8 +103,8 @@ impl<T: Real> Projection<T> {
         let b = named("b: t.t_bar", t.dot(t_bar));
         let a_bar =
             -named("a_bar: t_bar.t_bar", t_bar.dot(t_bar)) + named("a_bar: d.t_bar,xi", d.dot(t_bar_xi));
-        let crossed = form.is_crossed().then(|| Crossed::new(points));
-        Self { a, b, a_bar, active: form.active, crossed }
+        let crossed = form.uses_cross_products().then(|| Crossed::new(points));
+        Self { a, b, a_bar, held: form.held, crossed }
     }
 
     /// D = a a_bar + b^2, negative at a strict minimum.
@@ -119,9 +119,9 @@ impl<T: Real> Projection<T> {
     #[doc(alias = "Eq. (56)")]
     #[doc(alias = "Eq. (59)")]
     pub fn solve(&self, r: T, r_bar: T) -> (T, T) {
-        let Self { a, b, a_bar, active, crossed } = *self;
+        let Self { a, b, a_bar, held, crossed } = *self;
         let zero = T::zero();
-        match (active.xi, active.xi_bar) {
+        match (held.xi, held.xi_bar) {
             (false, false) => {
                 // Eq. (52): D = a ā + b²
                 let det = crossed.map_or_else(

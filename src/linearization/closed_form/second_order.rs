@@ -1,6 +1,6 @@
 //! The second variations of the parameters, points and tangents.
 
-use super::Frozen;
+use super::PartialVariations;
 use super::first_order::{First, FirstOfBeam};
 use super::projection::Projection;
 use crate::number::{Of, Real, named};
@@ -21,7 +21,7 @@ pub(super) struct Second<T> {
 /// The second variations of both beams, along delta and Delta.
 #[inline]
 pub(super) fn second_order<T: Real>(
-    [beam, bar]: [&Frozen<T>; 2],
+    [beam, bar]: [&PartialVariations<T>; 2],
     [delta, linear]: [&First<T>; 2],
     d: &Vector3<T>,
     projection: &Projection<T>,
@@ -62,7 +62,7 @@ pub(super) fn second_order<T: Real>(
 #[inline]
 fn rest<T: Real>(
     of: Of,
-    beam: &Frozen<T>,
+    beam: &PartialVariations<T>,
     delta: &FirstOfBeam<T>,
     linear: &FirstOfBeam<T>,
 ) -> (Vector3<T>, Vector3<T>) {
@@ -83,7 +83,7 @@ fn rest<T: Real>(
 
 impl<T: Real> Second<T> {
     #[inline]
-    fn new(of: Of, beam: &Frozen<T>, (rest_x, rest_t): (Vector3<T>, Vector3<T>), xi: T) -> Self {
+    fn new(of: Of, beam: &PartialVariations<T>, (rest_x, rest_t): (Vector3<T>, Vector3<T>), xi: T) -> Self {
         let x = of.named("Dd x: t Ddxi", beam.geometry.t * xi) + of.named("Dd x: rest", rest_x);
         let t = of.named("Dd t: t,xi Ddxi", beam.geometry.t_xi * xi) + of.named("Dd t: rest", rest_t);
         Self { rest_x, xi, x, t }

@@ -1,7 +1,7 @@
 //! The sums that the matrices are made of: products of Jacobians, the length of a vector, a slip.
 
 use crate::curve::{DofDerivatives, Geometry};
-use crate::linearization::Expansion;
+use crate::linearization::Derivatives;
 use crate::number::{Of, Real};
 use crate::pair::DofVector;
 use nalgebra::{SMatrix, Vector3};
@@ -46,10 +46,10 @@ pub(super) fn write_length<T: Real, const N: usize, const M: usize>(
     of: Of,
     Geometry { t, t_xi, t_xixi, .. }: &Geometry<T>,
     a_transposed: impl Fn(usize, &Vector3<T>) -> DofVector<T, N, M>,
-    xi: &Expansion<T, N, M>,
-    to: &mut Expansion<T, N, M>,
+    xi: &Derivatives<T, N, M>,
+    to: &mut Derivatives<T, N, M>,
 ) -> (T, Vector3<T>) {
-    let Expansion { value, gradient, hessian } = to;
+    let Derivatives { value, gradient, hessian } = to;
     *value = t.dot(t).sqrt();
     let (inverse, half, g) = (T::one() / *value, T::from(0.5), &xi.gradient);
     let w = t * inverse;
@@ -73,10 +73,10 @@ pub(super) fn write_length<T: Real, const N: usize, const M: usize>(
 #[inline]
 pub(super) fn write_slip<T: Real, const N: usize, const M: usize>(
     of: Of,
-    t: &Expansion<T, N, M>,
-    xi: &Expansion<T, N, M>,
+    t: &Derivatives<T, N, M>,
+    xi: &Derivatives<T, N, M>,
     xi_0: f64,
-    to: &mut Expansion<T, N, M>,
+    to: &mut Derivatives<T, N, M>,
 ) {
     let slip = xi.value - T::from(xi_0);
     // Eq. (20): ∇g_T = (ξ − ξ₀)∇t + t g   Eq. (21): H = (ξ − ξ₀)H_t + ∇t gᵀ + g∇tᵀ + t H_ξ

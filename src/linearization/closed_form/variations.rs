@@ -3,8 +3,8 @@
 use super::first_order::{First, FirstOfBeam};
 use super::norms::{along_normal, by_length, length, slip};
 use super::second_order::{Second, second_order};
-use super::{Form, Frozen, Points, Projection};
-use crate::closest_point::Active;
+use super::{Formulation, PartialVariations, Points, Projection};
+use crate::closest_point::Held;
 use crate::linearization::{Quantities, Varied};
 use crate::number::{Of, Real, named};
 use crate::pair::Contact;
@@ -13,8 +13,8 @@ use nalgebra::Vector3;
 /// First and second variations of all quantities at a closest point.
 ///
 /// `beam` and `bar` are the two curves at the parameters `xi` and `xi_bar` of the closest point, varied in two
-/// directions; `active` says which parameters are held at an end. The result is total: at a singular projection or at
-/// d = 0 its numbers are not finite. The formulas are the paper's ([`Form::paper`]).
+/// directions; `held` says which parameters are held at an end. The result is total: at a singular projection or at
+/// d = 0 its numbers are not finite. The formulas are the paper's ([`Formulation::paper`]).
 ///
 /// Source: Zavarise (2007), eqs. (4)-(59), with the corrections named at each.
 #[doc(alias = "Eq. (4)")]
@@ -47,27 +47,27 @@ use nalgebra::Vector3;
 #[doc(alias = "Eq. (58)")]
 #[doc(alias = "Eq. (59)")]
 pub fn variations<T: Real>(
-    beam: &Frozen<T>,
-    bar: &Frozen<T>,
+    beam: &PartialVariations<T>,
+    bar: &PartialVariations<T>,
     at: (T, T),
-    active: Active,
+    held: Held,
     contact: &Contact,
 ) -> Quantities<Varied<T>> {
-    variations_in(Form::paper(active), beam, bar, at, contact)
+    variations_in(Formulation::paper(held), beam, bar, at, contact)
 }
 
 /// The same in the form asked for.
 pub fn variations_in<T: Real>(
-    form: Form,
-    beam: &Frozen<T>,
-    bar: &Frozen<T>,
+    form: Formulation,
+    beam: &PartialVariations<T>,
+    bar: &PartialVariations<T>,
     (xi, xi_bar): (T, T),
     contact: &Contact,
 ) -> Quantities<Varied<T>> {
     let (x, y) = (&beam.geometry, &bar.geometry);
     // Eq. (5), (8): d = x_C − x̄_C
     let d = named("d: x", x.x) - named("d: x_bar", y.x);
-    let projection = Projection::in_form(&Points { beam: *x, bar: *y, d }, form);
+    let projection = Projection::in_formulation(&Points { beam: *x, bar: *y, d }, form);
     let beams = [beam, bar];
     let delta = First::new(beams, [&beam.delta_u, &bar.delta_u], &d, &projection);
     let linear = First::new(beams, [&beam.linear_u, &bar.linear_u], &d, &projection);

@@ -1,6 +1,6 @@
 //! Scalars that fit into 64 bits.
 
-use crate::number::{Real, Residue};
+use crate::number::{PrimeField, Real};
 
 /// A scalar that fits into 64 bits.
 pub(crate) trait Bits: Real {
@@ -29,7 +29,7 @@ impl Bits for f64 {
     }
 }
 
-impl Bits for Residue {
+impl Bits for PrimeField {
     fn bits(self) -> u64 {
         self.value()
     }

@@ -3,13 +3,13 @@
 //! They belong to no family: a jet is all that the closed form sees of a curve, and one with two control vectors and any
 //! shape functions has all terms, with the fewest operations.
 
-use crate::closest_point::Active;
+use crate::closest_point::Held;
 use crate::curve::{Geometry, Jet, Shapes};
-use crate::linearization::closed_form::blocks::{Gradient, Target};
-use crate::linearization::closed_form::form::{Distance, Elimination};
-use crate::linearization::closed_form::{Form, Frozen, Matrices, variations_in};
-use crate::linearization::{Expansion, Linearization};
-use crate::number::{Bits, Faulty, Residue, Traced};
+use crate::linearization::closed_form::formulation::{Distance, System};
+use crate::linearization::closed_form::kernel::{Gradient, Target};
+use crate::linearization::closed_form::{Formulation, Matrices, PartialVariations, variations_in};
+use crate::linearization::{Derivatives, Linearization};
+use crate::number::{Bits, Faulty, PrimeField, Traced};
 use crate::pair::Contact;
 use crate::specimen::{Padded, PaddedBeam, map_padded, normal_to_free};
 use crate::subject::{CONTACT, Kind, Second, kernel};
@@ -27,7 +27,7 @@ type Memory = Second<Scalar, D, { 2 * D }, { D * (2 * D + 1) }>;
 /// Two beams in a form, with what they can be mistaken for.
 pub(super) struct Place {
     pub(super) name: &'static str,
-    form: Form,
+    form: Formulation,
     /// Whether the kernel is run in all layouts.
     everywhere: bool,
     /// Linear in their dofs, and not.
@@ -38,8 +38,8 @@ pub(super) struct Place {
 struct Runs {
     now: [Beam; 2],
     before: [Beam; 2],
-    at: (Residue, Residue),
-    at_before: (Residue, Residue),
+    at: (PrimeField, PrimeField),
+    at_before: (PrimeField, PrimeField),
 }
 
 /// A code's name, what its operands can be mistaken for, and the code.
@@ -48,22 +48,22 @@ type Named<'a> = (&'static str, &'static [Kind], Box<dyn Fn(Option<Kind>) -> Vec
 impl Place {
     /// Inside both beams in every form, and at the ends.
     pub(super) fn all(rng: &mut ChaCha8Rng) -> Vec<Self> {
-        let none = Active::default();
+        let none = Held::default();
         let normal = Distance::Normal { reversed: false };
-        let ends = |xi, xi_bar| Form::paper(Active { xi, xi_bar });
+        let ends = |xi, xi_bar| Formulation::paper(Held { xi, xi_bar });
         let forms = [
-            ("length, products", Form::paper(none)),
-            ("normal, products", Form { active: none, distance: normal, system: Elimination::Products }),
-            ("normal, cross", Form { active: none, distance: normal, system: Elimination::CrossProducts }),
+            ("length, determinants", Formulation::paper(none)),
+            ("normal, determinants", Formulation { held: none, distance: normal, system: System::Determinants }),
+            ("normal, cross", Formulation { held: none, distance: normal, system: System::CrossProducts }),
             ("xi at an end", ends(true, false)),
             ("xi_bar at an end", ends(false, true)),
             ("both at ends", ends(true, true)),
         ];
-        let place = |(i, (name, form)): (usize, (&'static str, Form))| Self {
+        let place = |(i, (name, form)): (usize, (&'static str, Formulation))| Self {
             name,
             form,
             everywhere: i == 1,
-            linear: [true, false].map(|is_linear| Runs::new(form.active, is_linear, rng)),
+            linear: [true, false].map(|is_linear| Runs::new(form.held, is_linear, rng)),
         };
         forms.into_iter().enumerate().map(place).collect()
     }
@@ -73,10 +73,10 @@ impl Place {
         const VARIATIONS: &[Kind] = &[Kind::Transposed, Kind::Swapped, Kind::BarForgotten, Kind::Stale];
         const MATRICES: &[Kind] = &[Kind::Swapped, Kind::BarForgotten, Kind::Stale];
         let [linear, nonlinear] = &self.linear;
-        let frozen = [None].into_iter().chain(VARIATIONS.iter().map(|&kind| Some(kind)));
-        let frozen: Vec<_> = frozen.map(|kind| (kind, nonlinear.frozen(kind))).collect();
+        let partial = [None].into_iter().chain(VARIATIONS.iter().map(|&kind| Some(kind)));
+        let partial: Vec<_> = partial.map(|kind| (kind, nonlinear.partial_variations(kind))).collect();
         let mut codes: Vec<Named<'_>> = vec![
-            ("equations", VARIATIONS, Box::new(move |kind| self.equations(&frozen, kind))),
+            ("equations", VARIATIONS, Box::new(move |kind| self.equations(&partial, kind))),
             ("matrices, curves linear in their dofs", MATRICES, Box::new(|kind| self.matrices(linear, kind))),
             ("matrices, other curves", MATRICES, Box::new(|kind| self.matrices(nonlinear, kind))),
         ];
@@ -95,8 +95,12 @@ impl Place {
         codes
     }
 
-    fn equations(&self, frozen: &[(Option<Kind>, Mistaken<Frozen<Scalar>>)], kind: Option<Kind>) -> Vec<u64> {
-        let Some((_, ([beam, bar], at, contact))) = frozen.iter().find(|(of, _)| *of == kind) else {
+    fn equations(
+        &self,
+        partial: &[(Option<Kind>, Mistaken<PartialVariations<Scalar>>)],
+        kind: Option<Kind>,
+    ) -> Vec<u64> {
+        let Some((_, ([beam, bar], at, contact))) = partial.iter().find(|(of, _)| *of == kind) else {
             return Vec::new();
         };
         let components = variations_in(self.form, beam, bar, *at, contact).components();
@@ -107,9 +111,9 @@ impl Place {
         let ([(jet, _), (jet_bar, _)], at, contact) = runs.beams(kind);
         let mut all = Linearization::zeros();
         if let (Some(jet), Some(jet_bar)) = (by_shapes(jet), by_shapes(jet_bar)) {
-            Matrices::in_form(&jet, &jet_bar, self.form).write_all(at, &contact, &mut all);
+            Matrices::in_formulation(&jet, &jet_bar, self.form).write_all(at, &contact, &mut all);
         } else {
-            Matrices::in_form(jet, jet_bar, self.form).write_all(at, &contact, &mut all);
+            Matrices::in_formulation(jet, jet_bar, self.form).write_all(at, &contact, &mut all);
         }
         let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = all;
         let quantities = [d, t, t_bar, xi, xi_bar, g_t, g_t_bar];
@@ -133,11 +137,11 @@ impl Place {
 type Mistaken<B> = ([B; 2], (Scalar, Scalar), Contact);
 
 impl Runs {
-    fn new(active: Active, is_linear: bool, rng: &mut ChaCha8Rng) -> Self {
-        let mut residue = || Residue::new(rng.random());
+    fn new(held: Held, is_linear: bool, rng: &mut ChaCha8Rng) -> Self {
+        let mut residue = || PrimeField::new(rng.random());
         let (at, at_before) = ((residue(), residue()), (residue(), residue()));
         let [now, before] =
-            [(); 2].map(|()| stationary(active, rng).map(|geometry| beam(geometry, is_linear, rng)));
+            [(); 2].map(|()| stationary(held, rng).map(|geometry| beam(geometry, is_linear, rng)));
         Self { now, before, at, at_before }
     }
 
@@ -161,23 +165,23 @@ impl Runs {
         }
     }
 
-    fn frozen(&self, kind: Option<Kind>) -> Mistaken<Frozen<Scalar>> {
+    fn partial_variations(&self, kind: Option<Kind>) -> Mistaken<PartialVariations<Scalar>> {
         let (beams, at, contact) = self.beams(kind);
-        let frozen = beams.map(|(jet, [_, dq, linear_dq])| {
+        let partial = beams.map(|(jet, [_, dq, linear_dq])| {
             let (first, second) =
                 if kind == Some(Kind::Transposed) { (linear_dq, dq) } else { (dq, linear_dq) };
-            Frozen::new(jet, first, second)
+            PartialVariations::new(jet, first, second)
         });
-        (frozen, at, contact)
+        (partial, at, contact)
     }
 }
 
 /// Points and tangents of both beams, with d normal to the tangents of the free parameters, and with square roots.
-fn stationary(active: Active, rng: &mut ChaCha8Rng) -> [Geometry<Residue>; 2] {
+fn stationary(held: Held, rng: &mut ChaCha8Rng) -> [Geometry<PrimeField>; 2] {
     loop {
-        let mut vector = || Vector3::from_fn(|_, _| Residue::new(rng.random()));
+        let mut vector = || Vector3::from_fn(|_, _| PrimeField::new(rng.random()));
         let [t, t_bar, w, x_bar] = [(); 4].map(|()| vector());
-        let d = normal_to_free(active, &t, &t_bar, &w);
+        let d = normal_to_free(held, &t, &t_bar, &w);
         if [d, t, t_bar, t.cross(&t_bar)].iter().all(|v| v.dot(v).is_square() && !v.dot(v).is_zero()) {
             return [(x_bar + d, t), (x_bar, t_bar)].map(|(x, t)| Geometry {
                 x,
@@ -190,27 +194,28 @@ fn stationary(active: Active, rng: &mut ChaCha8Rng) -> [Geometry<Residue>; 2] {
 }
 
 /// A beam with any dofs and directions, whose jet this is; t,xi and t,xixi are others if it is linear in its dofs.
-fn beam(mut geometry: Geometry<Residue>, is_linear: bool, rng: &mut ChaCha8Rng) -> Beam {
-    let mut residue = || Residue::new(rng.random());
-    let mut q = SVector::<Residue, D>::from_fn(|_, _| residue());
+fn beam(mut geometry: Geometry<PrimeField>, is_linear: bool, rng: &mut ChaCha8Rng) -> Beam {
+    let mut residue = || PrimeField::new(rng.random());
+    let mut q = SVector::<PrimeField, D>::from_fn(|_, _| residue());
     let dofs = if is_linear {
         // The two control vectors from x = n₁q₁ + n₂q₂ and t = n₁′q₁ + n₂′q₂.
-        let shapes: [[Residue; 2]; 4] = std::array::from_fn(|_| [residue(), residue()]);
+        let shapes: [[PrimeField; 2]; 4] = std::array::from_fn(|_| [residue(), residue()]);
         let [[n, m], [n_xi, m_xi], ..] = shapes;
-        let over = Residue::new(1) / (n * m_xi - m * n_xi);
+        let over = PrimeField::new(1) / (n * m_xi - m * n_xi);
         let (first, second) =
             ((geometry.x * m_xi - geometry.t * m) * over, (geometry.t * n - geometry.x * n_xi) * over);
         q.fixed_rows_mut::<3>(0).copy_from(&first);
         q.fixed_rows_mut::<3>(3).copy_from(&second);
         let [_, _, t_xi, t_xixi] = shapes.map(|[n, m]| first * n + second * m);
         (geometry.t_xi, geometry.t_xixi) = (t_xi, t_xixi);
-        let filled =
-            |[n, m]: [Residue; 2]| SVector::from_fn(|i, _| [n, m].get(i).copied().unwrap_or(Residue::zero()));
+        let filled = |[n, m]: [PrimeField; 2]| {
+            SVector::from_fn(|i, _| [n, m].get(i).copied().unwrap_or(PrimeField::zero()))
+        };
         Padded::Linear(shapes.map(filled))
     } else {
         let jacobians = (0..3).map(|_| SMatrix::from_fn(|_, _| residue())).collect();
         let mut symmetric = || {
-            let half = SMatrix::<Residue, D, D>::from_fn(|_, _| residue());
+            let half = SMatrix::<PrimeField, D, D>::from_fn(|_, _| residue());
             half + half.transpose()
         };
         Padded::Nonlinear(jacobians, (0..6).map(|_| symmetric()).collect())
@@ -219,7 +224,7 @@ fn beam(mut geometry: Geometry<Residue>, is_linear: bool, rng: &mut ChaCha8Rng) 
     map_padded(&(Jet { geometry, dofs }, [q, vector(), vector()]), traced)
 }
 
-fn traced(value: Residue) -> Scalar {
+fn traced(value: PrimeField) -> Scalar {
     Faulty(value.into())
 }
 
@@ -230,8 +235,8 @@ fn by_shapes(jet: &Jet<Scalar, Padded<Scalar, D>>) -> Option<Jet<Scalar, Shapes<
 }
 
 /// All numbers of a quantity.
-fn numbers(of: &Expansion<Scalar, D, D>) -> Vec<u64> {
-    let Expansion { value, gradient, hessian } = of;
+fn numbers(of: &Derivatives<Scalar, D, D>) -> Vec<u64> {
+    let Derivatives { value, gradient, hessian } = of;
     let all = [*value].into_iter().chain(gradient.beam.iter().chain(&gradient.bar).copied());
     let second = hessian.beam.iter().chain(&hessian.mixed).chain(&hessian.bar).copied();
     all.chain(second).map(|number| number.0.bits()).collect()

@@ -25,7 +25,7 @@ const fn of(
     Reason { lost, code, place, file, why }
 }
 
-const KERNEL: &str = "closed_form/blocks/";
+const KERNEL: &str = "closed_form/kernel/";
 const HELD: &str = "the variation of a parameter that an end holds is zero, and multiplies it";
 const RATES: &str = "the rates of a parameter that an end holds are not used";
 const NORMAL: &str = "the common normal belongs to a form that is not taken here";
@@ -40,12 +40,12 @@ const REASONS: [Reason; 16] = [
     of(Lost::Unused, "equations", " ends", "closed_form/", RATES),
     of(Lost::Unused, "kernel", " end", KERNEL, NORMAL),
     of(Lost::Unused, "kernel", " ends", KERNEL, NORMAL),
-    of(Lost::Unused, "kernel, full", "length, products", KERNEL, NORMAL),
+    of(Lost::Unused, "kernel, full", "length, determinants", KERNEL, NORMAL),
     of(Lost::Unused, "kernel, full", "normal, cross", KERNEL, "two systems are computed, and one is taken"),
     of(Lost::Unused, "kernel, blocks", "", KERNEL, ROW),
     of(Lost::Unused, "kernel, packed", "", KERNEL, ROW),
     of(Lost::Unused, "kernel, gradient", "", KERNEL, "a gradient does not use what is of second order"),
-    of(Lost::Cancels, "matrices", "", "closed_form/form.rs", "t x t_bar enters by its square"),
+    of(Lost::Cancels, "matrices", "", "closed_form/formulation.rs", "t x t_bar enters by its square"),
     of(Lost::Cancels, "jet of nurbs", "", "curve/bspline.rs", "a factor of all basis functions cancels"),
     of(
         Lost::TimesZero,
@@ -73,15 +73,15 @@ mod tests {
 
     #[test]
     fn an_operation_that_nothing_uses_has_a_reason_in_its_place_only() {
-        let at = [String::from("linearization/closed_form/blocks/frame.rs:46")];
+        let at = [String::from("linearization/closed_form/kernel/frame.rs:46")];
         let of = |lost, code, place| reason(lost, code, place, &at).is_some();
         assert!(of(Lost::TimesZero, "matrices, other curves", "xi at an end"));
-        assert!(!of(Lost::TimesZero, "matrices, other curves", "normal, products"));
+        assert!(!of(Lost::TimesZero, "matrices, other curves", "normal, determinants"));
         assert!(!of(Lost::Unused, "matrices, other curves", "xi at an end"));
         assert!(!of(Lost::Cancels, "equations", "both at ends"));
-        assert!(of(Lost::Unused, "kernel, full", "length, products"));
-        assert!(!of(Lost::Unused, "kernel, full", "normal, products"));
+        assert!(of(Lost::Unused, "kernel, full", "length, determinants"));
+        assert!(!of(Lost::Unused, "kernel, full", "normal, determinants"));
         let elsewhere = [String::from("linearization/closed_form/projection.rs:12")];
-        assert_eq!(reason(Lost::Unused, "kernel, full", "length, products", &elsewhere), None);
+        assert_eq!(reason(Lost::Unused, "kernel, full", "length, determinants", &elsewhere), None);
     }
 }

@@ -2,9 +2,9 @@
 
 use super::Matrices;
 use crate::curve::{DofDerivatives, Jet};
-use crate::linearization::closed_form::form::{inverse_gram, unit_normal};
+use crate::linearization::closed_form::formulation::{inverse_gram, unit_normal};
 use crate::linearization::closed_form::sums::add_product;
-use crate::linearization::{DofMatrix, Expansion};
+use crate::linearization::{BlockHessian, Derivatives};
 use crate::number::{Real, named};
 use crate::pair::DofVector;
 use nalgebra::Vector3;
@@ -18,16 +18,16 @@ where
     /// d (and, but for its value, g_N) with gradient and Hessian.
     #[doc(alias = "Eq. (57)")]
     #[inline]
-    pub fn d(&self) -> Expansion<T, N, M> {
-        let mut d = Expansion::zero();
+    pub fn d(&self) -> Derivatives<T, N, M> {
+        let mut d = Derivatives::zero();
         self.write_d(&mut d);
         d
     }
 
     /// [`Matrices::d`], written over `to`.
     #[inline]
-    pub fn write_d(&self, to: &mut Expansion<T, N, M>) {
-        let Expansion { value, gradient, hessian } = to;
+    pub fn write_d(&self, to: &mut Derivatives<T, N, M>) {
+        let Derivatives { value, gradient, hessian } = to;
         let (a, b) = (&self.jet.dofs, &self.jet_bar.dofs);
         // Eq. (4), (37): ∇d = Gᵀn
         let n;
@@ -66,7 +66,12 @@ where
 
     /// H = [Gᵀ(I − nnᵀ)G − a ggᵀ + b(gḡᵀ + ḡgᵀ) + ā ḡḡᵀ]/d, less K: Eq. (40).
     #[inline]
-    fn write_by_length(&self, inverse: T, gradient: &DofVector<T, N, M>, hessian: &mut DofMatrix<T, N, M>) {
+    fn write_by_length(
+        &self,
+        inverse: T,
+        gradient: &DofVector<T, N, M>,
+        hessian: &mut BlockHessian<T, N, M>,
+    ) {
         let Self { g, g_bar, projection, .. } = self;
         let half = T::from(0.5);
         let with_n = gradient.times(-named("H_d: G'nn'G", half * inverse));
@@ -81,9 +86,9 @@ where
         add_product(&mut hessian.bar, named("H_d: B0'B0", inverse), (b, 0), (b, 0));
     }
 
-    /// H = S_x(n) − S_x̄(n) + d [j, j̄] Γ [j, j̄]ᵀ with j = J_tᵀn and j̄ = J_t̄ᵀn, less K: see [`Form`](super::Form).
+    /// H = S_x(n) − S_x̄(n) + d [j, j̄] Γ [j, j̄]ᵀ with j = J_tᵀn and j̄ = J_t̄ᵀn, less K: see [`Formulation`](super::Formulation).
     #[inline]
-    fn write_along_normal(&self, (d, n): (T, &Vector3<T>), hessian: &mut DofMatrix<T, N, M>) {
+    fn write_along_normal(&self, (d, n): (T, &Vector3<T>), hessian: &mut BlockHessian<T, N, M>) {
         let Self {
             jet: Jet { geometry: x, dofs: a }, jet_bar: Jet { geometry: y, dofs: b }, g, g_bar, ..
         } = self;

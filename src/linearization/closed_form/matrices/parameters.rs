@@ -11,11 +11,11 @@
 //! ```
 //!
 //! S is linear in its vector, so p P + q P_bar holds S_x(m) − S_x̄(m) with m = p t + q t_bar. Near parallel tangents the two
-//! parts of m cancel, and m = −u by cross products keeps the digits that they lose ([`Form`](super::super::Form)).
+//! parts of m cancel, and m = −u by cross products keeps the digits that they lose ([`Formulation`](super::super::Formulation)).
 
 use super::Matrices;
 use crate::curve::{DofDerivatives, Jet};
-use crate::linearization::DofMatrix;
+use crate::linearization::BlockHessian;
 use crate::linearization::closed_form::sums::add_product;
 use crate::number::{Real, named, orders};
 use crate::pair::DofVector;
@@ -30,15 +30,15 @@ where
     /// The Hessians of xi and xi_bar.
     #[doc(alias = "Eq. (59)")]
     #[inline]
-    pub fn parameters(&self) -> [DofMatrix<T, N, M>; 2] {
-        let mut hessians = [DofMatrix::zeros(); 2];
+    pub fn parameters(&self) -> [BlockHessian<T, N, M>; 2] {
+        let mut hessians = [BlockHessian::zeros(); 2];
         self.write_parameters(hessians.each_mut());
         hessians
     }
 
     /// [`Matrices::parameters`], written over `to`.
     #[inline]
-    pub fn write_parameters(&self, to: [&mut DofMatrix<T, N, M>; 2]) {
+    pub fn write_parameters(&self, to: [&mut BlockHessian<T, N, M>; 2]) {
         let Self { jet: Jet { dofs: a, .. }, jet_bar: Jet { dofs: b, .. }, d, g, g_bar, .. } = self;
         let [alpha, beta, alpha_bar, beta_bar] = self.vectors();
         // H_ξ = (ā P + b P̄)/D   H_ξ̄ = (−b P + a P̄)/D, each P sorted by g and ḡ
@@ -50,7 +50,7 @@ where
             let with_g_bar = alpha_bar.times(-q).plus(-p, &beta).plus(T::one(), &of_g_bar);
             hessian.set_sum([], [(g, &with_g), (g_bar, &with_g_bar)]);
             // C = GᵀA₁ + A₁ᵀG + K_x,ξ(d)   C̄ = GᵀB₁ + B₁ᵀG + K_x̄,ξ̄(d)
-            let DofMatrix { beam, mixed, bar } = hessian;
+            let BlockHessian { beam, mixed, bar } = hessian;
             let [k, l] = orders::<T>("C: A0'A1", [0, 1]);
             add_product(beam, -named("C: A0'A1", p), (a, k), (a, l));
             let [k, l] = orders::<T>("C: A1'A0", [1, 0]);

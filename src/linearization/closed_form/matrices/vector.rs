@@ -2,7 +2,7 @@
 
 use super::Matrices;
 use crate::curve::{DofDerivatives, Geometry};
-use crate::linearization::{DofMatrix, Expansion};
+use crate::linearization::{BlockHessian, Derivatives};
 use crate::number::Real;
 use crate::pair::DofVector;
 use nalgebra::Vector3;
@@ -37,8 +37,8 @@ where
         &self,
         quantity: VectorQuantity,
         w: &Vector3<T>,
-        parameters: [&Expansion<T, N, M>; 2],
-    ) -> Expansion<T, N, M> {
+        parameters: [&Derivatives<T, N, M>; 2],
+    ) -> Derivatives<T, N, M> {
         let Self { jet, jet_bar, d, .. } = self;
         let (x, y) = (&jet.geometry, &jet_bar.geometry);
         let [xi, xi_bar] = parameters;
@@ -57,7 +57,7 @@ where
         };
         let half = T::from(0.5);
         // Hess(w·x_C) = (w·t) H_ξ + S_x(w)   Hess(w·x_C,ξ) = (w·t,ξ) H_ξ + S_t(w)
-        let (mut gradient, mut hessian) = (DofVector::zeros(), DofMatrix::zeros());
+        let (mut gradient, mut hessian) = (DofVector::zeros(), BlockHessian::zeros());
         if let Some(sign) = beam {
             let (first, second) = slopes(x);
             let own = DofVector::of_beam(jet.dofs.gradient(k, w));
@@ -86,6 +86,6 @@ where
         {
             hessian.bar += jet_bar.dofs.hessian(k, w) * sign;
         }
-        Expansion { hessian, gradient, value }
+        Derivatives { hessian, gradient, value }
     }
 }

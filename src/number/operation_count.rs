@@ -25,12 +25,12 @@ enum Origin {
 /// sine and a cosine are one each, although they take longer. A change of sign counts nothing, nor does what need not
 /// be computed: with constants alone, plus nought, times nought or one. So a count is of what is done at least.
 #[derive(Clone, Copy, Debug)]
-pub struct Counted {
+pub struct OperationCount {
     value: f64,
     origin: Origin,
 }
 
-impl Counted {
+impl OperationCount {
     /// A number that is not known before; what [`From`] makes is a constant.
     pub fn given(value: f64) -> Self {
         Self { value, origin: Origin::Other }
@@ -54,19 +54,19 @@ impl Counted {
     }
 }
 
-impl From<f64> for Counted {
+impl From<f64> for OperationCount {
     fn from(value: f64) -> Self {
         Self { value, origin: Origin::Constant }
     }
 }
 
-impl PartialEq for Counted {
+impl PartialEq for OperationCount {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-impl Add for Counted {
+impl Add for OperationCount {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -81,7 +81,7 @@ impl Add for Counted {
     }
 }
 
-impl Sub for Counted {
+impl Sub for OperationCount {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -89,7 +89,7 @@ impl Sub for Counted {
     }
 }
 
-impl Mul for Counted {
+impl Mul for OperationCount {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -106,7 +106,7 @@ impl Mul for Counted {
     }
 }
 
-impl Div for Counted {
+impl Div for OperationCount {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
@@ -122,7 +122,7 @@ impl Div for Counted {
     }
 }
 
-impl Neg for Counted {
+impl Neg for OperationCount {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -131,9 +131,9 @@ impl Neg for Counted {
     }
 }
 
-field_from_operators!([] Counted);
+field_from_operators!([] OperationCount);
 
-impl Real for Counted {
+impl Real for OperationCount {
     fn sqrt(self) -> Self {
         let value = self.value.sqrt();
         if self.origin == Origin::Constant { Self::from(value) } else { Self::new(value, Origin::Other) }
@@ -150,14 +150,14 @@ impl Real for Counted {
 
 #[cfg(test)]
 mod tests {
-    use super::Counted;
+    use super::OperationCount;
     use crate::number::Real;
     use num_traits::{One, Zero};
     use std::hint::black_box;
 
-    fn operations(work: impl FnOnce([Counted; 4]) -> Counted) -> usize {
-        let given = [2.0, 3.0, 5.0, 7.0].map(Counted::given);
-        Counted::count(|| {
+    fn operations(work: impl FnOnce([OperationCount; 4]) -> OperationCount) -> usize {
+        let given = [2.0, 3.0, 5.0, 7.0].map(OperationCount::given);
+        OperationCount::count(|| {
             black_box(work(given));
         })
     }
@@ -174,7 +174,7 @@ mod tests {
 
     #[test]
     fn what_is_known_before_counts_nothing() {
-        let (zero, one, half) = (Counted::zero(), Counted::one(), Counted::from(0.5));
+        let (zero, one, half) = (OperationCount::zero(), OperationCount::one(), OperationCount::from(0.5));
         assert_eq!(operations(|[a, ..]| (a + zero) * one - zero * a), 0);
         assert_eq!(operations(|[a, ..]| -a * -one / one), 0);
         assert_eq!(operations(|_| (half * half + half).sqrt() / half), 0);
@@ -187,6 +187,6 @@ mod tests {
         assert_eq!(operations(|[a, b, ..]| a / b), 1);
         assert_eq!(operations(|[a, ..]| a.sqrt() + a), 2);
         assert_eq!(operations(|[a, ..]| a.sin_cos().0), 2);
-        assert_eq!(operations(|[a, b, ..]| a / Counted::from(3.0) + b), 1);
+        assert_eq!(operations(|[a, b, ..]| a / OperationCount::from(3.0) + b), 1);
     }
 }

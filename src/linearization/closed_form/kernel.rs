@@ -15,14 +15,14 @@
 //! the matrices do the work. Other processors do it one number after the other. The ways round differently, no more.
 
 mod arithmetic;
-mod batch;
 #[cfg(target_arch = "x86_64")]
-mod by_four;
+mod avx2;
+mod batch;
 mod choice;
 mod distance;
 mod frame;
 #[cfg(target_arch = "x86_64")]
-mod in_lanes;
+mod lanes;
 mod lengths;
 mod parameters;
 mod request;
@@ -31,22 +31,22 @@ mod slips;
 mod solution;
 mod target;
 
-pub use batch::{Encounter, write_all_batch, write_d_batch};
+pub use batch::{PairAtPoint, write_all_batch, write_d_batch};
 pub use request::Targets;
 pub use target::{Full, Gradient, Packed, Target};
 
-use super::{Form, Matrices, Points, jets};
+use super::{Formulation, Matrices, Points, jets};
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::Linearization;
-use crate::linearization::fastest::return_with_vectors;
+use crate::linearization::dispatch::return_with_vectors;
 use crate::number::Real;
 #[cfg(feature = "check")]
 use crate::pair::Contact;
 use crate::pair::{DofVector, Pair};
-use arithmetic::{Arithmetic, ByOne};
+use arithmetic::{Arithmetic, ScalarArithmetic};
 #[cfg(target_arch = "x86_64")]
-use by_four::ByFour;
+use avx2::Avx2Arithmetic;
 use choice::{Best, Choice, Given, points};
 use frame::{Frame, Gradients, Products, along};
 use request::{DistanceAlone, Request, WithSlips};
@@ -114,7 +114,7 @@ pub fn write_d_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: 
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    form: Formulation,
     to: &mut impl Target<T, N, M>,
 ) -> bool {
     write_over(pair, q, at, form, &mut DistanceAlone(to))
@@ -125,7 +125,7 @@ pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    form: Formulation,
     to: &mut Targets<'_, impl Target<T, N, M>>,
 ) -> bool {
     write_over(pair, q, at, form, to)
@@ -136,7 +136,7 @@ pub fn write_all_with_slips_over<T, A, B, W, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    form: Formulation,
     to: &mut Targets<'_, W>,
     slips: [&mut W; 2],
 ) -> bool
@@ -156,7 +156,7 @@ pub(crate) fn write_all_by_shapes_over<T: Real, W: Target<T, N, M>, const N: usi
     [of_beam, of_bar]: [Shapes<'_, T>; 2],
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    form: Formulation,
     contact: &Contact,
     [d, t, t_bar, xi, xi_bar, g_t, g_t_bar]: &mut [W; 7],
 ) {
@@ -196,12 +196,13 @@ fn write_by_shapes<const N: usize, const M: usize>(
     point: &ClosestPoint,
     request: &mut impl Request<f64, N, M>,
 ) -> bool {
-    let (at, active) = ((point.xi, point.xi_bar), point.active());
-    return_with_vectors!(f: ByFour => evaluate(f, shapes, q, at, Best(active), request).is_some());
+    let (at, held) = ((point.xi, point.xi_bar), point.held());
+    return_with_vectors!(f: Avx2Arithmetic => evaluate(f, shapes, q, at, Best(held), request).is_some());
     // Few processors are left of this kind: the kernel is not compiled once more for them.
     if cfg!(not(target_arch = "x86_64")) {
-        let (beam, bar) = (Point::new(ByOne, shapes.0, &q.beam), Point::new(ByOne, shapes.1, &q.bar));
-        by_one(shapes, q, at, Form::at(&points(ByOne, (&beam, &bar)), active), request);
+        let (beam, bar) =
+            (Point::new(ScalarArithmetic, shapes.0, &q.beam), Point::new(ScalarArithmetic, shapes.1, &q.bar));
+        by_one(shapes, q, at, Formulation::at(&points(ScalarArithmetic, (&beam, &bar)), held), request);
     }
     cfg!(not(target_arch = "x86_64"))
 }
@@ -216,8 +217,8 @@ fn write_by_matrices<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
 ) {
     let at = (point.xi, point.xi_bar);
     let (jet, jet_bar) = jets(pair, q, at);
-    let form = Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active());
-    request.copy(&Matrices::in_form(&jet, &jet_bar, form), at, &pair.contact);
+    let form = Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.held());
+    request.copy(&Matrices::in_formulation(&jet, &jet_bar, form), at, &pair.contact);
 }
 
 /// What is asked for, over any scalar; `false`, and nothing written, if a curve has no shape functions.
@@ -225,7 +226,7 @@ fn write_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    form: Formulation,
     request: &mut impl Request<T, N, M>,
 ) -> bool {
     let (dofs, dofs_bar) = (pair.curve.jet(&q.beam, at.0).dofs, pair.curve_bar.jet(&q.bar, at.1).dofs);
@@ -240,10 +241,10 @@ fn by_one<T: Real, const N: usize, const M: usize>(
     shapes: (Shapes<'_, T>, Shapes<'_, T>),
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    form: Formulation,
     request: &mut impl Request<T, N, M>,
 ) {
-    evaluate(ByOne, shapes, q, at, Given(form), request);
+    evaluate(ScalarArithmetic, shapes, q, at, Given(form), request);
 }
 
 /// Returns the lanes, by bits, that ask for another form than the others; nothing, if none is written.

@@ -9,9 +9,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An element of the field of integers modulo 2^61 - 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Residue(u64);
+pub struct PrimeField(u64);
 
-impl Residue {
+impl PrimeField {
     /// The modulus, 2^61 - 1.
     pub const PRIME: u64 = (1 << 61) - 1;
 
@@ -67,7 +67,7 @@ impl Residue {
     }
 }
 
-impl From<f64> for Residue {
+impl From<f64> for PrimeField {
     /// Exact for every finite number: an `f64` is an integer times a power of two. What is not finite becomes 0.
     fn from(value: f64) -> Self {
         if !value.is_finite() {
@@ -82,7 +82,7 @@ impl From<f64> for Residue {
     }
 }
 
-impl Add for Residue {
+impl Add for PrimeField {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -90,7 +90,7 @@ impl Add for Residue {
     }
 }
 
-impl Sub for Residue {
+impl Sub for PrimeField {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -98,7 +98,7 @@ impl Sub for Residue {
     }
 }
 
-impl Mul for Residue {
+impl Mul for PrimeField {
     type Output = Self;
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "the low 61 bits and the high 61 bits of 122")]
@@ -108,7 +108,7 @@ impl Mul for Residue {
     }
 }
 
-impl Div for Residue {
+impl Div for PrimeField {
     type Output = Self;
     /// By Fermat, 1 / a = a^(p - 2). A quotient by 0 is 0, as there is no element to stand for it.
     fn div(self, other: Self) -> Self {
@@ -116,7 +116,7 @@ impl Div for Residue {
     }
 }
 
-impl Neg for Residue {
+impl Neg for PrimeField {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -124,11 +124,11 @@ impl Neg for Residue {
     }
 }
 
-field_from_operators!([] Residue);
+field_from_operators!([] PrimeField);
 
-impl Real for Residue {
+impl Real for PrimeField {
     /// A root of a square, one of two, always the same; of what is no square the result means nothing
-    /// ([`Residue::is_square`]).
+    /// ([`PrimeField::is_square`]).
     fn sqrt(self) -> Self {
         // p = 3 mod 4: (v^((p + 1)/4))² = v v^((p - 1)/2) = v, or -v if v has no root: then some other number.
         let root = self.power((Self::PRIME + 1) >> 2);

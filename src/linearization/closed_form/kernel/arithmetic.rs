@@ -172,9 +172,9 @@ pub(super) fn by_axis<W>(of: impl Fn(usize) -> W) -> (W, W, W) {
 
 /// One dof at a time.
 #[derive(Clone, Copy)]
-pub(super) struct ByOne;
+pub(super) struct ScalarArithmetic;
 
-impl<T: Real> Arithmetic<T> for ByOne {
+impl<T: Real> Arithmetic<T> for ScalarArithmetic {
     type Vector = [T; 3];
     type Tile = [T; 3];
 

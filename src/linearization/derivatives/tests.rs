@@ -1,12 +1,12 @@
-use super::{DofMatrix, Linearization};
-use crate::closest_point::Active;
+use super::{BlockHessian, Linearization};
+use crate::closest_point::Held;
 use crate::curve::{Hermite, Segment};
-use crate::linearization::closed_form::blocks::{Packed, write_d};
+use crate::linearization::closed_form::kernel::{Packed, write_d};
 use crate::pair::{Contact, LengthError, Pair};
 
 #[test]
 fn a_matrix_in_each_layout_has_the_same_entries() {
-    let mut matrix = DofMatrix::<f64, 2, 3>::zeros();
+    let mut matrix = BlockHessian::<f64, 2, 3>::zeros();
     for j in 0..5_u8 {
         for i in 0..=j {
             matrix.set(i.into(), j.into(), f64::from(10 * i + j));
@@ -52,6 +52,6 @@ fn a_pair_is_linearized_by_the_kernel() {
     let largest = packed.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     assert!(packed.iter().zip(&theirs.hessian).all(|(x, y)| (x - y).abs() <= 1e-14 * largest));
     let start = (point.xi + 0.01, point.xi_bar);
-    let refined = pair.refine(&q, start, Active::default()).unwrap();
+    let refined = pair.refine(&q, start, Held::default()).unwrap();
     assert!((refined.xi - point.xi).abs() < 1e-15);
 }

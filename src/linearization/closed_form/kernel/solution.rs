@@ -1,10 +1,10 @@
 //! What depends on the form: the first variations of the parameters, and the distance.
 
-use super::arithmetic::{Arithmetic, ByOne, by_axis};
+use super::arithmetic::{Arithmetic, ScalarArithmetic, by_axis};
 use super::frame::Products;
 use super::side::Point;
-use crate::linearization::closed_form::form::Elimination;
-use crate::linearization::closed_form::{Form, Points, Projection};
+use crate::linearization::closed_form::formulation::System;
+use crate::linearization::closed_form::{Formulation, Points, Projection};
 use crate::number::Real;
 
 /// The first variations of the parameters, and the distance.
@@ -52,18 +52,18 @@ impl<T: Real> Solution<T, [T; 3]> {
     /// In any form, one number after the other.
     #[cold]
     #[inline(never)]
-    pub(super) fn in_form(points: &Points<T>, form: Form) -> Self {
-        let f = ByOne;
+    pub(super) fn in_formulation(points: &Points<T>, form: Formulation) -> Self {
+        let f = ScalarArithmetic;
         let [beam, bar] = [&points.beam, &points.bar].map(|of| {
             let [x, t, t_xi, t_xixi] = [of.x, of.t, of.t_xi, of.t_xixi].map(Into::into);
             Point { x, t, t_xi, t_xixi }
         });
         let at = (&beam, &bar);
         let products = Products::new(f, at);
-        if let (Some(sign), Elimination::Products) = (form.sign(), form.system) {
+        if let (Some(sign), System::Determinants) = (form.sign(), form.system) {
             return Self::regular(f, at, &products, T::from(sign));
         }
-        let (inverse, (u, u_bar)) = if form.is_crossed() {
+        let (inverse, (u, u_bar)) = if form.uses_cross_products() {
             crossed(points, form)
         } else {
             let inverse = by_products(f, at, &products, form);
@@ -106,12 +106,12 @@ fn by_products<T: Real, A: Arithmetic<T>>(
     f: A,
     at: (&Point<A::Vector>, &Point<A::Vector>),
     products: &Products<T, A::Vector>,
-    form: Form,
+    form: Formulation,
 ) -> [T; 3] {
     let (zero, one) = (T::zero(), T::one());
     let (a, a_bar) = diagonal(f, at, products);
     let [.., b] = products.tangents;
-    match (form.active.xi, form.active.xi_bar) {
+    match (form.held.xi, form.held.xi_bar) {
         (false, false) => {
             let over_det = one / f.mul_add(a, a_bar, b * b);
             [a_bar * over_det, b * over_det, a * over_det]
@@ -135,8 +135,8 @@ fn mean<T: Real, A: Arithmetic<T>>(
 }
 
 /// p, q and q_bar, u and u_bar without products that cancel.
-fn crossed<T: Real>(points: &Points<T>, form: Form) -> ([T; 3], ([T; 3], [T; 3])) {
-    let projection = Projection::in_form(points, form);
+fn crossed<T: Real>(points: &Points<T>, form: Formulation) -> ([T; 3], ([T; 3], [T; 3])) {
+    let projection = Projection::in_formulation(points, form);
     let [[p, q], [_, q_bar]] = projection.inverse();
     let [u, minus_u_bar] = projection.crossed.map_or([points.d; 2], |crossed| crossed.u);
     ([p, q, q_bar], (u.into(), (-minus_u_bar).into()))

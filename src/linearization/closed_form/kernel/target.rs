@@ -1,6 +1,6 @@
 //! Where results are written: the caller's memory, in one of several layouts.
 
-use crate::linearization::Expansion;
+use crate::linearization::Derivatives;
 use crate::number::Real;
 
 /// Memory for a quantity with its derivatives in the `N` dofs of the beam and the `M` dofs of the bar beam.
@@ -28,7 +28,7 @@ pub trait Target<T, const N: usize, const M: usize> {
 }
 
 /// The blocks of both beams and the one between them.
-impl<T: Real, const N: usize, const M: usize> Target<T, N, M> for Expansion<T, N, M> {
+impl<T: Real, const N: usize, const M: usize> Target<T, N, M> for Derivatives<T, N, M> {
     const SECOND: bool = true;
 
     #[inline(always)]
@@ -236,7 +236,7 @@ impl<T, W: Target<T, N, M>, const N: usize, const M: usize> Target<T, M, N> for 
 
 /// Copies a quantity into another layout.
 pub(super) fn copy<T: Real, const N: usize, const M: usize>(
-    from: &Expansion<T, N, M>,
+    from: &Derivatives<T, N, M>,
     to: &mut impl Target<T, N, M>,
 ) {
     fill(from, to, |to, from| *to = from);
@@ -244,7 +244,7 @@ pub(super) fn copy<T: Real, const N: usize, const M: usize>(
 
 /// Copies a quantity into another layout, one number into each by `set`.
 pub(super) fn fill<T: Real, W: Real, const N: usize, const M: usize>(
-    from: &Expansion<T, N, M>,
+    from: &Derivatives<T, N, M>,
     to: &mut impl Target<W, N, M>,
     set: impl Fn(&mut W, T),
 ) {

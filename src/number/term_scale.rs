@@ -1,7 +1,7 @@
 //! The size of a formula's terms: the scale against which a difference is small or not.
 //!
 //! A result that came about by cancellation is small though its terms are large; judged by its own size, a correct
-//! code would be accused, and judged by a fixed number, a wrong code would pass. `Magnitude` carries next to the
+//! code would be accused, and judged by a fixed number, a wrong code would pass. `TermScale` carries next to the
 //! value the sum of the absolute values of the terms: |a| + |b| for a sum, the product of both for a product.
 
 use super::{Real, field_from_operators};
@@ -10,14 +10,14 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and the sum of the absolute values of the terms it is the sum of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Magnitude {
+pub struct TermScale {
     /// The value.
     pub value: f64,
     /// The sum of the absolute values of its terms; never below |value|.
     pub scale: f64,
 }
 
-impl Magnitude {
+impl TermScale {
     /// A vector, whose components have the scale of the whole: which of them is small is the choice of the axes.
     ///
     /// The scale of each is ‖v‖/√3, so that the scale of v·w is ‖v‖‖w‖; that of a larger component is its size.
@@ -32,13 +32,13 @@ impl Magnitude {
     }
 }
 
-impl From<f64> for Magnitude {
+impl From<f64> for TermScale {
     fn from(value: f64) -> Self {
         Self { value, scale: value.abs() }
     }
 }
 
-impl Add for Magnitude {
+impl Add for TermScale {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -46,7 +46,7 @@ impl Add for Magnitude {
     }
 }
 
-impl Sub for Magnitude {
+impl Sub for TermScale {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -54,7 +54,7 @@ impl Sub for Magnitude {
     }
 }
 
-impl Mul for Magnitude {
+impl Mul for TermScale {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -62,7 +62,7 @@ impl Mul for Magnitude {
     }
 }
 
-impl Div for Magnitude {
+impl Div for TermScale {
     type Output = Self;
     /// The denominator counts by its value: what its own cancellation does is conditioning, not a term.
     fn div(self, other: Self) -> Self {
@@ -70,7 +70,7 @@ impl Div for Magnitude {
     }
 }
 
-impl Neg for Magnitude {
+impl Neg for TermScale {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -78,9 +78,9 @@ impl Neg for Magnitude {
     }
 }
 
-field_from_operators!([] Magnitude);
+field_from_operators!([] TermScale);
 
-impl Real for Magnitude {
+impl Real for TermScale {
     /// The length of a vector is as large as the terms of its components, however short it came out.
     fn sqrt(self) -> Self {
         Self { value: self.value.sqrt(), scale: self.scale.sqrt() }

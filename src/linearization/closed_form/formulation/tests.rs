@@ -1,6 +1,6 @@
 //! The parts of both forms, and the choice between them.
 
-use super::{Active, Distance, Elimination, Form, Points, Squares, inverse_gram};
+use super::{Distance, Formulation, Held, Points, Squares, System, inverse_gram};
 use crate::curve::Geometry;
 use nalgebra::Vector3;
 
@@ -32,11 +32,11 @@ fn the_inverse_of_the_gram_matrix_is_one() {
 #[test]
 fn the_form_is_that_of_the_smaller_loss() {
     let at = |angle, d| {
-        let Form { distance, system, .. } = Form::at(&points(angle, d), Active::default());
+        let Formulation { distance, system, .. } = Formulation::at(&points(angle, d), Held::default());
         (distance, system)
     };
     let normal = |reversed| Distance::Normal { reversed };
-    let (products, crossed) = (Elimination::Products, Elimination::CrossProducts);
+    let (products, crossed) = (System::Determinants, System::CrossProducts);
     assert_eq!(at(1.5, 0.5), (normal(false), products));
     assert_eq!(at(1.5, 8.0), (Distance::Length, products));
     assert_eq!(at(1.5, 1e-2), (normal(false), products));
@@ -50,14 +50,14 @@ fn the_form_is_that_of_the_smaller_loss() {
     // Nor do straight ones lose anything by theirs.
     let mut straight = points(1e-5, 0.25);
     (straight.beam.t_xi, straight.bar.t_xi) = (Vector3::zeros(), Vector3::zeros());
-    assert_eq!(Form::at(&straight, Active::default()).distance, normal(false));
+    assert_eq!(Formulation::at(&straight, Held::default()).distance, normal(false));
     // A slow parametrization: the tangent is short next to its change.
     let mut slow = points(1.5, 1e-2);
     slow.beam.t *= 1e-3;
-    assert_eq!(Form::at(&slow, Active::default()).distance, Distance::Length);
+    assert_eq!(Formulation::at(&slow, Held::default()).distance, Distance::Length);
     assert!(Squares::at(&points(1.5, 1e-9)).is_regular());
     assert!(!Squares::at(&points(1e-2, 0.25)).is_regular());
     assert!(!Squares::at(&slow).is_regular());
-    let held = Form::at(&points(1e-2, 1e-5), Active { xi: true, xi_bar: false });
-    assert_eq!((held.sign(), held.is_crossed()), (None, false));
+    let held = Formulation::at(&points(1e-2, 1e-5), Held { xi: true, xi_bar: false });
+    assert_eq!((held.sign(), held.uses_cross_products()), (None, false));
 }

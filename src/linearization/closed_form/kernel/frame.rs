@@ -3,7 +3,7 @@
 use super::arithmetic::{Arithmetic, Dofs};
 use super::side::{Point, Side, Spread};
 use super::solution::Solution;
-use crate::linearization::closed_form::form::Squares;
+use crate::linearization::closed_form::formulation::Squares;
 use crate::number::Real;
 
 /// A pair at its closest point.

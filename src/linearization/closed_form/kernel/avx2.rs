@@ -13,9 +13,9 @@ const AXES: [[[f64; 4]; 3]; 3] = [
 
 /// Four dofs of an `f64` at a time, with fused products and sums.
 #[derive(Clone, Copy)]
-pub(super) struct ByFour(pub(super) Avx2);
+pub(super) struct Avx2Arithmetic(pub(super) Avx2);
 
-impl ByFour {
+impl Avx2Arithmetic {
     /// Four numbers from `at` on.
     #[inline(always)]
     fn load(self, v: &[f64], at: usize) -> f64x4<Avx2> {
@@ -32,7 +32,7 @@ impl ByFour {
     }
 }
 
-impl Arithmetic<f64> for ByFour {
+impl Arithmetic<f64> for Avx2Arithmetic {
     /// With a fourth component, whatever it is.
     type Vector = f64x4<Avx2>;
     /// The components as they meet four dofs, by the component that the first of the four meets.

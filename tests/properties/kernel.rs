@@ -2,15 +2,15 @@
 
 use crate::bounded::{exact_dofs, parameters};
 use crate::pairs::{Contacting, Movable, contacting, hermite, quadratic};
-use beamgap::closest_point::Active;
+use beamgap::closest_point::Held;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
-use beamgap::linearization::closed_form::blocks::{
+use beamgap::linearization::closed_form::formulation::{Distance, System};
+use beamgap::linearization::closed_form::kernel::{
     Full, Targets, write_all_with_slips, write_all_with_slips_over,
 };
-use beamgap::linearization::closed_form::form::{Distance, Elimination};
-use beamgap::linearization::closed_form::{Form, Matrices, Points, jets};
-use beamgap::linearization::{Expansion, Linearization};
-use beamgap::number::{Real, Residue};
+use beamgap::linearization::closed_form::{Formulation, Matrices, Points, jets};
+use beamgap::linearization::{Derivatives, Linearization};
+use beamgap::number::{PrimeField, Real};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{Rotation3, SVector, Unit, Vector3};
 use proptest::prelude::*;
@@ -18,10 +18,10 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
 /// The form of small angles.
-const APART: Form = Form {
-    active: Active { xi: false, xi_bar: false },
+const APART: Formulation = Formulation {
+    held: Held { xi: false, xi_bar: false },
     distance: Distance::Normal { reversed: false },
-    system: Elimination::CrossProducts,
+    system: System::CrossProducts,
 };
 
 impl Movable<12> for BSpline<4> {
@@ -43,7 +43,7 @@ fn by_blocks<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usi
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    form: Formulation,
 ) -> [Vec<T>; 7] {
     let (mut full, mut slips) = ([Full::<T, S>::zeros(); 5], [Full::<T, S>::zeros(); 2]);
     assert!(write_all_with_slips_over(pair, q, at, form, &mut targets(&mut full), slips.each_mut()));
@@ -56,17 +56,17 @@ fn by_matrices<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: u
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
     at: (T, T),
-    form: Form,
+    form: Formulation,
 ) -> [Vec<T>; 7] {
     let (jet, jet_bar) = jets(pair, q, at);
     let Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar, .. } =
-        Matrices::in_form(&jet, &jet_bar, form).all(at, &pair.contact);
+        Matrices::in_formulation(&jet, &jet_bar, form).all(at, &pair.contact);
     [d, xi, xi_bar, t, t_bar, g_t, g_t_bar].map(flat_expansion)
 }
 
 /// The same of blocks.
 pub(crate) fn flat_expansion<T: Real, const N: usize, const M: usize>(
-    quantity: Expansion<T, N, M>,
+    quantity: Derivatives<T, N, M>,
 ) -> Vec<T> {
     let mut all = vec![quantity.value];
     all.extend((0..N + M).map(|i| quantity.gradient.entry(i)));
@@ -79,20 +79,20 @@ pub(crate) fn flat_expansion<T: Real, const N: usize, const M: usize>(
 fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize>(
     pair: &Pair<A, B, N, M>,
     numbers: &[u64],
-    active: Active,
+    held: Held,
 ) where
     A: Movable<N>,
     B: Movable<M>,
 {
-    let mut numbers = numbers.iter().map(|&number| Residue::new(number));
+    let mut numbers = numbers.iter().map(|&number| PrimeField::new(number));
     let mut next = || numbers.next().unwrap();
-    let beam = SVector::<Residue, N>::from_fn(|_, _| next());
-    let bar = SVector::<Residue, M>::from_fn(|_, _| next());
+    let beam = SVector::<PrimeField, N>::from_fn(|_, _| next());
+    let bar = SVector::<PrimeField, M>::from_fn(|_, _| next());
     let at = (next(), next());
     let (x, x_bar) = (pair.curve.jet(&beam, at.0).geometry, pair.curve_bar.jet(&bar, at.1).geometry);
     let w = Vector3::new(next(), next(), next());
-    let normal_to = |t: &Vector3<Residue>| w - t * (w.dot(t) / t.dot(t));
-    let d = match (active.xi, active.xi_bar) {
+    let normal_to = |t: &Vector3<PrimeField>| w - t * (w.dot(t) / t.dot(t));
+    let d = match (held.xi, held.xi_bar) {
         (false, false) => x.t.cross(&x_bar.t) * w.x,
         (true, false) => normal_to(&x_bar.t),
         (false, true) => normal_to(&x.t),
@@ -108,9 +108,9 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
             q.beam[start + c] += (d - (x.x - x_bar.x))[c];
         }
     }
-    let apart = Form { active, ..APART };
-    let regular = Form { system: Elimination::Products, ..apart };
-    for form in [Form::paper(active), apart, apart.reversed(), regular, regular.reversed()] {
+    let apart = Formulation { held, ..APART };
+    let regular = Formulation { system: System::Determinants, ..apart };
+    for form in [Formulation::paper(held), apart, apart.reversed(), regular, regular.reversed()] {
         let blocks = by_blocks::<_, _, _, N, M, S>(pair, &q, at, form);
         assert!(blocks == by_matrices(pair, &q, at, form), "{form:?}");
     }
@@ -119,9 +119,9 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
 /// The form that loses the fewest digits.
 fn form_at<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     Contacting { pair, q, point, .. }: &Contacting<A, B, N, M>,
-) -> Form {
+) -> Formulation {
     let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
-    Form::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.active())
+    Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.held())
 }
 
 /// The bar beam turned about d until the tangents are at `angle`, and the beam moved along d until the gap is `gap`.
@@ -153,7 +153,7 @@ pub(crate) fn tolerances<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
 ) -> [Vec<f64>; 7] {
     let Contacting { pair, q, point, .. } = case;
     let q = exact_dofs(q);
-    let at = parameters(pair, &q, (point.xi, point.xi_bar), point.active());
+    let at = parameters(pair, &q, (point.xi, point.xi_bar), point.held());
     by_blocks::<_, _, _, N, M, S>(pair, &q, at, form_at(case))
         .map(|numbers| numbers.into_iter().map(|number| 2.0 * number.bound).collect())
 }
@@ -167,7 +167,7 @@ fn equal_within_rounding<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
     write_all_with_slips(pair, q, point, &mut targets(&mut five), slips.each_mut());
     let form = form_at(case);
     let q = exact_dofs(q);
-    let at = parameters(pair, &q, (point.xi, point.xi_bar), point.active());
+    let at = parameters(pair, &q, (point.xi, point.xi_bar), point.held());
     let (ours, theirs) = (by_blocks::<_, _, _, N, M, S>(pair, &q, at, form), by_matrices(pair, &q, at, form));
     let mut widest = 0.0_f64;
     for (i, fast) in five.iter().chain(&slips).enumerate() {
@@ -210,24 +210,23 @@ fn pair<A, B, const N: usize, const M: usize>(curve: A, curve_bar: B) -> Pair<A,
     Pair { curve, curve_bar, contact: Contact { xi_0: 0.25, xi_bar_0: -0.5, ..Contact::default() } }
 }
 
-fn numbers() -> impl Strategy<Value = (Vec<u64>, Active)> {
-    let active = (0.0..1.0, any::<bool>(), any::<bool>()).prop_map(|(inside, xi, xi_bar)| {
-        if inside < 0.5 { Active::default() } else { Active { xi, xi_bar } }
-    });
-    (proptest::collection::vec(any::<u64>(), 64), active)
+fn numbers() -> impl Strategy<Value = (Vec<u64>, Held)> {
+    let held = (0.0..1.0, any::<bool>(), any::<bool>())
+        .prop_map(|(inside, xi, xi_bar)| if inside < 0.5 { Held::default() } else { Held { xi, xi_bar } });
+    (proptest::collection::vec(any::<u64>(), 64), held)
 }
 
 proptest! {
     #[test]
-    fn exactly_hermite_and_quadratic((numbers, active) in numbers()) {
+    fn exactly_hermite_and_quadratic((numbers, held) in numbers()) {
         let pair = pair(Hermite::scaled_by(3.0), Quadratic::new());
-        equal_over_a_prime_field::<_, _, 12, 9, 21>(&pair, &numbers, active);
+        equal_over_a_prime_field::<_, _, 12, 9, 21>(&pair, &numbers, held);
     }
 
     #[test]
-    fn exactly_segment_and_spline((numbers, active) in numbers()) {
+    fn exactly_segment_and_spline((numbers, held) in numbers()) {
         let spline = BSpline::<4>::new(&[0.0, 0.25, 1.0, 1.5, 2.0, 3.0]).unwrap();
-        equal_over_a_prime_field::<_, _, 6, 12, 18>(&pair(Segment::new(), spline), &numbers, active);
+        equal_over_a_prime_field::<_, _, 6, 12, 18>(&pair(Segment::new(), spline), &numbers, held);
     }
 
     /// 9 dofs are no multiple of what is taken at once.

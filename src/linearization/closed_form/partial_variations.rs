@@ -1,4 +1,4 @@
-//! A curve at a frozen parameter, varied in two directions: all that the variations need to know of one beam.
+//! A curve at a fixed parameter, varied in two directions: all that the variations need to know of one beam.
 
 use crate::curve::{DofDerivatives, Geometry, Jet};
 use crate::number::Real;
@@ -9,7 +9,7 @@ use nalgebra::{SVector, Vector3};
 /// Whatever its family and its number of dofs, a beam enters the variations through these fifteen vectors only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "Eq. (24)")]
-pub struct Frozen<T> {
+pub struct PartialVariations<T> {
     /// x, t, t,xi and t,xixi.
     pub geometry: Geometry<T>,
     /// delta_u u, delta_u u,xi and delta_u u,xixi.
@@ -20,7 +20,7 @@ pub struct Frozen<T> {
     pub second_u: [Vector3<T>; 2],
 }
 
-impl<T: Real> Frozen<T> {
+impl<T: Real> PartialVariations<T> {
     /// Varies a curve along `dq` (delta) and `linear_dq` (Delta).
     pub fn new<U: DofDerivatives<T, N>, const N: usize>(
         jet: &Jet<T, U>,
@@ -47,10 +47,10 @@ impl<T: Real> Frozen<T> {
 
     /// The same in another scalar, vector by vector.
     #[must_use]
-    pub fn map<S: Real>(self, f: impl Fn(Vector3<T>) -> Vector3<S> + Copy) -> Frozen<S> {
+    pub fn map<S: Real>(self, f: impl Fn(Vector3<T>) -> Vector3<S> + Copy) -> PartialVariations<S> {
         let Geometry { x, t, t_xi, t_xixi } = self.geometry;
         let [x, t, t_xi, t_xixi] = [x, t, t_xi, t_xixi].map(f);
-        Frozen {
+        PartialVariations {
             geometry: Geometry { x, t, t_xi, t_xixi },
             delta_u: self.delta_u.map(f),
             linear_u: self.linear_u.map(f),

@@ -36,7 +36,7 @@
 //! next to its change and to d; the cross products are never worse.
 
 use super::Points;
-use crate::closest_point::Active;
+use crate::closest_point::Held;
 use crate::curve::Geometry;
 use crate::number::Real;
 use nalgebra::Vector3;
@@ -56,13 +56,13 @@ const LARGE: f64 = 1e70;
 /// At an end the forms do not differ: one parameter's equation has nothing to cancel, and the distance of a point from a
 /// curve has no second derivative that stays finite at d = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Form {
+pub struct Formulation {
     /// Which parameters are held at an end.
-    pub active: Active,
+    pub held: Held,
     /// How the distance is varied.
     pub distance: Distance,
     /// How the two-by-two system is solved.
-    pub system: Elimination,
+    pub system: System,
 }
 
 /// How the distance is varied.
@@ -80,24 +80,24 @@ pub enum Distance {
 
 /// How the two-by-two system is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Elimination {
+pub enum System {
     /// By the products of its entries, (52) and (59).
     #[default]
-    Products,
+    Determinants,
     /// By cross products of the tangents.
     CrossProducts,
 }
 
-impl Form {
+impl Formulation {
     /// The paper's formulas.
-    pub const fn paper(active: Active) -> Self {
-        Self { active, distance: Distance::Length, system: Elimination::Products }
+    pub const fn paper(held: Held) -> Self {
+        Self { held, distance: Distance::Length, system: System::Determinants }
     }
 
     /// The formulas that keep their digits at small d and at small angles; n has the sign with n·d >= 0.
-    pub fn apart(points: &Points<f64>, active: Active) -> Self {
+    pub fn robust(points: &Points<f64>, held: Held) -> Self {
         let reversed = points.cross().dot(&points.d) < 0.0;
-        Self { active, distance: Distance::Normal { reversed }, system: Elimination::CrossProducts }
+        Self { held, distance: Distance::Normal { reversed }, system: System::CrossProducts }
     }
 
     /// The formulas that lose the fewest digits at a point, up to a small factor.
@@ -107,9 +107,9 @@ impl Form {
     ///
     /// The choice depends on ratios of lengths alone. Next to it the two forms agree within what either loses.
     #[inline]
-    pub fn at(points: &Points<f64>, active: Active) -> Self {
+    pub fn at(points: &Points<f64>, held: Held) -> Self {
         let Points { beam, bar, d } = points;
-        let apart = Self::apart(points, active);
+        let apart = Self::robust(points, held);
         let squares = Squares::at(points);
         let Squares { t2: [t2, t_bar2], c2, .. } = squares;
         let is_near = |x: &Geometry<f64>, t2: f64, other: f64| {
@@ -122,9 +122,9 @@ impl Form {
             (false, is_near(beam, t2, t_bar2) && is_near(bar, t_bar2, t2))
         };
         Self {
-            active,
+            held,
             distance: if normal { apart.distance } else { Distance::Length },
-            system: if wide { Elimination::Products } else { apart.system },
+            system: if wide { System::Determinants } else { apart.system },
         }
     }
 
@@ -141,13 +141,13 @@ impl Form {
 
     /// Whether no parameter is held.
     const fn is_inside(self) -> bool {
-        !self.active.xi && !self.active.xi_bar
+        !self.held.xi && !self.held.xi_bar
     }
 
     /// Whether the system is solved by cross products.
     #[inline]
-    pub fn is_crossed(self) -> bool {
-        self.is_inside() && self.system == Elimination::CrossProducts
+    pub fn uses_cross_products(self) -> bool {
+        self.is_inside() && self.system == System::CrossProducts
     }
 
     /// The sign of n to t × t_bar, if the distance is varied along n.
@@ -222,7 +222,7 @@ impl Squares<f64> {
         (t_xi2 * d4 < t2 * t2 * (c2 * sum)) & (t_bar_xi2 * d4 < t_bar2 * t_bar2 * (c2 * sum_bar))
     }
 
-    /// Whether [`Form::at`] takes the normal and the paper's system, in numbers whose products are in range.
+    /// Whether [`Formulation::at`] takes the normal and the paper's system, in numbers whose products are in range.
     ///
     /// One branch for all conditions: the kernel goes on with what it needs anyway while they are decided.
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! The gradient and the Hessian of half the squared distance at a pair of points, and their scale-free measures.
 
-use super::Active;
+use super::Held;
 use super::point::{SINGULAR, STANDSTILL, WEAK};
 use crate::curve::Geometry;
 use nalgebra::{Matrix2, Vector2, Vector3};
@@ -13,7 +13,7 @@ const ROUNDING: f64 = 9e-16;
 /// The Hessian is H = [[a, -b], [-b, -a_bar]], and the determinant of the linearized orthogonality conditions is
 /// D = a a_bar + b² = -det H.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HalfSquare {
+pub struct SquaredDistance {
     /// d = x - x_bar.
     pub d: Vector3<f64>,
     /// ‖d‖.
@@ -39,7 +39,7 @@ pub struct HalfSquare {
     size2: f64,
 }
 
-impl HalfSquare {
+impl SquaredDistance {
     /// The derivatives of half the squared distance between two points.
     #[inline(always)]
     pub fn new(x: &Geometry<f64>, x_bar: &Geometry<f64>) -> Self {
@@ -84,22 +84,22 @@ impl HalfSquare {
     /// The smallest eigenvalue of the Hessian for unit tangents, over the parameters that are not held.
     ///
     /// It is infinite if both are held and not a number if a tangent has no length.
-    pub fn conditioning(&self, active: Active) -> f64 {
-        self.eigenvalues(active)[0]
+    pub fn conditioning(&self, held: Held) -> f64 {
+        self.eigenvalues(held)[0]
     }
 
     /// The size of the eigenvalue of smallest size.
-    pub(super) fn smallest_magnitude(&self, active: Active) -> f64 {
-        let [low, high] = self.eigenvalues(active);
+    pub(super) fn smallest_magnitude(&self, held: Held) -> f64 {
+        let [low, high] = self.eigenvalues(held);
         low.abs().min(high.abs())
     }
 
     /// The eigenvalues for unit tangents in ascending order, each to its own last digits; one free parameter has two
     /// equal ones.
-    pub(super) fn eigenvalues(&self, active: Active) -> [f64; 2] {
+    pub(super) fn eigenvalues(&self, held: Held) -> [f64; 2] {
         let [t2, t_bar2] = self.squares;
         let (first, second) = (self.a / t2, -self.a_bar / t_bar2);
-        match (active.xi, active.xi_bar) {
+        match (held.xi, held.xi_bar) {
             (true, true) => [f64::INFINITY; 2],
             (true, false) => [second; 2],
             (false, true) => [first; 2],
@@ -147,18 +147,18 @@ impl HalfSquare {
     }
 
     /// The largest |cos| over the parameters that are not held.
-    pub fn residual(&self, active: Active) -> f64 {
+    pub fn residual(&self, held: Held) -> f64 {
         let of = |held: bool, i| if held { 0.0 } else { self.cosine(i).abs() };
-        of(active.xi, 0).max(of(active.xi_bar, 1))
+        of(held.xi, 0).max(of(held.xi_bar, 1))
     }
 
     /// Whether the gradient over the parameters that are not held vanishes.
-    pub(super) fn is_stationary(&self, active: Active) -> bool {
-        (active.xi || self.gradient[0] == 0.0) && (active.xi_bar || self.gradient[1] == 0.0)
+    pub(super) fn is_stationary(&self, held: Held) -> bool {
+        (held.xi || self.gradient[0] == 0.0) && (held.xi_bar || self.gradient[1] == 0.0)
     }
 
     /// The larger component of the gradient, for tangents of unit size, over the parameters that are not held.
-    pub(super) fn slope(&self, active: Active) -> f64 {
+    pub(super) fn slope(&self, held: Held) -> f64 {
         let of = |held: bool, i: usize| {
             if held || self.gradient[i] == 0.0 {
                 0.0
@@ -166,7 +166,7 @@ impl HalfSquare {
                 self.gradient[i].abs() / self.squares[i].sqrt()
             }
         };
-        of(active.xi, 0).max(of(active.xi_bar, 1))
+        of(held.xi, 0).max(of(held.xi_bar, 1))
     }
 
     /// Whether d is zero to rounding.
@@ -181,10 +181,10 @@ impl HalfSquare {
     }
 
     /// Whether the Hessian over the parameters that are not held is positive definite.
-    pub(super) fn is_convex(&self, active: Active) -> bool {
-        (active.xi || self.a > 0.0)
-            && (active.xi_bar || self.a_bar < 0.0)
-            && (active.xi || active.xi_bar || self.det > 0.0)
+    pub(super) fn is_convex(&self, held: Held) -> bool {
+        (held.xi || self.a > 0.0)
+            && (held.xi_bar || self.a_bar < 0.0)
+            && (held.xi || held.xi_bar || self.det > 0.0)
     }
 
     /// The length that the positions are exact to.
@@ -202,10 +202,10 @@ impl HalfSquare {
     ///
     /// The closest point is off by rounding / eigenvalue along the eigenvector v, and the eigenvalue changes by the third
     /// derivative of F along v times that. Straight beams have none, nor have symmetric ones.
-    pub(super) fn gradient_error(&self, eigenvalue: f64, active: Active) -> f64 {
+    pub(super) fn gradient_error(&self, eigenvalue: f64, held: Held) -> f64 {
         let [t, t_bar] = self.squares.map(f64::sqrt);
         let (a, b, c) = (self.a / self.squares[0], -self.b / t / t_bar, -self.a_bar / self.squares[1]);
-        let v = match (active.xi, active.xi_bar) {
+        let v = match (held.xi, held.xi_bar) {
             (true, _) => Vector2::y(),
             (false, true) => Vector2::x(),
             (false, false) if (a - eigenvalue).abs() > (c - eigenvalue).abs() => {
@@ -229,9 +229,9 @@ impl HalfSquare {
     }
 
     /// The Newton step in the parameters that are not held; not finite if the Hessian is singular.
-    pub(super) fn step(&self, active: Active) -> (f64, f64) {
+    pub(super) fn step(&self, held: Held) -> (f64, f64) {
         let [g, g_bar] = self.gradient;
-        match (active.xi, active.xi_bar) {
+        match (held.xi, held.xi_bar) {
             (true, true) => (0.0, 0.0),
             (true, false) => (0.0, g_bar / self.a_bar),
             (false, true) => (-g / self.a, 0.0),
@@ -245,12 +245,12 @@ impl HalfSquare {
     /// A Newton step only in the directions in which the Hessian, for unit tangents, is clearly not singular.
     ///
     /// It leads to a continuum of stationary points along the shortest way, where [`Self::step`] would have no meaning.
-    pub(super) fn valley_step(&self, active: Active) -> (f64, f64) {
+    pub(super) fn valley_step(&self, held: Held) -> (f64, f64) {
         const CLEAR: f64 = 1e-9;
         let lengths = self.squares.map(f64::sqrt);
-        if active != Active::default() || lengths.contains(&0.0) {
-            let step = self.step(active);
-            return if self.smallest_magnitude(active) > CLEAR { step } else { (0.0, 0.0) };
+        if held != Held::default() || lengths.contains(&0.0) {
+            let step = self.step(held);
+            return if self.smallest_magnitude(held) > CLEAR { step } else { (0.0, 0.0) };
         }
         let scaled = Vector2::new(self.gradient[0] / lengths[0], self.gradient[1] / lengths[1]);
         let off = -self.b / lengths[0] / lengths[1];

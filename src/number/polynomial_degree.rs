@@ -9,14 +9,14 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// half the degree of its argument. Sine and cosine count as rational functions of degree 2: they are random points of
 /// the circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Degree {
+pub struct PolynomialDegree {
     /// Of the numerator.
     pub numerator: f64,
     /// Of the denominator.
     pub denominator: f64,
 }
 
-impl Degree {
+impl PolynomialDegree {
     /// A variable.
     pub const VARIABLE: Self = Self { numerator: 1.0, denominator: 0.0 };
 
@@ -27,13 +27,13 @@ impl Degree {
     }
 }
 
-impl From<f64> for Degree {
+impl From<f64> for PolynomialDegree {
     fn from(_: f64) -> Self {
         Self { numerator: 0.0, denominator: 0.0 }
     }
 }
 
-impl Add for Degree {
+impl Add for PolynomialDegree {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -44,7 +44,7 @@ impl Add for Degree {
     }
 }
 
-impl Sub for Degree {
+impl Sub for PolynomialDegree {
     type Output = Self;
     #[expect(clippy::suspicious_arithmetic_impl, reason = "a difference has the degree of a sum")]
     fn sub(self, other: Self) -> Self {
@@ -52,7 +52,7 @@ impl Sub for Degree {
     }
 }
 
-impl Mul for Degree {
+impl Mul for PolynomialDegree {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -63,7 +63,7 @@ impl Mul for Degree {
     }
 }
 
-impl Div for Degree {
+impl Div for PolynomialDegree {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
@@ -74,7 +74,7 @@ impl Div for Degree {
     }
 }
 
-impl Neg for Degree {
+impl Neg for PolynomialDegree {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -82,9 +82,9 @@ impl Neg for Degree {
     }
 }
 
-field_from_operators!([] Degree);
+field_from_operators!([] PolynomialDegree);
 
-impl Real for Degree {
+impl Real for PolynomialDegree {
     fn sqrt(self) -> Self {
         Self { numerator: 0.5 * self.numerator, denominator: 0.5 * self.denominator }
     }

@@ -2,7 +2,7 @@
 //!
 //! Each operation passes on the errors of its operands to first and second order and adds half an ulp of its own
 //! (J. H. Wilkinson, "Error analysis revisited", 1986; N. Higham, *Accuracy and Stability*, section 3.3). Running a
-//! formula over `Bounded` therefore yields its `f64` value, bit by bit, together with a bound on the distance from
+//! formula over `RunningError` therefore yields its `f64` value, bit by bit, together with a bound on the distance from
 //! the value that exact arithmetic would have given. This is what the gate compares with: no tolerance is tuned.
 
 use super::{Real, field_from_operators};
@@ -63,18 +63,18 @@ impl Bound for [f64; 2] {
 }
 
 /// A value with an absolute bound on its error.
-pub type Bounded = BoundedBy<f64>;
+pub type RunningError = RunningErrorBy<f64>;
 
 /// A value with one absolute bound on its error or several.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BoundedBy<B> {
+pub struct RunningErrorBy<B> {
     /// The value: the same bits that plain `f64` would have.
     pub value: f64,
     /// No less than |value - exact value|; infinite where nothing is known.
     pub bound: B,
 }
 
-impl<B: Bound> BoundedBy<B> {
+impl<B: Bound> RunningErrorBy<B> {
     /// A value known up to `bound`.
     pub fn new(value: f64, bound: B) -> Self {
         Self { value, bound: bound.map(|bound| bound * INFLATION) }
@@ -111,14 +111,14 @@ impl<B: Bound> BoundedBy<B> {
     }
 }
 
-impl<B: Bound> From<f64> for BoundedBy<B> {
+impl<B: Bound> From<f64> for RunningErrorBy<B> {
     #[inline]
     fn from(value: f64) -> Self {
         Self { value, bound: B::NONE }
     }
 }
 
-impl<B: Bound> Add for BoundedBy<B> {
+impl<B: Bound> Add for RunningErrorBy<B> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -126,7 +126,7 @@ impl<B: Bound> Add for BoundedBy<B> {
     }
 }
 
-impl<B: Bound> Sub for BoundedBy<B> {
+impl<B: Bound> Sub for RunningErrorBy<B> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -134,7 +134,7 @@ impl<B: Bound> Sub for BoundedBy<B> {
     }
 }
 
-impl<B: Bound> Mul for BoundedBy<B> {
+impl<B: Bound> Mul for RunningErrorBy<B> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -142,7 +142,7 @@ impl<B: Bound> Mul for BoundedBy<B> {
     }
 }
 
-impl<B: Bound> Div for BoundedBy<B> {
+impl<B: Bound> Div for RunningErrorBy<B> {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
@@ -151,7 +151,7 @@ impl<B: Bound> Div for BoundedBy<B> {
     }
 }
 
-impl<B: Bound> Neg for BoundedBy<B> {
+impl<B: Bound> Neg for RunningErrorBy<B> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -159,9 +159,9 @@ impl<B: Bound> Neg for BoundedBy<B> {
     }
 }
 
-field_from_operators!([B: Bound] BoundedBy<B>);
+field_from_operators!([B: Bound] RunningErrorBy<B>);
 
-impl<B: Bound> Real for BoundedBy<B> {
+impl<B: Bound> Real for RunningErrorBy<B> {
     fn sqrt(self) -> Self {
         // |√v - √e| = |v - e| / (√v + √e), and e may be 0; so may v, and the root of -0.0 is -0.0.
         let value = self.value.sqrt();

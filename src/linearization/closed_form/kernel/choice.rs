@@ -4,9 +4,9 @@ use super::arithmetic::Arithmetic;
 use super::frame::Products;
 use super::side::Point;
 use super::solution::Solution;
-use crate::closest_point::Active;
-use crate::linearization::closed_form::form::Elimination;
-use crate::linearization::closed_form::{Form, Points};
+use crate::closest_point::Held;
+use crate::linearization::closed_form::formulation::System;
+use crate::linearization::closed_form::{Formulation, Points};
 use crate::number::{Lanes, Real};
 
 /// A choice between the forms.
@@ -22,7 +22,7 @@ pub(super) trait Choice<T: Real>: Copy {
 
 /// The form that loses the fewest digits.
 #[derive(Clone, Copy)]
-pub(super) struct Best(pub(super) Active);
+pub(super) struct Best(pub(super) Held);
 
 impl Choice<f64> for Best {
     /// The common normal and the paper's system, inside both beams and at wide angles, in vectors; the rest one by one.
@@ -33,7 +33,7 @@ impl Choice<f64> for Best {
         at: (&Point<A::Vector>, &Point<A::Vector>),
         products: &Products<f64, A::Vector>,
     ) -> Option<(Solution<f64, A::Vector>, u8)> {
-        let solution = if self.0 == Active::default() && products.squares(f, at).is_regular() {
+        let solution = if self.0 == Held::default() && products.squares(f, at).is_regular() {
             Solution::regular(f, at, products, 1.0_f64.copysign(products.c_d))
         } else {
             best(&points(f, at), self.0).into_vectors(f)
@@ -45,8 +45,8 @@ impl Choice<f64> for Best {
 /// At ends, at small angles and beyond the radius of curvature.
 #[cold]
 #[inline(never)]
-fn best(points: &Points<f64>, active: Active) -> Solution<f64, [f64; 3]> {
-    Solution::in_form(points, Form::at(points, active))
+fn best(points: &Points<f64>, held: Held) -> Solution<f64, [f64; 3]> {
+    Solution::in_formulation(points, Formulation::at(points, held))
 }
 
 /// In each lane the common normal and the paper's system, where no other form keeps more digits.
@@ -84,7 +84,7 @@ pub(super) const ALL: u8 = 0b1111;
 
 /// The form given.
 #[derive(Clone, Copy)]
-pub(super) struct Given(pub(super) Form);
+pub(super) struct Given(pub(super) Formulation);
 
 impl<T: Real> Choice<T> for Given {
     #[inline(always)]
@@ -96,8 +96,8 @@ impl<T: Real> Choice<T> for Given {
     ) -> Option<(Solution<T, A::Vector>, u8)> {
         let Self(form) = self;
         let solution = match (form.sign(), form.system) {
-            (Some(sign), Elimination::Products) => Solution::regular(f, at, products, T::from(sign)),
-            _ => Solution::in_form(&points(f, at), form).into_vectors(f),
+            (Some(sign), System::Determinants) => Solution::regular(f, at, products, T::from(sign)),
+            _ => Solution::in_formulation(&points(f, at), form).into_vectors(f),
         };
         Some((solution, 0))
     }

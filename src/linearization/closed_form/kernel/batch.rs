@@ -2,15 +2,15 @@
 
 use super::choice::{ALL, Regular};
 #[cfg(target_arch = "x86_64")]
-use super::in_lanes::InLanes;
+use super::lanes::LanesArithmetic;
 use super::request::{DistanceAlone, Request, Targets};
 use super::side::{Shapes, shapes};
 use super::target::{Target, fill};
 use super::{evaluate, write_all, write_d};
-use crate::closest_point::{Active, ClosestPoint};
+use crate::closest_point::{ClosestPoint, Held};
 use crate::curve::{Curve, DofDerivatives};
-use crate::linearization::Expansion;
-use crate::linearization::fastest::{return_with_vectors, with_the_fastest};
+use crate::linearization::Derivatives;
+use crate::linearization::dispatch::{dispatch_simd, return_with_vectors};
 use crate::number::Lanes;
 use crate::pair::{DofVector, Pair};
 use nalgebra::SVector;
@@ -22,7 +22,7 @@ const TASK: usize = 16;
 
 /// A pair at a closest point: what a search for contacts hands on.
 #[derive(Debug)]
-pub struct Encounter<'a, A, B, const N: usize, const M: usize> {
+pub struct PairAtPoint<'a, A, B, const N: usize, const M: usize> {
     /// The curves.
     pub pair: &'a Pair<A, B, N, M>,
     /// Their dofs.
@@ -35,13 +35,13 @@ pub struct Encounter<'a, A, B, const N: usize, const M: usize> {
 ///
 /// Pair i is written to lane i % 4 of `to[i / 4]`, as far as there are both. What is left of the last four lanes is
 /// written too, with what is of no use. Pairs of the same curves are to stand next to one another: four of them are done
-/// at once, others one by one, as are single lanes whose points ask for another [form](super::super::Form).
+/// at once, others one by one, as are single lanes whose points ask for another [form](super::super::Formulation).
 ///
 /// The pairs are dealt to so many threads, which each call starts anew: that is worth it for thousands of pairs. One
 /// thread allocates nothing. Results of some dozens of pairs stay in the cache for whoever assembles them; those of
 /// thousands do not, so memory of that size is best used over and over.
 pub fn write_d_batch<A, B, W, const N: usize, const M: usize>(
-    of: &[Encounter<'_, A, B, N, M>],
+    of: &[PairAtPoint<'_, A, B, N, M>],
     to: &mut [W],
     threads: NonZeroUsize,
 ) -> usize
@@ -51,8 +51,8 @@ where
     W: Target<Lanes, N, M> + Send,
 {
     share(of, to, threads, |of, to| {
-        one_by_one(of, in_lanes(of, &mut DistanceAlone(to)), |lane, Encounter { pair, q, point }| {
-            let mut one = Expansion::zero();
+        one_by_one(of, in_lanes(of, &mut DistanceAlone(to)), |lane, PairAtPoint { pair, q, point }| {
+            let mut one = Derivatives::zero();
             write_d(pair, q, point, &mut one);
             fill(&one, to, |to: &mut Lanes, from| to.0[lane] = from);
         });
@@ -61,7 +61,7 @@ where
 
 /// d, xi, xi_bar, t and t_bar of many pairs, written over `to`, and otherwise [`write_d_batch`].
 pub fn write_all_batch<A, B, W, const N: usize, const M: usize>(
-    of: &[Encounter<'_, A, B, N, M>],
+    of: &[PairAtPoint<'_, A, B, N, M>],
     to: &mut [[W; 5]],
     threads: NonZeroUsize,
 ) -> usize
@@ -71,8 +71,8 @@ where
     W: Target<Lanes, N, M> + Send,
 {
     share(of, to, threads, |of, to| {
-        one_by_one(of, in_lanes(of, &mut targets(to)), |lane, Encounter { pair, q, point }| {
-            let mut one = [Expansion::zero(); 5];
+        one_by_one(of, in_lanes(of, &mut targets(to)), |lane, PairAtPoint { pair, q, point }| {
+            let mut one = [Derivatives::zero(); 5];
             write_all(pair, q, point, &mut targets(&mut one));
             for (one, to) in one.iter().zip(&mut *to) {
                 fill(one, to, |to: &mut Lanes, from| to.0[lane] = from);
@@ -146,11 +146,11 @@ fn share<E: Sync, W: Send>(
 /// Writes at most four pairs of the same curves; returns the lanes, by bits, that are left to do one by one.
 #[inline]
 fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, const M: usize>(
-    of: &[Encounter<'_, A, B, N, M>],
+    of: &[PairAtPoint<'_, A, B, N, M>],
     request: &mut impl Request<Lanes, N, M>,
 ) -> u8 {
     let Some(first) = of.first() else { return 0 };
-    let alike = |e: &Encounter<'_, A, B, N, M>| {
+    let alike = |e: &PairAtPoint<'_, A, B, N, M>| {
         e.pair.curve == first.pair.curve && e.pair.curve_bar == first.pair.curve_bar
     };
     if !A::Dofs::<f64>::LINEAR || !B::Dofs::<f64>::LINEAR || !of.iter().all(alike) {
@@ -159,7 +159,7 @@ fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, co
     let held = of
         .iter()
         .enumerate()
-        .fold(0, |held, (lane, e)| held | u8::from(e.point.active() != Active::default()) << lane);
+        .fold(0, |held, (lane, e)| held | u8::from(e.point.held() != Held::default()) << lane);
     // Lanes that no pair is left for repeat the first.
     let lane = |i| of.get(i).unwrap_or(first);
     let four = [first, lane(1), lane(2), lane(3)];
@@ -169,7 +169,7 @@ fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, co
 /// In lanes, if the machine has vectors for them; returns the lanes, by bits, that ask for another form.
 #[inline]
 fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    four: [&Encounter<'_, A, B, N, M>; 4],
+    four: [&PairAtPoint<'_, A, B, N, M>; 4],
     request: &mut impl Request<Lanes, N, M>,
 ) -> u8 {
     #[cfg(target_arch = "x86_64")]
@@ -196,7 +196,7 @@ fn fast_by_shapes<const N: usize, const M: usize>(
     at: (Lanes, Lanes),
     request: &mut impl Request<Lanes, N, M>,
 ) -> u8 {
-    return_with_vectors!(f: InLanes => evaluate(f, shapes, q, at, Regular, request).unwrap_or(ALL));
+    return_with_vectors!(f: LanesArithmetic => evaluate(f, shapes, q, at, Regular, request).unwrap_or(ALL));
     ALL
 }
 
@@ -207,7 +207,7 @@ fn fast_by_shapes<const N: usize, const M: usize>(
 fn gather<const N: usize, const M: usize>(
     [a, b, c, d]: [&DofVector<f64, N, M>; 4],
 ) -> DofVector<Lanes, N, M> {
-    with_the_fastest!(DofVector {
+    dispatch_simd!(DofVector {
         beam: side_by_side([&a.beam, &b.beam, &c.beam, &d.beam]),
         bar: side_by_side([&a.bar, &b.bar, &c.bar, &d.bar]),
     })

@@ -1,6 +1,6 @@
 //! Gradients and Hessians in all dofs of a pair, in the blocks of the two beams.
 
-use super::fastest::with_the_fastest;
+use super::dispatch::dispatch_simd;
 use crate::number::Real;
 use crate::pair::{DofVector, LengthError};
 use nalgebra::{ArrayStorage, DMatrix, SMatrix, SVector};
@@ -10,7 +10,7 @@ use nalgebra::{ArrayStorage, DMatrix, SMatrix, SVector};
 /// The block below the diagonal is the transpose of `mixed`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
-pub struct DofMatrix<T, const N: usize, const M: usize> {
+pub struct BlockHessian<T, const N: usize, const M: usize> {
     /// Beam against beam.
     pub beam: SMatrix<T, N, N>,
     /// Beam (rows) against bar beam (columns).
@@ -19,7 +19,7 @@ pub struct DofMatrix<T, const N: usize, const M: usize> {
     pub bar: SMatrix<T, M, M>,
 }
 
-impl<T: Real, const N: usize, const M: usize> DofMatrix<T, N, M> {
+impl<T: Real, const N: usize, const M: usize> BlockHessian<T, N, M> {
     /// The zero matrix.
     #[inline]
     pub fn zeros() -> Self {
@@ -127,7 +127,7 @@ fn bilinear<T: Real, const N: usize, const M: usize>(
     block: &SMatrix<T, N, M>,
     v: &SVector<T, M>,
 ) -> T {
-    with_the_fastest!({
+    dispatch_simd!({
         let mut products = [T::zero(); N];
         for (column, &v) in block.data.0.iter().zip(&v.data.0[0]) {
             add_multiple(&mut products, column, v);
@@ -136,7 +136,7 @@ fn bilinear<T: Real, const N: usize, const M: usize>(
     })
 }
 
-/// A block of [`DofMatrix::set_sum`]: factor * matrix over all `matrices` and u v^T over all `products` (u, v).
+/// A block of [`BlockHessian::set_sum`]: factor * matrix over all `matrices` and u v^T over all `products` (u, v).
 ///
 /// Along the columns, as the entries lie in memory, and term by term: loops in which the compiler takes several entries at
 /// once.
@@ -146,7 +146,7 @@ fn set_block<T: Real, const N: usize, const M: usize, const L: usize, const K: u
     matrices: [(T, &SMatrix<T, N, M>); L],
     products: [[(&SVector<T, N>, &SVector<T, M>); 2]; K],
 ) {
-    with_the_fastest!({
+    dispatch_simd!({
         for (j, column) in block.data.0.iter_mut().enumerate() {
             let mut sums = [T::zero(); N];
             for (factor, matrix) in matrices {
@@ -176,20 +176,20 @@ fn add_multiple<T: Real, const N: usize>(to: &mut [T; N], column: &[T; N], facto
 /// It starts on a cache line, so that the vectors of a machine that write it cross none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
-pub struct Expansion<T, const N: usize, const M: usize> {
+pub struct Derivatives<T, const N: usize, const M: usize> {
     /// The Hessian.
-    pub hessian: DofMatrix<T, N, M>,
+    pub hessian: BlockHessian<T, N, M>,
     /// The gradient.
     pub gradient: DofVector<T, N, M>,
     /// The value.
     pub value: T,
 }
 
-impl<T: Real, const N: usize, const M: usize> Expansion<T, N, M> {
+impl<T: Real, const N: usize, const M: usize> Derivatives<T, N, M> {
     /// The number zero.
     #[inline]
     pub fn zero() -> Self {
-        Self { value: T::zero(), gradient: DofVector::zeros(), hessian: DofMatrix::zeros() }
+        Self { value: T::zero(), gradient: DofVector::zeros(), hessian: BlockHessian::zeros() }
     }
 }
 
@@ -200,19 +200,19 @@ impl<T: Real, const N: usize, const M: usize> Expansion<T, N, M> {
 #[non_exhaustive]
 pub struct Linearization<T, const N: usize, const M: usize> {
     /// d.
-    pub d: Expansion<T, N, M>,
+    pub d: Derivatives<T, N, M>,
     /// t.
-    pub t: Expansion<T, N, M>,
+    pub t: Derivatives<T, N, M>,
     /// t_bar.
-    pub t_bar: Expansion<T, N, M>,
+    pub t_bar: Derivatives<T, N, M>,
     /// xi.
-    pub xi: Expansion<T, N, M>,
+    pub xi: Derivatives<T, N, M>,
     /// xi_bar.
-    pub xi_bar: Expansion<T, N, M>,
+    pub xi_bar: Derivatives<T, N, M>,
     /// g_T.
-    pub g_t: Expansion<T, N, M>,
+    pub g_t: Derivatives<T, N, M>,
     /// g_T_bar.
-    pub g_t_bar: Expansion<T, N, M>,
+    pub g_t_bar: Derivatives<T, N, M>,
     /// r + r_bar, the sum of the radii.
     pub radii: T,
 }
@@ -223,15 +223,15 @@ impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
     #[doc(alias = "gap")]
     #[doc(alias = "Eq. (19)")]
     #[doc(alias = "normal gap")]
-    pub fn g_n(&self) -> Expansion<T, N, M> {
+    pub fn g_n(&self) -> Derivatives<T, N, M> {
         // Eq. (11), (18), (19): g_N = d − (r + r̄)   δg_N = δd   Δδg_N = Δδd
-        Expansion { value: self.d.value - self.radii, ..self.d }
+        Derivatives { value: self.d.value - self.radii, ..self.d }
     }
 
     /// Zeros, to be written over by [`Matrices::write_all`](crate::linearization::closed_form::Matrices::write_all).
     #[inline]
     pub fn zeros() -> Self {
-        let zero = Expansion::zero;
+        let zero = Derivatives::zero;
         Self {
             d: zero(),
             t: zero(),
@@ -251,8 +251,8 @@ impl<const N: usize, const M: usize> Linearization<f64, N, M> {
         const fn matrix<const R: usize, const C: usize>() -> SMatrix<f64, R, C> {
             SMatrix::from_array_storage(ArrayStorage([[0.0; R]; C]))
         }
-        let zero = Expansion {
-            hessian: DofMatrix { beam: matrix(), mixed: matrix(), bar: matrix() },
+        let zero = Derivatives {
+            hessian: BlockHessian { beam: matrix(), mixed: matrix(), bar: matrix() },
             gradient: DofVector { beam: matrix(), bar: matrix() },
             value: 0.0,
         };

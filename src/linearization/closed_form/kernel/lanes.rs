@@ -9,12 +9,12 @@ use fearless_simd::{f64x4, x86::Avx2};
 ///
 /// What the compiler makes of [`Lanes`] by itself are vectors too, but not in loops of unknown length.
 #[derive(Clone, Copy)]
-pub(super) struct InLanes(pub(super) Avx2);
+pub(super) struct LanesArithmetic(pub(super) Avx2);
 
 /// Four numbers, one a pair.
 type Four = f64x4<Avx2>;
 
-impl InLanes {
+impl LanesArithmetic {
     #[inline(always)]
     fn load(self, x: &Lanes) -> Four {
         f64x4::load_array_ref(self.0, &x.0)
@@ -55,7 +55,7 @@ impl InLanes {
     }
 }
 
-impl Arithmetic<Lanes> for InLanes {
+impl Arithmetic<Lanes> for LanesArithmetic {
     type Vector = [Four; 3];
     type Tile = [Four; 3];
 

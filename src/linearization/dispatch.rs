@@ -17,10 +17,10 @@ macro_rules! return_with_vectors {
 pub(super) use return_with_vectors;
 
 /// Evaluates the same with the vector units, if the machine has any that are known here, and without them.
-macro_rules! with_the_fastest {
+macro_rules! dispatch_simd {
     ($kernel:expr) => {{
-        crate::linearization::fastest::return_with_vectors!(_f: |_| () => $kernel);
+        crate::linearization::dispatch::return_with_vectors!(_f: |_| () => $kernel);
         $kernel
     }};
 }
-pub(super) use with_the_fastest;
+pub(super) use dispatch_simd;
