@@ -32,47 +32,47 @@
 //!
 //! # What does not agree
 //! A mismatch is named by its first wrong number ([`Diagnosis`]), made small while it keeps that name ([`shrink`]), and
-//! written as a test ([`test_source`]) or as numbers ([`Written`]).
+//! written as a test ([`test_source`]) or as numbers ([`CaseData`]).
 
 mod accuracy;
 mod arbitration;
 mod candidate;
+mod case_data;
 mod compare;
+mod config;
 mod diagnosis;
 mod distribution;
 mod draw;
+mod evaluation_point;
 mod oracle;
 mod own;
 mod pasted;
 mod regime;
+mod root_enclosure;
 mod run;
 mod sharpness;
 mod shrink;
-mod site;
 mod summary;
-mod trial;
 mod verdict;
-mod witness;
-mod written;
 
 pub use accuracy::{Accuracy, Errors, Level, accuracy};
 pub use arbitration::Arbitration;
 pub use candidate::{Answer, CAREFUL, Candidate, Digits, Example, Found, Situation, linearization};
+pub use case_data::CaseData;
 pub(crate) use compare::{Closed, References, judged};
 pub use compare::{Compared, compare};
+pub use config::{CheckConfig, Oracles};
 pub use diagnosis::{Diagnosis, Finding, look_at};
 pub use distribution::Distribution;
 pub use draw::{Case, Selection};
+pub(crate) use evaluation_point::EvaluationPoint;
 pub use own::{JetFinding, OwnCurve, curve};
 pub use pasted::test_source;
 pub use regime::Regime;
 pub use run::run;
 pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
 pub use shrink::{Shrunk, shrink, shrink_mismatches};
-pub(crate) use site::Site;
 pub use summary::{Cell, Differences, MismatchKind, Summary, Tally};
-pub use trial::{Oracles, Trial};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};
-pub use written::Written;
 
-pub use crate::specimen::{Family, Specimen, SpecimenError};
+pub use crate::test_beam::{Family, TestBeam, TestBeamError};

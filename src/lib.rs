@@ -15,11 +15,11 @@ pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
 #[cfg(feature = "check")]
-pub mod specimen;
-#[cfg(feature = "check")]
-pub mod subject;
-#[cfg(feature = "check")]
 pub mod teeth;
+#[cfg(feature = "check")]
+pub mod test_beam;
+#[cfg(feature = "check")]
+pub mod variant;
 
 // Their types stand in signatures: vectors, dual numbers, and what a scalar of one's own implements.
 pub use nalgebra;

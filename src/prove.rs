@@ -29,8 +29,8 @@ use crate::linearization::ad::{Chord, evaluate};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Differentiable, Dual, HyperDual};
 use crate::pair::Contact;
-use crate::specimen::ExactBeam;
-use crate::subject::{Layouts, SCALARS};
+use crate::test_beam::ExactBeam;
+use crate::variant::{Layouts, SCALARS};
 
 /// All results of both sides at a stationary point.
 struct Sides<T> {

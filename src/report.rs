@@ -49,7 +49,7 @@ pub use task::Task;
 pub use teeth::{BiteRow, OperationsRow, Teeth, UnseenRow, UnshownRow};
 pub use turns::Turns;
 
-use crate::check::{self, Regime, Selection, Trial};
+use crate::check::{self, CheckConfig, Regime, Selection};
 use crate::ledger::Ledger;
 use std::fs;
 use std::path::Path;
@@ -76,7 +76,7 @@ pub fn crosscheck(
     done: impl Fn() + Sync,
 ) -> Result<Crosscheck, ReportError> {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
-    let summary = check::run(&Trial::default(), seed, &selection, done);
+    let summary = check::run(&CheckConfig::default(), seed, &selection, done);
     let json = Crosscheck::new(&summary, seed, cases, Environment::here(command)).to_json()?;
     let record = Crosscheck::from_json(&json)?;
     write(to, "crosscheck.json", &json)?;

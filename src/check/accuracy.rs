@@ -12,7 +12,7 @@ use crate::linearization::closed_form::{Formulation, PartialVariations, Points, 
 use crate::linearization::{Quantities, Varied};
 use crate::number::{DoubleDouble, Real};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Family, Specimen};
+use crate::test_beam::{AnyBeam, Family, TestBeam};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -123,8 +123,8 @@ fn measure(seed: u64, stream: u64, families: [Family; 2], change: impl Fn(Draw) 
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     rng.set_stream(stream);
     let draw = change(Regime::Generic.draw(&mut rng));
-    let specimens = crossing(families, &draw, &mut rng);
-    let [beam, bar] = specimens.each_ref().map(Specimen::drawn);
+    let test_beams = crossing(families, &draw, &mut rng);
+    let [beam, bar] = test_beams.each_ref().map(TestBeam::drawn);
     let at = refined([&*beam, &*bar], draw.at)?;
     let rounded = at.map(DoubleDouble::value);
     let partial = [beam.partial_variations_plain(rounded[0]), bar.partial_variations_plain(rounded[1])];

@@ -12,19 +12,19 @@ mod found;
 use super::compare::ROUTES;
 use super::diagnosis::place;
 use super::draw::Case;
+use super::evaluation_point::EvaluationPoint;
 use super::oracle::differences;
 use super::shrink::shrink;
-use super::site::Site;
 use super::verdict::{Comparison, Order};
-use super::{Regime, Written};
+use super::{CaseData, Regime};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
 use crate::curve::Geometry;
 use crate::linearization::closed_form::{Formulation, PartialVariations};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::RunningError;
 use crate::pair::Contact;
-use crate::specimen::{Family, RunningError2};
-use crate::subject::{Subject, When};
+use crate::test_beam::{Family, RunningError2};
+use crate::variant::{Step, Variant};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
@@ -122,25 +122,25 @@ pub fn linearization(candidate: &impl Candidate, families: [Family; 2], cases: u
         let regime = Regime::ALL[usize::try_from(number % regimes).unwrap_or(0)];
         Case::of(0x5eed, number, regime, families)
     };
-    let of_case = |number| Found::of(&drawn(number), &at_closest_points(candidate, &drawn(number).written()));
+    let of_case = |number| Found::of(&drawn(number), &at_closest_points(candidate, &drawn(number).data()));
     let all: Vec<Found> = (0..cases * regimes).into_par_iter().map(of_case).collect();
     let mut found = all.into_iter().fold(Found::default(), Found::and);
     if let Some(example) = &mut found.example {
-        example.case = shrunk(candidate, &drawn(example.number).written());
+        example.case = shrunk(candidate, &drawn(example.number).data());
         example.entry = first_wrong(candidate, &example.case).unwrap_or(example.entry);
     }
     found
 }
 
 /// The first wrong number of a case, if there is one.
-fn first_wrong(candidate: &impl Candidate, case: &Written) -> Option<Comparison> {
+fn first_wrong(candidate: &impl Candidate, case: &CaseData) -> Option<Comparison> {
     let all = at_closest_points(candidate, case).into_iter().flat_map(|at| at.entries);
     all.filter(Comparison::is_wrong).min_by_key(place)
 }
 
 /// A smaller case of the same families with the same first wrong number.
-fn shrunk(candidate: &impl Candidate, case: &Written) -> Written {
-    let families = |case: &Written| case.specimens.each_ref().map(|specimen| specimen.family);
+fn shrunk(candidate: &impl Candidate, case: &CaseData) -> CaseData {
+    let families = |case: &CaseData| case.test_beams.each_ref().map(|test_beam| test_beam.family);
     shrink(case, |smaller| {
         // The candidate may know these families alone.
         let is_known = families(smaller) == families(case);
@@ -159,34 +159,34 @@ struct AtPoint {
     doubted: bool,
 }
 
-fn at_closest_points(candidate: &impl Candidate, case: &Written) -> Vec<AtPoint> {
+fn at_closest_points(candidate: &impl Candidate, case: &CaseData) -> Vec<AtPoint> {
     let Ok(beams) = case.beams() else { return Vec::new() };
     let [beam, bar] = beams.each_ref().map(|beam| &**beam);
     let Ok(closest) = closest_points(beam, bar, &Search::default()) else { return Vec::new() };
-    let [specimen, specimen_bar] = &case.specimens;
+    let [test_beam, test_beam_bar] = &case.test_beams;
     let [dq, linear_dq] = [
-        [&specimen.dq[..], &specimen_bar.dq].concat(),
-        [&specimen.linear_dq[..], &specimen_bar.linear_dq].concat(),
+        [&test_beam.dq[..], &test_beam_bar.dq].concat(),
+        [&test_beam.linear_dq[..], &test_beam_bar.linear_dq].concat(),
     ];
     let at_point = |point: &ClosestPoint| {
-        let site = Site::new([beam, bar], &case.contact, point).ok()?;
+        let evaluation = EvaluationPoint::new([beam, bar], &case.contact, point).ok()?;
         let at = Situation {
-            families: [specimen.family, specimen_bar.family],
-            parameters: [&specimen.parameters, &specimen_bar.parameters],
-            q: &specimen.q,
-            q_bar: &specimen_bar.q,
-            point: site.point,
-            at: (site.at.0.value, site.at.1.value),
-            held: site.held,
+            families: [test_beam.family, test_beam_bar.family],
+            parameters: [&test_beam.parameters, &test_beam_bar.parameters],
+            q: &test_beam.q,
+            q_bar: &test_beam_bar.q,
+            point: evaluation.point,
+            at: (evaluation.at.0.value, evaluation.at.1.value),
+            held: evaluation.held,
             contact: case.contact,
             dq: &dq,
             linear_dq: &linear_dq,
         };
         let answers = candidate.answers(&at);
-        let reference = site.chord();
-        let paper = site.in_formulation(Formulation::paper(point.held()));
+        let reference = evaluation.chord();
+        let paper = evaluation.in_formulation(Formulation::paper(point.held()));
         let sides =
-            Sides { reference, textbook: textbook(&paper, case), scales: paper.scales(&Subject::Sound) };
+            Sides { reference, textbook: textbook(&paper, case), scales: paper.scales(&Variant::Unmodified) };
         let (mut entries, mut misshapen) = (Vec::new(), None);
         for answer in &answers {
             match entries_of(answer, &at, &sides) {
@@ -202,9 +202,10 @@ fn at_closest_points(candidate: &impl Candidate, case: &Written) -> Vec<AtPoint>
 }
 
 /// The paper's formulas, with bounds on their rounding where shape functions are written as sums of powers.
-fn textbook(site: &Site, case: &Written) -> [Varied<RunningError2>; COMPONENTS] {
-    let mut beams = site.bounded(When::Now);
-    for ((partial, specimen), is_sum) in beams.iter_mut().zip(&case.specimens).zip(site.have_shapes()) {
+fn textbook(evaluation: &EvaluationPoint, case: &CaseData) -> [Varied<RunningError2>; COMPONENTS] {
+    let mut beams = evaluation.bounded(Step::Now);
+    for ((partial, test_beam), is_sum) in beams.iter_mut().zip(&case.test_beams).zip(evaluation.have_shapes())
+    {
         if !is_sum {
             continue;
         }
@@ -217,11 +218,11 @@ fn textbook(site: &Site, case: &Written) -> [Varied<RunningError2>; COMPONENTS] 
                 }
             }
         };
-        rounded(&mut [x, t, t_xi, t_xixi].into_iter(), &specimen.q);
-        rounded(&mut delta_u.iter_mut(), &specimen.dq);
-        rounded(&mut linear_u.iter_mut(), &specimen.linear_dq);
+        rounded(&mut [x, t, t_xi, t_xixi].into_iter(), &test_beam.q);
+        rounded(&mut delta_u.iter_mut(), &test_beam.dq);
+        rounded(&mut linear_u.iter_mut(), &test_beam.linear_dq);
     }
-    Subject::Sound.formulas(&beams, site.at, site.form, site.contact).components()
+    Variant::Unmodified.formulas(&beams, evaluation.at, evaluation.form, evaluation.contact).components()
 }
 
 /// What an answer is compared with.
@@ -232,8 +233,8 @@ struct Sides {
 }
 
 /// Whether the differences in double-double do not agree with the reference.
-fn is_doubted(site: &Site, reference: &[Varied<RunningError2>; COMPONENTS]) -> bool {
-    let Some(differences) = differences(site) else { return false };
+fn is_doubted(evaluation: &EvaluationPoint, reference: &[Varied<RunningError2>; COMPONENTS]) -> bool {
+    let Some(differences) = differences(evaluation) else { return false };
     let pairs = differences
         .into_iter()
         .flat_map(Varied::parts)

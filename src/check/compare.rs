@@ -1,18 +1,18 @@
 //! One case through both linearizations, entry by entry.
 
 use super::arbitration::DIFFERENCES;
+use super::config::{CheckConfig, Oracles};
 use super::draw::Case;
+use super::evaluation_point::EvaluationPoint;
 use super::oracle::differences;
-use super::site::Site;
-use super::trial::{Oracles, Trial};
 use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
 use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
 use crate::linearization::ad::{evaluate, newton, stationary};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{RunningError, TermScale};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, RunningError2};
-use crate::subject::{Contracted, SCALAR_COMPONENTS, SCALARS, Subject};
+use crate::test_beam::{AnyBeam, RunningError2};
+use crate::variant::{Contracted, SCALAR_COMPONENTS, SCALARS, Variant};
 use num_dual::HyperDual64;
 
 /// The routes of automatic differentiation.
@@ -26,13 +26,13 @@ pub(super) const MATRICES: &str = "gradient and Hessian";
 pub type Compared = Vec<(Option<ClosestPoint>, Verdict)>;
 
 /// Compares a case with the oracles at each of its closest points.
-pub fn compare(trial: &Trial, case: &Case) -> Compared {
-    compare_beams(trial, trial.oracles.asks_differences(case.number), case.beams(), &case.contact)
+pub fn compare(config: &CheckConfig, case: &Case) -> Compared {
+    compare_beams(config, config.oracles.asks_differences(case.number), case.beams(), &case.contact)
 }
 
 /// Compares two beams with the oracles; with the differences in any case if `asked`.
 pub(super) fn compare_beams(
-    trial: &Trial,
+    config: &CheckConfig,
     asked: bool,
     [beam, bar]: [&dyn AnyBeam; 2],
     contact: &Contact,
@@ -44,8 +44,8 @@ pub(super) fn compare_beams(
         }
         Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
-    let at_point = |point: &ClosestPoint| match Site::new([beam, bar], contact, point) {
-        Ok(site) => verdict(trial, asked, &site),
+    let at_point = |point: &ClosestPoint| match EvaluationPoint::new([beam, bar], contact, point) {
+        Ok(evaluation) => verdict(config, asked, &evaluation),
         Err(reason) => Verdict::Inconclusive(reason, Vec::new()),
     };
     let mut verdicts: Vec<_> = found.minima.iter().map(|point| (Some(*point), at_point(point))).collect();
@@ -55,19 +55,19 @@ pub(super) fn compare_beams(
     verdicts
 }
 
-fn verdict(trial: &Trial, asked: bool, site: &Site) -> Verdict {
-    let (closed, references) = (Closed::new(&trial.subject, site), References::new(site));
+fn verdict(config: &CheckConfig, asked: bool, evaluation: &EvaluationPoint) -> Verdict {
+    let (closed, references) = (Closed::new(&config.variant, evaluation), References::new(evaluation));
     let mut entries = closed.compared_with(&references);
     if closed.is_out_of_range() || references.is_out_of_range() {
         return Verdict::Inconclusive(Inconclusive::OutOfRange, entries);
     }
     // Faults are planted in the formulas that the kernel is compared with.
-    if trial.subject == Subject::Sound {
-        entries.extend(closed.kernel(site));
+    if config.variant == Variant::Unmodified {
+        entries.extend(closed.kernel(evaluation));
     }
-    let unclear = trial.oracles != Oracles::Ad && !is_decided(entries.iter());
+    let unclear = config.oracles != Oracles::Ad && !is_decided(entries.iter());
     if is_apart(&entries) || unclear || asked {
-        by_differences(site, &mut entries);
+        by_differences(evaluation, &mut entries);
     }
     judged(entries)
 }
@@ -89,8 +89,8 @@ fn is_apart(entries: &[Comparison]) -> bool {
 }
 
 /// Adds the comparisons with the differences, where they exist.
-fn by_differences(site: &Site, entries: &mut Vec<Comparison>) {
-    let Some(differences) = differences(site) else { return };
+fn by_differences(evaluation: &EvaluationPoint, entries: &mut Vec<Comparison>) {
+    let Some(differences) = differences(evaluation) else { return };
     // All components are compared with the first route, part by part.
     let first: Vec<_> = entries.iter().filter(|entry| entry.against == ROUTES[0]).copied().collect();
     let told = differences.into_iter().flat_map(Varied::parts);
@@ -132,26 +132,26 @@ impl References {
     }
 
     /// Differentiates at a closest point.
-    pub(crate) fn new(site: &Site) -> Self {
-        let Site { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *site;
+    pub(crate) fn new(evaluation: &EvaluationPoint) -> Self {
+        let EvaluationPoint { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *evaluation;
         let at = (xi.value, xi_bar.value);
         Self {
-            newton: hyper_dual(site, newton(beam, bar, at, held)),
-            stationary: hyper_dual(site, stationary(beam, bar, at, held)),
-            chord: site.chord(),
+            newton: hyper_dual(evaluation, newton(beam, bar, at, held)),
+            stationary: hyper_dual(evaluation, stationary(beam, bar, at, held)),
+            chord: evaluation.chord(),
         }
     }
 }
 
 impl Closed {
     /// Evaluates the closed form at a closest point.
-    pub(crate) fn new(subject: &Subject, site: &Site) -> Self {
+    pub(crate) fn new(variant: &Variant, evaluation: &EvaluationPoint) -> Self {
         Self {
-            plain: site.plain(subject),
-            exchanged: site.exchanged(subject),
-            scales: site.scales(subject),
-            bounds: site.closed(subject),
-            matrices: site.matrices(subject),
+            plain: evaluation.plain(variant),
+            exchanged: evaluation.exchanged(variant),
+            scales: evaluation.scales(variant),
+            bounds: evaluation.closed(variant),
+            matrices: evaluation.matrices(variant),
         }
     }
 
@@ -227,7 +227,7 @@ impl Closed {
     }
 
     /// What each layout of the kernel holds, contracted with the directions, against the variations.
-    fn kernel(&self, site: &Site) -> Vec<Comparison> {
+    fn kernel(&self, evaluation: &EvaluationPoint) -> Vec<Comparison> {
         let of_layout =
             |(layout, numbers, bounds): (&'static str, Contracted<f64>, Contracted<RunningError>)| {
                 let each = (0..SCALARS).flat_map(|scalar| (0..4).map(move |k| [scalar, k]));
@@ -236,7 +236,7 @@ impl Closed {
                     Some(self.contracted(layout, [scalar, k], RunningError { value, bound }))
                 })
             };
-        site.kernel().into_iter().flat_map(of_layout).collect()
+        evaluation.kernel().into_iter().flat_map(of_layout).collect()
     }
 
     /// A part of a scalar that was contracted, against the variation.
@@ -258,9 +258,9 @@ impl Closed {
     }
 }
 
-fn hyper_dual(site: &Site, lifted: (HyperDual64, HyperDual64)) -> [Varied<f64>; COMPONENTS] {
-    let [beam, bar] = site.beams;
-    let quantities: Quantities<HyperDual64> = evaluate(beam, bar, lifted, site.contact);
+fn hyper_dual(evaluation: &EvaluationPoint, lifted: (HyperDual64, HyperDual64)) -> [Varied<f64>; COMPONENTS] {
+    let [beam, bar] = evaluation.beams;
+    let quantities: Quantities<HyperDual64> = evaluate(beam, bar, lifted, evaluation.contact);
     quantities.map(Varied::from).components()
 }
 

@@ -1,10 +1,10 @@
 //! From the number of a case to the case: a counter-based generator, so that shards, threads and reruns agree.
 
+use super::case_data::CaseData;
 use super::regime::{Draw, Regime};
-use super::written::Written;
 use crate::number::RunningError;
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Family, Specimen, Target};
+use crate::test_beam::{AnyBeam, Family, Target, TestBeam};
 use nalgebra::{Matrix3, Vector3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -21,7 +21,7 @@ pub struct Case {
     /// Radii and reference parameters.
     pub contact: Contact,
     /// Beam and bar beam as numbers.
-    pub specimens: [Specimen; 2],
+    pub test_beams: [TestBeam; 2],
     beams: [Box<dyn AnyBeam>; 2],
 }
 
@@ -86,8 +86,8 @@ impl Case {
     }
 
     /// The case without the number that drew it.
-    pub fn written(&self) -> Written {
-        Written { specimens: self.specimens.clone(), contact: self.contact }
+    pub fn data(&self) -> CaseData {
+        CaseData { test_beams: self.test_beams.clone(), contact: self.contact }
     }
 
     /// Draws the case with this number.
@@ -102,10 +102,10 @@ impl Case {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream(number);
         let draw = regime.draw(&mut rng);
-        let mut specimens = crossing(families, &draw, &mut rng);
+        let mut test_beams = crossing(families, &draw, &mut rng);
         if regime == Regime::BadlyScaled {
             for _ in 0..rng.random_range(1..4) {
-                let beam = &mut specimens[rng.random_range(0..2)];
+                let beam = &mut test_beams[rng.random_range(0..2)];
                 let factor = 10_f64.powf(rng.random_range(-8.0..8.0)) * if rng.random() { 1.0 } else { -1.0 };
                 // Mostly dofs: directions enter linearly.
                 let numbers = match rng.random_range(0..6) {
@@ -123,14 +123,14 @@ impl Case {
             xi_0: rng.random_range(-1.0..1.0),
             xi_bar_0: rng.random_range(-1.0..1.0),
         };
-        let beams = specimens.each_ref().map(Specimen::drawn);
-        Self { number, regime, families, contact, specimens, beams }
+        let beams = test_beams.each_ref().map(TestBeam::drawn);
+        Self { number, regime, families, contact, test_beams, beams }
     }
 }
 
 /// Two beams that cross under the angle, at the gap and at the parameters that were drawn: d is normal to both tangents
 /// there.
-pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng) -> [Specimen; 2] {
+pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng) -> [TestBeam; 2] {
     // The tangents span a plane with d normal to it; beams bend in any direction.
     let frame = orthonormal(rng);
     let [normal, t] = [frame.column(0), frame.column(1)].map(Vector3::from);
@@ -150,13 +150,13 @@ pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng)
         };
         families[i].draw(&target, rng)
     };
-    let mut specimens = [beam(0), beam(1)];
+    let mut test_beams = [beam(0), beam(1)];
     // What was drawn passes near its target only: measure, and move the first beam to where it belongs.
-    let [x, x_bar] = [0, 1].map(|i| specimens[i].drawn().geometry_at(RunningError::from(draw.at[i])));
+    let [x, x_bar] = [0, 1].map(|i| test_beams[i].drawn().geometry_at(RunningError::from(draw.at[i])));
     let [x, t, x_bar, t_bar] = [x.x, x.t, x_bar.x, x_bar.t].map(|v| v.map(|c| c.value));
     let across = t.cross(&t_bar).normalize();
-    specimens[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));
-    specimens
+    test_beams[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));
+    test_beams
 }
 
 /// A random orthonormal frame, right-handed.

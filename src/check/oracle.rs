@@ -20,7 +20,7 @@ mod moved;
 mod noise;
 mod tangent;
 
-use super::site::Site;
+use super::evaluation_point::EvaluationPoint;
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{DoubleDouble, Real};
 use moved::Base;
@@ -41,8 +41,8 @@ pub(super) struct Estimated {
 }
 
 /// All quantities with their variations; nothing where the closest point cannot be solved for again.
-pub(super) fn differences(site: &Site) -> Option<[Varied<Estimated>; COMPONENTS]> {
-    let base = Base::new(site)?;
+pub(super) fn differences(evaluation: &EvaluationPoint) -> Option<[Varied<Estimated>; COMPONENTS]> {
+    let base = Base::new(evaluation)?;
     let radii = [base.radius([1.0, 0.0])?, base.radius([0.0, 1.0])?];
     // Rounding grows as ε/h², truncation as h⁴: the two are about equal at h⁶ = ε.
     let step = base.relative_noise().powf(1.0 / 6.0).min(WIDEST);

@@ -8,12 +8,12 @@ mod pair;
 mod placed;
 
 use super::compare::compare_beams;
+use super::config::CheckConfig;
 use super::diagnosis::Finding;
 use super::regime::Regime;
-use super::trial::Trial;
 use super::verdict::{Inconclusive, Verdict};
 use crate::curve::Curve;
-use crate::specimen::Drawn;
+use crate::test_beam::Drawn;
 use nalgebra::SVector;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -88,7 +88,7 @@ where
         let mut rng = stream((1 << 32) + number);
         let regime = Regime::ALL[usize::try_from(number % regimes).unwrap_or(0)];
         let pair = pair::Pair::draw(curve, beams, (regime, number / regimes), &mut rng);
-        let compared = compare_beams(&Trial::default(), false, pair.beams(), &pair.contact);
+        let compared = compare_beams(&CheckConfig::default(), false, pair.beams(), &pair.contact);
         let mut found = OwnCurve::default();
         for (_, verdict) in &compared {
             match verdict {

@@ -1,17 +1,17 @@
 //! A case as the source of a Rust test, to be pasted into the tests of whoever calls the library.
 
-use super::Written;
+use super::CaseData;
 use super::verdict::{Comparison, Order};
 use crate::linearization::{Quantity, Varied};
 use crate::pair::Contact;
-use crate::specimen::{Family, Specimen};
+use crate::test_beam::{Family, TestBeam};
 
 /// A test of one entry at one of the minima of a case: green if the two sides agree, in the gate's tolerance.
 ///
 /// It needs nothing but the library without its features. Numbers are written with as many digits as they have.
-pub fn test_source(case: &Written, minimum: usize, entry: &Comparison) -> String {
-    let [beam, bar] = &case.specimens;
-    let mut curves = [beam, bar].map(|specimen| type_name(specimen.family)).to_vec();
+pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison) -> String {
+    let [beam, bar] = &case.test_beams;
+    let mut curves = [beam, bar].map(|test_beam| type_name(test_beam.family)).to_vec();
     curves.sort_unstable();
     curves.dedup();
     let curves = if let [one] = curves[..] { one.into() } else { format!("{{{}}}", curves.join(", ")) };
@@ -19,7 +19,7 @@ pub fn test_source(case: &Written, minimum: usize, entry: &Comparison) -> String
         Order::Value | Order::First | Order::Second => "{ad, closed_form}",
         Order::Symmetry | Order::Matrix => "closed_form",
     };
-    let vectors = |of: fn(&Specimen) -> &Vec<f64>| {
+    let vectors = |of: fn(&TestBeam) -> &Vec<f64>| {
         format!(
             "DofVector {{\n        beam: SVector::from({:?}),\n        bar: SVector::from({:?}),\n    }}",
             of(beam),
@@ -125,16 +125,16 @@ fn type_name(family: Family) -> &'static str {
     }
 }
 
-fn constructor(specimen: &Specimen) -> String {
-    let (name, knots) = (type_name(specimen.family), specimen.parameter("knots"));
-    let first = specimen.parameters.first().copied().unwrap_or_default();
-    match specimen.family {
+fn constructor(test_beam: &TestBeam) -> String {
+    let (name, knots) = (type_name(test_beam.family), test_beam.parameter("knots"));
+    let first = test_beam.parameters.first().copied().unwrap_or_default();
+    match test_beam.family {
         Family::Segment | Family::Quadratic | Family::Cubic | Family::Hermite => format!("{name}::new()"),
         Family::HermiteScaled => format!("{name}::scaled_by({first:?})"),
         Family::Bezier => format!("{name}::<6>::new()"),
         Family::BSpline | Family::NurbsWeighted => format!("{name}::<4>::new(&{knots:?}).unwrap()"),
         Family::Nurbs => {
-            format!("{name}::<3>::new(&{knots:?}, {:?}).unwrap()", specimen.parameter("weights"))
+            format!("{name}::<3>::new(&{knots:?}, {:?}).unwrap()", test_beam.parameter("weights"))
         }
         Family::Arc | Family::Helix => format!("{name}::new({first:?})"),
     }

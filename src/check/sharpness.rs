@@ -5,13 +5,13 @@
 
 use super::distribution::Distribution;
 use super::draw::{Case, Selection};
+use super::evaluation_point::EvaluationPoint;
 use super::regime::Regime;
-use super::site::Site;
 use super::verdict::Order;
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::{DoubleDouble, RunningError, RunningErrorBy};
-use crate::subject::Subject;
+use crate::variant::Variant;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -110,14 +110,15 @@ impl Sharpness {
         let [beam, bar] = case.beams();
         let minima = closest_points(beam, bar, &Search::default()).map(|found| found.minima);
         for point in minima.unwrap_or_default() {
-            let site = Site::new([beam, bar], &case.contact, &point).ok();
-            let Some((site, precise)) = site.and_then(|site| site.precise().map(|precise| (site, precise)))
+            let evaluation = EvaluationPoint::new([beam, bar], &case.contact, &point).ok();
+            let Some((evaluation, precise)) =
+                evaluation.and_then(|evaluation| evaluation.precise().map(|precise| (evaluation, precise)))
             else {
                 points.left_out += 1;
                 continue;
             };
             points.measured += 1;
-            points.not_meaningful += u64::from(self.add_point(case, &site, &precise));
+            points.not_meaningful += u64::from(self.add_point(case, &evaluation, &precise));
         }
         let sum = self.points.entry(case.regime).or_default();
         sum.measured += points.measured;
@@ -126,10 +127,15 @@ impl Sharpness {
     }
 
     /// Measures a point, and tells whether some tolerance means nothing there.
-    fn add_point(&mut self, case: &Case, site: &Site, precise: &[Varied<DoubleDouble>; COMPONENTS]) -> bool {
-        let scales = site.scales(&Subject::Sound);
-        let closed = site.closed(&Subject::Sound);
-        let sides = [(Side::Closed, closed), (Side::Chord, site.chord())];
+    fn add_point(
+        &mut self,
+        case: &Case,
+        evaluation: &EvaluationPoint,
+        precise: &[Varied<DoubleDouble>; COMPONENTS],
+    ) -> bool {
+        let scales = evaluation.scales(&Variant::Unmodified);
+        let closed = evaluation.closed(&Variant::Unmodified);
+        let sides = [(Side::Closed, closed), (Side::Chord, evaluation.chord())];
         let orders = [Order::Value, Order::First, Order::First, Order::Second];
         let mut not_meaningful = false;
         for i in 0..COMPONENTS {

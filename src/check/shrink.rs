@@ -9,13 +9,13 @@ mod edit;
 mod frame;
 mod simpler;
 
-use super::Written;
+use super::CaseData;
+use super::config::{CheckConfig, Oracles};
 use super::diagnosis::Finding;
 use super::draw::Case;
 use super::summary::Summary;
-use super::trial::{Oracles, Trial};
-use crate::specimen::Specimen;
-use crate::subject::Subject;
+use crate::test_beam::TestBeam;
+use crate::variant::Variant;
 use edit::edits;
 
 /// Most comparisons that a case is worth; one takes about half a millisecond.
@@ -27,18 +27,18 @@ pub struct Shrunk {
     /// The number of the case that it comes from.
     pub number: u64,
     /// What is left of it.
-    pub case: Written,
+    pub case: CaseData,
     /// What is wrong.
     pub finding: Finding,
 }
 
 /// The first `most` cases that did not agree, made small; one for each diagnosis.
-pub fn shrink_mismatches(subject: &Subject, seed: u64, summary: &Summary, most: usize) -> Vec<Shrunk> {
-    let trial = Trial { subject: subject.clone(), oracles: Oracles::Ad };
-    let find = |case: &Written| Finding::of(&case.compare(&trial).ok()?);
+pub fn shrink_mismatches(variant: &Variant, seed: u64, summary: &Summary, most: usize) -> Vec<Shrunk> {
+    let config = CheckConfig { variant: variant.clone(), oracles: Oracles::Ad };
+    let find = |case: &CaseData| Finding::of(&case.compare(&config).ok()?);
     let mut shrunk: Vec<Shrunk> = Vec::new();
     for &number in summary.mismatches.keys().take(most) {
-        let case = Case::draw(seed, number).written();
+        let case = Case::draw(seed, number).data();
         let Some(Finding { diagnosis, minimum, is_clear, .. }) = find(&case) else { continue };
         if shrunk.iter().all(|known| known.finding.diagnosis != diagnosis) {
             // What is left must be a case that can pass, and have no more minima before the one in question.
@@ -51,7 +51,7 @@ pub fn shrink_mismatches(subject: &Subject, seed: u64, summary: &Summary, most: 
 }
 
 /// The smallest case found for which `diagnose` says the same as for `case`; the case itself if it makes no beams.
-pub fn shrink<D: PartialEq>(case: &Written, diagnose: impl Fn(&Written) -> D) -> Written {
+pub fn shrink<D: PartialEq>(case: &CaseData, diagnose: impl Fn(&CaseData) -> D) -> CaseData {
     if case.beams().is_err() {
         return case.clone();
     }
@@ -80,7 +80,7 @@ pub fn shrink<D: PartialEq>(case: &Written, diagnose: impl Fn(&Written) -> D) ->
     }
 }
 
-/// How large a case is: the families count first, in the order of [`Family`](crate::specimen::Family), then the dofs
+/// How large a case is: the families count first, in the order of [`Family`](crate::test_beam::Family), then the dofs
 /// that vary, then those that are not nought, then how long the numbers are when written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Size {
@@ -91,13 +91,13 @@ struct Size {
 }
 
 impl Size {
-    fn of(case: &Written) -> Self {
+    fn of(case: &CaseData) -> Self {
         let contact =
             [case.contact.radius, case.contact.radius_bar, case.contact.xi_0, case.contact.xi_bar_0];
         let mut size = Self { families: 0, varied: 0, not_nought: 0, digits: 0 };
         size.not_nought += not_nought(&contact);
         size.digits += digits(&contact);
-        for Specimen { family, parameters, q, dq, linear_dq } in &case.specimens {
+        for TestBeam { family, parameters, q, dq, linear_dq } in &case.test_beams {
             size.families += *family as usize;
             size.varied += not_nought(dq) + not_nought(linear_dq);
             size.not_nought += not_nought(q);

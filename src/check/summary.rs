@@ -8,7 +8,7 @@ use super::regime::Regime;
 use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::Quantity;
-use crate::specimen::Family;
+use crate::test_beam::Family;
 use std::collections::BTreeMap;
 
 /// The worst of one order of one quantity.

@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 use beamgap::check::{Family, Regime};
-use beamgap::subject::{Subject, with_faults};
+use beamgap::variant::{Variant, with_faults};
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -45,7 +45,7 @@ pub(super) fn regimes() -> impl TypedValueParser<Value = Regime> {
 }
 
 /// The closed form with these faults planted.
-pub(super) fn subject(plant: &[String]) -> anyhow::Result<Subject> {
+pub(super) fn variant(plant: &[String]) -> anyhow::Result<Variant> {
     with_faults(plant).map_err(|unknown| clap::Error::raw(ErrorKind::InvalidValue, unknown).into())
 }
 

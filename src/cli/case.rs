@@ -5,7 +5,7 @@ use super::check::Verdict;
 use super::human::{error, name};
 use super::json;
 use super::table::Table;
-use beamgap::check::{Arbitration, Compared, Comparison, Regime, Verdict as Found, Written};
+use beamgap::check::{Arbitration, CaseData, Compared, Comparison, Regime, Verdict as Found};
 use beamgap::closest_point::{ClosestPoint, End};
 use beamgap::pair::Contact;
 use serde_json::{Value, json};
@@ -15,7 +15,7 @@ use std::fmt::Write;
 /// A case, and what was found at it.
 pub(super) struct Shown<'a> {
     /// The case.
-    pub(super) case: &'a Written,
+    pub(super) case: &'a CaseData,
     /// Seed, number and regime, of a drawn one.
     pub(super) drawn: Option<(u64, u64, Regime)>,
     /// The comparison.
@@ -28,14 +28,14 @@ pub(super) struct Shown<'a> {
 
 /// The case for people; the numbers have all their digits.
 pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> String {
-    let [beam, bar] = case.specimens.each_ref().map(|specimen| specimen.family.name());
+    let [beam, bar] = case.test_beams.each_ref().map(|test_beam| test_beam.family.name());
     let mut text = match drawn {
         Some((seed, number, regime)) => {
             format!("seed {seed:#x}, case {number}\nregime {}, {beam} and {bar}\n", regime.name())
         }
         None => format!("{beam} and {bar}\n"),
     };
-    for (title, beam) in ["beam", "bar beam"].into_iter().zip(&case.specimens) {
+    for (title, beam) in ["beam", "bar beam"].into_iter().zip(&case.test_beams) {
         let _ = writeln!(text, "\n{title}\n  {}", beam.family.name());
         for (name, _) in beam.family.parameters() {
             match beam.parameter(name) {

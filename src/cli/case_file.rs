@@ -5,7 +5,7 @@
 
 use super::arguments::program;
 use anyhow::{Context, anyhow, bail, ensure};
-use beamgap::check::{Family, Specimen, Written};
+use beamgap::check::{CaseData, Family, TestBeam};
 use beamgap::pair::Contact;
 use serde_json::{Map, Value, json};
 use std::io::Read;
@@ -18,8 +18,8 @@ pub(super) const SCHEMA: &str = "beamgap-case/1";
 const SHOWN: [&str; 7] = ["schema", "version", "seed", "case", "regime", "verdict", "closest_points"];
 
 /// The case as JSON; `null` for a number that JSON has not.
-pub(super) fn object(case: &Written) -> Map<String, Value> {
-    let [beam, bar] = case.specimens.each_ref().map(specimen);
+pub(super) fn object(case: &CaseData) -> Map<String, Value> {
+    let [beam, bar] = case.test_beams.each_ref().map(test_beam);
     let Contact { radius, radius_bar, xi_0, xi_bar_0 } = case.contact;
     let contact = json!({ "radius": radius, "radius_bar": radius_bar, "xi_0": xi_0, "xi_bar_0": xi_bar_0 });
     let entries = [("schema", json!(SCHEMA)), ("beam", beam), ("bar", bar), ("contact", contact)];
@@ -27,7 +27,7 @@ pub(super) fn object(case: &Written) -> Map<String, Value> {
 }
 
 /// The command that repeats the case.
-pub(super) fn command(case: &Written) -> String {
+pub(super) fn command(case: &CaseData) -> String {
     let mut object = object(case);
     if case.contact == Contact::default() {
         object.remove("contact");
@@ -49,10 +49,10 @@ fn short(value: Value) -> Value {
     }
 }
 
-fn specimen(specimen: &Specimen) -> Value {
-    let Specimen { family, q, dq, linear_dq, .. } = specimen;
+fn test_beam(test_beam: &TestBeam) -> Value {
+    let TestBeam { family, q, dq, linear_dq, .. } = test_beam;
     let parameters = family.parameters().iter().map(|&(name, count)| {
-        let numbers = specimen.parameter(name);
+        let numbers = test_beam.parameter(name);
         (name.to_owned(), if count == 1 { json!(numbers.first()) } else { json!(numbers) })
     });
     let curve: Map<_, _> = parameters.collect();
@@ -64,7 +64,7 @@ fn specimen(specimen: &Specimen) -> Value {
 }
 
 /// Reads a case from a file, or from standard input if the path is `-`.
-pub(super) fn read(path: &Path) -> anyhow::Result<Written> {
+pub(super) fn read(path: &Path) -> anyhow::Result<CaseData> {
     let from_stdin = path == Path::new("-");
     let name = if from_stdin { "standard input".into() } else { path.display().to_string() };
     let text = if from_stdin {
@@ -78,7 +78,7 @@ pub(super) fn read(path: &Path) -> anyhow::Result<Written> {
     case(&document).with_context(|| format!("{name} is no case"))
 }
 
-fn case(document: &Value) -> anyhow::Result<Written> {
+fn case(document: &Value) -> anyhow::Result<CaseData> {
     let object = as_object(document, "the document")?;
     match object.get("schema") {
         Some(Value::String(schema)) if schema == SCHEMA => {}
@@ -88,10 +88,10 @@ fn case(document: &Value) -> anyhow::Result<Written> {
     known(object, "", &[&["beam", "bar", "contact"][..], &SHOWN].concat())?;
     let [beam, bar] = ["beam", "bar"].map(|name| beam(object, name));
     let contact = object.get("contact").map_or(Ok(Contact::default()), contact)?;
-    Ok(Written { specimens: [beam?, bar?], contact })
+    Ok(CaseData { test_beams: [beam?, bar?], contact })
 }
 
-fn beam(object: &Map<String, Value>, name: &str) -> anyhow::Result<Specimen> {
+fn beam(object: &Map<String, Value>, name: &str) -> anyhow::Result<TestBeam> {
     let value = object.get(name).ok_or_else(|| anyhow!("{name}: missing"))?;
     let object = as_object(value, name)?;
     known(object, name, &["family", "curve", "q", "dq", "linear_dq"])?;
@@ -110,15 +110,15 @@ fn beam(object: &Map<String, Value>, name: &str) -> anyhow::Result<Specimen> {
         several(found, &path, count)
     };
     let dofs = family.units().len();
-    let specimen = Specimen {
+    let test_beam = TestBeam {
         family,
         parameters: parameters(object, name, family)?,
         q: numbers("q", dofs)?,
         dq: numbers("dq", dofs)?,
         linear_dq: numbers("linear_dq", dofs)?,
     };
-    specimen.validate().with_context(|| name.to_owned())?;
-    Ok(specimen)
+    test_beam.validate().with_context(|| name.to_owned())?;
+    Ok(test_beam)
 }
 
 /// The fixed parameters of a curve, all that the family has and no others.
@@ -189,10 +189,10 @@ fn shown(value: &Value) -> String {
 #[cfg(test)]
 mod tests {
     use super::{case, command, program};
-    use beamgap::check::{Case, Written};
+    use beamgap::check::{Case, CaseData};
 
     /// The case that the printed command gives to the gate.
-    fn given(printed: &str) -> Written {
+    fn given(printed: &str) -> CaseData {
         let end = format!("' | {} check --case-file -", program());
         let json = printed.strip_prefix("echo '").unwrap().strip_suffix(end.as_str()).unwrap();
         // Nothing that a shell would take for its own.
@@ -203,21 +203,21 @@ mod tests {
     #[test]
     fn a_command_gives_the_case_to_the_last_bit() {
         for number in 0..1089 {
-            let mut drawn = Case::draw(5, number).written();
-            let [beam, bar] = &mut drawn.specimens;
+            let mut drawn = Case::draw(5, number).data();
+            let [beam, bar] = &mut drawn.test_beams;
             (beam.q[0], beam.dq[0], bar.q[1], bar.dq[2]) = (-0.0, 1e300, -7.0, 0.0);
             drawn.contact.xi_0 = -1.0 / 3.0;
             let read = given(&command(&drawn));
             assert_eq!(read, drawn);
-            assert!(read.specimens[0].q[0].is_sign_negative());
+            assert!(read.test_beams[0].q[0].is_sign_negative());
         }
     }
 
     #[test]
     fn whole_numbers_and_no_contact_are_written_short() {
-        let mut drawn = Case::draw(5, 0).written();
+        let mut drawn = Case::draw(5, 0).data();
         drawn.contact = beamgap::pair::Contact::default();
-        drawn.specimens[0].q = vec![1.0, 0.0, -2.0, 0.5, 1e15, 3.0];
+        drawn.test_beams[0].q = vec![1.0, 0.0, -2.0, 0.5, 1e15, 3.0];
         let printed = command(&drawn);
         assert!(
             printed.contains("\"q\":[1,0,-2,0.5,1000000000000000,3]") && !printed.contains("contact"),

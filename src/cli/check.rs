@@ -1,12 +1,12 @@
 //! `beamgap check`: random pairs of beams through both linearizations.
 
-use super::arguments::{Format, families, planting, regimes, seed, subject, work_with};
+use super::arguments::{Format, families, planting, regimes, seed, variant, work_with};
 use super::exit::Exit;
 use super::output::Output;
 use super::{case, case_file, human, json};
 use beamgap::check::{
-    Arbitration, Case, Compared, Family, Oracles, Regime, Selection, Shrunk, Summary, Trial,
-    Verdict as Found, Written, run, shrink_mismatches,
+    Arbitration, Case, CaseData, CheckConfig, Compared, Family, Oracles, Regime, Selection, Shrunk, Summary,
+    Verdict as Found, run, shrink_mismatches,
 };
 use clap::{Args, ValueEnum, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -100,7 +100,7 @@ impl Check {
             (Some(path), _) => self.one(&case_file::read(path)?, None)?,
             (None, Some(number)) => {
                 let case = Case::draw(self.seed, number);
-                self.one(&case.written(), Some((self.seed, number, case.regime)))?
+                self.one(&case.data(), Some((self.seed, number, case.regime)))?
             }
             (None, None) => self.many()?,
         };
@@ -108,12 +108,12 @@ impl Check {
         Ok(verdict.exit)
     }
 
-    fn one(&self, case: &Written, drawn: Option<(u64, u64, Regime)>) -> anyhow::Result<(String, Verdict)> {
+    fn one(&self, case: &CaseData, drawn: Option<(u64, u64, Regime)>) -> anyhow::Result<(String, Verdict)> {
         let oracles = match self.oracle {
             Oracle::Ad => Oracles::Ad,
             Oracle::All => Oracles::All,
         };
-        let points = case.compare(&Trial { subject: subject(&self.plant)?, oracles })?;
+        let points = case.compare(&CheckConfig { variant: variant(&self.plant)?, oracles })?;
         let verdict = verdict_on(&points);
         let shown =
             case::Shown { case, drawn, points: &points, verdict: &verdict, only_wrong: self.only_wrong };
@@ -132,10 +132,10 @@ impl Check {
             Oracle::Ad => Oracles::Ad,
             Oracle::All => Oracles::Sample,
         };
-        let trial = Trial { subject: subject(&self.plant)?, oracles };
-        let summary = with_progress(&trial, self.seed, &selection);
+        let config = CheckConfig { variant: variant(&self.plant)?, oracles };
+        let summary = with_progress(&config, self.seed, &selection);
         let verdict = verdict(&summary);
-        let shrunk = shrink_mismatches(&trial.subject, self.seed, &summary, SHOWN);
+        let shrunk = shrink_mismatches(&config.variant, self.seed, &summary, SHOWN);
         let (plant, seed, differences) = (self.plant.clone(), self.seed, self.oracle == Oracle::All);
         let checked = Checked { plant, seed, selection, summary, shrunk, differences };
         let document = match self.format {
@@ -147,16 +147,16 @@ impl Check {
 }
 
 /// Runs the cases, with a bar on stderr if someone is watching.
-fn with_progress(trial: &Trial, seed: u64, selection: &Selection) -> Summary {
+fn with_progress(config: &CheckConfig, seed: u64, selection: &Selection) -> Summary {
     if !std::io::stderr().is_terminal() {
-        return run(trial, seed, selection, || ());
+        return run(config, seed, selection, || ());
     }
     let start = Instant::now();
     let bar = ProgressBar::new(selection.cases * selection.regimes.len() as u64);
     if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} cases, {eta} left") {
         bar.set_style(style);
     }
-    let summary = run(trial, seed, selection, || bar.inc(1));
+    let summary = run(config, seed, selection, || bar.inc(1));
     bar.finish_and_clear();
     eprintln!("{} cases in {:.1} s", bar.position(), start.elapsed().as_secs_f64());
     summary

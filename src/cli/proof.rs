@@ -77,7 +77,7 @@ fn in_full(draw: &Draw) -> String {
         }
         if any { format!("{title}\n{table}") } else { String::new() }
     };
-    let [beam, bar] = draw.families.map(beamgap::specimen::Family::name);
+    let [beam, bar] = draw.families.map(beamgap::test_beam::Family::name);
     let variations = part(
         &format!(
             "All numbers of draw {} of {beam} and {bar}, with the ratio of those not equal",
@@ -206,15 +206,15 @@ mod tests {
     use beamgap::linearization::Quantity;
     use beamgap::number::PrimeField;
     use beamgap::prove::{Draw, prove};
-    use beamgap::specimen::Family;
-    use beamgap::subject::Subject;
+    use beamgap::test_beam::Family;
+    use beamgap::variant::Variant;
     use serde_json::Value;
 
     /// A proof with one refutation: xi has the wrong sign in its second variation, g_T half of it, d is off by one.
     fn refuted() -> Proved {
         let families = vec![Family::Segment, Family::Arc];
-        let mut proof = prove(&Subject::Sound, 1, &families, 2);
-        let mut draw = Draw::new(&Subject::Sound, 1, [Family::Segment, Family::Arc], 1);
+        let mut proof = prove(&Variant::Unmodified, 1, &families, 2);
+        let mut draw = Draw::new(&Variant::Unmodified, 1, [Family::Segment, Family::Arc], 1);
         let half = PrimeField::new(1) / PrimeField::new(2);
         for entry in draw.entries.iter_mut().filter(|entry| entry.part == "Delta-delta") {
             match entry.quantity() {

@@ -1,11 +1,11 @@
 //! `beamgap prove`: both linearizations over a prime field, compared without a tolerance.
 
-use super::arguments::{Format, families, seed, subject, work_with};
+use super::arguments::{Format, families, seed, variant, work_with};
 use super::exit::Exit;
 use super::output::Output;
 use super::proof;
 use beamgap::prove::{Proof, prove};
-use beamgap::specimen::Family;
+use beamgap::test_beam::Family;
 use clap::{Args, value_parser};
 use std::io::Write;
 use std::path::PathBuf;
@@ -57,7 +57,7 @@ impl Prove {
         let named = |family: &Family| self.family.is_empty() || self.family.contains(family);
         let families: Vec<_> = Family::ALL.into_iter().filter(named).collect();
         let start = Instant::now();
-        let proof = prove(&subject(&self.plant)?, self.seed, &families, self.draws);
+        let proof = prove(&variant(&self.plant)?, self.seed, &families, self.draws);
         let draws = proof.pairs as u64 * self.draws;
         // A closed stderr is no reason to lose the result.
         let _ = writeln!(std::io::stderr(), "{draws} draws in {:.1} s", start.elapsed().as_secs_f64());

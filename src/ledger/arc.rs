@@ -1,7 +1,7 @@
 //! The slip along the tangent, (14), against the arc length, (12).
 
 use crate::closest_point::Centroid;
-use crate::specimen::Family;
+use crate::test_beam::Family;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -55,9 +55,9 @@ fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     let [heavy, light] = [(322.0 + irrational) / 900.0, (322.0 - irrational) / 900.0];
     let rule = [(0.0, 128.0 / 225.0), (near, heavy), (-near, heavy), (far, light), (-far, light)];
     let half = (to - from) / 8.0;
-    let panel =
+    let test_points =
         |centre: f64| rule.map(|(x, weight)| weight * f(centre + half * x)).iter().sum::<f64>() * half;
-    [1.0, 3.0, 5.0, 7.0].map(|i| panel(from + i * half)).iter().sum()
+    [1.0, 3.0, 5.0, 7.0].map(|i| test_points(from + i * half)).iter().sum()
 }
 
 /// Errors by family.

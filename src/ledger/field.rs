@@ -9,7 +9,7 @@ use crate::curve::Geometry;
 use crate::linearization::ad::Chord;
 use crate::number::{HyperDual, PrimeField};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, ExactBeam, Family, stationary};
+use crate::test_beam::{AnyBeam, ExactBeam, Family, stationary};
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -11,7 +11,7 @@ use crate::linearization::Varied;
 use crate::linearization::ad::newton;
 use crate::number::TermScale;
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Family};
+use crate::test_beam::{AnyBeam, Family};
 use nalgebra::Vector3;
 use num_dual::HyperDual64;
 use rand::{RngExt, SeedableRng};
@@ -60,7 +60,7 @@ fn case(seed: u64, number: u64) -> Option<(Tally, [super::arc::Measured; 2])> {
     };
     let references = [reference(beams[0], at.0), reference(beams[1], at.1)];
 
-    let mut moved = case.specimens[0].clone();
+    let mut moved = case.test_beams[0].clone();
     moved.translate(&random(MOVED * point.distance));
     let after = after([&*moved.beam().ok()?, beams[1]], &case.contact, at)?;
     let point = Point::new(

@@ -7,7 +7,7 @@ use super::source::{Place, places};
 use super::tally::{Tallied, Tally};
 use super::verdict::Verdict;
 use super::{field, list, plain};
-use crate::specimen::Family;
+use crate::test_beam::Family;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 

@@ -41,7 +41,7 @@ sources![
     "linearization/ad/lift.rs",
     "linearization/ad/orders.rs",
     "closest_point/squared_distance.rs",
-    "check/site/refined.rs",
+    "check/evaluation_point/refined.rs",
     "curve.rs",
 ];
 
@@ -114,7 +114,7 @@ mod tests {
         assert_eq!(name("    pub(crate) const fn delta<T>(x: T) -> T {"), Some("delta"));
         assert_eq!(name("pub struct Closed_Form;"), Some("Closed_Form"));
         assert_eq!(name("pub(super) trait Terms: Copy {"), Some("Terms"));
-        for line in ["", "    // fn", "let fn_like = 1;", "impl Terms for Sound {", "pub use fnord;"] {
+        for line in ["", "    // fn", "let fn_like = 1;", "impl Terms for Unmodified {", "pub use fnord;"] {
             assert_eq!(name(line), None, "{line}");
         }
     }

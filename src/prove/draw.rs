@@ -5,8 +5,8 @@ use super::{Sides, differentiated};
 use crate::closest_point::Held;
 use crate::linearization::closed_form::Formulation;
 use crate::number::{Faulty, PrimeField};
-use crate::specimen::{Family, apart, map_padded, stationary};
-use crate::subject::{CONTACT, Subject, When, contracted, every_layout};
+use crate::test_beam::{Family, apart, map_padded, stationary};
+use crate::variant::{CONTACT, Step, Variant, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -28,7 +28,7 @@ pub struct Draw {
 
 impl Draw {
     /// Draws, runs both sides, and lays them side by side.
-    pub fn new(subject: &Subject, seed: u64, families: [Family; 2], number: u64) -> Self {
+    pub fn new(variant: &Variant, seed: u64, families: [Family; 2], number: u64) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream((number * 256 + families[0] as u64) * 256 + families[1] as u64);
         // Eight draws go through all combinations of held ends.
@@ -38,26 +38,26 @@ impl Draw {
         let form = if number % 2 == 1 { apart(&beams, at, held) } else { Formulation::paper(held) };
         let with_matrices = (number / 8).is_multiple_of(MATRICES_EVERY);
         let beams = [&*beams[0], &*beams[1]];
-        let padded = |when: When| {
-            let ([x, y], at) = when.place(beams, at);
+        let padded = |step: Step| {
+            let ([x, y], at) = step.place(beams, at);
             [x.padded(at.0), y.padded(at.1)]
         };
-        let partial = |when: When| {
-            let ([x, y], at) = when.place(beams, at);
+        let partial = |step: Step| {
+            let ([x, y], at) = step.place(beams, at);
             [x.partial_variations(at.0), y.partial_variations(at.1)]
         };
-        let faulty = |when: When| padded(when).each_ref().map(|beam| map_padded(beam, Faulty));
+        let faulty = |step: Step| padded(step).each_ref().map(|beam| map_padded(beam, Faulty));
         let matrices = || {
-            let planted = subject.matrices(faulty, at, form, &CONTACT);
-            planted.unwrap_or_else(|| contracted(&padded(When::Now), at, form, &CONTACT))
+            let planted = variant.matrices(faulty, at, form, &CONTACT);
+            planted.unwrap_or_else(|| contracted(&padded(Step::Now), at, form, &CONTACT))
         };
-        let kernel = || every_layout(&padded(When::Now), at, form, &CONTACT);
+        let kernel = || every_layout(&padded(Step::Now), at, form, &CONTACT);
         let sides = Sides {
-            closed: subject.quantities(partial, at, form, &CONTACT).components(),
+            closed: variant.quantities(partial, at, form, &CONTACT).components(),
             ad: differentiated(beams, at, held, &CONTACT),
             matrices: with_matrices.then(matrices),
             // Faults are planted in the formulas that the kernel stands beside.
-            kernel: if with_matrices && *subject == Subject::Sound { kernel() } else { Vec::new() },
+            kernel: if with_matrices && *variant == Variant::Unmodified { kernel() } else { Vec::new() },
         };
         Self { families, number, held, entries: entries(&sides) }
     }

@@ -3,7 +3,7 @@
 use super::Sides;
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::PrimeField;
-use crate::subject::SCALAR_COMPONENTS;
+use crate::variant::SCALAR_COMPONENTS;
 
 /// What is compared of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

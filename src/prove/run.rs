@@ -7,8 +7,8 @@ use crate::linearization::closed_form::formulation::{Distance, System};
 use crate::linearization::closed_form::{Formulation, variations_in};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::PolynomialDegree;
-use crate::specimen::Family;
-use crate::subject::{CONTACT, Subject, contracted, every_layout};
+use crate::test_beam::Family;
+use crate::variant::{CONTACT, Variant, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -58,10 +58,10 @@ impl Proof {
 type Counts = [[u64; Layer::ALL.len()]; COMPONENTS];
 
 /// Proves the closed form for every pair of the families, with so many draws each.
-pub fn prove(subject: &Subject, seed: u64, families: &[Family], draws: u64) -> Proof {
+pub fn prove(variant: &Variant, seed: u64, families: &[Family], draws: u64) -> Proof {
     let pairs: Vec<[Family; 2]> =
         families.iter().flat_map(|&one| families.iter().map(move |&other| [one, other])).collect();
-    let results: Vec<_> = pairs.par_iter().map(|&pair| prove_pair(subject, seed, pair, draws)).collect();
+    let results: Vec<_> = pairs.par_iter().map(|&pair| prove_pair(variant, seed, pair, draws)).collect();
     let mut proof = Proof { pairs: pairs.len(), ..Proof::default() };
     for quantity in Quantity::ALL {
         for (k, layer) in Layer::ALL.into_iter().enumerate() {
@@ -86,11 +86,11 @@ type Degrees = [[f64; Layer::ALL.len()]; COMPONENTS];
 
 type PairResult = (Counts, Counts, Degrees, Option<Draw>);
 
-fn prove_pair(subject: &Subject, seed: u64, families: [Family; 2], draws: u64) -> PairResult {
+fn prove_pair(variant: &Variant, seed: u64, families: [Family; 2], draws: u64) -> PairResult {
     let (mut equal, mut refuted): (Counts, Counts) = Default::default();
     let mut first = None;
     for number in 0..draws {
-        let draw = Draw::new(subject, seed, families, number);
+        let draw = Draw::new(variant, seed, families, number);
         for entry in &draw.entries {
             let counts = if entry.is_equal() { &mut equal } else { &mut refuted };
             counts[entry.component][entry.layer as usize] += 1;

@@ -3,8 +3,8 @@
 use super::number::{finite, rounded};
 use super::{Environment, Record};
 use crate::check::Regime;
-use crate::subject::{Kind, Rewrite};
 use crate::teeth::{self, Bite, Check, Limit, Operations, Sampled, Unseen};
+use crate::variant::{Kind, Rewrite};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

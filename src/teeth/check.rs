@@ -1,12 +1,12 @@
 //! The checks that are put to the test.
 
 use super::differences::{Differences, Rule};
-use super::panel::Sample;
-use crate::check::{Site, Verdict, judged};
+use super::test_points::Sample;
+use crate::check::{EvaluationPoint, Verdict, judged};
 use crate::linearization::closed_form::variations_in;
 use crate::linearization::{COMPONENTS, Varied};
-use crate::specimen::RunningError2;
-use crate::subject::{Rewrite, Subject, When, by_invariance};
+use crate::test_beam::RunningError2;
+use crate::variant::{Rewrite, Step, Variant, by_invariance};
 use std::cell::Cell;
 
 /// A way of checking derivatives.
@@ -61,36 +61,36 @@ impl Check {
         }
     }
 
-    /// Whether it accuses the subject at this point.
-    pub(super) fn accuses(self, subject: &Subject, sample: &Sample) -> bool {
+    /// Whether it accuses the variant at this point.
+    pub(super) fn accuses(self, variant: &Variant, sample: &Sample) -> bool {
         match self {
             Self::Exact => false,
-            Self::Gate => matches!(judged(sample.compared(subject)), Verdict::Mismatch(_)),
+            Self::Gate => matches!(judged(sample.compared(variant)), Verdict::Mismatch(_)),
             Self::Invariants => {
                 let moved = [Rewrite::Moved, Rewrite::Turned, Rewrite::Ninths, Rewrite::DirectionsExchanged];
-                let closed = sample.site.closed(subject);
-                moved.into_iter().any(|rewrite| is_violated(rewrite, subject, sample, &closed))
+                let closed = sample.evaluation.closed(variant);
+                moved.into_iter().any(|rewrite| is_violated(rewrite, variant, sample, &closed))
             }
             Self::Symmetry => {
-                let closed = sample.site.closed(subject);
-                is_violated(Rewrite::DirectionsExchanged, subject, sample, &closed)
+                let closed = sample.evaluation.closed(variant);
+                is_violated(Rewrite::DirectionsExchanged, variant, sample, &closed)
             }
-            Self::Differences(rule) => Differences::new(subject, sample).accuses(rule),
+            Self::Differences(rule) => Differences::new(variant, sample).accuses(rule),
         }
     }
 }
 
-/// Whether the subject at other beams is not what it is at these, beyond rounding.
+/// Whether the variant at other beams is not what it is at these, beyond rounding.
 fn is_violated(
     rewrite: Rewrite,
-    subject: &Subject,
+    variant: &Variant,
     sample: &Sample,
     closed: &[Varied<RunningError2>; COMPONENTS],
 ) -> bool {
-    let Site { at, form, contact, .. } = sample.site;
+    let EvaluationPoint { at, form, contact, .. } = sample.evaluation;
     // The beams that operands are mistaken for, moved alike.
-    let moved = When::ALL.map(|when| {
-        let partial = Cell::new(sample.site.bounded(when));
+    let moved = Step::ALL.map(|step| {
+        let partial = Cell::new(sample.evaluation.bounded(step));
         let [beam, bar] = &partial.get();
         let keep = |beams: [_; 2], at, form, contact: &_| {
             partial.set(beams);
@@ -99,14 +99,14 @@ fn is_violated(
         by_invariance(rewrite, &keep, [beam, bar], at, form, contact);
         partial.get()
     });
-    let [beam, bar] = &sample.site.bounded(When::Now);
+    let [beam, bar] = &sample.evaluation.bounded(Step::Now);
     let of = |partial: [_; 2], at: (RunningError2, RunningError2), form, contact: &_| {
-        let bounded = subject.formulas(&partial, at, form, contact);
-        let plain = |when: When| {
-            let beams = if when == When::Now { partial } else { moved[when as usize] };
+        let bounded = variant.formulas(&partial, at, form, contact);
+        let plain = |step: Step| {
+            let beams = if step == Step::Now { partial } else { moved[step as usize] };
             beams.map(|beam| beam.map(|v| v.map(|number: RunningError2| number.value)))
         };
-        let values = subject.quantities(plain, (at.0.value, at.1.value), form, contact);
+        let values = variant.quantities(plain, (at.0.value, at.1.value), form, contact);
         // The values of the faults, with the bounds of the formulas without them.
         let mut values = values.components().into_iter().flat_map(Varied::parts);
         bounded.map(|parts| {
@@ -121,7 +121,7 @@ fn is_violated(
         let difference = (x - y.value).abs();
         difference > bound + y.bound[0] || difference.is_nan()
     };
-    let plain = sample.site.plain(subject);
+    let plain = sample.evaluation.plain(variant);
     plain.iter().zip(closed).zip(other.components()).any(|((plain, closed), other)| {
         let bounds = closed.parts().map(|number| number.bound[0]);
         plain.parts().into_iter().zip(bounds).zip(other.parts()).any(|((x, bound), y)| differ(x, y, bound))

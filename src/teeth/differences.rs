@@ -4,12 +4,12 @@
 //! differences of the value with delta, differences of delta with Delta-delta. Steps and tolerances are the tool's own,
 //! so they know nothing of the unit of length.
 
-use super::panel::Sample;
+use super::test_points::Sample;
 use crate::closest_point::{ClosestPoint, refine};
 use crate::linearization::closed_form::PartialVariations;
 use crate::linearization::{COMPONENTS, Varied};
-use crate::specimen::Specimen;
-use crate::subject::{Subject, When};
+use crate::test_beam::TestBeam;
+use crate::variant::{Step, Variant};
 
 /// Step and tolerance of a tool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -73,23 +73,23 @@ pub(super) struct Steps {
 }
 
 impl Steps {
-    pub(super) fn new(specimens: &[Specimen; 2], point: &ClosestPoint) -> Self {
-        let largest = |of: fn(&Specimen) -> &Vec<f64>| {
-            let entries = specimens.iter().flat_map(|specimen| of(specimen).iter());
+    pub(super) fn new(test_beams: &[TestBeam; 2], point: &ClosestPoint) -> Self {
+        let largest = |of: fn(&TestBeam) -> &Vec<f64>| {
+            let entries = test_beams.iter().flat_map(|test_beam| of(test_beam).iter());
             entries.fold(0.0_f64, |largest, entry| largest.max(entry.abs()))
         };
-        let units = [largest(|specimen| &specimen.dq), largest(|specimen| &specimen.linear_dq)];
+        let units = [largest(|test_beam| &test_beam.dq), largest(|test_beam| &test_beam.linear_dq)];
         let moved = |direction: usize, step: f64| {
-            let along = |specimen: &Specimen| {
-                let by = if direction == 0 { &specimen.dq } else { &specimen.linear_dq };
-                let moved = specimen.q.iter().zip(by).map(|(q, by)| q + step / units[direction] * by);
-                Specimen { q: moved.collect(), ..specimen.clone() }
+            let along = |test_beam: &TestBeam| {
+                let by = if direction == 0 { &test_beam.dq } else { &test_beam.linear_dq };
+                let moved = test_beam.q.iter().zip(by).map(|(q, by)| q + step / units[direction] * by);
+                TestBeam { q: moved.collect(), ..test_beam.clone() }
             };
-            solved(&specimens.each_ref().map(along), point)
+            solved(&test_beams.each_ref().map(along), point)
         };
-        let twice = specimens
+        let twice = test_beams
             .each_ref()
-            .map(|specimen| Specimen { linear_dq: specimen.dq.clone(), ..(*specimen).clone() });
+            .map(|test_beam| TestBeam { linear_dq: test_beam.dq.clone(), ..(*test_beam).clone() });
         Self {
             units,
             twice: solved(&twice, point),
@@ -100,21 +100,21 @@ impl Steps {
 }
 
 /// The closest point near another, of beams that are near others.
-fn solved(specimens: &[Specimen; 2], point: &ClosestPoint) -> Moved {
-    let [beam, bar] = specimens.each_ref().map(|specimen| specimen.beam().ok());
+fn solved(test_beams: &[TestBeam; 2], point: &ClosestPoint) -> Moved {
+    let [beam, bar] = test_beams.each_ref().map(|test_beam| test_beam.beam().ok());
     let (beam, bar) = (beam?, bar?);
     let found = refine(&*beam, &*bar, (point.xi, point.xi_bar), point.held()).ok()?;
     let at = (found.xi, found.xi_bar);
-    let partial = |when: When| {
-        let ([beam, bar], (xi, xi_bar)) = when.place([&*beam, &*bar], at);
+    let partial = |step: Step| {
+        let ([beam, bar], (xi, xi_bar)) = step.place([&*beam, &*bar], at);
         [beam.partial_variations_plain(xi), bar.partial_variations_plain(xi_bar)]
     };
-    Some((at, When::ALL.map(partial)))
+    Some((at, Step::ALL.map(partial)))
 }
 
-/// The closed form of a subject, at a sample and at all its steps.
+/// The closed form of a variant, at a sample and at all its steps.
 pub(super) struct Differences<'a> {
-    subject: &'a Subject,
+    variant: &'a Variant,
     sample: &'a Sample<'a>,
     here: [Varied<f64>; COMPONENTS],
 }
@@ -123,8 +123,8 @@ pub(super) struct Differences<'a> {
 const SCALARS: std::ops::Range<usize> = 15..COMPONENTS;
 
 impl<'a> Differences<'a> {
-    pub(super) fn new(subject: &'a Subject, sample: &'a Sample<'a>) -> Self {
-        Self { subject, sample, here: sample.site.plain(subject) }
+    pub(super) fn new(variant: &'a Variant, sample: &'a Sample<'a>) -> Self {
+        Self { variant, sample, here: sample.evaluation.plain(variant) }
     }
 
     /// Whether the tool finds a difference beyond its tolerance, or cannot take one.
@@ -145,9 +145,9 @@ impl<'a> Differences<'a> {
 
     fn at(&self, moved: &Moved) -> Option<[Varied<f64>; COMPONENTS]> {
         let (at, partial) = moved.as_ref()?;
-        let site = &self.sample.site;
-        let of = |when: When| partial[when as usize];
-        Some(self.subject.quantities(of, *at, site.form, site.contact).components())
+        let evaluation = &self.sample.evaluation;
+        let of = |step: Step| partial[step as usize];
+        Some(self.variant.quantities(of, *at, evaluation.form, evaluation.contact).components())
     }
 
     fn passes(&self, [ahead, behind]: [usize; 2], near: impl Fn(f64, f64) -> bool) -> Option<bool> {

@@ -3,7 +3,7 @@
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::PrimeField;
 use crate::prove::differentiated;
-use crate::subject::{CONTACT, Point, SCALAR_COMPONENTS, Subject};
+use crate::variant::{CONTACT, Point, SCALAR_COMPONENTS, Variant};
 
 /// Stationary points with what AD finds there.
 pub(super) struct Exact(Vec<(Point, [Varied<PrimeField>; COMPONENTS])>);
@@ -19,9 +19,9 @@ impl Exact {
     }
 
     /// Whether some number is not equal.
-    pub(super) fn accuses(&self, subject: &Subject) -> bool {
+    pub(super) fn accuses(&self, variant: &Variant) -> bool {
         self.0.iter().any(|(point, ad)| {
-            let (variations, matrices) = point.results(subject);
+            let (variations, matrices) = point.results(variant);
             let of_ad = |i: usize| ad[i].parts();
             let unequal = |(i, closed): (usize, &Varied<PrimeField>)| closed.parts() != of_ad(i);
             let apart = |(&i, matrix): (&usize, &[PrimeField; 3])| matrix[..] != of_ad(i)[1..];

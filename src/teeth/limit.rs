@@ -1,9 +1,9 @@
 //! Detection limits: the smallest relative error of a term that the gate sees.
 
-use super::panel::{Sample, panel};
+use super::test_points::{Sample, test_points};
 use crate::check::{Comparison, Regime};
 use crate::number::Label;
-use crate::subject::{Subject, catalogue};
+use crate::variant::{Variant, catalogue};
 use rayon::prelude::*;
 
 /// By how much a term is changed to see what changes with it: enough above rounding, and little enough to be linear.
@@ -25,12 +25,12 @@ pub fn limits(seed: u64, regimes: &[Regime]) -> Vec<Limit> {
     let mut labels: Vec<_> = catalogue().into_iter().map(|fault| fault.label).collect();
     labels.dedup();
     let of_regime = |&regime: &Regime| {
-        let points = panel(seed, regime);
+        let points = test_points(seed, regime);
         let samples: Vec<_> =
             points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
-        let sound: Vec<_> = samples.iter().map(|sample| sample.compared(&Subject::Sound)).collect();
+        let sound: Vec<_> = samples.iter().map(|sample| sample.compared(&Variant::Unmodified)).collect();
         let limit = |&label: &Label| {
-            let nudged = Subject::Weighted(label, 1.0 + NUDGE);
+            let nudged = Variant::Weighted(label, 1.0 + NUDGE);
             let pairs = samples.iter().zip(&sound);
             let at =
                 |(sample, sound): (&Sample, &Vec<Comparison>)| smallest(sound, &sample.compared(&nudged));

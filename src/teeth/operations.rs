@@ -10,8 +10,8 @@ mod place;
 mod reason;
 
 use crate::number::{Bits, Change, Label, PrimeField, Traced, counted, locate, operations, with_operation};
-use crate::specimen::Family;
-use crate::subject::Kind;
+use crate::test_beam::Family;
+use crate::variant::Kind;
 use place::Place;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

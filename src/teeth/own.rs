@@ -3,8 +3,8 @@
 use super::operations::{Lost, Operations, examined};
 use crate::curve::Curve;
 use crate::number::{Bits, Faulty, PrimeField, Real, Traced};
-use crate::specimen::{AnyBeam, Drawn};
-use crate::subject::Kind;
+use crate::test_beam::{AnyBeam, Drawn};
+use crate::variant::Kind;
 use nalgebra::SVector;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

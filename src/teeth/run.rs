@@ -2,9 +2,9 @@
 
 use super::check::Check;
 use super::exact::Exact;
-use super::panel::{Sample, panel};
+use super::test_points::{Sample, test_points};
 use crate::check::Regime;
-use crate::subject::{Fault, Rewrite, Subject, catalogue, terms};
+use crate::variant::{Fault, Rewrite, Variant, catalogue, terms};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -76,15 +76,15 @@ pub fn teeth(seed: u64, regimes: &[Regime]) -> Teeth {
     let of_variations =
         Planted::new(seed, faults.iter().copied().filter(|fault| varied.contains(&fault.label)).collect());
     let exact = Exact::new();
-    let mut bites = vec![all.bite(Check::Exact, None, &[()], |subject, ()| exact.accuses(subject))];
+    let mut bites = vec![all.bite(Check::Exact, None, &[()], |variant, ()| exact.accuses(variant))];
     for &regime in regimes {
-        let points = panel(seed, regime);
+        let points = test_points(seed, regime);
         let samples: Vec<_> =
             points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
         for check in Check::ALL.into_iter().filter(|&check| check != Check::Exact) {
             let planted = if check == Check::Gate { &all } else { &of_variations };
             bites.push(
-                planted.bite(check, Some(regime), &samples, |subject, sample| check.accuses(subject, sample)),
+                planted.bite(check, Some(regime), &samples, |variant, sample| check.accuses(variant, sample)),
             );
         }
     }
@@ -117,16 +117,16 @@ impl Planted {
         check: Check,
         regime: Option<Regime>,
         samples: &[S],
-        accuses: impl Fn(&Subject, &S) -> bool + Sync,
+        accuses: impl Fn(&Variant, &S) -> bool + Sync,
     ) -> Bite {
-        let is_fair = |sample: &&S| !accuses(&Subject::Sound, sample);
+        let is_fair = |sample: &&S| !accuses(&Variant::Unmodified, sample);
         let fair: Vec<_> = samples.iter().filter(is_fair).collect();
         let survives = |faults: &[Fault]| {
-            let subject = Subject::Faulty(faults.to_vec());
-            !fair.iter().any(|sample| accuses(&subject, sample))
+            let variant = Variant::Faulty(faults.to_vec());
+            !fair.iter().any(|sample| accuses(&variant, sample))
         };
         let is_accused =
-            |&rewrite: &Rewrite| samples.iter().any(|sample| accuses(&Subject::Rewritten(rewrite), sample));
+            |&rewrite: &Rewrite| samples.iter().any(|sample| accuses(&Variant::Rewritten(rewrite), sample));
         Bite {
             check,
             regime,

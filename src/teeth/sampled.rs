@@ -4,11 +4,11 @@
 //! limit is the smallest relative error of an operation that exceeds a tolerance.
 
 use super::limit::{NUDGE, sensitivity};
-use super::panel::{Sample, panel};
+use super::test_points::{Sample, test_points};
 use crate::check::{Comparison, Regime};
 use crate::linearization::Quantity;
 use crate::number::counted;
-use crate::subject::{Code, Subject};
+use crate::variant::{Code, Variant};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -39,7 +39,7 @@ pub struct Sampled {
 /// Makes operations wrong in these regimes, in each the same number of the equations and of the matrices at each point.
 pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
     let of_regime = |&regime: &Regime| {
-        let points = panel(seed, regime);
+        let points = test_points(seed, regime);
         let samples: Vec<_> =
             points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
         let each = OPERATIONS.div_ceil(Code::ALL.len() * samples.len().max(1));
@@ -61,9 +61,9 @@ pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
 }
 
 fn at_sample(mut found: Sampled, sample: &Sample, each: usize, rng: &mut ChaCha8Rng) -> Sampled {
-    let sound = sample.compared(&Subject::Sound);
+    let sound = sample.compared(&Variant::Unmodified);
     // A number that no operation has: all are counted, and none is wrong.
-    let with = |number, factor| sample.compared(&Subject::Operation(found.code, number, factor));
+    let with = |number, factor| sample.compared(&Variant::Operation(found.code, number, factor));
     let (_, count) = counted(|| with(usize::MAX, 1.0));
     for i in 0..each {
         // One in each of as many parts of the code.
@@ -110,7 +110,7 @@ mod tests {
     use super::{OPERATIONS, sampled};
     use crate::check::Regime;
     use crate::linearization::Quantity;
-    use crate::subject::Code;
+    use crate::variant::Code;
 
     #[test]
     fn wrong_operations_exceed_tolerances_in_a_generic_regime() {

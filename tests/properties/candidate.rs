@@ -90,7 +90,7 @@ fn the_first_wrong_number_is_named_with_its_equations() {
         assert!(found.first.keys().all(|&first| first == (order, quantity)), "{:?}", found.first);
         // Of a few numbers is left what the fault needs.
         let example = found.example.as_ref().unwrap();
-        let numbers = example.case.specimens.iter().flat_map(|s| [&s.q, &s.dq, &s.linear_dq]).flatten();
+        let numbers = example.case.test_beams.iter().flat_map(|s| [&s.q, &s.dq, &s.linear_dq]).flatten();
         let not_zero = numbers.filter(|&&number| number != 0.0).count();
         assert!((1..20).contains(&not_zero) && example.entry.is_wrong(), "{found}");
         assert_eq!((example.entry.quantity, example.entry.order), (quantity, order));

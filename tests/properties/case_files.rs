@@ -1,7 +1,7 @@
 //! Cases as files: read back as they were written, or refused with the place of what is wrong.
 
 use crate::command_line::{command, golden, run, stdout};
-use beamgap::check::{Comparison, Family, Specimen, Trial, Verdict, Written, test_source};
+use beamgap::check::{CaseData, CheckConfig, Comparison, Family, TestBeam, Verdict, test_source};
 use beamgap::pair::Contact;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -46,7 +46,7 @@ fn a_file_is_as_good_as_standard_input() {
 }
 
 /// A case with few small numbers: a curve of this family over a straight one.
-fn small(family: Family) -> Written {
+fn small(family: Family) -> CaseData {
     let node = |x: f64| [x, 0.0, 0.25 * x * x];
     let points = |nodes: &[f64]| nodes.iter().flat_map(|&x| node(x)).collect::<Vec<_>>();
     let hermite = [&node(-1.0)[..], &[1.0, 0.0, -0.5], &node(1.0), &[1.0, 0.0, 0.5]].concat();
@@ -70,11 +70,11 @@ fn small(family: Family) -> Written {
     let directed = |family, parameters, q: Vec<f64>| {
         let direction =
             |step: u32| (0..).map(|i| f64::from(i * step % 5) / 4.0 - 0.5).take(q.len()).collect();
-        Specimen { family, parameters, dq: direction(2), linear_dq: direction(3), q }
+        TestBeam { family, parameters, dq: direction(2), linear_dq: direction(3), q }
     };
     let bar = directed(Family::Segment, vec![], vec![0.25, -1.0, -0.5, 0.25, 1.0, -0.5]);
     let contact = Contact { xi_bar_0: 0.5, ..Contact::default() };
-    Written { specimens: [directed(family, parameters, q), bar], contact }
+    CaseData { test_beams: [directed(family, parameters, q), bar], contact }
 }
 
 #[test]
@@ -83,9 +83,9 @@ fn tests_to_be_pasted_are_the_golden_ones() {
     for (k, family) in Family::ALL.into_iter().enumerate() {
         let mut case = small(family);
         if k % 2 == 1 {
-            case.specimens.reverse();
+            case.test_beams.reverse();
         }
-        let compared = case.compare(&Trial::default()).unwrap();
+        let compared = case.compare(&CheckConfig::default()).unwrap();
         let (minimum, entries) = compared
             .iter()
             .enumerate()

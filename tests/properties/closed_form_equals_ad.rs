@@ -1,7 +1,7 @@
 //! The closed form and every method of automatic differentiation, through the gate that a user's linearization goes
 //! through: in every regime, within tolerances derived from rounding.
 
-use beamgap::check::{self, Answer, Case, Family, Situation, Trial, Verdict, compare};
+use beamgap::check::{self, Answer, Case, CheckConfig, Family, Situation, Verdict, compare};
 use beamgap::closest_point::ClosestPoint;
 use beamgap::curve::{Arc, Curve, Helix, Hermite, NurbsWeighted, Quadratic, Segment};
 use beamgap::linearization::ad::{self, Route};
@@ -177,7 +177,7 @@ proptest! {
     #[test]
     fn every_case_that_the_gate_can_draw(seed: u64, number in 0..100_000_u64) {
         let case = Case::draw(seed, number);
-        for (point, verdict) in compare(&Trial::default(), &case) {
+        for (point, verdict) in compare(&CheckConfig::default(), &case) {
             prop_assert!(!matches!(verdict, Verdict::Mismatch(_)), "{case:?} {point:?} {verdict:?}");
         }
     }

@@ -4,9 +4,9 @@ use crate::command_line::{json, run, stdout};
 use beamgap::check::Regime;
 use beamgap::prove::Draw;
 use beamgap::report::{BiteRow, Record, Teeth};
-use beamgap::specimen::Family;
-use beamgap::subject::{Fault, Kind, Subject, catalogue};
 use beamgap::teeth::Check;
+use beamgap::test_beam::Family;
+use beamgap::variant::{Fault, Kind, Variant, catalogue};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -46,14 +46,14 @@ fn the_catalogue_has_every_kind_of_fault_of_every_formula() {
 #[test]
 fn the_proof_is_red_for_every_fault() {
     let pairs = [[Family::NurbsWeighted, Family::Helix], [Family::Arc, Family::NurbsWeighted]];
-    let is_refuted = |subject: &Subject| {
+    let is_refuted = |variant: &Variant| {
         let mut draws = pairs.iter().flat_map(|&families| [0, 1, 5, 6].map(|number| (families, number)));
-        draws.any(|(families, number)| Draw::new(subject, 3, families, number).unequal().next().is_some())
+        draws.any(|(families, number)| Draw::new(variant, 3, families, number).unequal().next().is_some())
     };
-    assert!(!is_refuted(&Subject::Sound));
+    assert!(!is_refuted(&Variant::Unmodified));
     let faults = catalogue();
     let survivors: Vec<&Fault> =
-        faults.par_iter().filter(|&&fault| !is_refuted(&Subject::Faulty(vec![fault]))).collect();
+        faults.par_iter().filter(|&&fault| !is_refuted(&Variant::Faulty(vec![fault]))).collect();
     assert!(survivors.is_empty(), "{survivors:?}");
 }
 

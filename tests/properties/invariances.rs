@@ -5,7 +5,7 @@
 use crate::bounded::{exact, exact_dofs, is_near, linearized, linearized_case, scalars};
 use crate::pairs::{Contacting, Movable, contacting, hermite, refined, segment};
 use crate::strategies::vector;
-use beamgap::check::{Case, Compared, Comparison, Trial, Verdict, compare};
+use beamgap::check::{Case, CheckConfig, Compared, Comparison, Verdict, compare};
 use beamgap::closest_point::{ClosestPoint, Held};
 use beamgap::curve::{Bezier, Hermite};
 use beamgap::linearization::{Derivatives, Linearization, Quantity};
@@ -81,8 +81,11 @@ fn is_zero(x: RunningError) -> bool {
 fn scaling_by_powers_of_two_scales_every_comparison_of_the_gate() {
     for (number, power) in (0..1089).zip((-40..=40).cycle()) {
         let case = Case::draw(0x5eed, number);
-        let scaled = case.written().scaled(power).compare(&Trial::default()).unwrap();
-        assert!(scaled == in_unit(&compare(&Trial::default(), &case), power), "case {number}, 2^{power}");
+        let scaled = case.data().scaled(power).compare(&CheckConfig::default()).unwrap();
+        assert!(
+            scaled == in_unit(&compare(&CheckConfig::default(), &case), power),
+            "case {number}, 2^{power}"
+        );
     }
 }
 

@@ -3,13 +3,13 @@
 use crate::command_line::{blind_json, blind_text, golden, run};
 use beamgap::number::PrimeField;
 use beamgap::prove::{Layer, Proof, prove};
-use beamgap::specimen::Family;
-use beamgap::subject::Subject;
+use beamgap::test_beam::Family;
+use beamgap::variant::Variant;
 use proptest::prelude::*;
 
 #[test]
 fn all_pairs_of_families_are_proved() {
-    let proof = prove(&Subject::Sound, 7, &Family::ALL, 8);
+    let proof = prove(&Variant::Unmodified, 7, &Family::ALL, 8);
     assert_eq!(proof.pairs, 121);
     assert!(proof.holds(), "{:?}", proof.refutations.first());
     // Thirteen quantities in three layers, and seven in matrices and by the kernel.
@@ -26,7 +26,7 @@ fn all_pairs_of_families_are_proved() {
 
 #[test]
 fn nothing_proves_nothing() {
-    assert!(!prove(&Subject::Sound, 7, &[], 8).holds() && !Proof::default().holds());
+    assert!(!prove(&Variant::Unmodified, 7, &[], 8).holds() && !Proof::default().holds());
 }
 
 proptest! {

@@ -1,14 +1,14 @@
 //! The reports say what was found and measured, and nothing else.
 
-use beamgap::check::{self, Regime, Selection, Trial};
+use beamgap::check::{self, CheckConfig, Regime, Selection};
 use beamgap::prove::prove;
 use beamgap::report::{
     Accuracy, Benchmark, Count, Crosscheck, Difference, Environment, Instructions, Measured, Record,
     ReportError, Sharpness, Spread, Task, Turns, VERDICTS, Verdict, Verdicts, median_interval, spread,
     write_turns,
 };
-use beamgap::specimen::Family;
-use beamgap::subject::Subject;
+use beamgap::test_beam::Family;
+use beamgap::variant::Variant;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -57,8 +57,8 @@ fn threads_do_not_matter() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let (summary, proof) = pool.install(|| {
             (
-                check::run(&Trial::default(), 7, &selection, || ()),
-                prove(&Subject::Sound, 7, &Family::ALL[..4], 16),
+                check::run(&CheckConfig::default(), 7, &selection, || ()),
+                prove(&Variant::Unmodified, 7, &Family::ALL[..4], 16),
             )
         });
         let record = Crosscheck::new(&summary, 7, 40, Environment::here("none")).to_json().unwrap();
@@ -262,7 +262,7 @@ fn what_is_missing_is_named_with_the_command_that_makes_it() {
     assert!(matches!(error(), ReportError::NoVerdicts { .. }));
     assert!(error().to_string().contains("`cargo bench`") && error().to_string().contains(VERDICTS));
 
-    // Timed before it was verified, by a clock that may not tell the two moments apart.
+    // Timed before it was verified, by a clock that may not tell the two caches apart.
     std::thread::sleep(std::time::Duration::from_millis(20));
     left.verdicts(&[("closed form", 0.1)]);
     assert!(matches!(error(), ReportError::NotTimed { .. }));

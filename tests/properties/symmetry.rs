@@ -3,7 +3,7 @@
 
 use crate::bounded::{is_near, linearized_case, scalars};
 use crate::pairs::{Contacting, Movable, any_helix, contacting, hermite, nurbs};
-use beamgap::check::{Case, Order, Trial, compare};
+use beamgap::check::{Case, CheckConfig, Order, compare};
 use beamgap::linearization::COMPONENTS;
 use proptest::prelude::*;
 
@@ -28,7 +28,7 @@ proptest! {
     /// Components of vectors too, by the tolerances of the gate.
     #[test]
     fn of_every_component(seed: u64, number in 0..100_000_u64) {
-        for (point, verdict) in compare(&Trial::default(), &Case::draw(seed, number)) {
+        for (point, verdict) in compare(&CheckConfig::default(), &Case::draw(seed, number)) {
             let entries: Vec<_> =
                 verdict.entries().iter().filter(|entry| entry.order == Order::Symmetry).collect();
             prop_assert!(point.is_none() || entries.is_empty() || entries.len() == COMPONENTS);

@@ -7,7 +7,7 @@ use beamgap::curve::{
 };
 use beamgap::linearization::closed_form::jets;
 use beamgap::pair::{Contact, DofVector, Pair};
-use beamgap::specimen::{Family, Specimen};
+use beamgap::test_beam::{Family, TestBeam};
 use nalgebra::{SVector, Vector3};
 
 /// The seed of the pairs that are drawn.
@@ -63,11 +63,11 @@ pub(super) struct Inputs {
 
 impl Inputs {
     pub(super) fn drawn() -> Self {
-        let nurbs = |of: &Specimen| {
+        let nurbs = |of: &TestBeam| {
             let weights = std::array::from_fn(|i| of.parameter("weights")[i]);
             Nurbs::new(of.parameter("knots"), weights).expect(SOUND)
         };
-        let weighted = |of: &Specimen| NurbsWeighted::new(of.parameter("knots")).expect(SOUND);
+        let weighted = |of: &TestBeam| NurbsWeighted::new(of.parameter("knots")).expect(SOUND);
         Self {
             segment: drawn(Family::Segment, 1, |_| Segment::new())[0],
             quadratic: drawn(Family::Quadratic, 1, |_| Quadratic::new())[0],
@@ -89,7 +89,7 @@ const SOUND: &str = "what is drawn is a curve";
 pub(super) fn drawn<C: TimedCurve<N>, const N: usize>(
     family: Family,
     count: usize,
-    curve: impl Fn(&Specimen) -> C,
+    curve: impl Fn(&TestBeam) -> C,
 ) -> Vec<Twins<C, N>> {
     pairs(family, curve).filter(Input::is_wide).take(count).collect()
 }
@@ -97,7 +97,7 @@ pub(super) fn drawn<C: TimedCurve<N>, const N: usize>(
 /// The well-conditioned pairs of two beams of a family that the gate draws.
 fn pairs<C: TimedCurve<N>, const N: usize>(
     family: Family,
-    curve: impl Fn(&Specimen) -> C,
+    curve: impl Fn(&TestBeam) -> C,
 ) -> impl Iterator<Item = Twins<C, N>> {
     let selection = Selection { regimes: vec![Regime::Generic], family: Some(family), cases: CASES };
     let cases = selection.numbers().into_iter().map(|number| Case::draw(SEED, number));
@@ -106,9 +106,9 @@ fn pairs<C: TimedCurve<N>, const N: usize>(
 }
 
 impl<C: TimedCurve<N>, const N: usize> Input<C, C, N, N> {
-    fn of_case(case: &Case, curve: impl Fn(&Specimen) -> C) -> Option<Self> {
-        let [beam, bar] = &case.specimens;
-        let vector = |of: fn(&Specimen) -> &Vec<f64>| DofVector {
+    fn of_case(case: &Case, curve: impl Fn(&TestBeam) -> C) -> Option<Self> {
+        let [beam, bar] = &case.test_beams;
+        let vector = |of: fn(&TestBeam) -> &Vec<f64>| DofVector {
             beam: SVector::from_column_slice(of(beam)),
             bar: SVector::from_column_slice(of(bar)),
         };

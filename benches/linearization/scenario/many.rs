@@ -9,7 +9,7 @@ use beamgap::curve::Hermite;
 use beamgap::linearization::Derivatives;
 use beamgap::linearization::closed_form::kernel::{self, Packed, PairAtPoint, Targets};
 use beamgap::number::Lanes;
-use beamgap::specimen::Family;
+use beamgap::test_beam::Family;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::hint::black_box;

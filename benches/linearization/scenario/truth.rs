@@ -74,7 +74,7 @@ impl<C: Curve<N>, const N: usize> Side for At<'_, C, N> {
 }
 
 /// Both beams at their closest point.
-struct Site<'a> {
+struct EvaluationPoint<'a> {
     sides: [Box<dyn Side + 'a>; 2],
     xi: [DoubleDouble; 2],
     near: (RunningError, RunningError),
@@ -83,7 +83,7 @@ struct Site<'a> {
     contact: &'a Contact,
 }
 
-impl<'a> Site<'a> {
+impl<'a> EvaluationPoint<'a> {
     fn new<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
         input: &'a Input<A, B, N, M>,
     ) -> Self {
@@ -134,13 +134,13 @@ impl<'a> Site<'a> {
 pub(super) fn all_derivatives<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
 ) -> Truth {
-    let site = Site::new(input);
+    let evaluation = EvaluationPoint::new(input);
     let unit = |i: usize| DofVector::<f64, N, M>::unit(i);
     let size = N + M;
     let pairs = (0..size).flat_map(|i| (i..size).map(move |j| (unit(i), unit(j))));
     let of_pair = |(one, other): (DofVector<f64, N, M>, DofVector<f64, N, M>)| {
         let of_bar = [one.bar.as_slice(), other.bar.as_slice()];
-        site.along([one.beam.as_slice(), other.beam.as_slice()], of_bar)
+        evaluation.along([one.beam.as_slice(), other.beam.as_slice()], of_bar)
     };
     let entries: Vec<_> = pairs.map(of_pair).collect();
     // The upper triangle, row by row: row i starts after those of size, size - 1, .. entries.
@@ -164,7 +164,7 @@ pub(super) fn directions<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, con
     input: &Input<A, B, N, M>,
 ) -> Truth {
     let Input { dq, linear_dq, .. } = input;
-    let varied = Site::new(input).along(
+    let varied = EvaluationPoint::new(input).along(
         [dq.beam.as_slice(), linear_dq.beam.as_slice()],
         [dq.bar.as_slice(), linear_dq.bar.as_slice()],
     );

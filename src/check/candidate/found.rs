@@ -4,7 +4,7 @@ use super::AtPoint;
 use crate::check::diagnosis::{look_at, place};
 use crate::check::draw::Case;
 use crate::check::verdict::{Comparison, Order};
-use crate::check::{Regime, Written};
+use crate::check::{CaseData, Regime};
 use crate::linearization::Quantity;
 use crate::pair::Contact;
 use std::collections::BTreeMap;
@@ -50,7 +50,7 @@ pub struct Example {
     /// The regime of that case.
     pub regime: Regime,
     /// A smaller case of the same families with the same first wrong number.
-    pub case: Written,
+    pub case: CaseData,
     /// The first wrong number.
     pub entry: Comparison,
 }
@@ -81,7 +81,7 @@ impl Found {
             found.doubted += u64::from(*doubted);
             *found.first.entry((entry.order, entry.quantity)).or_default() += 1;
             let (number, regime) = (case.number, case.regime);
-            found.example.get_or_insert_with(|| Example { number, regime, case: case.written(), entry });
+            found.example.get_or_insert_with(|| Example { number, regime, case: case.data(), entry });
         }
         found
     }
@@ -114,8 +114,8 @@ impl Found {
 
 /// The case with its number and all numbers of both beams, 80 columns wide.
 fn in_words(Example { number, regime, case, .. }: &Example) -> String {
-    let [beam, bar] = &case.specimens;
-    let families = [beam, bar].map(|specimen| specimen.family.name());
+    let [beam, bar] = &case.test_beams;
+    let families = [beam, bar].map(|test_beam| test_beam.family.name());
     let mut text = format!("case {number}, {}, shrunk: {} and {}", regime.name(), families[0], families[1]);
     let Contact { radius, radius_bar, xi_0, xi_bar_0 } = case.contact;
     let contact =

@@ -2,15 +2,15 @@
 
 use super::{ROUTES, compare, judged};
 use crate::check::arbitration::DIFFERENCES;
-use crate::check::site::Site;
+use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::{
-    Case, Compared, Comparison, Inconclusive, Oracles, Order, Specimen, Trial, Verdict, Written,
+    Case, CaseData, CheckConfig, Compared, Comparison, Inconclusive, Oracles, Order, TestBeam, Verdict,
 };
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::Label;
 use crate::pair::Contact;
-use crate::specimen::Family;
-use crate::subject::{Fault, Kind, SCALARS, Subject};
+use crate::test_beam::Family;
+use crate::variant::{Fault, Kind, SCALARS, Variant};
 
 /// The entries of a pass without the differences: each component by three routes and by symmetry, each matrix.
 const ENTRIES: usize = COMPONENTS * (4 * ROUTES.len() + 1) + SCALARS * 3;
@@ -29,17 +29,19 @@ fn asked(entries: &[Comparison]) -> usize {
 }
 
 fn found(oracles: Oracles, seed: u64, number: u64) -> Compared {
-    compare(&Trial { oracles, ..Trial::default() }, &Case::draw(seed, number))
+    compare(&CheckConfig { oracles, ..CheckConfig::default() }, &Case::draw(seed, number))
 }
 
 /// Two segments between these points.
 fn segments(ends: [[f64; 6]; 2]) -> Compared {
-    Written { specimens: ends.map(segment), contact: Contact::default() }.compare(&Trial::default()).unwrap()
+    CaseData { test_beams: ends.map(segment), contact: Contact::default() }
+        .compare(&CheckConfig::default())
+        .unwrap()
 }
 
-fn segment(ends: [f64; 6]) -> Specimen {
+fn segment(ends: [f64; 6]) -> TestBeam {
     let (q, dq, linear_dq) = (ends.into(), vec![0.25; 6], vec![0.5; 6]);
-    Specimen { family: Family::Segment, parameters: Vec::new(), q, dq, linear_dq }
+    TestBeam { family: Family::Segment, parameters: Vec::new(), q, dq, linear_dq }
 }
 
 #[test]
@@ -76,8 +78,8 @@ fn a_tolerance_holds_the_bounds_of_both_sides() {
             let rounding = 0.5 * f64::EPSILON * entry.other.abs();
             assert!(entry.against != DIFFERENCES || entry.tolerance >= entry.bound + rounding, "{entry:?}");
         }
-        let site = Site::new(case.beams(), &case.contact, &point.unwrap()).unwrap();
-        let of_other = site.chord().into_iter().flat_map(Varied::parts).map(|part| part.bound[0]);
+        let evaluation = EvaluationPoint::new(case.beams(), &case.contact, &point.unwrap()).unwrap();
+        let of_other = evaluation.chord().into_iter().flat_map(Varied::parts).map(|part| part.bound[0]);
         let own = || verdict.entries().iter().filter(|entry| entry.against == ROUTES[2]);
         assert_eq!(own().count(), 4 * COMPONENTS);
         for (entry, of_other) in own().zip(of_other) {
@@ -117,8 +119,8 @@ fn differences_decide_what_ad_cannot() {
 #[test]
 fn a_fault_is_a_mismatch_and_the_differences_are_asked() {
     let fault = Fault { label: Label { name: "Dd d: Dd x", bar: false }, kind: Kind::Dropped };
-    let trial = Trial { subject: Subject::Faulty(vec![fault]), oracles: Oracles::Ad };
-    let mismatch = (0..9).flat_map(|number| compare(&trial, &Case::draw(7, number)));
+    let config = CheckConfig { variant: Variant::Faulty(vec![fault]), oracles: Oracles::Ad };
+    let mismatch = (0..9).flat_map(|number| compare(&config, &Case::draw(7, number)));
     let mut mismatches = mismatch.filter(|(_, verdict)| matches!(verdict, Verdict::Mismatch(_))).peekable();
     assert!(mismatches.peek().is_some(), "{fault}");
     assert!(mismatches.all(|(_, verdict)| asked(verdict.entries()) == 4 * COMPONENTS));
@@ -137,13 +139,14 @@ fn a_case_that_cannot_be_compared_has_a_reason() {
     // Directions whose product overflows, and such whose product underflows.
     for size in [1e261, 1e-150] {
         let ends = [along(0.0, 1.0), [0.0, -1.0, 1.0, 0.5, 1.0, 1.0]];
-        let directions = |of: Specimen| Specimen {
+        let directions = |of: TestBeam| TestBeam {
             dq: vec![size; 6],
             linear_dq: vec![-size, size, size, size, size, size],
             ..of
         };
-        let specimens = ends.map(|ends| directions(segment(ends)));
-        let found = Written { specimens, contact: Contact::default() }.compare(&Trial::default()).unwrap();
+        let test_beams = ends.map(|ends| directions(segment(ends)));
+        let found =
+            CaseData { test_beams, contact: Contact::default() }.compare(&CheckConfig::default()).unwrap();
         assert!(matches!(found[0].1, Verdict::Inconclusive(Inconclusive::OutOfRange, _)), "{size:e}");
     }
     assert_eq!(reasons(segments([along(0.0, 1.0), [0.0, -1.0, 1.0, 0.5, 1.0, 1.0]])), []);

@@ -126,7 +126,7 @@ fn a_selection_has_its_regimes_and_its_family_only() {
 
 #[test]
 fn a_case_is_decided_by_its_seed_and_number() {
-    let written = |seed, number| Case::draw(seed, number).written();
+    let written = |seed, number| Case::draw(seed, number).data();
     assert_eq!(written(1, 17), written(1, 17));
     assert!(
         written(1, 17) != written(2, 17) && written(1, 17) != written(1, 17 + REGIMES * FAMILIES * FAMILIES)

@@ -3,7 +3,7 @@
 use super::noise::of_position;
 use super::norm;
 use super::tangent::{self, tangent};
-use crate::check::site::Site;
+use crate::check::evaluation_point::EvaluationPoint;
 use crate::linearization::ad::PositionAt;
 use crate::linearization::{COMPONENTS, Quantities};
 use crate::number::{DoubleDouble, Real};
@@ -20,7 +20,7 @@ type Vector = Vector3<DoubleDouble>;
 
 /// The closest point as it is, to 30 digits, and the matrix for all chord iterations.
 pub(super) struct Base<'a> {
-    pub(super) site: &'a Site<'a>,
+    pub(super) evaluation: &'a EvaluationPoint<'a>,
     pub(super) place: Place,
     /// The inverse Jacobian of the orthogonality conditions; nothing moves what an end holds.
     pub(super) inverse: [[f64; 2]; 2],
@@ -68,10 +68,10 @@ impl Place {
     }
 
     /// The definitions (4)-(15) of the paper, once more: they see positions alone.
-    fn quantities(&self, site: &Site) -> [DoubleDouble; COMPONENTS] {
+    fn quantities(&self, evaluation: &EvaluationPoint) -> [DoubleDouble; COMPONENTS] {
         let length = |v: &Vector| v.dot(v).sqrt();
         let Self { at: [xi, xi_bar], x: [x, x_bar], t: [t_vector, t_bar_vector] } = *self;
-        let (d_vector, contact) = (self.d(), site.contact);
+        let (d_vector, contact) = (self.d(), evaluation.contact);
         let [d, t, t_bar] = [&d_vector, &t_vector, &t_bar_vector].map(length);
         let radii = DoubleDouble::from(contact.radius) + DoubleDouble::from(contact.radius_bar);
         let slip = |xi: DoubleDouble, start: f64| xi - DoubleDouble::from(start);
@@ -96,9 +96,9 @@ impl Place {
 
 impl<'a> Base<'a> {
     /// Differences the matrix and refines the closest point.
-    pub(super) fn new(site: &'a Site<'a>) -> Option<Self> {
-        let beams = beams(site, [0.0; 2]);
-        let at = [site.at.0.value, site.at.1.value].map(DoubleDouble::from);
+    pub(super) fn new(evaluation: &'a EvaluationPoint<'a>) -> Option<Self> {
+        let beams = beams(evaluation, [0.0; 2]);
+        let at = [evaluation.at.0.value, evaluation.at.1.value].map(DoubleDouble::from);
         let place = Place::new(&beams, at);
         let mut jacobian = [[0.0; 2]; 2];
         let mut bends = [0.0; 2];
@@ -116,9 +116,9 @@ impl<'a> Base<'a> {
             }
             bends[i] = norm(&(up.t[i] - down.t[i])) / (2.0 * MATRIX);
         }
-        let rounded = [0, 1].map(|i| of_position(site.beams[i], at[i].value()));
-        let inverse = inverse(jacobian, [site.held.xi, site.held.xi_bar]);
-        let mut base = Self { site, place, inverse, bends, rounded, settled: [0.0; 2] };
+        let rounded = [0, 1].map(|i| of_position(evaluation.beams[i], at[i].value()));
+        let inverse = inverse(jacobian, [evaluation.held.xi, evaluation.held.xi_bar]);
+        let mut base = Self { evaluation, place, inverse, bends, rounded, settled: [0.0; 2] };
         base.settled = base.noise_of_parameters();
         base.place = base.solve(&beams)?.0;
         Some(base)
@@ -154,17 +154,17 @@ impl<'a> Base<'a> {
 
     /// The pair moved along both directions.
     pub(super) fn moved(&'a self, along: [f64; 2]) -> Option<Moved<'a>> {
-        let (place, rate) = self.solve(&beams(self.site, along))?;
+        let (place, rate) = self.solve(&beams(self.evaluation, along))?;
         Some(Moved { base: self, place, rate })
     }
 
     /// How far the pair may be moved in one direction before it is another problem.
     pub(super) fn radius(&'a self, direction: [f64; 2]) -> Option<f64> {
-        let mut trial = TRIAL;
+        let mut step = TRIAL;
         for _ in 0..5 {
-            match self.moved(direction.map(|component| trial * component)) {
-                Some(moved) if moved.rate < 0.1 => return Some((trial / moved.change()).min(1.0)),
-                _ => trial *= 1e-2,
+            match self.moved(direction.map(|component| step * component)) {
+                Some(moved) if moved.rate < 0.1 => return Some((step / moved.change()).min(1.0)),
+                _ => step *= 1e-2,
             }
         }
         None
@@ -172,14 +172,14 @@ impl<'a> Base<'a> {
 
     /// The quantities as they are.
     pub(super) fn quantities(&self) -> [DoubleDouble; COMPONENTS] {
-        self.place.quantities(self.site)
+        self.place.quantities(self.evaluation)
     }
 }
 
 impl Moved<'_> {
     /// The quantities of the moved pair.
     pub(super) fn quantities(&self) -> [DoubleDouble; COMPONENTS] {
-        self.place.quantities(self.base.site)
+        self.place.quantities(self.base.evaluation)
     }
 
     /// The largest change of what the problem depends on, relative to itself.
@@ -200,8 +200,8 @@ impl Moved<'_> {
     }
 }
 
-fn beams<'a>(site: &Site<'a>, along: [f64; 2]) -> Beams<'a> {
-    site.beams.map(|beam| beam.moved(along.map(DoubleDouble::from)))
+fn beams<'a>(evaluation: &EvaluationPoint<'a>, along: [f64; 2]) -> Beams<'a> {
+    evaluation.beams.map(|beam| beam.moved(along.map(DoubleDouble::from)))
 }
 
 /// The inverse of a matrix, without the rows and columns that are held.

@@ -5,7 +5,7 @@ use super::norm;
 use super::tangent::{REACH, STEP, WEIGHTS, tangent};
 use crate::linearization::{COMPONENTS, Quantities};
 use crate::number::{Differentiable, DoubleDouble, Dual};
-use crate::specimen::{AnyBeam, RunningError2};
+use crate::test_beam::{AnyBeam, RunningError2};
 use nalgebra::Vector3;
 
 /// The rounding of double-double over that of `f64`: eight of its units 2^-106 in an operation.
@@ -36,7 +36,7 @@ pub(super) fn of_position(beam: &dyn AnyBeam, xi: f64) -> f64 {
 impl Base<'_> {
     pub(super) fn noise(&self) -> Noise {
         let rounded = self.rounded;
-        let beams = self.site.beams.map(|beam| beam.moved([DoubleDouble::from(0.0); 2]));
+        let beams = self.evaluation.beams.map(|beam| beam.moved([DoubleDouble::from(0.0); 2]));
         let truncated = [0, 1].map(|i| {
             let coarse = tangent(&*beams[i], self.place.at[i], 2.0 * STEP);
             TRUNCATED * norm(&(coarse - self.place.t[i]))
@@ -92,8 +92,8 @@ impl Base<'_> {
             xi: xi[0],
             xi_bar: xi[1],
             g_n: d,
-            g_t: slip(0, self.site.contact.xi_0),
-            g_t_bar: slip(1, self.site.contact.xi_bar_0),
+            g_t: slip(0, self.evaluation.contact.xi_0),
+            g_t_bar: slip(1, self.evaluation.contact.xi_bar_0),
         }
         .components()
     }

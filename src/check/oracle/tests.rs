@@ -1,7 +1,7 @@
 //! The oracle's numbers and estimates against the closed form in double-double.
 
 use super::{Estimated, differences};
-use crate::check::site::Site;
+use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::{Case, Regime, Selection};
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
@@ -19,9 +19,13 @@ fn entries(number: u64) -> Vec<Entry> {
     let Ok(found) = closest_points(beam, bar, &Search::default()) else { return Vec::new() };
     let minima = found.minima;
     let mut entries = Vec::new();
-    for site in minima.iter().filter_map(|point| Site::new([beam, bar], &case.contact, point).ok()) {
-        let (Some(precise), Some(oracle)) = (site.precise(), differences(&site)) else { continue };
-        let closed = site.closed(&crate::subject::Subject::Sound);
+    for evaluation in
+        minima.iter().filter_map(|point| EvaluationPoint::new([beam, bar], &case.contact, point).ok())
+    {
+        let (Some(precise), Some(oracle)) = (evaluation.precise(), differences(&evaluation)) else {
+            continue;
+        };
+        let closed = evaluation.closed(&crate::variant::Variant::Unmodified);
         for i in 0..COMPONENTS {
             for (k, part) in Varied::<f64>::PARTS.into_iter().enumerate() {
                 let (told, truth) = (oracle[i].parts()[k], precise[i].parts()[k]);

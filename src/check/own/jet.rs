@@ -4,7 +4,7 @@ use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::PositionAt;
 use crate::linearization::closed_form::PartialVariations;
 use crate::number::{Dual, HyperDual};
-use crate::specimen::{AnyBeam, Drawn, RunningError2};
+use crate::test_beam::{AnyBeam, Drawn, RunningError2};
 use nalgebra::{SVector, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;

@@ -7,7 +7,7 @@ use crate::check::regime::{Draw, Regime};
 use crate::curve::Curve;
 use crate::number::RunningError;
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Drawn, Family, Target};
+use crate::test_beam::{AnyBeam, Drawn, Family, Target};
 use nalgebra::{Matrix3, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -70,9 +70,9 @@ impl Pair {
         let other: Box<dyn AnyBeam> = if let Some(family) = partner {
             let length = spot.length * rng.random_range(0.8..1.25);
             let target = Target { point: spot.x, frame, length, bend: draw.bend[1], xi: draw.at[1] };
-            let mut specimen = family.draw(&target, rng);
-            specimen.translate(&shift(&spot, &Spot::beyond(&*specimen.drawn(), draw.at[1]), &draw));
-            specimen.drawn()
+            let mut test_beam = family.draw(&target, rng);
+            test_beam.translate(&shift(&spot, &Spot::beyond(&*test_beam.drawn(), draw.at[1]), &draw));
+            test_beam.drawn()
         } else {
             let second = varied(curve, &beams[(turn + 1) % beams.len()], rng);
             let there = Spot::on(&second, draw.at[1]);

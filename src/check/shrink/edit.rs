@@ -1,8 +1,8 @@
 //! The edits, the boldest first.
 
-use super::super::Written;
+use super::super::CaseData;
 use super::{frame, simpler};
-use crate::specimen::{Family, Specimen, Unit};
+use crate::test_beam::{Family, TestBeam, Unit};
 
 /// A change of a case that may make it smaller.
 #[derive(Clone, Copy, Debug)]
@@ -46,9 +46,9 @@ pub(super) enum To {
 }
 
 /// All edits of a case.
-pub(super) fn edits(case: &Written) -> Vec<Edit> {
+pub(super) fn edits(case: &CaseData) -> Vec<Edit> {
     let mut edits = Vec::new();
-    let dofs = |beam: usize| case.specimens[beam].q.len();
+    let dofs = |beam: usize| case.test_beams[beam].q.len();
     let all_dofs = || [0, 1].into_iter().flat_map(move |beam| (0..dofs(beam)).map(move |i| (beam, i)));
     for beam in [0, 1] {
         edits.extend(simpler::FAMILIES.map(|family| Edit::Family(beam, family)));
@@ -67,7 +67,7 @@ pub(super) fn edits(case: &Written) -> Vec<Edit> {
     edits.extend(all_dofs().map(|(beam, i)| Edit::Straight(beam, i)));
     for list in [List::Dq, List::LinearDq, List::Q, List::Parameters] {
         for beam in [0, 1] {
-            for i in 0..numbers(&case.specimens[beam], list).len() {
+            for i in 0..numbers(&case.test_beams[beam], list).len() {
                 edits.extend([To::Zero, To::One].map(|to| Edit::Number(beam, list, i, to)));
                 edits.extend((0..6).map(|digits| Edit::Number(beam, list, i, To::Digits(digits))));
             }
@@ -78,10 +78,10 @@ pub(super) fn edits(case: &Written) -> Vec<Edit> {
 
 impl Edit {
     /// The case changed; nothing if this is no change for it.
-    pub(super) fn apply(self, case: &Written) -> Option<Written> {
+    pub(super) fn apply(self, case: &CaseData) -> Option<CaseData> {
         let mut edited = case.clone();
         match self {
-            Self::Family(beam, family) => edited.specimens[beam] = simpler::simpler(case, beam, family)?,
+            Self::Family(beam, family) => edited.test_beams[beam] = simpler::simpler(case, beam, family)?,
             Self::Contact(which) => {
                 let contact = &mut edited.contact;
                 let all =
@@ -93,19 +93,19 @@ impl Edit {
                 }
             }
             Self::Only(list, beam, i) => {
-                edited.specimens.iter_mut().for_each(|specimen| numbers_mut(specimen, list).fill(0.0));
-                *numbers_mut(&mut edited.specimens[beam], list).get_mut(i)? = 1.0;
+                edited.test_beams.iter_mut().for_each(|test_beam| numbers_mut(test_beam, list).fill(0.0));
+                *numbers_mut(&mut edited.test_beams[beam], list).get_mut(i)? = 1.0;
             }
-            Self::Still(list, beam) => numbers_mut(&mut edited.specimens[beam], list).fill(0.0),
+            Self::Still(list, beam) => numbers_mut(&mut edited.test_beams[beam], list).fill(0.0),
             Self::Frame(digits) => {
                 edited = frame::framed(case)?;
-                edited.specimens.iter_mut().for_each(|specimen| round(specimen, digits));
+                edited.test_beams.iter_mut().for_each(|test_beam| round(test_beam, digits));
             }
-            Self::Round(beam, digits) => round(&mut edited.specimens[beam], digits),
-            Self::Plain(beam) => plain(&mut edited.specimens[beam]),
-            Self::Straight(beam, i) => straighten(&mut edited.specimens[beam], i)?,
+            Self::Round(beam, digits) => round(&mut edited.test_beams[beam], digits),
+            Self::Plain(beam) => plain(&mut edited.test_beams[beam]),
+            Self::Straight(beam, i) => straighten(&mut edited.test_beams[beam], i)?,
             Self::Number(beam, list, i, to) => {
-                let number = numbers_mut(&mut edited.specimens[beam], list).get_mut(i)?;
+                let number = numbers_mut(&mut edited.test_beams[beam], list).get_mut(i)?;
                 *number = match to {
                     To::Zero => 0.0,
                     To::One => 1.0,
@@ -117,21 +117,21 @@ impl Edit {
     }
 }
 
-fn numbers(specimen: &Specimen, list: List) -> &Vec<f64> {
+fn numbers(test_beam: &TestBeam, list: List) -> &Vec<f64> {
     match list {
-        List::Parameters => &specimen.parameters,
-        List::Q => &specimen.q,
-        List::Dq => &specimen.dq,
-        List::LinearDq => &specimen.linear_dq,
+        List::Parameters => &test_beam.parameters,
+        List::Q => &test_beam.q,
+        List::Dq => &test_beam.dq,
+        List::LinearDq => &test_beam.linear_dq,
     }
 }
 
-fn numbers_mut(specimen: &mut Specimen, list: List) -> &mut Vec<f64> {
+fn numbers_mut(test_beam: &mut TestBeam, list: List) -> &mut Vec<f64> {
     match list {
-        List::Parameters => &mut specimen.parameters,
-        List::Q => &mut specimen.q,
-        List::Dq => &mut specimen.dq,
-        List::LinearDq => &mut specimen.linear_dq,
+        List::Parameters => &mut test_beam.parameters,
+        List::Q => &mut test_beam.q,
+        List::Dq => &mut test_beam.dq,
+        List::LinearDq => &mut test_beam.linear_dq,
     }
 }
 
@@ -142,17 +142,17 @@ fn rounded(number: f64, digits: i32) -> f64 {
     (number / unit).round() * unit + 0.0
 }
 
-fn round(specimen: &mut Specimen, digits: i32) {
+fn round(test_beam: &mut TestBeam, digits: i32) {
     for list in [List::Q, List::Dq, List::LinearDq] {
-        for number in numbers_mut(specimen, list) {
+        for number in numbers_mut(test_beam, list) {
             *number = rounded(*number, digits);
         }
     }
 }
 
-fn plain(specimen: &mut Specimen) {
-    let mut places = specimen.parameters.iter_mut();
-    for &(name, count) in specimen.family.parameters() {
+fn plain(test_beam: &mut TestBeam) {
+    let mut places = test_beam.parameters.iter_mut();
+    for &(name, count) in test_beam.family.parameters() {
         let equidistant = (0..).map(f64::from);
         for (parameter, knot) in places.by_ref().take(count).zip(equidistant) {
             *parameter = match name {
@@ -163,23 +163,23 @@ fn plain(specimen: &mut Specimen) {
             };
         }
     }
-    if let Some(start) = specimen.family.quaternion() {
-        specimen.q[start..start + 4].copy_from_slice(&[1.0, 0.0, 0.0, 0.0]);
+    if let Some(start) = test_beam.family.quaternion() {
+        test_beam.q[start..start + 4].copy_from_slice(&[1.0, 0.0, 0.0, 0.0]);
     }
-    if specimen.family == Family::NurbsWeighted {
-        specimen.q.iter_mut().skip(3).step_by(4).for_each(|weight| *weight = 1.0);
+    if test_beam.family == Family::NurbsWeighted {
+        test_beam.q.iter_mut().skip(3).step_by(4).for_each(|weight| *weight = 1.0);
     }
 }
 
 /// A coordinate of a node becomes the mean of those of its neighbours.
-fn straighten(specimen: &mut Specimen, i: usize) -> Option<()> {
-    let units = specimen.family.units();
-    let node = if specimen.family == Family::NurbsWeighted { 4 } else { 3 };
+fn straighten(test_beam: &mut TestBeam, i: usize) -> Option<()> {
+    let units = test_beam.family.units();
+    let node = if test_beam.family == Family::NurbsWeighted { 4 } else { 3 };
     let (before, after) = (i.checked_sub(node)?, i + node);
     let is_point = |i: usize| units.get(i) == Some(&Unit::Point);
     if !(is_point(before) && is_point(i) && is_point(after)) {
         return None;
     }
-    specimen.q[i] = 0.5 * (specimen.q[before] + specimen.q[after]);
+    test_beam.q[i] = 0.5 * (test_beam.q[before] + test_beam.q[after]);
     Some(())
 }

@@ -1,12 +1,12 @@
 //! A case in a unit and in axes of its own.
 
-use super::super::Written;
+use super::super::CaseData;
 use crate::closest_point::{Search, closest_points};
-use crate::specimen::Specimen;
+use crate::test_beam::TestBeam;
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 /// The same pair in another unit of length, by a power of two: the longer tangent is between one and two.
-pub(super) fn near_one(case: &Written) -> Option<Written> {
+pub(super) fn near_one(case: &CaseData) -> Option<CaseData> {
     let beams = case.beams().ok()?;
     let found = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?;
     let point = found.minima.first()?;
@@ -20,7 +20,7 @@ pub(super) fn near_one(case: &Written) -> Option<Written> {
 /// The same pair with t along the first axis, t x t_bar along the third, and x_bar at one on the first.
 ///
 /// In the origin it would have no size, next to which a difference were small or large.
-pub(super) fn framed(case: &Written) -> Option<Written> {
+pub(super) fn framed(case: &CaseData) -> Option<CaseData> {
     let beams = case.beams().ok()?;
     let found = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?;
     let point = found.minima.first()?;
@@ -29,19 +29,19 @@ pub(super) fn framed(case: &Written) -> Option<Written> {
     let third = x.t.cross(&x_bar.t).try_normalize(0.0)?;
     let rotation = Matrix3::from_rows(&[first, third.cross(&first), third].map(|axis| axis.transpose()));
     let mut framed = case.clone();
-    for specimen in &mut framed.specimens {
-        specimen.translate(&-x_bar.x);
-        turn(specimen, &rotation);
-        specimen.translate(&Vector3::x());
+    for test_beam in &mut framed.test_beams {
+        test_beam.translate(&-x_bar.x);
+        turn(test_beam, &rotation);
+        test_beam.translate(&Vector3::x());
     }
     Some(framed)
 }
 
 /// Turns a beam and its directions about the origin.
-fn turn(specimen: &mut Specimen, rotation: &Matrix3<f64>) {
+fn turn(test_beam: &mut TestBeam, rotation: &Matrix3<f64>) {
     let quaternion = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*rotation));
-    let family = specimen.family;
-    for numbers in [&mut specimen.q, &mut specimen.dq, &mut specimen.linear_dq] {
+    let family = test_beam.family;
+    for numbers in [&mut test_beam.q, &mut test_beam.dq, &mut test_beam.linear_dq] {
         for start in family.vectors() {
             let vector = rotation * Vector3::from_column_slice(&numbers[start..start + 3]);
             numbers[start..start + 3].copy_from_slice(vector.as_slice());

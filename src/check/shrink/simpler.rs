@@ -1,16 +1,16 @@
 //! A beam of a simpler family that does the same at the closest point.
 
-use super::super::Written;
+use super::super::CaseData;
 use crate::closest_point::{Search, closest_points};
-use crate::specimen::{Family, Specimen};
+use crate::test_beam::{Family, TestBeam};
 use nalgebra::Vector3;
 
 /// The families that others are replaced by.
 pub(super) const FAMILIES: [Family; 3] = [Family::Segment, Family::Quadratic, Family::Hermite];
 
 /// The beam whose dofs and directions are those of Taylor's polynomial about the nearest closest point.
-pub(super) fn simpler(case: &Written, beam: usize, family: Family) -> Option<Specimen> {
-    if family >= case.specimens[beam].family {
+pub(super) fn simpler(case: &CaseData, beam: usize, family: Family) -> Option<TestBeam> {
+    if family >= case.test_beams[beam].family {
         return None;
     }
     let beams = case.beams().ok()?;
@@ -45,7 +45,7 @@ pub(super) fn simpler(case: &Written, beam: usize, family: Family) -> Option<Spe
     };
     let geometry = [at.geometry.x, at.geometry.t, at.geometry.t_xi, at.geometry.t_xixi];
     let direction = |u: &[Vector3<f64>; 3]| dofs(&u[..=degree.min(2)]);
-    Some(Specimen {
+    Some(TestBeam {
         family,
         parameters: Vec::new(),
         q: dofs(&geometry[..=degree]),

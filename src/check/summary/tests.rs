@@ -3,7 +3,7 @@
 use super::{Cell, Differences, Summary, Tally};
 use crate::check::arbitration::DIFFERENCES;
 use crate::check::{
-    Arbitration, Case, Compared, Comparison, Inconclusive, Order, Regime, Trial, Verdict, compare,
+    Arbitration, Case, CheckConfig, Compared, Comparison, Inconclusive, Order, Regime, Verdict, compare,
 };
 use crate::closest_point::ClosestPoint;
 use crate::linearization::Quantity;
@@ -33,7 +33,7 @@ fn unclear() -> Comparison {
 fn case() -> (Case, [ClosestPoint; 2]) {
     let metres = |&number: &u64| number % 9 == Regime::Metres as u64;
     let points = |case: &Case| -> Vec<ClosestPoint> {
-        compare(&Trial::default(), case).into_iter().filter_map(|(point, _)| point).collect()
+        compare(&CheckConfig::default(), case).into_iter().filter_map(|(point, _)| point).collect()
     };
     let cases = || (0..2000).filter(metres).map(|number| Case::draw(7, number));
     let at_end = cases().flat_map(|case| points(&case)).find(|point| !point.is_interior()).unwrap();

@@ -6,8 +6,8 @@ use crate::cli::check::{Checked, verdict};
 use crate::cli::exit::Exit;
 use crate::cli::json;
 use beamgap::check::{
-    Case, Cell, Comparison, Family, Finding, Inconclusive, Order, Regime, Selection, Shrunk, Summary, Tally,
-    Trial, Verdict, compare,
+    Case, Cell, CheckConfig, Comparison, Family, Finding, Inconclusive, Order, Regime, Selection, Shrunk,
+    Summary, Tally, Verdict, compare,
 };
 use beamgap::linearization::Quantity;
 use std::collections::BTreeMap;
@@ -54,7 +54,7 @@ fn the_largest_run_fits_a_terminal() {
 #[test]
 fn a_disagreement_is_shown_with_the_command_that_repeats_it() {
     let case = Case::draw(u64::MAX, 17);
-    let mut points = compare(&Trial::default(), &case);
+    let mut points = compare(&CheckConfig::default(), &case);
     let Verdict::Pass(mut entries) = points.remove(0).1 else { panic!("case 17 is a plain one") };
     let of_x = |entry: &&mut Comparison| name(entry) == "x.x" && entry.part == "value";
     for entry in entries.iter_mut().filter(of_x) {
@@ -81,8 +81,8 @@ fn a_disagreement_is_shown_with_the_command_that_repeats_it() {
 
 #[test]
 fn a_disagreement_made_small_is_a_test_and_a_command() {
-    let case = Case::draw(u64::MAX, 17).written();
-    let (point, Verdict::Pass(mut entries)) = case.compare(&Trial::default()).unwrap().remove(0) else {
+    let case = Case::draw(u64::MAX, 17).data();
+    let (point, Verdict::Pass(mut entries)) = case.compare(&CheckConfig::default()).unwrap().remove(0) else {
         panic!("case 17 is a plain one")
     };
     let wrong = entries.iter_mut().find(|entry| entry.quantity == Quantity::Xi && entry.part == "Delta");

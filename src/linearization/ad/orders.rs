@@ -31,14 +31,14 @@ pub fn expand_by_orders<
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDualRow<C>>) -> [HyperDualRow<C>; K],
 ) -> [Derivatives<f64, N, M>; K] {
-    let site = Site { pair, q, point };
+    let evaluation = EvaluationPoint { pair, q, point };
     let chord = chord(pair, q, point);
-    let gradients = site.gradients::<C>(&chord);
-    let slopes = site.slopes(&pick);
+    let gradients = evaluation.gradients::<C>(&chord);
+    let slopes = evaluation.slopes(&pick);
     let mut all_derivatives = [Derivatives::zero(); K];
     for (a, start) in rows::<C>(N + M) {
-        let (beam, bar) = site.perturbed::<C>(Some(a), start);
-        let quantities = evaluate(&beam, &bar, site.lifted::<C>(&gradients, a, start), &pair.contact);
+        let (beam, bar) = evaluation.perturbed::<C>(Some(a), start);
+        let quantities = evaluate(&beam, &bar, evaluation.lifted::<C>(&gradients, a, start), &pair.contact);
         // Eq. (54): the second variations of d·t and d·t̄, but for Δδξ and Δδξ̄
         let [residual, residual_bar] =
             [quantities.t_vector, quantities.t_bar_vector].map(|t| quantities.d_vector.dot(&t));
@@ -66,12 +66,12 @@ pub fn expand_d_by_orders<A: Curve<N>, B: Curve<M>, const N: usize, const M: usi
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
 ) -> Derivatives<f64, N, M> {
-    let site = Site { pair, q, point };
-    let gradients = site.gradients::<C>(&chord(pair, q, point));
+    let evaluation = EvaluationPoint { pair, q, point };
+    let gradients = evaluation.gradients::<C>(&chord(pair, q, point));
     let mut derivatives = Derivatives::zero();
     for (a, start) in rows::<C>(N + M) {
-        let (beam, bar) = site.perturbed::<C>(Some(a), start);
-        let (xi, xi_bar) = site.lifted::<C>(&gradients, a, start);
+        let (beam, bar) = evaluation.perturbed::<C>(Some(a), start);
+        let (xi, xi_bar) = evaluation.lifted::<C>(&gradients, a, start);
         // Eq. (4), (9)
         let d = beam.position_at(xi) - bar.position_at(xi_bar);
         let d = d.dot(&d).sqrt();
@@ -101,10 +101,10 @@ pub fn expand_by_rows<
     point: &ClosestPoint,
     pick: impl Fn(Quantities<HyperDualRow<C>>) -> [HyperDualRow<C>; K],
 ) -> [Derivatives<f64, N, M>; K] {
-    let site = Site { pair, q, point };
+    let evaluation = EvaluationPoint { pair, q, point };
     let mut all_derivatives = [Derivatives::zero(); K];
     for (a, start) in rows::<C>(N + M) {
-        let (beam, bar) = site.perturbed::<C>(Some(a), start);
+        let (beam, bar) = evaluation.perturbed::<C>(Some(a), start);
         let lifted = chord.lift(&beam, &bar, (point.xi, point.xi_bar), steps);
         let picked = pick(evaluate(&beam, &bar, lifted, &pair.contact));
         for (derivatives, number) in all_derivatives.iter_mut().zip(&picked) {
@@ -119,7 +119,7 @@ pub fn expand_by_rows<
 }
 
 /// A pair at its closest point.
-struct Site<'a, A, B, const N: usize, const M: usize> {
+struct EvaluationPoint<'a, A, B, const N: usize, const M: usize> {
     pair: &'a Pair<A, B, N, M>,
     q: &'a DofVector<f64, N, M>,
     point: &'a ClosestPoint,
@@ -129,7 +129,7 @@ struct Site<'a, A, B, const N: usize, const M: usize> {
 type Beams<'a, A, B, const N: usize, const M: usize, const C: usize> =
     (Perturbed<'a, A, HyperDualRow<C>, N>, Perturbed<'a, B, HyperDualRow<C>, M>);
 
-impl<'a, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Site<'a, A, B, N, M> {
+impl<'a, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> EvaluationPoint<'a, A, B, N, M> {
     /// Both curves, the dof `delta` perturbed along delta, and those from `start` on along Delta.
     fn perturbed<const C: usize>(&self, delta: Option<usize>, start: usize) -> Beams<'a, A, B, N, M, C> {
         let one_if = |is: bool| if is { 1.0 } else { 0.0 };

@@ -14,9 +14,9 @@ const HEAD: i32 = 62;
 const BAR: i32 = 13;
 /// The height between the bars of two ways.
 const SPACE: i32 = 9;
-/// The height of a panel's title.
+/// The height of a test_points's title.
 const TITLE: i32 = 34;
-/// The height of a panel's axis.
+/// The height of a test_points's axis.
 const AXIS: i32 = 34;
 /// Where the names of the ways end.
 const NAMES: i32 = 222;
@@ -48,23 +48,23 @@ struct Panel<'a> {
 }
 
 impl<'a> Panel<'a> {
-    /// The panel of a task that has a closed form and something to divide by it.
+    /// The test_points of a task that has a closed form and something to divide by it.
     fn new(record: &'a Benchmark, task: Task) -> Option<Self> {
-        let mut panel = Self { task: task.name(), ways: Vec::new(), decades: (0, 1) };
+        let mut test_points = Self { task: task.name(), ways: Vec::new(), decades: (0, 1) };
         for measured in record.of(task).filter(|measured| colour(measured).is_some()) {
             let Some(ratio) = measured.ratio_to_closed_form else { continue };
-            while ratio.interval[1] >= 10_f64.powi(panel.decades.1) {
-                panel.decades.1 += 1;
+            while ratio.interval[1] >= 10_f64.powi(test_points.decades.1) {
+                test_points.decades.1 += 1;
             }
-            while ratio.interval[0] <= 10_f64.powi(panel.decades.0) {
-                panel.decades.0 -= 1;
+            while ratio.interval[0] <= 10_f64.powi(test_points.decades.0) {
+                test_points.decades.0 -= 1;
             }
-            match panel.ways.iter_mut().find(|(way, _)| *way == measured.way) {
+            match test_points.ways.iter_mut().find(|(way, _)| *way == measured.way) {
                 Some((_, rows)) => rows.push(measured),
-                None => panel.ways.push((&measured.way, vec![measured])),
+                None => test_points.ways.push((&measured.way, vec![measured])),
             }
         }
-        (!panel.ways.is_empty()).then_some(panel)
+        (!test_points.ways.is_empty()).then_some(test_points)
     }
 
     fn height(&self) -> i32 {
@@ -91,30 +91,30 @@ fn draw(root: &Area, panels: &[Panel]) -> Drawn {
         text(root, family, (x + 18, 45), 13, HPos::Left)?;
     }
     let mut top = HEAD;
-    for panel in panels {
-        draw_panel(root, panel, top)?;
-        top += panel.height();
+    for test_points in panels {
+        draw_panel(root, test_points, top)?;
+        top += test_points.height();
     }
     Ok(())
 }
 
-fn draw_panel(root: &Area, panel: &Panel, top: i32) -> Drawn {
+fn draw_panel(root: &Area, test_points: &Panel, top: i32) -> Drawn {
     let x = |ratio: f64| {
-        let (low, high) = panel.decades;
+        let (low, high) = test_points.decades;
         let part = ((ratio.log10() - f64::from(low)) / f64::from(high - low)).clamp(0.0, 1.0);
         #[expect(clippy::cast_possible_truncation, reason = "a pixel within the picture")]
         let offset = (part * f64::from(RIGHT - LEFT)).round() as i32;
         LEFT + offset
     };
-    let bottom = top + panel.height() - AXIS;
-    text(root, panel.task, (LEFT, top + 16), 15, HPos::Left)?;
-    for power in panel.decades.0..=panel.decades.1 {
+    let bottom = top + test_points.height() - AXIS;
+    text(root, test_points.task, (LEFT, top + 16), 15, HPos::Left)?;
+    for power in test_points.decades.0..=test_points.decades.1 {
         let at = x(10_f64.powi(power));
         root.draw(&PathElement::new([(at, top + TITLE - 6), (at, bottom)], GREY))?;
         text(root, &label(power), (at, bottom + 11), 12, HPos::Center)?;
     }
     let mut y = top + TITLE;
-    for (way, rows) in &panel.ways {
+    for (way, rows) in &test_points.ways {
         let height = way_height(rows) - SPACE;
         text(root, way, (NAMES, y + height / 2), 13, HPos::Right)?;
         for measured in rows {

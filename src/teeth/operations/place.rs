@@ -11,8 +11,8 @@ use crate::linearization::closed_form::{Formulation, Matrices, PartialVariations
 use crate::linearization::{Derivatives, Linearization};
 use crate::number::{Bits, Faulty, PrimeField, Traced};
 use crate::pair::Contact;
-use crate::specimen::{Padded, PaddedBeam, map_padded, normal_to_free};
-use crate::subject::{CONTACT, Kind, Second, kernel};
+use crate::test_beam::{Padded, PaddedBeam, map_padded, normal_to_free};
+use crate::variant::{CONTACT, Kind, Second, kernel};
 use nalgebra::{SMatrix, SVector, Vector3};
 use num_traits::Zero;
 use rand::RngExt;
@@ -53,7 +53,10 @@ impl Place {
         let ends = |xi, xi_bar| Formulation::paper(Held { xi, xi_bar });
         let forms = [
             ("length, determinants", Formulation::paper(none)),
-            ("normal, determinants", Formulation { held: none, distance: normal, system: System::Determinants }),
+            (
+                "normal, determinants",
+                Formulation { held: none, distance: normal, system: System::Determinants },
+            ),
             ("normal, cross", Formulation { held: none, distance: normal, system: System::CrossProducts }),
             ("xi at an end", ends(true, false)),
             ("xi_bar at an end", ends(false, true)),

@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 /// Which beams at which parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum When {
+pub(crate) enum Step {
     /// Both at the closest point.
     Now,
     /// Both at the parameters of the step before.
@@ -17,7 +17,7 @@ pub(crate) enum When {
     Forgotten,
 }
 
-impl When {
+impl Step {
     /// All of them, in the order of their numbers.
     pub(crate) const ALL: [Self; 3] = [Self::Now, Self::Before, Self::Forgotten];
 
@@ -49,23 +49,23 @@ impl From<Kind> for Planted {
 /// The beams, parameters and contact that operands are mistaken for; those that are right, if they are not.
 pub(super) fn mistaken<T: Real, B>(
     kind: Option<Kind>,
-    beams: impl Fn(When) -> [B; 2],
+    beams: impl Fn(Step) -> [B; 2],
     (xi, xi_bar): (T, T),
     contact: Contact,
 ) -> ([B; 2], (T, T), Contact) {
     let Contact { radius, radius_bar, xi_0, xi_bar_0 } = contact;
     match kind {
         Some(Kind::Swapped) => {
-            let [beam, bar] = beams(When::Now);
+            let [beam, bar] = beams(Step::Now);
             let contact = Contact { radius: radius_bar, radius_bar: radius, xi_0: xi_bar_0, xi_bar_0: xi_0 };
             ([bar, beam], (xi_bar, xi), contact)
         }
         Some(Kind::BarForgotten) => {
             let contact = Contact { radius, radius_bar: radius, xi_0, xi_bar_0: xi_0 };
-            (beams(When::Forgotten), (xi, xi_bar), contact)
+            (beams(Step::Forgotten), (xi, xi_bar), contact)
         }
-        Some(Kind::Stale) => (beams(When::Before), before((xi, xi_bar)), contact),
-        _ => (beams(When::Now), (xi, xi_bar), contact),
+        Some(Kind::Stale) => (beams(Step::Before), before((xi, xi_bar)), contact),
+        _ => (beams(Step::Now), (xi, xi_bar), contact),
     }
 }
 

@@ -1,11 +1,11 @@
 //! The parameters of the closest point, refined in double-double.
 
-use super::Site;
+use super::EvaluationPoint;
 use crate::linearization::closed_form::Projection;
 use crate::number::DoubleDouble;
-use crate::specimen::RunningError2;
+use crate::test_beam::RunningError2;
 
-impl Site<'_> {
+impl EvaluationPoint<'_> {
     /// The parameters in double-double, by Newton's method; nothing if it does not settle.
     pub(super) fn refined(&self) -> Option<[Refined; 2]> {
         let Self { beams: [beam, bar], held, at, .. } = *self;

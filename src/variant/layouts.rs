@@ -4,7 +4,7 @@ use crate::linearization::Derivatives;
 use crate::linearization::closed_form::kernel::{Full, Gradient, Packed, Target};
 use crate::number::Real;
 use crate::pair::DofVector;
-use crate::specimen::DOFS;
+use crate::test_beam::DOFS;
 
 /// The dofs of both beams.
 pub(super) const BOTH: usize = 2 * DOFS;

@@ -1,6 +1,6 @@
 //! Dofs for every family that follow a given arc, drawn at random.
 
-use super::{AnyBeam, Family, Specimen, Unit};
+use super::{AnyBeam, Family, TestBeam, Unit};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -46,7 +46,7 @@ impl Family {
     }
 
     /// Draws a curve that follows the target, and two directions of variation.
-    pub(crate) fn draw(self, target: &Target, rng: &mut ChaCha8Rng) -> Specimen {
+    pub(crate) fn draw(self, target: &Target, rng: &mut ChaCha8Rng) -> TestBeam {
         let (parameters, q) = match self {
             Self::Segment => (Vec::new(), points(&equidistant::<2>(), target, rng)),
             Self::Quadratic => (Vec::new(), points(&equidistant::<3>(), target, rng)),
@@ -88,11 +88,11 @@ impl Family {
         };
         let mut direction = || units.iter().map(|&unit| scale(unit) * rng.random_range(-1.0..1.0)).collect();
         let (dq, linear_dq) = (direction(), direction());
-        Specimen { family: self, parameters, q, dq, linear_dq }
+        TestBeam { family: self, parameters, q, dq, linear_dq }
     }
 }
 
-impl Specimen {
+impl TestBeam {
     /// The beam of numbers that were drawn here.
     pub(crate) fn drawn(&self) -> Box<dyn AnyBeam> {
         self.beam().expect("what is drawn is finite, with knots that rise and positive weights")

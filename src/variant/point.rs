@@ -1,13 +1,13 @@
 //! Stationary points over the prime field at which no term of the closed form vanishes.
 
-use super::planted::When;
-use super::{SCALARS, Subject, contracted};
+use super::planted::Step;
+use super::{SCALARS, Variant, contracted};
 use crate::closest_point::Held;
 use crate::linearization::closed_form::{Formulation, PartialVariations, variations_in};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Faulty, Label, PrimeField, recorded_terms};
 use crate::pair::Contact;
-use crate::specimen::{ExactBeam, Family, PaddedBeam, apart, map_padded, stationary};
+use crate::test_beam::{ExactBeam, Family, PaddedBeam, apart, map_padded, stationary};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -49,15 +49,15 @@ impl Point {
         let (beams, at) = stationary(&models, held, &mut rng);
         let form = if is_apart { apart(&beams, at, held) } else { Formulation::paper(held) };
         let [beam, bar] = beams;
-        let placed = |when: When| when.place([&*beam, &*bar], at);
-        let partial = When::ALL
+        let placed = |step: Step| step.place([&*beam, &*bar], at);
+        let partial = Step::ALL
             .map(placed)
             .map(|([x, y], at)| [x.partial_variations(at.0), y.partial_variations(at.1)]);
-        let padded = When::ALL.map(placed).map(|([x, y], at)| [x.padded(at.0), y.padded(at.1)]);
-        let [x, y] = &partial[When::Now as usize];
+        let padded = Step::ALL.map(placed).map(|([x, y], at)| [x.padded(at.0), y.padded(at.1)]);
+        let [x, y] = &partial[Step::Now as usize];
         let unmodified = (
             variations_in(form, x, y, at, &CONTACT).components(),
-            contracted(&padded[When::Now as usize], at, form, &CONTACT),
+            contracted(&padded[Step::Now as usize], at, form, &CONTACT),
         );
         let mut point =
             Self { beams: [beam, bar], at, form, partial, padded, labels: Default::default(), unmodified };
@@ -66,16 +66,16 @@ impl Point {
     }
 
     /// All that the closed form yields.
-    pub(crate) fn results(&self, subject: &Subject) -> Results {
+    pub(crate) fn results(&self, variant: &Variant) -> Results {
         let Self { at, form, labels: [of_variations, of_matrices], .. } = self;
         let (mut variations, mut matrices) = self.unmodified;
-        if subject.changes(of_variations) {
-            let partial = |when: When| self.partial[when as usize];
-            variations = subject.quantities(partial, *at, *form, &CONTACT).components();
+        if variant.changes(of_variations) {
+            let partial = |step: Step| self.partial[step as usize];
+            variations = variant.quantities(partial, *at, *form, &CONTACT).components();
         }
-        if subject.changes(of_matrices) {
-            let faulty = |when: When| self.faulty(when);
-            matrices = subject.matrices(faulty, *at, *form, &CONTACT).unwrap_or(matrices);
+        if variant.changes(of_matrices) {
+            let faulty = |step: Step| self.faulty(step);
+            matrices = variant.matrices(faulty, *at, *form, &CONTACT).unwrap_or(matrices);
         }
         (variations, matrices)
     }
@@ -88,15 +88,15 @@ impl Point {
     fn named(&self) -> [Vec<Label>; 2] {
         let Self { at: (xi, xi_bar), form, .. } = self;
         let at = (Faulty(*xi), Faulty(*xi_bar));
-        let [beam, bar] = self.partial[When::Now as usize].map(|partial| partial.map(|v| v.map(Faulty)));
+        let [beam, bar] = self.partial[Step::Now as usize].map(|partial| partial.map(|v| v.map(Faulty)));
         let varied = recorded_terms(|| variations_in(*form, &beam, &bar, at, &CONTACT));
-        let beams = self.faulty(When::Now);
+        let beams = self.faulty(Step::Now);
         let expanded = recorded_terms(|| contracted(&beams, at, *form, &CONTACT));
         [varied.0, expanded.0]
     }
 
-    fn faulty(&self, when: When) -> [PaddedBeam<Faulty<PrimeField>>; 2] {
-        self.padded[when as usize].each_ref().map(|beam| map_padded(beam, Faulty))
+    fn faulty(&self, step: Step) -> [PaddedBeam<Faulty<PrimeField>>; 2] {
+        self.padded[step as usize].each_ref().map(|beam| map_padded(beam, Faulty))
     }
 }
 

@@ -1,13 +1,13 @@
 //! What is checked, and by what.
 
 use super::draw::turn;
-use crate::subject::Subject;
+use crate::variant::Variant;
 
 /// The closed form under check, and the oracles that it is compared with.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Trial {
+pub struct CheckConfig {
     /// The closed form: as it is, if nothing else is said.
-    pub subject: Subject,
+    pub variant: Variant,
     /// Automatic differentiation, if nothing else is said.
     pub oracles: Oracles,
 }

@@ -1,6 +1,6 @@
 //! What is checked: the closed form as it is, with faults planted in it, or with a formula written another way.
 //!
-//! A check that was never seen to fail proves nothing. So every check takes a [`Subject`], runs the library's own code
+//! A check that was never seen to fail proves nothing. So every check takes a [`Variant`], runs the library's own code
 //! through it, and can be shown to turn red for each fault of the [`catalogue`] and to stay green for each [`Rewrite`].
 
 mod catalogue;
@@ -21,14 +21,14 @@ pub use rewrite::Rewrite;
 pub(crate) use invariance::by_invariance;
 pub(crate) use kernel::{Contracted, Layouts, every_layout, fast_kernel, kernel};
 pub(crate) use layouts::Second;
-pub(crate) use planted::When;
+pub(crate) use planted::Step;
 pub(crate) use point::{CONTACT, Point};
 
 use crate::linearization::closed_form::{Formulation, Matrices, PartialVariations, variations_in};
 use crate::linearization::{Linearization, Quantities, Varied};
 use crate::number::{Bits, Change, Faulty, Label, Real, with_operation};
 use crate::pair::{Contact, DofVector};
-use crate::specimen::PaddedBeam;
+use crate::test_beam::PaddedBeam;
 use planted::{Planted, mistaken};
 
 /// How far the parameters of a stale point lag behind.
@@ -42,10 +42,10 @@ pub(crate) const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 
 
 /// The closed form under check.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub enum Subject {
+pub enum Variant {
     /// As it is.
     #[default]
-    Sound,
+    Unmodified,
     /// With all of these faults at once.
     Faulty(Vec<Fault>),
     /// With one formula replaced by another that is equal to it.
@@ -78,11 +78,11 @@ impl Code {
     }
 }
 
-impl Subject {
+impl Variant {
     /// The faults that are planted in these terms; nothing if there are none.
     fn planted(&self, terms: &[Label]) -> Option<Vec<(Label, Planted)>> {
         let mut planted: Vec<_> = match self {
-            Self::Sound | Self::Rewritten(_) | Self::Operation(..) => return None,
+            Self::Unmodified | Self::Rewritten(_) | Self::Operation(..) => return None,
             Self::Faulty(faults) => {
                 faults.iter().map(|fault| (fault.label, Planted::from(fault.kind))).collect()
             }
@@ -108,14 +108,14 @@ impl Subject {
     /// All quantities with their variations, of beams at fixed parameters, over a scalar that faults can be planted in.
     pub(crate) fn quantities<T: Bits>(
         &self,
-        partial: impl Fn(When) -> [PartialVariations<T>; 2],
+        partial: impl Fn(Step) -> [PartialVariations<T>; 2],
         at: (T, T),
         form: Formulation,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
         let (faults, operation) = (self.planted(&terms()[0]), self.operation(Code::Equations));
         if faults.is_none() && operation.is_none() {
-            return self.formulas(&partial(When::Now), at, form, contact);
+            return self.formulas(&partial(Step::Now), at, form, contact);
         }
         let run = |kind: Option<Kind>| {
             let ([mut beam, mut bar], (xi, xi_bar), contact) = mistaken(kind, &partial, at, *contact);
@@ -150,7 +150,7 @@ impl Subject {
     /// what they are without faults.
     pub(crate) fn matrices<T: Bits, const D: usize>(
         &self,
-        padded: impl Fn(When) -> [PaddedBeam<Faulty<T>, D>; 2],
+        padded: impl Fn(Step) -> [PaddedBeam<Faulty<T>, D>; 2],
         (xi, xi_bar): (T, T),
         form: Formulation,
         contact: &Contact,

@@ -5,7 +5,7 @@
 //! term with the same results are one fault.
 
 use super::point::Point;
-use super::{Fault, Kind, Subject, UnknownFault};
+use super::{Fault, Kind, UnknownFault, Variant};
 use crate::number::Label;
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -20,9 +20,9 @@ pub fn catalogue() -> Vec<Fault> {
 ///
 /// # Errors
 /// If a name is none of the catalogue.
-pub fn with_faults(names: &[String]) -> Result<Subject, UnknownFault> {
+pub fn with_faults(names: &[String]) -> Result<Variant, UnknownFault> {
     if names.is_empty() {
-        return Ok(Subject::Sound);
+        return Ok(Variant::Unmodified);
     }
     let labels = labels();
     let find = |name: &String| {
@@ -30,17 +30,17 @@ pub fn with_faults(names: &[String]) -> Result<Subject, UnknownFault> {
         let mut faults = labels.iter().filter(of).flat_map(of_term);
         faults.find(|fault| fault.to_string() == *name).ok_or_else(|| UnknownFault(name.clone()))
     };
-    names.iter().map(find).collect::<Result<_, _>>().map(Subject::Faulty)
+    names.iter().map(find).collect::<Result<_, _>>().map(Variant::Faulty)
 }
 
 /// The faults of a term.
 fn of_term(&label: &Label) -> Vec<Fault> {
-    let results = |subject: &Subject| points().iter().map(|point| point.results(subject)).collect::<Vec<_>>();
-    let mut known = vec![results(&Subject::Sound)];
+    let results = |variant: &Variant| points().iter().map(|point| point.results(variant)).collect::<Vec<_>>();
+    let mut known = vec![results(&Variant::Unmodified)];
     let mut faults = Vec::new();
     for kind in Kind::ALL {
         let fault = Fault { label, kind };
-        let results = results(&Subject::Faulty(vec![fault]));
+        let results = results(&Variant::Faulty(vec![fault]));
         if !known.contains(&results) {
             known.push(results);
             faults.push(fault);

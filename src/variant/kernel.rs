@@ -11,7 +11,7 @@ use crate::linearization::closed_form::kernel::{
 };
 use crate::number::{Lanes, Real};
 use crate::pair::{Contact, DofVector, Pair};
-use crate::specimen::{DOFS, Padded, PaddedBeam};
+use crate::test_beam::{DOFS, Padded, PaddedBeam};
 use nalgebra::{SVector, Vector3};
 use std::num::NonZeroUsize;
 

@@ -2,22 +2,22 @@
 
 mod refined;
 
+use super::root_enclosure;
 use super::verdict::Inconclusive;
-use super::witness;
 use crate::closest_point::{ClosestPoint, Degeneracy, Held};
 use crate::linearization::ad::Chord;
 use crate::linearization::closed_form::{Formulation, PartialVariations, Points, variations_in};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{DoubleDouble, Faulty, RunningError, TermScale};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
-use crate::subject::{Contracted, SCALARS, Subject, When, contracted, every_layout, fast_kernel, terms};
+use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
+use crate::variant::{Contracted, SCALARS, Step, Variant, contracted, every_layout, fast_kernel, terms};
 use refined::Refined;
 use std::sync::OnceLock;
 
 /// A closest point that has derivatives, and is known well enough.
 #[derive(Debug)]
-pub(crate) struct Site<'a> {
+pub(crate) struct EvaluationPoint<'a> {
     pub(crate) beams: [&'a dyn AnyBeam; 2],
     pub(crate) contact: &'a Contact,
     pub(crate) held: Held,
@@ -28,16 +28,16 @@ pub(crate) struct Site<'a> {
     /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
     /// point; the second ones as far as `f64` can tell, for those who solve for the closest point in `f64` again.
     pub(crate) at: (RunningError2, RunningError2),
-    moments: [Moment; 3],
+    caches: [Cache; 3],
     unmodified: OnceLock<Box<Unmodified>>,
 }
 
 /// Both beams at some parameters, in the scalars that the check asks for; evaluated once, when they are asked for.
 #[derive(Debug, Default)]
-struct Moment {
+struct Cache {
     plain: OnceLock<[PartialVariations<f64>; 2]>,
     bounded: OnceLock<[PartialVariations<RunningError2>; 2]>,
-    // Large, and the site is passed on by value.
+    // Large, and the evaluation point is passed on by value.
     padded: OnceLock<Box<[PaddedBeam<RunningError>; 2]>>,
     padded_few: OnceLock<Box<[PaddedBeam<RunningError, FEW_DOFS>; 2]>>,
 }
@@ -51,7 +51,7 @@ struct Unmodified {
     matrices: [[RunningError; 3]; SCALARS],
 }
 
-impl<'a> Site<'a> {
+impl<'a> EvaluationPoint<'a> {
     /// A closest point of two beams, or why it has no derivatives that can be compared.
     pub(crate) fn new(
         beams: [&'a dyn AnyBeam; 2],
@@ -66,25 +66,25 @@ impl<'a> Site<'a> {
             Some(Degeneracy::ZeroTangent { .. }) => return Err(Inconclusive::ZeroTangent),
             Some(_) => return Err(Inconclusive::Singular),
         }
-        let (xi, xi_bar) = witness::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
+        let (xi, xi_bar) = root_enclosure::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
         let at = [xi, xi_bar].map(|RunningError { value, bound }| RunningError2 { value, bound: [bound; 2] });
-        let mut site = Self {
+        let mut evaluation = Self {
             beams,
             contact,
             held: point.held(),
             point: *point,
             form: Formulation::default(),
             at: at.into(),
-            moments: Default::default(),
+            caches: Default::default(),
             unmodified: OnceLock::new(),
         };
-        if let Some(refined) = site.refined() {
-            site.at = refined.map(Refined::rounded).into();
-            (site.point.xi, site.point.xi_bar) = (site.at.0.value, site.at.1.value);
+        if let Some(refined) = evaluation.refined() {
+            evaluation.at = refined.map(Refined::rounded).into();
+            (evaluation.point.xi, evaluation.point.xi_bar) = (evaluation.at.0.value, evaluation.at.1.value);
         }
-        site.widen();
-        let form = Formulation::at(&site.points(), site.held);
-        Ok(site.in_formulation(form))
+        evaluation.widen();
+        let form = Formulation::at(&evaluation.points(), evaluation.held);
+        Ok(evaluation.in_formulation(form))
     }
 
     /// Widens the bounds for those who solve for the closest point in `f64` again, from positions alone: the rounding of
@@ -108,7 +108,7 @@ impl<'a> Site<'a> {
 
     /// The points of both beams.
     pub(crate) fn points(&self) -> Points<f64> {
-        let [beam, bar] = self.partial_variations(When::Now);
+        let [beam, bar] = self.partial_variations(Step::Now);
         Points::new(&beam.geometry, &bar.geometry)
     }
 
@@ -119,42 +119,42 @@ impl<'a> Site<'a> {
     }
 
     /// Both beams, at fixed parameters.
-    pub(crate) fn partial_variations(&self, when: When) -> [PartialVariations<f64>; 2] {
+    pub(crate) fn partial_variations(&self, step: Step) -> [PartialVariations<f64>; 2] {
         let partial = || {
-            let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, (self.at.0.value, self.at.1.value));
+            let ([beam, bar], (xi, xi_bar)) = step.place(self.beams, (self.at.0.value, self.at.1.value));
             [beam.partial_variations_plain(xi), bar.partial_variations_plain(xi_bar)]
         };
-        *self.moments[when as usize].plain.get_or_init(partial)
+        *self.caches[step as usize].plain.get_or_init(partial)
     }
 
     /// Both beams, at fixed parameters, with bounds on their errors.
-    pub(crate) fn bounded(&self, when: When) -> [PartialVariations<RunningError2>; 2] {
+    pub(crate) fn bounded(&self, step: Step) -> [PartialVariations<RunningError2>; 2] {
         let partial = || {
-            let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.at);
+            let ([beam, bar], (xi, xi_bar)) = step.place(self.beams, self.at);
             [beam.partial_variations(xi), bar.partial_variations(xi_bar)]
         };
-        *self.moments[when as usize].bounded.get_or_init(partial)
+        *self.caches[step as usize].bounded.get_or_init(partial)
     }
 
-    fn padded(&self, when: When) -> &[PaddedBeam<RunningError>; 2] {
+    fn padded(&self, step: Step) -> &[PaddedBeam<RunningError>; 2] {
         let padded = || {
-            let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.sharp());
+            let ([beam, bar], (xi, xi_bar)) = step.place(self.beams, self.sharp());
             Box::new([beam.padded(xi), bar.padded(xi_bar)])
         };
-        self.moments[when as usize].padded.get_or_init(padded)
+        self.caches[step as usize].padded.get_or_init(padded)
     }
 
-    fn padded_few(&self, when: When) -> &[PaddedBeam<RunningError, FEW_DOFS>; 2] {
+    fn padded_few(&self, step: Step) -> &[PaddedBeam<RunningError, FEW_DOFS>; 2] {
         let padded = || {
-            let ([beam, bar], (xi, xi_bar)) = when.place(self.beams, self.sharp());
+            let ([beam, bar], (xi, xi_bar)) = step.place(self.beams, self.sharp());
             Box::new([beam.padded_few(xi), bar.padded_few(xi_bar)])
         };
-        self.moments[when as usize].padded_few.get_or_init(padded)
+        self.caches[step as usize].padded_few.get_or_init(padded)
     }
 
     /// Whether each beam is a sum of shape functions times control vectors.
     pub(super) fn have_shapes(&self) -> [bool; 2] {
-        self.padded(When::Now).each_ref().map(|(jet, _)| jet.dofs.all_shapes().is_some())
+        self.padded(Step::Now).each_ref().map(|(jet, _)| jet.dofs.all_shapes().is_some())
     }
 
     fn has_few_dofs(&self) -> bool {
@@ -162,36 +162,36 @@ impl<'a> Site<'a> {
     }
 
     /// The closed form.
-    pub(crate) fn plain(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
-        if !subject.changes(&terms()[0]) {
+    pub(crate) fn plain(&self, variant: &Variant) -> [Varied<f64>; COMPONENTS] {
+        if !variant.changes(&terms()[0]) {
             return self.unmodified().plain;
         }
         let at = (self.at.0.value, self.at.1.value);
-        subject.quantities(|when| self.partial_variations(when), at, self.form, self.contact).components()
+        variant.quantities(|step| self.partial_variations(step), at, self.form, self.contact).components()
     }
 
     /// The closed form with the directions exchanged.
-    pub(super) fn exchanged(&self, subject: &Subject) -> [Varied<f64>; COMPONENTS] {
+    pub(super) fn exchanged(&self, variant: &Variant) -> [Varied<f64>; COMPONENTS] {
         let at = (self.at.0.value, self.at.1.value);
-        let partial = |when| self.partial_variations(when).map(PartialVariations::exchanged);
-        subject.quantities(partial, at, self.form, self.contact).components()
+        let partial = |step| self.partial_variations(step).map(PartialVariations::exchanged);
+        variant.quantities(partial, at, self.form, self.contact).components()
     }
 
     /// The closed form with bounds on its error: those of the formulas without faults.
-    pub(crate) fn closed(&self, subject: &Subject) -> [Varied<RunningError2>; COMPONENTS] {
+    pub(crate) fn closed(&self, variant: &Variant) -> [Varied<RunningError2>; COMPONENTS] {
         let bounded = || {
-            let partial = self.bounded(When::Now);
-            subject.formulas(&partial, self.at, self.form, self.contact).components()
+            let partial = self.bounded(Step::Now);
+            variant.formulas(&partial, self.at, self.form, self.contact).components()
         };
-        if let Subject::Rewritten(_) = subject { bounded() } else { self.unmodified().bounds }
+        if let Variant::Rewritten(_) = variant { bounded() } else { self.unmodified().bounds }
     }
 
     /// The size of the terms of the closed form without faults.
-    pub(super) fn scales(&self, subject: &Subject) -> [Varied<TermScale>; COMPONENTS] {
-        if let Subject::Rewritten(_) = subject { self.sized(subject) } else { self.unmodified().scales }
+    pub(super) fn scales(&self, variant: &Variant) -> [Varied<TermScale>; COMPONENTS] {
+        if let Variant::Rewritten(_) = variant { self.sized(variant) } else { self.unmodified().scales }
     }
 
-    fn sized(&self, subject: &Subject) -> [Varied<TermScale>; COMPONENTS] {
+    fn sized(&self, variant: &Variant) -> [Varied<TermScale>; COMPONENTS] {
         let at = (TermScale::parameter(self.at.0.value), TermScale::parameter(self.at.1.value));
         // A position has the size of the curve at least: where the origin is says nothing of rounding.
         let sized = |partial: PartialVariations<f64>| {
@@ -202,20 +202,20 @@ impl<'a> Site<'a> {
             }
             sizes
         };
-        let partial = self.partial_variations(When::Now).map(sized);
-        subject.formulas(&partial, at, self.form, self.contact).components()
+        let partial = self.partial_variations(Step::Now).map(sized);
+        variant.formulas(&partial, at, self.form, self.contact).components()
     }
 
     /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors: those of the
     /// formulas without faults.
-    pub(super) fn matrices(&self, subject: &Subject) -> [[RunningError; 3]; SCALARS] {
+    pub(super) fn matrices(&self, variant: &Variant) -> [[RunningError; 3]; SCALARS] {
         let (at, form, contact) = ((self.at.0.value, self.at.1.value), self.form, self.contact);
         let planted = if self.has_few_dofs() {
-            let faulty = |when| self.padded_few(when).each_ref().map(|beam| map_padded(beam, of_value));
-            subject.matrices(faulty, at, form, contact)
+            let faulty = |step| self.padded_few(step).each_ref().map(|beam| map_padded(beam, of_value));
+            variant.matrices(faulty, at, form, contact)
         } else {
-            let faulty = |when| self.padded(when).each_ref().map(|beam| map_padded(beam, of_value));
-            subject.matrices(faulty, at, form, contact)
+            let faulty = |step| self.padded(step).each_ref().map(|beam| map_padded(beam, of_value));
+            variant.matrices(faulty, at, form, contact)
         };
         let mut matrices = self.unmodified().matrices;
         for (row, planted) in matrices.iter_mut().zip(planted.into_iter().flatten()) {
@@ -228,9 +228,9 @@ impl<'a> Site<'a> {
 
     /// The kernel in all its layouts, each with bounds on the errors of its numbers; empty if a curve has no shape functions.
     ///
-    /// The kernel chooses the form itself: this is for sites in the form that is chosen.
+    /// The kernel chooses the form itself: this is for evaluations in the form that is chosen.
     pub(super) fn kernel(&self) -> Vec<(&'static str, Contracted<f64>, Contracted<RunningError>)> {
-        let beams = self.padded(When::Now);
+        let beams = self.padded(Step::Now);
         let bounds = every_layout(beams, self.sharp(), self.form, self.contact);
         let beams = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
         let of = |(name, numbers): (&'static str, Contracted<f64>)| {
@@ -248,14 +248,15 @@ impl<'a> Site<'a> {
         self.unmodified.get_or_init(|| {
             let Self { at, form, contact, .. } = self;
             let matrices = if self.has_few_dofs() {
-                contracted(self.padded_few(When::Now), self.sharp(), *form, contact)
+                contracted(self.padded_few(Step::Now), self.sharp(), *form, contact)
             } else {
-                contracted(self.padded(When::Now), self.sharp(), *form, contact)
+                contracted(self.padded(Step::Now), self.sharp(), *form, contact)
             };
-            let bounds = Subject::Sound.formulas(&self.bounded(When::Now), *at, *form, contact).components();
-            let [beam, bar] = self.partial_variations(When::Now);
+            let bounds =
+                Variant::Unmodified.formulas(&self.bounded(Step::Now), *at, *form, contact).components();
+            let [beam, bar] = self.partial_variations(Step::Now);
             let plain = variations_in(*form, &beam, &bar, (at.0.value, at.1.value), contact).components();
-            Box::new(Unmodified { plain, scales: self.sized(&Subject::Sound), bounds, matrices })
+            Box::new(Unmodified { plain, scales: self.sized(&Variant::Unmodified), bounds, matrices })
         })
     }
 

@@ -1,11 +1,13 @@
 //! The closest points at which everything is put to the test: so chosen that no term vanishes at all of them.
 
 use super::differences::Steps;
-use crate::check::{Case, Closed, Comparison, References, Regime, Selection, Site, Verdict, judged};
+use crate::check::{
+    Case, Closed, Comparison, EvaluationPoint, References, Regime, Selection, Verdict, judged,
+};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
 use crate::linearization::closed_form::Formulation;
-use crate::specimen::Family;
-use crate::subject::Subject;
+use crate::test_beam::Family;
+use crate::variant::Variant;
 use std::collections::BTreeMap;
 
 /// Points inside both beams, of each combination of curves linear in their dofs and not.
@@ -15,9 +17,9 @@ const DRAWN: u64 = 2000;
 /// The turns from one case to the next: coprime to the 121 pairs of families, so that all are met.
 const STRIDE: usize = 37;
 
-/// A closest point, with all that does not depend on the subject.
+/// A closest point, with all that does not depend on the variant.
 pub(super) struct Sample<'a> {
-    pub(super) site: Site<'a>,
+    pub(super) evaluation: EvaluationPoint<'a>,
     references: References,
     pub(super) steps: Steps,
 }
@@ -29,8 +31,8 @@ impl<'a> Sample<'a> {
     /// A fault may be seen by one check in one form only: symmetry finds a wrong d.t,xi of the system where (40) is taken
     /// with the solution by cross products.
     pub(super) fn in_all_forms(case: &'a Case, point: &ClosestPoint) -> Vec<Self> {
-        let site = || Site::new(case.beams(), &case.contact, point).ok();
-        let Some(first) = site() else { return Vec::new() };
+        let evaluation = || EvaluationPoint::new(case.beams(), &case.contact, point).ok();
+        let Some(first) = evaluation() else { return Vec::new() };
         let paper = Formulation::paper(point.held());
         let apart = Formulation::robust(&first.points(), point.held());
         let others = [
@@ -39,26 +41,27 @@ impl<'a> Sample<'a> {
             apart,
         ];
         let others = others.into_iter().filter(|_| point.is_interior());
-        let in_form = |(site, form)| Self::new(case, point, Site::in_formulation(site, form));
-        let sites = others.filter_map(|form| Some((site()?, form)));
-        [(first, paper)].into_iter().chain(sites).map(in_form).collect()
+        let in_form =
+            |(evaluation, form)| Self::new(case, point, EvaluationPoint::in_formulation(evaluation, form));
+        let evaluations = others.filter_map(|form| Some((evaluation()?, form)));
+        [(first, paper)].into_iter().chain(evaluations).map(in_form).collect()
     }
 
     /// Evaluates the references.
-    fn new(case: &'a Case, point: &ClosestPoint, site: Site<'a>) -> Self {
-        let references = References::new(&site);
-        let steps = Steps::new(&case.specimens, point);
-        Self { site, references, steps }
+    fn new(case: &'a Case, point: &ClosestPoint, evaluation: EvaluationPoint<'a>) -> Self {
+        let references = References::new(&evaluation);
+        let steps = Steps::new(&case.test_beams, point);
+        Self { evaluation, references, steps }
     }
 
     /// What the gate compares.
-    pub(super) fn compared(&self, subject: &Subject) -> Vec<Comparison> {
-        Closed::new(subject, &self.site).compared_with(&self.references)
+    pub(super) fn compared(&self, variant: &Variant) -> Vec<Comparison> {
+        Closed::new(variant, &self.evaluation).compared_with(&self.references)
     }
 }
 
 /// The cases and closest points of a regime: inside, and with one end held, beams of both kinds.
-pub(super) fn panel(seed: u64, regime: Regime) -> Vec<(Case, ClosestPoint)> {
+pub(super) fn test_points(seed: u64, regime: Regime) -> Vec<(Case, ClosestPoint)> {
     let selection = Selection { regimes: vec![regime], family: None, cases: 121 * DRAWN };
     let mut wanted = BTreeMap::new();
     for linear in [[false, false], [false, true], [true, false], [true, true]] {
@@ -92,7 +95,8 @@ fn best(case: &Case, wanted: &BTreeMap<Key, usize>) -> Option<(Key, ClosestPoint
         let Held { xi, xi_bar } = point.held();
         let key = (xi, xi_bar, linear);
         let is_wanted = wanted.get(&key).is_some_and(|&count| count > 0);
-        let passes = |sample: &Sample| matches!(judged(sample.compared(&Subject::Sound)), Verdict::Pass(_));
+        let passes =
+            |sample: &Sample| matches!(judged(sample.compared(&Variant::Unmodified)), Verdict::Pass(_));
         let samples = if is_wanted { Sample::in_all_forms(case, &point) } else { Vec::new() };
         (!samples.is_empty() && samples.iter().all(passes)).then_some((key, point))
     })

@@ -4,7 +4,7 @@ use crate::closest_point::ClosestPoint;
 use crate::curve::Geometry;
 use crate::linearization::closed_form::Projection;
 use crate::number::RunningError;
-use crate::specimen::AnyBeam;
+use crate::test_beam::AnyBeam;
 
 /// xi and xi_bar with bounds, from the residual of the orthogonality conditions.
 ///
@@ -36,7 +36,7 @@ pub(super) fn parameters(
 mod tests {
     use super::parameters;
     use crate::closest_point::{Search, closest_points};
-    use crate::specimen::{AnyBeam, Family, Specimen};
+    use crate::test_beam::{AnyBeam, Family, TestBeam};
 
     /// Two straight beams of half-lengths 2 and 1/4 under the angle whose cosine is 0.6, closest at their centres.
     fn straight() -> [Box<dyn AnyBeam>; 2] {
@@ -44,7 +44,7 @@ mod tests {
             let z = if t[1] == 0.0 { 0.0 } else { 1.0 };
             let q = vec![3.0 - t[0], 4.0 - t[1], z, 3.0 + t[0], 4.0 + t[1], z];
             let none = vec![0.0; 6];
-            let segment = Specimen {
+            let segment = TestBeam {
                 family: Family::Segment,
                 parameters: Vec::new(),
                 q,

@@ -11,7 +11,7 @@ use thiserror::Error;
 
 /// A beam as numbers: all that decides it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Specimen {
+pub struct TestBeam {
     /// The family of its curve.
     pub family: Family,
     /// The fixed parameters of the curve, one after the other as [`Family::parameters`] has them.
@@ -27,7 +27,7 @@ pub struct Specimen {
 /// Why numbers make no beam.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum SpecimenError {
+pub enum TestBeamError {
     /// There are too many or too few of them.
     #[error("{what}: {expected} numbers expected for the family {}, found {found}", family.name())]
     Count {
@@ -55,7 +55,7 @@ pub enum SpecimenError {
     Curve(#[from] CurveError),
 }
 
-impl Specimen {
+impl TestBeam {
     /// The parameter of this name; empty if the family has none such.
     pub fn parameter(&self, name: &str) -> &[f64] {
         let mut start = 0;
@@ -102,13 +102,13 @@ impl Specimen {
     /// Whether the numbers make a beam.
     ///
     /// # Errors
-    /// [`SpecimenError`] says why they do not.
-    pub fn validate(&self) -> Result<(), SpecimenError> {
+    /// [`TestBeamError`] says why they do not.
+    pub fn validate(&self) -> Result<(), TestBeamError> {
         self.beam().map(drop)
     }
 
     /// The beam.
-    pub(crate) fn beam(&self) -> Result<Box<dyn AnyBeam>, SpecimenError> {
+    pub(crate) fn beam(&self) -> Result<Box<dyn AnyBeam>, TestBeamError> {
         let (family, dofs) = (self.family, self.family.units().len());
         let parameters = family.parameters().iter().map(|(_, count)| count).sum();
         for (what, numbers, expected) in [
@@ -118,10 +118,10 @@ impl Specimen {
             ("linear_dq", &self.linear_dq, dofs),
         ] {
             if numbers.len() != expected {
-                return Err(SpecimenError::Count { what, expected, found: numbers.len(), family });
+                return Err(TestBeamError::Count { what, expected, found: numbers.len(), family });
             }
             if let Some((index, &value)) = numbers.iter().enumerate().find(|(_, value)| !value.is_finite()) {
-                return Err(SpecimenError::NotFinite { what, index, value });
+                return Err(TestBeamError::NotFinite { what, index, value });
             }
         }
         let (knots, first) = (self.parameter("knots"), self.parameters.first().copied().unwrap_or_default());

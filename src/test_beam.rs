@@ -3,17 +3,17 @@
 //! What comes after, the gate and the proof, is thereby compiled once and not once per pair of families.
 
 mod beam;
+mod data;
 mod draw;
 mod exact;
 mod family;
 mod padded;
 mod stationary;
-mod written;
 
 pub(crate) use beam::{AnyBeam, Drawn, RunningError2};
+pub use data::{TestBeam, TestBeamError};
 pub(crate) use draw::Target;
 pub(crate) use exact::ExactBeam;
 pub use family::{Family, Unit};
 pub(crate) use padded::{DOFS, FEW_DOFS, Padded, PaddedBeam, map_padded};
 pub(crate) use stationary::{apart, normal_to_free, stationary};
-pub use written::{Specimen, SpecimenError};

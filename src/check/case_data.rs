@@ -1,27 +1,27 @@
 //! A case without the seed and the number that drew it: all its numbers.
 
 use super::compare::{Compared, compare_beams};
-use super::trial::{Oracles, Trial};
+use super::config::{CheckConfig, Oracles};
 use crate::pair::Contact;
-use crate::specimen::{AnyBeam, Specimen, SpecimenError};
+use crate::test_beam::{AnyBeam, TestBeam, TestBeamError};
 
 /// A pair of beams written out as numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Written {
+pub struct CaseData {
     /// Beam and bar beam.
-    pub specimens: [Specimen; 2],
+    pub test_beams: [TestBeam; 2],
     /// Radii and reference parameters.
     pub contact: Contact,
 }
 
-impl Written {
+impl CaseData {
     /// The same with every length times 2^`power`: the same numbers in another unit.
     #[must_use]
     pub fn scaled(&self, power: i32) -> Self {
         let factor = 2.0_f64.powi(power);
         let Contact { radius, radius_bar, xi_0, xi_bar_0 } = self.contact;
         Self {
-            specimens: self.specimens.each_ref().map(|specimen| specimen.scaled(power)),
+            test_beams: self.test_beams.each_ref().map(|test_beam| test_beam.scaled(power)),
             contact: Contact { radius: radius * factor, radius_bar: radius_bar * factor, xi_0, xi_bar_0 },
         }
     }
@@ -30,14 +30,14 @@ impl Written {
     ///
     /// # Errors
     /// If the numbers make no beam.
-    pub fn compare(&self, trial: &Trial) -> Result<Compared, SpecimenError> {
+    pub fn compare(&self, config: &CheckConfig) -> Result<Compared, TestBeamError> {
         let beams = self.beams()?;
-        let asked = trial.oracles == Oracles::All;
-        Ok(compare_beams(trial, asked, beams.each_ref().map(|beam| &**beam), &self.contact))
+        let asked = config.oracles == Oracles::All;
+        Ok(compare_beams(config, asked, beams.each_ref().map(|beam| &**beam), &self.contact))
     }
 
-    pub(super) fn beams(&self) -> Result<[Box<dyn AnyBeam>; 2], SpecimenError> {
-        let [beam, bar] = &self.specimens;
+    pub(super) fn beams(&self) -> Result<[Box<dyn AnyBeam>; 2], TestBeamError> {
+        let [beam, bar] = &self.test_beams;
         Ok([beam.beam()?, bar.beam()?])
     }
 }
