@@ -4,9 +4,9 @@
 
 use beamgap::check;
 use beamgap::curve::{Curve, Jet, Shapes};
+use beamgap::faults;
 use beamgap::nalgebra::{SVector, Vector3};
 use beamgap::number::Real;
-use beamgap::teeth;
 
 /// A Bernstein polynomial of fourth degree in u = (1 + xi)/2.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,5 +68,5 @@ fn main() {
     let found = check::curve(&Quartic, &[beam], 24);
     println!("{found}");
     assert!(found.agrees());
-    println!("{}", teeth::operations_of_curve(&Quartic));
+    println!("{}", faults::operations_of_curve(&Quartic));
 }

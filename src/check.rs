@@ -36,6 +36,7 @@
 
 mod accuracy;
 mod arbitration;
+mod bounds;
 mod candidate;
 mod case_data;
 mod compare;
@@ -50,13 +51,13 @@ mod pasted;
 mod regime;
 mod root_enclosure;
 mod run;
-mod sharpness;
 mod shrink;
 mod summary;
 mod verdict;
 
 pub use accuracy::{Accuracy, Errors, Level, accuracy};
 pub use arbitration::Arbitration;
+pub use bounds::{Bounds, Measured, Points, Side, Violation, bounds};
 pub use candidate::{Answer, CAREFUL, Candidate, Digits, Example, Found, Situation, linearization};
 pub use case_data::CaseData;
 pub(crate) use compare::{Closed, References, judged};
@@ -70,7 +71,6 @@ pub use own::{JetFinding, OwnCurve, curve};
 pub use pasted::test_source;
 pub use regime::Regime;
 pub use run::run;
-pub use sharpness::{Measured, Points, Sharpness, Side, Violation, sharpness};
 pub use shrink::{Shrunk, shrink, shrink_mismatches};
 pub use summary::{Cell, Differences, MismatchKind, Summary, Tally};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};

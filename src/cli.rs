@@ -2,22 +2,22 @@
 
 mod accuracy;
 mod arguments;
+mod bounds;
 mod case;
 mod case_file;
 mod check;
 mod disagreements;
+mod equations;
 mod exit;
+mod faults;
 mod human;
 mod json;
-mod ledger;
 mod output;
 mod panics;
 mod proof;
 mod prove;
 mod report;
-mod sharpness;
 mod table;
-mod teeth;
 
 use clap::{Parser, Subcommand};
 use exit::Exit;
@@ -39,13 +39,13 @@ enum Command {
     /// Compare the two over a prime field, without a tolerance.
     Prove(prove::Prove),
     /// Measure how far the tolerances are above the rounding, by double-double.
-    Sharpness(sharpness::Sharpen),
+    Bounds(bounds::MeasureBounds),
     /// Measure how many digits each form of the closed form keeps, by double-double.
     Accuracy(accuracy::Accurate),
     /// Plant faults in the closed form, and see which checks notice.
-    Teeth(teeth::Bites),
+    Faults(faults::InjectFaults),
     /// Run every equation of the paper, as printed and as corrected.
-    Ledger(ledger::Ledger),
+    Equations(equations::ListEquations),
     /// Write the reports: what the gate finds now, and what `cargo bench` measured last.
     Report(report::Report),
 }
@@ -67,10 +67,10 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
     panics::caught(|| match arguments.command {
         Command::Check(check) => check.run(),
         Command::Prove(prove) => prove.run(),
-        Command::Sharpness(sharpen) => sharpen.run(),
+        Command::Bounds(sharpen) => sharpen.run(),
         Command::Accuracy(accurate) => accurate.run(),
-        Command::Teeth(teeth) => teeth.run(),
-        Command::Ledger(ledger) => ledger.run(),
+        Command::Faults(faults) => faults.run(),
+        Command::Equations(equations) => equations.run(),
         Command::Report(report) => report.run(),
     })
 }

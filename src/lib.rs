@@ -9,13 +9,13 @@ pub mod pair;
 #[cfg(feature = "check")]
 pub mod check;
 #[cfg(feature = "check")]
-pub mod ledger;
+pub mod equations;
+#[cfg(feature = "check")]
+pub mod faults;
 #[cfg(feature = "check")]
 pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
-#[cfg(feature = "check")]
-pub mod teeth;
 #[cfg(feature = "check")]
 pub mod test_beam;
 #[cfg(feature = "check")]

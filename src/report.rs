@@ -1,6 +1,6 @@
 //! The reports, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`], [`Sharpness`], [`Accuracy`], [`Teeth`], [`Ledger`] and [`Benchmark`] are the records: what the gate found,
+//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`EquationTable`] and [`Benchmark`] are the records: what the gate found,
 //! how sharp its tolerances are, how many digits each form keeps, what it made of planted faults, what became of each
 //! equation, and what criterion measured. Markdown, HTML and SVG are pure functions of what
 //! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
@@ -11,46 +11,46 @@ mod accuracy_plot;
 mod benchmark;
 mod benchmark_method;
 mod benchmark_page;
+mod bounds;
+mod bounds_page;
 mod claims;
 mod criterion;
 mod crosscheck;
 mod crosscheck_page;
 mod environment;
+mod equations;
+mod equations_page;
 mod error;
+mod faults;
+mod faults_page;
 mod instructions;
 mod interval;
-mod ledger;
-mod ledger_page;
 mod number;
 mod page;
 mod peers;
 mod plot;
 mod record;
 mod roof;
-mod sharpness;
-mod sharpness_page;
 mod task;
-mod teeth;
-mod teeth_page;
 mod turns;
 
 pub use accuracy::{Accuracy, AccuracyRow, Losses};
 pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
+pub use bounds::{Bounds, BoundsRow, BrokenBound, Quantiles, RegimePoints};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_turns};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;
+pub use faults::{DetectionRow, Faults, OperationsRow, UndetectedOperations, UndetectedRow};
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
 pub use peers::{AtGap, LeftOut, Peer, Peers};
 pub use record::Record;
-pub use sharpness::{BrokenBound, Quantiles, RegimePoints, Sharpness, SharpnessRow};
 pub use task::Task;
-pub use teeth::{BiteRow, OperationsRow, Teeth, UnseenRow, UnshownRow};
 pub use turns::Turns;
 
 use crate::check::{self, CheckConfig, Regime, Selection};
-use crate::ledger::Ledger;
+use crate::equations::EquationTable;
 use std::fs;
 use std::path::Path;
 
@@ -59,7 +59,7 @@ pub const SEED: u64 = 0x5eed;
 /// The cases of each regime in a report.
 pub const CASES: u64 = 10_000;
 /// The cases of each regime that the bounds on rounding are measured with: 100,008 in all.
-pub const SHARPNESS_CASES: u64 = 11_112;
+pub const BOUNDS_CASES: u64 = 11_112;
 /// The pairs at each gap and angle that the accuracy of each form is measured with: all pairs of families, eight times.
 pub const ACCURACY_PAIRS: u32 = 968;
 
@@ -84,18 +84,18 @@ pub fn crosscheck(
     Ok(record)
 }
 
-/// Measures how sharp the tolerances are over `cases` cases of each regime and writes `sharpness.json` and `sharpness.md`
+/// Measures how sharp the tolerances are over `cases` cases of each regime and writes `bounds.json` and `bounds.md`
 /// into the directory `to`.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn sharpness(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Sharpness, ReportError> {
+pub fn bounds(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Bounds, ReportError> {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
-    let found = check::sharpness(seed, &selection);
-    let json = Sharpness::new(&found, seed, cases, Environment::here(command)).to_json()?;
-    let record = Sharpness::from_json(&json)?;
-    write(to, "sharpness.json", &json)?;
-    write(to, "sharpness.md", &record.to_markdown())?;
+    let found = check::bounds(seed, &selection);
+    let json = Bounds::new(&found, seed, cases, Environment::here(command)).to_json()?;
+    let record = Bounds::from_json(&json)?;
+    write(to, "bounds.json", &json)?;
+    write(to, "bounds.md", &record.to_markdown())?;
     Ok(record)
 }
 
@@ -116,24 +116,24 @@ pub fn accuracy(to: &Path, seed: u64, command: &str) -> Result<Accuracy, ReportE
     Ok(record)
 }
 
-/// Writes `teeth.json` and `teeth.md` into the directory `to`.
+/// Writes `faults.json` and `faults.md` into the directory `to`.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn teeth(to: &Path, record: &Teeth) -> Result<(), ReportError> {
+pub fn faults(to: &Path, record: &Faults) -> Result<(), ReportError> {
     let json = record.to_json()?;
-    write(to, "teeth.json", &json)?;
-    write(to, "teeth.md", &Teeth::from_json(&json)?.to_markdown())
+    write(to, "faults.json", &json)?;
+    write(to, "faults.md", &Faults::from_json(&json)?.to_markdown())
 }
 
-/// Writes `ledger.json` and `ledger.md` into the directory `to`.
+/// Writes `equations.json` and `equations.md` into the directory `to`.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn ledger(to: &Path, record: &Ledger) -> Result<(), ReportError> {
+pub fn equations(to: &Path, record: &EquationTable) -> Result<(), ReportError> {
     let json = record.to_json()?;
-    write(to, "ledger.json", &json)?;
-    write(to, "ledger.md", &Ledger::from_json(&json)?.to_markdown())
+    write(to, "equations.json", &json)?;
+    write(to, "equations.md", &EquationTable::from_json(&json)?.to_markdown())
 }
 
 /// Reads what criterion left in `from`, and the counts of instructions and the peers if `to` has them, and writes

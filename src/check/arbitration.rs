@@ -134,7 +134,7 @@ mod tests {
     fn who_agrees_is_not_blamed() {
         assert_eq!(arbitrated([0.0; 3], None), None);
         assert_eq!(arbitrated([1e-12; 3], Some((1e-13, 1e-12))), None);
-        // A tolerance that means nothing accuses nobody.
+        // A tolerance that means nothing rejects nobody.
         assert_eq!(arbitrated([0.0; 3], Some((0.5, 0.1))), None);
     }
 

@@ -15,7 +15,7 @@ pub(crate) enum Exit {
     /// Nothing could be compared, which is no success.
     Nothing = 4,
     /// The check itself cannot be trusted: a planted fault survived, a bound on rounding is none, or the oracles (AD's
-    /// routes and the differences) disagree among themselves. The closed form is not accused.
+    /// routes and the differences) disagree among themselves. The closed form is not rejected.
     Untrusted = 5,
     /// A fault of the program.
     Internal = 70,

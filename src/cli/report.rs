@@ -1,12 +1,12 @@
 //! `beamgap report`: the reports, written anew.
 
 use super::accuracy::verdict;
+use super::equations::EQUATIONS;
 use super::exit::Exit;
-use super::ledger::LEDGER;
-use super::teeth;
-use beamgap::ledger;
+use super::faults;
+use beamgap::equations;
 use beamgap::report::{
-    self, CASES, SEED, SHARPNESS_CASES, accuracy, benchmark, criterion_directory, crosscheck, sharpness,
+    self, BOUNDS_CASES, CASES, SEED, accuracy, benchmark, bounds, criterion_directory, crosscheck,
 };
 use clap::{Args, value_parser};
 use std::path::PathBuf;
@@ -29,7 +29,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes the pages and records of crosscheck, sharpness, accuracy, ledger and teeth, then those of the benchmark.
+    /// Writes the pages and records of crosscheck, bounds, accuracy, equations and faults, then those of the benchmark.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         if self.benchmark {
             let record = benchmark(&self.to, &criterion_directory())?;
@@ -37,24 +37,24 @@ impl Report {
             record.claims().iter().for_each(|claim| println!("- {claim}"));
             return Ok(Exit::Agree);
         }
-        let (command, sharpness_cases) = match self.cases {
-            CASES => ("cargo run --release -- report".into(), SHARPNESS_CASES),
+        let (command, bounds_cases) = match self.cases {
+            CASES => ("cargo run --release -- report".into(), BOUNDS_CASES),
             cases => (format!("cargo run --release -- report --cases {cases}"), cases),
         };
         let found = crosscheck(&self.to, SEED, self.cases, &command, || ())?;
-        let sharp = sharpness(&self.to, SEED, sharpness_cases, &command)?;
+        let bounds = bounds(&self.to, SEED, bounds_cases, &command)?;
         let chosen = verdict(&accuracy(&self.to, SEED, &command)?).0 == Exit::Agree;
-        let equations = ledger::ledger(SEED, ledger::DRAWS, ledger::CASES, LEDGER);
-        report::ledger(&self.to, &equations)?;
-        let teeth = teeth::record(SEED, &[], &command);
-        report::teeth(&self.to, &teeth)?;
+        let equations = equations::equation_table(SEED, equations::DRAWS, equations::CASES, EQUATIONS);
+        report::equations(&self.to, &equations)?;
+        let faults = faults::record(SEED, &[], &command);
+        report::faults(&self.to, &faults)?;
         benchmark(&self.to, &criterion_directory())?;
         println!(
-            "Wrote crosscheck, sharpness, accuracy, ledger, teeth and benchmark to {}.",
+            "Wrote crosscheck, bounds, accuracy, equations, faults and benchmark to {}.",
             self.to.display()
         );
         let agrees = found.mismatches.is_empty() && chosen && equations.holds();
-        Ok(match (sharp.violations.is_empty() && teeth.holds, agrees) {
+        Ok(match (bounds.violations.is_empty() && faults.holds, agrees) {
             (false, _) => Exit::Untrusted,
             (true, false) => Exit::Disagree,
             (true, true) => Exit::Agree,

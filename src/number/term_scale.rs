@@ -1,7 +1,7 @@
 //! The size of a formula's terms: the scale against which a difference is small or not.
 //!
 //! A result that came about by cancellation is small though its terms are large; judged by its own size, a correct
-//! code would be accused, and judged by a fixed number, a wrong code would pass. `TermScale` carries next to the
+//! code would be rejected, and judged by a fixed number, a wrong code would pass. `TermScale` carries next to the
 //! value the sum of the absolute values of the terms: |a| + |b| for a sum, the product of both for a product.
 
 use super::{Real, field_from_operators};

@@ -1,11 +1,11 @@
 //! The bounds on rounding that the gate compares with are bounds.
 //!
-//! `beamgap sharpness` does the same for 100,000 cases.
+//! `beamgap bounds` does the same for 100,000 cases.
 
-use beamgap::check::{Order, Regime, Selection, Sharpness, Side, sharpness};
+use beamgap::check::{Bounds, Order, Regime, Selection, Side, bounds};
 
-fn measured(seed: u64) -> Sharpness {
-    sharpness(seed, &Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1000 })
+fn measured(seed: u64) -> Bounds {
+    bounds(seed, &Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1000 })
 }
 
 /// Against the closed form in double-double, for both sides, in every order and every regime.
@@ -18,9 +18,12 @@ fn no_error_exceeds_its_bound() {
         for side in Side::ALL {
             for order in [Order::Value, Order::First, Order::Second] {
                 let measured = &found.measured[&(regime, side, order)];
-                assert!(measured.pessimism.count() > 1000, "{regime:?} {side:?} {order:?}: {measured:?}");
+                assert!(
+                    measured.overestimation.count() > 1000,
+                    "{regime:?} {side:?} {order:?}: {measured:?}"
+                );
                 // The smallest ratio is no less than one, and f64 has rounded indeed.
-                assert!(measured.pessimism.quantile(0.0) >= Some(1.0));
+                assert!(measured.overestimation.quantile(0.0) >= Some(1.0));
                 assert!(measured.error.max() > Some(1e-17));
             }
         }
@@ -32,7 +35,7 @@ fn sharpness_does_not_depend_on_threads() {
     let of = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 5 };
-        pool.install(|| sharpness(1, &selection))
+        pool.install(|| bounds(1, &selection))
     };
     assert_eq!(of(1), of(2));
 }

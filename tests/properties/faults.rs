@@ -2,9 +2,9 @@
 
 use crate::command_line::{json, run, stdout};
 use beamgap::check::Regime;
+use beamgap::faults::Check;
 use beamgap::prove::Draw;
-use beamgap::report::{BiteRow, Record, Teeth};
-use beamgap::teeth::Check;
+use beamgap::report::{DetectionRow, Faults, Record};
 use beamgap::test_beam::Family;
 use beamgap::variant::{Fault, Kind, Variant, catalogue};
 use rayon::prelude::*;
@@ -12,11 +12,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-fn record(reports: &Path) -> Teeth {
-    Teeth::from_json(&fs::read_to_string(reports.join("teeth.json")).unwrap()).unwrap()
+fn record(reports: &Path) -> Faults {
+    Faults::from_json(&fs::read_to_string(reports.join("faults.json")).unwrap()).unwrap()
 }
 
-fn committed() -> Teeth {
+fn committed() -> Faults {
     record(&Path::new(env!("CARGO_MANIFEST_DIR")).join("reports"))
 }
 
@@ -52,31 +52,31 @@ fn the_proof_is_red_for_every_fault() {
     };
     assert!(!is_refuted(&Variant::Unmodified));
     let faults = catalogue();
-    let survivors: Vec<&Fault> =
+    let undetected: Vec<&Fault> =
         faults.par_iter().filter(|&&fault| !is_refuted(&Variant::Faulty(vec![fault]))).collect();
-    assert!(survivors.is_empty(), "{survivors:?}");
+    assert!(undetected.is_empty(), "{undetected:?}");
 }
 
 #[test]
 fn committed_teeth_bite_where_others_do_not() {
     let committed = committed();
-    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/teeth.md")).unwrap();
-    assert!(committed.to_markdown() == page, "teeth.md is stale");
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/faults.md")).unwrap();
+    assert!(committed.to_markdown() == page, "faults.md is stale");
     for row in &committed.rows {
-        let whole = row.killed == row.planted && row.accused == 0 && row.false_alarms.is_empty();
+        let whole = row.detected == row.planted && row.rejected == 0 && row.false_positives.is_empty();
         let ours = row.check == Check::Gate.name() || row.check == Check::Exact.name();
-        assert_eq!(whole && row.pairs_killed == row.pairs, ours, "{} {}", row.check, row.regime);
+        assert_eq!(whole && row.pairs_detected == row.pairs, ours, "{} {}", row.check, row.regime);
     }
     assert!(committed.rewrites.len() >= 20);
     // Of single operations nothing is left open, and nothing at all in the equations and in the kernel as it is run most.
     assert!(committed.operations.len() > 30);
     for row in &committed.operations {
-        assert!(row.unseen.iter().all(|unseen| unseen.reason.is_some()), "{row:?}");
+        assert!(row.undetected.iter().all(|undetected| undetected.reason.is_some()), "{row:?}");
         let is_inside = row.place.ends_with("determinants") || row.place.ends_with("cross");
         if (row.code == "equations" && is_inside)
             || (row.code == "kernel, full" && row.place == "normal, determinants")
         {
-            assert_eq!((row.shown, row.unseen.len()), (row.faults, 0), "{row:?}");
+            assert_eq!((row.detected, row.undetected.len()), (row.faults, 0), "{row:?}");
         }
     }
     // Every term but a few is seen to a millionth of it, in every regime.
@@ -121,7 +121,7 @@ fn a_planted_fault_is_told_shrunk_and_laid_to_the_closed_form() {
 
 #[test]
 fn the_list_of_faults_is_the_catalogue() {
-    let listed = stdout(&run(&["teeth", "--list"]));
+    let listed = stdout(&run(&["faults", "--list"]));
     let names: Vec<String> = catalogue().iter().map(ToString::to_string).collect();
     assert_eq!(listed.lines().collect::<Vec<_>>(), names);
 }
@@ -129,9 +129,9 @@ fn the_list_of_faults_is_the_catalogue() {
 /// In one regime, as every regime takes long without optimization.
 #[test]
 fn the_command_tells_what_every_check_shows_as_the_committed_record_does() {
-    let to = Path::new(env!("CARGO_TARGET_TMPDIR")).join("teeth");
-    let text = stdout(&run(&["teeth", "--regime", "nearly-crossing", "--to", to.to_str().unwrap()]));
-    assert!(text.contains("\nTEETH: the gate shows all of "), "{text}");
+    let to = Path::new(env!("CARGO_TARGET_TMPDIR")).join("faults");
+    let text = stdout(&run(&["faults", "--regime", "nearly-crossing", "--to", to.to_str().unwrap()]));
+    assert!(text.contains("\nDETECTED: all "), "{text}");
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     for check in Check::ALL {
         assert!(text.contains(&format!("\n  {} ", check.name())), "{}", check.name());
@@ -140,11 +140,11 @@ fn the_command_tells_what_every_check_shows_as_the_committed_record_does() {
     assert!(committed.holds && found.holds);
     assert_eq!(found.kinds, committed.kinds);
     for row in &found.rows {
-        let same = |other: &&BiteRow| (&other.check, &other.regime) == (&row.check, &row.regime);
+        let same = |other: &&DetectionRow| (&other.check, &other.regime) == (&row.check, &row.regime);
         assert_eq!(committed.rows.iter().find(same), Some(row));
         let [now, then]: [BTreeSet<&str>; 2] =
-            [&found, &committed].map(|record| record.unshown_by(row).collect());
-        assert_eq!((&now, now.len()), (&then, row.planted - row.killed));
+            [&found, &committed].map(|record| record.undetected_by(row).collect());
+        assert_eq!((&now, now.len()), (&then, row.planted - row.detected));
     }
     assert_eq!(found.sampled.len(), 2);
     assert!(found.sampled.iter().all(|row| committed.sampled.contains(row)));
@@ -152,6 +152,6 @@ fn the_command_tells_what_every_check_shows_as_the_committed_record_does() {
     for ((term, limits), (other, of_committed)) in found.limits.iter().zip(&committed.limits) {
         assert_eq!((term, limits[0]), (other, of_committed[k]));
     }
-    let wrong = run(&["teeth", "--list", "--regime", "metres"]);
+    let wrong = run(&["faults", "--list", "--regime", "metres"]);
     assert_eq!(wrong.status.code(), Some(2));
 }

@@ -5,22 +5,22 @@ use serde_json::Value;
 
 #[test]
 fn sharpness_measures_bounds_that_hold() {
-    let arguments = ["sharpness", "--cases", "3", "--family", "arc", "--regime", "near-end"];
+    let arguments = ["bounds", "--cases", "3", "--family", "arc", "--regime", "near-end"];
     let text = stdout(&run(&arguments));
     assert!(text.contains("BOUNDS HOLD") && text.lines().all(|line| line.chars().count() <= 80), "{text}");
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
-    assert_eq!(document["schema"], "beamgap-sharpness/1");
+    assert_eq!(document["schema"], "beamgap-bounds/2");
     assert_eq!(document["violations"], serde_json::json!([]));
     let command = document["environment"]["command"].as_str().unwrap();
-    assert_eq!(command, "beamgap sharpness --seed 0x5eed --cases 3 --regime near-end --family arc");
+    assert_eq!(command, "beamgap bounds --seed 0x5eed --cases 3 --regime near-end --family arc");
 }
 
 #[test]
 fn sharpness_is_shown_side_by_side_and_for_all_regimes() {
-    let arguments = ["sharpness", "--cases", "1", "--family", "segment"];
+    let arguments = ["bounds", "--cases", "1", "--family", "segment"];
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
     let command = document["environment"]["command"].as_str().unwrap();
-    assert_eq!(command, "beamgap sharpness --seed 0x5eed --cases 1 --family segment");
+    assert_eq!(command, "beamgap bounds --seed 0x5eed --cases 1 --family segment");
     assert_eq!(document["regimes"].as_array().unwrap().len(), 10);
 
     let text = stdout(&run(&arguments));

@@ -3,9 +3,8 @@
 use beamgap::check::{self, CheckConfig, Regime, Selection};
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, Benchmark, Count, Crosscheck, Difference, Environment, Instructions, Measured, Record,
-    ReportError, Sharpness, Spread, Task, Turns, VERDICTS, Verdict, Verdicts, median_interval, spread,
-    write_turns,
+    Accuracy, Benchmark, Bounds, Count, Crosscheck, Difference, Environment, Instructions, Measured, Record,
+    ReportError, Spread, Task, Turns, VERDICTS, Verdict, Verdicts, median_interval, spread, write_turns,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::Variant;
@@ -21,8 +20,8 @@ fn committed(name: &str) -> String {
 fn committed_pages_are_what_the_committed_records_render_to() {
     let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
     assert!(crosscheck.to_markdown() == committed("crosscheck.md"), "crosscheck.md is stale");
-    let sharpness = Sharpness::from_json(&committed("sharpness.json")).unwrap();
-    assert!(sharpness.to_markdown() == committed("sharpness.md"), "sharpness.md is stale");
+    let bounds = Bounds::from_json(&committed("bounds.json")).unwrap();
+    assert!(bounds.to_markdown() == committed("bounds.md"), "bounds.md is stale");
     let accuracy = Accuracy::from_json(&committed("accuracy.json")).unwrap();
     assert!(accuracy.to_markdown() == committed("accuracy.md"), "accuracy.md is stale");
     assert!(accuracy.gap_to_svg().unwrap() == committed("accuracy-gap.svg"), "accuracy-gap.svg is stale");
@@ -40,8 +39,8 @@ fn committed_pages_are_what_the_committed_records_render_to() {
 fn committed_records_are_written_again_as_they_are() {
     let json = committed("crosscheck.json");
     assert!(Crosscheck::from_json(&json).unwrap().to_json().unwrap() == json);
-    let json = committed("sharpness.json");
-    assert!(Sharpness::from_json(&json).unwrap().to_json().unwrap() == json);
+    let json = committed("bounds.json");
+    assert!(Bounds::from_json(&json).unwrap().to_json().unwrap() == json);
     let json = committed("accuracy.json");
     assert!(Accuracy::from_json(&json).unwrap().to_json().unwrap() == json);
     let json = committed("benchmark.json");

@@ -139,7 +139,7 @@ pub(crate) fn locate<R>(operation: usize, run: impl FnOnce() -> R) -> (Vec<Strin
     let (trace, labels) = (TRACE.take(), LABELS.take());
     let lines = trace.lines().filter_map(|line| line.trim().strip_prefix("at ./"));
     let lines = lines.map(|line| line.strip_prefix("src/").unwrap_or(line));
-    let outside = |line: &&str| !line.starts_with("number/") && !line.starts_with("teeth/");
+    let outside = |line: &&str| !line.starts_with("number/") && !line.starts_with("faults/");
     let lines = lines
         .filter(outside)
         .map(|line| line.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(':').to_owned());

@@ -1,0 +1,237 @@
+//! How sharp the tolerances are: the rounding that the bounds allow for, against the rounding that there is.
+//!
+//! The true error of a number is its distance from the closed form in double-double, at the closest point refined
+//! there. A bound below it is no bound; a bound far above it hides faults.
+
+use super::distribution::Distribution;
+use super::draw::{Case, Selection};
+use super::evaluation_point::EvaluationPoint;
+use super::regime::Regime;
+use super::verdict::Order;
+use crate::closest_point::{Search, closest_points};
+use crate::linearization::{COMPONENTS, Quantity, Varied};
+use crate::number::{DoubleDouble, RunningError, RunningErrorBy};
+use crate::variant::Variant;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Errors below this part of the closed form's bound are noise of double-double: there is no error.
+const NOISE: f64 = 1e-14;
+/// A tolerance above this part of the scale means nothing.
+const MEANINGFUL: f64 = 1e-3;
+
+/// Whose bounds are measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Side {
+    /// The closed form.
+    Closed,
+    /// Our own hyper-dual numbers, lifted by chord steps.
+    Chord,
+}
+
+impl Side {
+    /// Both sides.
+    pub const ALL: [Self; 2] = [Self::Closed, Self::Chord];
+
+    /// The name, as tables have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Closed => "closed form",
+            Self::Chord => "AD",
+        }
+    }
+}
+
+/// What was measured of one side and one order in one regime.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// The bound over the true error, where there is an error.
+    pub overestimation: Distribution,
+    /// The true error over the scale, where there is an error.
+    pub error: Distribution,
+    /// Numbers without an error.
+    pub exact: u64,
+    /// Numbers without a finite bound.
+    pub unbounded: u64,
+}
+
+/// The closest points of one regime.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Points {
+    /// Closest points measured.
+    pub measured: u64,
+    /// Of these, those where a tolerance exceeds a thousandth of its scale.
+    pub not_meaningful: u64,
+    /// Closest points without derivatives that can be compared, and those that double-double could not refine.
+    pub left_out: u64,
+}
+
+/// A bound that is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Violation {
+    /// Whose bound.
+    pub side: Side,
+    /// The quantity.
+    pub quantity: Quantity,
+    /// Which part of it.
+    pub part: &'static str,
+    /// The bound.
+    pub bound: f64,
+    /// The true error, which is larger.
+    pub error: f64,
+}
+
+/// All that was measured.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bounds {
+    /// By regime, side and order.
+    pub measured: BTreeMap<(Regime, Side, Order), Measured>,
+    /// By regime.
+    pub points: BTreeMap<Regime, Points>,
+    /// The worst violation of each case that has one.
+    pub violations: BTreeMap<u64, Violation>,
+}
+
+/// Measures all cases of a selection.
+///
+/// The result depends on the seed and the selection, not on the number of threads.
+pub fn bounds(seed: u64, selection: &Selection) -> Bounds {
+    let add = |mut all: Bounds, number: u64| {
+        all.add(&Case::draw(seed, number));
+        all
+    };
+    let numbers = selection.numbers().into_par_iter();
+    numbers.fold(Bounds::default, add).reduce(Bounds::default, Bounds::merge)
+}
+
+impl Bounds {
+    fn add(&mut self, case: &Case) {
+        let mut points = Points::default();
+        let [beam, bar] = case.beams();
+        let minima = closest_points(beam, bar, &Search::default()).map(|found| found.minima);
+        for point in minima.unwrap_or_default() {
+            let evaluation = EvaluationPoint::new([beam, bar], &case.contact, &point).ok();
+            let Some((evaluation, precise)) =
+                evaluation.and_then(|evaluation| evaluation.precise().map(|precise| (evaluation, precise)))
+            else {
+                points.left_out += 1;
+                continue;
+            };
+            points.measured += 1;
+            points.not_meaningful += u64::from(self.add_point(case, &evaluation, &precise));
+        }
+        let sum = self.points.entry(case.regime).or_default();
+        sum.measured += points.measured;
+        sum.not_meaningful += points.not_meaningful;
+        sum.left_out += points.left_out;
+    }
+
+    /// Measures a point, and tells whether some tolerance means nothing there.
+    fn add_point(
+        &mut self,
+        case: &Case,
+        evaluation: &EvaluationPoint,
+        precise: &[Varied<DoubleDouble>; COMPONENTS],
+    ) -> bool {
+        let scales = evaluation.scales(&Variant::Unmodified);
+        let closed = evaluation.closed(&Variant::Unmodified);
+        let sides = [(Side::Closed, closed), (Side::Chord, evaluation.chord())];
+        let orders = [Order::Value, Order::First, Order::First, Order::Second];
+        let mut not_meaningful = false;
+        for i in 0..COMPONENTS {
+            let (precise, scales) = (precise[i].parts(), scales[i].parts());
+            for (k, order) in orders.into_iter().enumerate() {
+                let mut tolerance = 0.0;
+                for (side, numbers) in &sides {
+                    let RunningErrorBy { value, bound: [bound, _] } = numbers[i].parts()[k];
+                    let number = RunningError { value, bound };
+                    tolerance += bound;
+                    let error = (DoubleDouble::from(value) - precise[k]).abs().value();
+                    let measured = self.measured.entry((case.regime, *side, order)).or_default();
+                    let noise = NOISE * sides[0].1[i].parts()[k].bound[0];
+                    if measured.add(number, if error <= noise { 0.0 } else { error }, scales[k].scale) {
+                        continue;
+                    }
+                    let (quantity, part) = (Quantity::of_component(i), Varied::<f64>::PARTS[k]);
+                    self.blame(case.number, Violation { side: *side, quantity, part, bound, error });
+                }
+                let scale = MEANINGFUL * scales[k].scale;
+                not_meaningful |= !(tolerance <= scale && tolerance.is_finite()) && tolerance != 0.0;
+            }
+        }
+        not_meaningful
+    }
+
+    fn blame(&mut self, case: u64, violation: Violation) {
+        let excess = |violation: &Violation| violation.error / violation.bound;
+        match self.violations.get(&case) {
+            Some(known) if excess(known) >= excess(&violation) => {}
+            _ => drop(self.violations.insert(case, violation)),
+        }
+    }
+
+    /// One side and one order over all regimes.
+    pub fn over_all(&self, side: Side, order: Order) -> Measured {
+        let mut sum = Measured::default();
+        for ((_, of_side, of_order), measured) in &self.measured {
+            if (*of_side, *of_order) == (side, order) {
+                sum.merge(measured);
+            }
+        }
+        sum
+    }
+
+    fn merge(mut self, other: Self) -> Self {
+        for (key, measured) in &other.measured {
+            self.measured.entry(*key).or_default().merge(measured);
+        }
+        for (regime, points) in &other.points {
+            let sum = self.points.entry(*regime).or_default();
+            sum.measured += points.measured;
+            sum.not_meaningful += points.not_meaningful;
+            sum.left_out += points.left_out;
+        }
+        self.violations.extend(other.violations);
+        self
+    }
+}
+
+impl Measured {
+    /// Counts a number; false if its bound is none.
+    fn add(&mut self, number: RunningError, error: f64, scale: f64) -> bool {
+        if !number.bound.is_finite() {
+            self.unbounded += 1;
+        } else if error == 0.0 {
+            self.exact += 1;
+        } else {
+            self.overestimation.add(number.bound / error);
+            self.error.add(error / scale);
+            return error <= number.bound;
+        }
+        true
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.overestimation.merge(&other.overestimation);
+        self.error.merge(&other.error);
+        self.exact += other.exact;
+        self.unbounded += other.unbounded;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Measured, RunningError};
+
+    #[test]
+    fn an_error_beyond_its_bound_is_told() {
+        let mut measured = Measured::default();
+        assert!(measured.add(RunningError::new(1.0, 1e-16), 1e-16, 1.0));
+        assert!(measured.add(RunningError::new(1.0, f64::INFINITY), 1e-16, 1.0));
+        assert!(measured.add(RunningError::new(0.0, 0.0), 0.0, 1.0));
+        assert!(!measured.add(RunningError::new(1.0, 1e-16), 1.1e-16, 1.0));
+        assert!(!measured.add(RunningError::new(1.0, 0.0), 1e-30, 1.0));
+        assert!(!measured.add(RunningError::new(1.0, 1e-16), f64::NAN, 1.0));
+        assert_eq!((measured.exact, measured.unbounded), (1, 1));
+    }
+}

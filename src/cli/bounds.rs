@@ -1,0 +1,163 @@
+//! `beamgap bounds`: whether the tolerances are bounds, and how far above the rounding they are.
+
+use super::arguments::{Format, families, regimes, seed};
+use super::exit::Exit;
+use super::human::{error, repeat};
+use super::output::Output;
+use super::table::Table;
+use beamgap::check::{Family, Regime, Selection, bounds};
+use beamgap::report::{BOUNDS_CASES, Bounds, BoundsRow, Environment, Record};
+use clap::{Args, value_parser};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// The arguments.
+#[derive(Args)]
+#[command(after_help = Exit::help())]
+pub(crate) struct MeasureBounds {
+    /// Seed of the random pairs, decimal or 0x-hexadecimal
+    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    seed: u64,
+    /// How many cases of each regime; the default makes 100,008 cases
+    #[arg(long, value_name = "N", default_value_t = BOUNDS_CASES, allow_negative_numbers = true)]
+    #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
+    cases: u64,
+    /// Only pairs in which beam or bar beam is of this family
+    #[arg(long, value_parser = families())]
+    family: Option<Family>,
+    /// Only this regime; may be repeated
+    #[arg(long, value_parser = regimes())]
+    regime: Vec<Regime>,
+    /// Tables for people, or one document for programs
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Write the result to this file, and only the verdict to standard output
+    #[arg(long, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+impl MeasureBounds {
+    /// Measures and writes the result.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        let output = Output::open(self.output.as_deref())?;
+        let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
+        let regimes = Regime::ALL.into_iter().filter(asked).collect();
+        let selection = Selection { regimes, family: self.family, cases: self.cases };
+        let found = bounds(self.seed, &selection);
+        let mut command = format!("beamgap bounds --seed {:#x} --cases {}", self.seed, self.cases);
+        let named = selection
+            .regimes
+            .iter()
+            .filter(|_| !self.regime.is_empty())
+            .map(|&regime| ("regime", regime.name()));
+        for (option, name) in named.chain(self.family.map(|family| ("family", family.name()))) {
+            let _ = write!(command, " --{option} {name}");
+        }
+        let record = Bounds::new(&found, self.seed, self.cases, Environment::here(&command));
+        let (exit, words) = verdict(&record);
+        let document = match self.format {
+            Format::Human => human(&record) + "\n" + &words + "\n",
+            Format::Json => record.to_json()?,
+        };
+        output.write(&document, &(words + "\n"))?;
+        Ok(exit)
+    }
+}
+
+fn verdict(record: &Bounds) -> (Exit, String) {
+    let points: u64 = record.regimes.iter().map(|regime| regime.measured).sum();
+    match (points, record.violations.len()) {
+        (0, _) => (Exit::Nothing, "NOTHING MEASURED: no closest point could be.".into()),
+        (_, 0) => {
+            (Exit::Agree, format!("BOUNDS HOLD: at {points} closest points no error exceeds its bound."))
+        }
+        (_, n) => (Exit::Untrusted, format!("BROKEN BOUNDS: in {n} cases an error exceeds its bound.")),
+    }
+}
+
+fn human(record: &Bounds) -> String {
+    let mut text = format!(
+        "Bounds on rounding against the rounding that there is, by double-double\n\
+         seed {:#x}, {} cases of each regime\n",
+        record.seed, record.cases_per_regime
+    );
+    for side in ["closed form", "AD"] {
+        let _ = write!(text, "\n{side}: bound over error, and error over scale\n{}", rows(record, side));
+    }
+    let mut points = Table::new(&["regime", "points", "beyond 1e-3", "left out"]);
+    for regime in &record.regimes {
+        let counts = [regime.measured, regime.not_meaningful, regime.left_out].map(|count| count.to_string());
+        points.row([regime.regime.clone()].into_iter().chain(counts).collect());
+    }
+    let _ = write!(text, "\nPoints where some tolerance exceeds a thousandth of its scale\n{points}");
+    for broken in record.violations.iter().take(5) {
+        let number = |x: Option<f64>| x.map_or_else(|| "not finite".into(), |x| format!("{x:.3e}"));
+        let _ = write!(
+            text,
+            "\n  {} of {}, {}: error {}, bound {}\n    {}\n",
+            broken.part,
+            broken.quantity,
+            broken.side,
+            number(broken.error),
+            number(broken.bound),
+            repeat(record.seed, broken.case)
+        );
+    }
+    text
+}
+
+fn rows(record: &Bounds, side: &str) -> Table {
+    let titles = ["regime", "order", "5 %", "median", "95 %", "max", "error", "95 %", "max"];
+    let mut table = Table::new(&titles).left(&[1]);
+    for row in record.rows.iter().filter(|row| row.side == side) {
+        let BoundsRow { regime, order, overestimation, error: scaled, .. } = row;
+        let numbers = [
+            overestimation.low,
+            overestimation.median,
+            overestimation.high,
+            overestimation.max,
+            scaled.median,
+            scaled.high,
+            scaled.max,
+        ]
+        .map(|x| x.map_or_else(|| "-".into(), error));
+        table.row([regime.clone(), order.clone()].into_iter().chain(numbers).collect());
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{human, verdict};
+    use crate::cli::exit::Exit;
+    use beamgap::check::{Selection, bounds};
+    use beamgap::report::{Bounds, BrokenBound, Environment};
+
+    #[test]
+    fn a_broken_bound_is_told_with_the_command_that_shows_it() {
+        let none = Selection { regimes: Vec::new(), family: None, cases: 1 };
+        let mut record = Bounds::new(&bounds(1, &none), 0xabc, 1, Environment::here("none"));
+        assert_eq!(verdict(&record).0, Exit::Nothing);
+        let regime = beamgap::report::RegimePoints {
+            regime: "generic".into(),
+            measured: 3,
+            not_meaningful: 0,
+            left_out: 0,
+        };
+        record.regimes.push(regime);
+        assert_eq!(verdict(&record).0, Exit::Agree);
+        record.violations.push(BrokenBound {
+            case: 17,
+            side: "AD".into(),
+            quantity: "xi".into(),
+            part: "Delta".into(),
+            bound: Some(1e-16),
+            error: None,
+        });
+        assert_eq!(verdict(&record).0, Exit::Untrusted);
+        let text = human(&record);
+        let told = "  Delta of xi, AD: error not finite, bound 1.000e-16\n    ";
+        let (_, command) = text.split_once(told).unwrap();
+        assert!(command.ends_with(" check --seed 0xabc --case 17\n"), "{text}");
+    }
+}

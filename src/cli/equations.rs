@@ -1,0 +1,230 @@
+//! `beamgap equations`: every equation of the paper, as printed and as corrected, run.
+
+use super::arguments::{Format, seed};
+use super::exit::Exit;
+use super::output::Output;
+use super::table::Table;
+use beamgap::equations::{
+    self as record, CASES, Counts, DRAWS, EquationRow, Order, Reading, Run, Score, Verdict,
+};
+use beamgap::report;
+use beamgap::report::Record;
+use clap::{Args, value_parser};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// What makes the record, and the page that is made of it.
+pub(super) const EQUATIONS: &str = "cargo run --release -- equations --to reports";
+
+/// The arguments.
+#[derive(Args)]
+#[command(after_help = Exit::help())]
+pub(crate) struct ListEquations {
+    /// Seed of the random residues and cases, decimal or 0x-hexadecimal
+    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    seed: u64,
+    /// How many draws for each ordered pair of families
+    #[arg(long, value_name = "N", default_value_t = DRAWS, allow_negative_numbers = true)]
+    #[arg(value_parser = value_parser!(u64).range(1..=100_000))]
+    draws: u64,
+    /// Only this equation, and everything about it
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(value_parser = value_parser!(u8).range(1..=59))]
+    equation: Option<u8>,
+    /// Tables for people, or one document for programs
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Also write equations.json and equations.md into this directory
+    #[arg(long, value_name = "DIR", conflicts_with = "equation")]
+    to: Option<PathBuf>,
+    /// Write the result to this file, and only the verdict to standard output
+    #[arg(long, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+impl ListEquations {
+    /// Runs the equations and writes what became of them.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        let output = Output::open(self.output.as_deref())?;
+        let mut paper = record::equation_table(self.seed, self.draws, CASES, &self.command());
+        if let Some(directory) = &self.to {
+            report::equations(directory, &paper)?;
+        }
+        let (mut holds, mut verdict) = (paper.holds(), words(&paper));
+        if let Some(number) = self.equation {
+            paper.equations.retain(|entry| entry.number == number);
+            paper.claims.clear();
+            holds = paper.equations.iter().all(|entry| entry.verdict != Verdict::Refuted);
+            verdict = paper.equations.iter().map(|entry| told(entry.number, entry.verdict)).collect();
+        }
+        let document = match (self.format, paper.equations.as_slice()) {
+            (Format::Json, _) => paper.to_json()?,
+            (Format::Human, [entry]) => format!("{}\n{verdict}\n", whole(entry)),
+            (Format::Human, _) => format!("{}\n{verdict}\n", table(&paper)),
+        };
+        output.write(&document, &format!("{verdict}\n"))?;
+        Ok(if holds { Exit::Agree } else { Exit::Disagree })
+    }
+
+    /// The command that gives the record again.
+    fn command(&self) -> String {
+        let mut command = String::from(EQUATIONS);
+        if self.seed != report::SEED {
+            let _ = write!(command, " --seed {:#x}", self.seed);
+        }
+        if self.draws != DRAWS {
+            let _ = write!(command, " --draws {}", self.draws);
+        }
+        command
+    }
+}
+
+fn words(paper: &record::EquationTable) -> String {
+    let of = |verdict| paper.equations.iter().filter(|entry| entry.verdict == verdict).count();
+    let (all, misprints) = (paper.equations.len(), of(Verdict::Misprint));
+    if paper.holds() {
+        format!("HOLDS: of {all} equations {misprints} are misprinted, and none is refuted as corrected.")
+    } else if of(Verdict::Refuted) == 0 {
+        format!("DOES NOT HOLD: the {all} equations are not those from 1 to 59.")
+    } else {
+        format!("DOES NOT HOLD: of {all} equations {} refuted as corrected.", of(Verdict::Refuted))
+    }
+}
+
+fn told(number: u8, verdict: Verdict) -> String {
+    format!("Eq. ({number}): {}.", verdict.words())
+}
+
+/// One row for each equation.
+fn table(paper: &record::EquationTable) -> String {
+    let [linear, nonlinear] = paper.pairs.map(|pairs| pairs * paper.draws);
+    let mut text = format!(
+        "Every equation of the paper, as printed and as corrected, against hyper-dual\n\
+         numbers: over the field of 2^61 - 1 elements, and in f64\n\
+         seed {:#x}, {} draws for each ordered pair of families\n\n\
+         Refuted draws as printed: of {linear} with curves linear in their dofs (lin), and\n\
+         of {nonlinear} with one that is not (non); as corrected (lin*, non*). Error: of the\n\
+         print in f64, relative to its terms, the largest at {} closest points; of\n\
+         (14), relative to (12).\n\n",
+        paper.seed,
+        paper.draws,
+        paper.points.iter().sum::<u64>(),
+    );
+    let titles = ["eq", "verdict", "lin", "non", "lin*", "non*", "error", "where"];
+    let mut table = Table::new(&titles).left(&[1, 7]);
+    for entry in &paper.equations {
+        let place = entry.places.first();
+        let file = |file: &str| file.rsplit('/').next().unwrap_or_default().to_owned();
+        let [printed, corrected] = [&entry.as_printed, &entry.as_corrected].map(refuted);
+        let run = !entry.parts.is_empty() && !entry.printed.is_empty();
+        table.row(vec![
+            format!("{:>2}", entry.number),
+            entry.verdict.words().into(),
+            printed[0].clone(),
+            printed[1].clone(),
+            corrected[0].clone(),
+            corrected[1].clone(),
+            entry.error().filter(|_| run).map_or_else(|| "-".into(), |error| format!("{error:.1e}")),
+            place.map_or_else(|| "-".into(), |place| format!("{}:{}", file(&place.file), place.line)),
+        ]);
+    }
+    let _ = write!(text, "{table}");
+    text.push_str("\nSymmetry step delta and Delta are exchanged, of formulas of second order: by\n");
+    text.push_str("form, by orthogonality, not at all\n\n");
+    let mut table = Table::new(&["claim", "made in", "form", "orth", "not"]).left(&[1]);
+    for claim in &paper.claims {
+        let [form, orthogonality, not] = claim.found.map(|n| n.to_string());
+        table.row(vec![claim.says.clone(), claim.made.clone(), form, orthogonality, not]);
+    }
+    let _ = write!(text, "{table}");
+    text
+}
+
+/// Refuted draws, of both kinds of pairs.
+fn refuted(score: &Score) -> [String; 2] {
+    [score.linear, score.nonlinear]
+        .map(|counts: Counts| if counts.total() == 0 { "-".to_owned() } else { counts.refuted.to_string() })
+}
+
+/// One equation with all its readings.
+fn whole(entry: &EquationRow) -> String {
+    let mut text = format!("({}) {}: {}\n", entry.number, entry.says, entry.verdict.words());
+    let mut section = |title: &str, body: &str| {
+        if !body.is_empty() {
+            let _ = write!(text, "\n{title}\n{}", wrapped(body));
+        }
+    };
+    section("As printed", &entry.printed);
+    section("As corrected", entry.corrected.as_deref().unwrap_or_default());
+    section("Remark", &entry.remark);
+    section("Left out", &entry.omitted.join(", "));
+    for part in &entry.parts {
+        let order = match part.order {
+            Order::Value => "value",
+            Order::First => "first order",
+            Order::Second => "second order",
+            Order::Finite => "finite increments",
+        };
+        let _ = writeln!(
+            text,
+            "\nRun{} ({order}, {})",
+            if part.name.is_empty() { String::new() } else { format!(": {}", part.name) },
+            part.verdict().words()
+        );
+        for run in &part.runs {
+            let _ = write!(text, "{}", shown(run));
+        }
+    }
+    if !entry.arcs.is_empty() {
+        let _ = writeln!(text, "\nAgainst the arc length (12)");
+    }
+    for arc in &entry.arcs {
+        let ratio = arc
+            .ratio
+            .map_or_else(|| "rounding".to_owned(), |r| format!("{r:.1} times less for half the slip"));
+        let _ = writeln!(text, "  {:<14}  slip {}: {:.1e}, {ratio}", arc.family, arc.slip, arc.error);
+    }
+    text.push_str("\nWhere\n");
+    for place in &entry.places {
+        let _ = writeln!(text, "  {}:{}  {}", place.file, place.line, place.item);
+    }
+    text
+}
+
+fn shown(run: &Run) -> String {
+    let reading = match run.reading {
+        Reading::Printed => "as printed",
+        Reading::Other => "read otherwise",
+        Reading::Corrected => "corrected",
+        Reading::Complete => "complete",
+    };
+    let words = if run.words.is_empty() { String::new() } else { format!(": {}", run.words) };
+    let mut text = format!("  {reading}{words}\n");
+    let kinds = [("dofs linear", run.score.linear), ("nonlinear", run.score.nonlinear)];
+    for ((kind, counts), error) in kinds.into_iter().zip(run.score.errors) {
+        let error = error.map_or_else(|| "not finite".to_owned(), |error| format!("{error:.1e}"));
+        let _ = writeln!(
+            text,
+            "    {kind:<11}  {:>6} equal, {:>6} refuted; error in f64 {error}",
+            counts.equal, counts.refuted
+        );
+    }
+    if let Some(symmetry) = run.symmetry() {
+        let _ = writeln!(text, "    symmetric    {}", symmetry.words());
+    }
+    text
+}
+
+/// Words in lines of a terminal's width.
+fn wrapped(text: &str) -> String {
+    let (mut lines, mut line) = (String::new(), String::new());
+    for word in text.split_whitespace() {
+        if !line.is_empty() && line.chars().count() + word.chars().count() > 75 {
+            let _ = writeln!(lines, "  {line}");
+            line.clear();
+        }
+        line += if line.is_empty() { "" } else { " " };
+        line += word;
+    }
+    lines + &format!("  {line}\n")
+}

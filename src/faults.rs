@@ -1,0 +1,25 @@
+//! Fault injection: whether a check fails when a term is wrong, and passes when a formula is only written in another way.
+//!
+//! Every fault of the [catalogue](crate::variant::catalogue) and every [`Rewrite`](crate::variant::Rewrite) is put
+//! through the gate and through the checks that are used elsewhere. All checks evaluate the same closest points in every
+//! regime: inside both beams, in all four forms of the closed form, and at the ends of beams. The beams are linear in their
+//! dofs or not. A fault is undetected if the check passes at every point. A rewrite that the check rejects at some point is
+//! a false positive.
+
+mod check;
+mod differences;
+mod exact;
+mod limit;
+mod operations;
+mod own;
+mod run;
+mod sampled;
+mod test_points;
+
+pub use check::Check;
+pub use differences::Rule;
+pub use limit::{Limit, limits};
+pub use operations::{Lost, Operations, Undetected, all_operations};
+pub use own::{Formula, operations_of, operations_of_curve};
+pub use run::{Detection, Injected, inject};
+pub use sampled::{Sampled, sampled};

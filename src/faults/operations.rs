@@ -1,0 +1,193 @@
+//! Every operation of the closed form made wrong, one at a time, over the prime field.
+//!
+//! The code that is run is the library's own, over a scalar that counts its operations. An operation is made wrong in
+//! its result: by its sign, lost, doubled, or one too large; or replaced by the result that the same operation has in a
+//! run with the directions exchanged, with the beams exchanged, with the beam in place of the bar beam, or at other
+//! parameters. A fault is detected if some number that comes out is another one. The proof, which compares these numbers with
+//! automatic differentiation by `==`, shows it too then.
+
+mod place;
+mod reason;
+
+use crate::number::{Bits, Change, Label, PrimeField, Traced, counted, locate, operations, with_operation};
+use crate::test_beam::Family;
+use crate::variant::Kind;
+use place::Place;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use reason::reason;
+
+/// Code that is run with its operands as they are, or mistaken for others; returns all numbers that come out.
+type Code<'a> = dyn Fn(Option<Kind>) -> Vec<u64> + Sync + 'a;
+
+/// What became of the faults of one code in one place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Operations {
+    /// The code.
+    pub code: String,
+    /// Where it was run: in which form, and which ends held a parameter.
+    pub place: &'static str,
+    /// How many operations it has.
+    pub operations: usize,
+    /// How many of their faults change a result.
+    pub faults: usize,
+    /// How many of these change a number that comes out.
+    pub detected: usize,
+    /// Operations of which no fault does, and faults that do not of operations of which others do.
+    pub undetected: Vec<Undetected>,
+}
+
+impl Operations {
+    /// Whether every fault is detected, but for those with a reason.
+    pub fn is_whole(&self) -> bool {
+        self.faults > 0 && self.undetected.iter().all(|undetected| undetected.reason.is_some())
+    }
+}
+
+/// What no number that comes out depends on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Undetected {
+    /// The number of the operation.
+    pub operation: usize,
+    /// What was wrong with it.
+    pub wrong: &'static str,
+    /// The lines of the source, if the build knows them, from the operation outwards.
+    pub at: Vec<String>,
+    /// The first named term that is computed after it.
+    pub term: Option<Label>,
+    /// How it is lost.
+    pub lost: Lost,
+    /// Why that is right, if it is known.
+    pub reason: Option<&'static str>,
+}
+
+/// How an operation is lost on its way to the numbers that come out, found by marking its result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Lost {
+    /// Nothing uses it.
+    Unused,
+    /// It is multiplied by zero.
+    TimesZero,
+    /// It enters the numbers that come out, but cancels.
+    Cancels,
+}
+
+impl Lost {
+    /// Marks the result of an operation, and looks for the mark in what comes out.
+    fn of(operation: usize, run: impl FnOnce() -> Vec<u64>) -> Self {
+        let (numbers, times_zero) = Traced::run(|| with_operation(operation, Change::Marked, run));
+        if numbers.into_iter().any(Traced::is_marked) {
+            Self::Cancels
+        } else if times_zero {
+            Self::TimesZero
+        } else {
+            Self::Unused
+        }
+    }
+}
+
+/// What is wrong with an operation by itself.
+const ALONE: [(&str, Change); 4] = [
+    ("sign", Change::Times(-1.0)),
+    ("lost", Change::Times(0.0)),
+    ("doubled", Change::Times(2.0)),
+    ("plus one", Change::PlusOne),
+];
+
+/// All operations of the equations, the matrices, the kernel in every layout, and the jets of all families.
+pub fn all_operations(seed: u64) -> Vec<Operations> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let places = Place::all(&mut rng);
+    let mut all = Vec::new();
+    for place in &places {
+        for (code, kinds, run) in place.codes() {
+            all.push(examined(code.to_owned(), place.name, kinds, &*run));
+        }
+    }
+    for family in Family::ALL {
+        let model = family.model(&mut rng);
+        let mut random = || Traced::from(PrimeField::new(rng.random()));
+        let (jets, now, before) = (model.jets(&mut random), random(), random());
+        let run = |kind: Option<Kind>| jets(if kind.is_some() { before } else { now });
+        all.push(examined(format!("jet of {}", family.name()), "-", &[Kind::Stale], &run));
+    }
+    all
+}
+
+pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -> Operations {
+    let (sound, count) = counted(|| run(None));
+    let own = operations(|| run(None));
+    let others: Vec<_> = kinds.iter().map(|&kind| (kind.name(), operations(|| run(Some(kind))))).collect();
+    let of_operation = |k: usize| {
+        let alone = ALONE.into_iter();
+        let mistaken =
+            others.iter().filter_map(|(name, other)| Some((*name, Change::Instead(*other.get(k)?))));
+        let changes =
+            alone.chain(mistaken).filter(|(_, change)| change.of(Traced::from_bits(own[k])).bits() != own[k]);
+        let is_shown = |change| with_operation(k, change, || run(None)) != sound;
+        changes.map(|(name, change)| (name, is_shown(change))).collect::<Vec<_>>()
+    };
+    let found: Vec<_> = (0..count).into_par_iter().map(of_operation).collect();
+    let mut all =
+        Operations { code, place, operations: count, faults: 0, detected: 0, undetected: Vec::new() };
+    for (operation, faults) in found.into_iter().enumerate() {
+        let detected = faults.iter().filter(|(_, is_shown)| *is_shown).count();
+        (all.faults, all.detected) = (all.faults + faults.len(), all.detected + detected);
+        let undetected = |wrong| {
+            let (at, term) = locate(operation, || run(None));
+            let lost = Lost::of(operation, || run(None));
+            let reason = reason(lost, &all.code, place, &at);
+            Undetected { operation, wrong, at, term, lost, reason }
+        };
+        let missed = faults.iter().filter(|(_, is_shown)| !is_shown).map(|(wrong, _)| *wrong);
+        let missed =
+            if detected == 0 { missed.take(1).map(|_| "any").collect() } else { missed.collect::<Vec<_>>() };
+        let missed: Vec<_> = missed.into_iter().map(undetected).collect();
+        all.undetected.extend(missed);
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Kind, Lost, Place, examined};
+    use crate::number::{Bits, Faulty, PrimeField, Real, Traced};
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+
+    #[test]
+    fn an_operation_that_nothing_depends_on_is_found() {
+        // x y + z, a product that is dropped, one that is multiplied by zero, and one that cancels.
+        let run = |kind: Option<Kind>| {
+            let [x, y, z] = if kind.is_some() { [3, 2, 7] } else { [2, 3, 5] };
+            let [x, y, z, zero] = [x, y, z, 0].map(|n| Faulty(Traced::from(PrimeField::new(n))));
+            let _ = x * z;
+            let twice = z + z;
+            let cancels = x + z;
+            vec![(x * y + z + twice * zero + (cancels - cancels)).0.bits()]
+        };
+        let found = examined("code".to_owned(), "place", &[Kind::Swapped], &run);
+        let lost: Vec<_> = found.undetected.iter().map(|of| (of.operation, of.wrong, of.lost)).collect();
+        let expected = [(0, Lost::Unused), (1, Lost::TimesZero), (2, Lost::Cancels)];
+        assert_eq!(lost, expected.map(|(operation, lost)| (operation, "any", lost)));
+        // The product of 2 and 3 is that of 3 and 2: swapped, it is no fault. Of a zero there is one fault, plus one.
+        assert_eq!((found.operations, found.faults, found.detected), (9, 36, 21));
+        assert!(!found.is_whole());
+    }
+
+    #[test]
+    fn no_fault_of_the_equations_is_missed_inside_both_beams() {
+        let places = Place::all(&mut ChaCha8Rng::seed_from_u64(1));
+        for place in places.iter().filter(|place| !place.name.contains("end")) {
+            let (code, kinds, run) = place.codes().swap_remove(0);
+            let found = examined(code.to_owned(), place.name, kinds, &*run);
+            assert!(
+                found.operations > 400 && found.detected == found.faults && found.is_whole(),
+                "{found:?}"
+            );
+        }
+        let root = |x: u64| Faulty(PrimeField::new(x)).sqrt().0.value();
+        assert_eq!((root(4) * root(4), root(PrimeField::PRIME - 4)), (4, PrimeField::PRIME - 4));
+    }
+}
