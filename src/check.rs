@@ -31,7 +31,7 @@
 //! its reason. It is never passed.
 //!
 //! # What does not agree
-//! A mismatch is named by its first wrong number ([`Diagnosis`]), made small while it keeps that name ([`shrink`]), and
+//! A mismatch is named by its first wrong number ([`Diagnosis`]), shrunk while it keeps that name ([`shrink`]), and
 //! written as a test ([`test_source`]) or as numbers ([`CaseData`]).
 
 mod accuracy;

@@ -102,7 +102,7 @@ impl<T: DualNum<Primitive = f64> + Copy> Real for T {
 }
 
 /// Derives the assigning operators, `Zero`, `One` and `From<f64>` of a scalar from its `+ - * /`, its
-/// `constant(f64)` and its `is_nought`; the generics stand first, in brackets.
+/// `constant(f64)` and its `is_exact_zero`; the generics stand first, in brackets.
 macro_rules! field_from_operators {
     ([$($generics:tt)*] $type:ty) => {
         impl<$($generics)*> std::ops::AddAssign for $type {

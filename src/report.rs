@@ -31,13 +31,13 @@ mod peers;
 mod plot;
 mod record;
 mod roof;
+mod rounds;
 mod task;
-mod turns;
 
 pub use accuracy::{Accuracy, AccuracyRow, Losses};
 pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 pub use bounds::{Bounds, BoundsRow, BrokenBound, Quantiles, RegimePoints};
-pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_turns};
+pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_rounds};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;
@@ -46,8 +46,8 @@ pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
 pub use peers::{AtGap, LeftOut, Peer, Peers};
 pub use record::Record;
+pub use rounds::Rounds;
 pub use task::Task;
-pub use turns::Turns;
 
 use crate::check::{self, CheckConfig, Regime, Selection};
 use crate::equations::EquationTable;

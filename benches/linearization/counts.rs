@@ -37,13 +37,13 @@ pub(crate) fn main() -> Option<ExitCode> {
     Some(if check { self::check(&now) } else { ExitCode::SUCCESS })
 }
 
-/// What is counted: every closed form and search, and the fastest ways of automatic differentiation.
+/// What is counted: every closed form and search, and the fastest methods of automatic differentiation.
 fn main_scenarios() -> Vec<Scenario> {
     let is_main = |scenario: &Scenario| match scenario.task {
         // What several threads do is not the same each time.
         Task::DistanceOfMany | Task::AllOfMany => false,
         Task::ClosestPoint => true,
-        _ => scenario.way.contains("closed form") || scenario.way.contains("by orders"),
+        _ => scenario.method.contains("closed form") || scenario.method.contains("by orders"),
     };
     scenario::all().into_iter().filter(is_main).collect()
 }

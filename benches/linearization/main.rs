@@ -1,4 +1,4 @@
-//! How long the linearization takes, by way, by size and by task; every way is judged before any is timed.
+//! How long the linearization takes, by method, by size and by task; every method is judged before any is timed.
 //!
 //! ```console
 //! $ cargo bench                                                 # times, for `beamgap report`
@@ -8,11 +8,11 @@
 //! ```
 
 mod counts;
-mod floors;
+mod roofline;
+mod rounds;
 mod scenario;
-mod turns;
 
-use beamgap::report::{Environment, Verdict, Verdicts, criterion_directory, write_turns};
+use beamgap::report::{Environment, Verdict, Verdicts, criterion_directory, write_rounds};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group};
 use rayon::prelude::*;
 use scenario::Scenario;
@@ -27,23 +27,24 @@ fn linearization(criterion: &mut Criterion) {
     if let Some(directory) = &directory {
         verdicts.write(directory).expect(WRITABLE);
     }
-    let mut all_turns = Vec::new();
+    let mut all_rounds = Vec::new();
     for of_group in scenarios.chunk_by(|a, b| a.group() == b.group()) {
         let mut group = criterion.benchmark_group(of_group[0].group());
         group.sampling_mode(SamplingMode::Flat);
         for scenario in of_group {
             group.throughput(Throughput::Elements(scenario.pairs as u64));
             let mut run = scenario.runner();
-            group.bench_function(&scenario.way, |bencher| bencher.iter(&mut run));
+            group.bench_function(&scenario.method, |bencher| bencher.iter(&mut run));
             if directory.is_some() {
-                let of_scenario = turns::turns(scenario, of_group).into_iter();
-                all_turns.extend(of_scenario.map(|turns| (scenario.group(), scenario.way.clone(), turns)));
+                let of_scenario = rounds::rounds(scenario, of_group).into_iter();
+                all_rounds
+                    .extend(of_scenario.map(|rounds| (scenario.group(), scenario.method.clone(), rounds)));
             }
         }
         group.finish();
     }
     if let Some(directory) = &directory {
-        write_turns(directory, &all_turns).expect(WRITABLE);
+        write_rounds(directory, &all_rounds).expect(WRITABLE);
     }
 }
 

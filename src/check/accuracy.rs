@@ -56,7 +56,7 @@ pub struct Errors {
     /// Of the paper's form.
     pub paper: f64,
     /// Of the form along the normal and by cross products.
-    pub apart: f64,
+    pub robust: f64,
     /// Of the form that is chosen.
     pub chosen: f64,
 }
@@ -96,9 +96,9 @@ impl Level {
     fn new(at: f64, pairs: usize, pair: impl Fn(usize) -> Option<Measured> + Send + Sync) -> Self {
         let measured: Vec<_> = (0..pairs).into_par_iter().filter_map(pair).collect();
         let errors = |of: fn(&Measured) -> [f64; 3]| {
-            let [paper, apart, chosen] =
+            let [paper, robust, chosen] =
                 [0, 1, 2].map(|k| median(measured.iter().map(|pair| of(pair)[k]).collect()));
-            Errors { paper, apart, chosen }
+            Errors { paper, robust, chosen }
         };
         Self {
             at,
@@ -130,11 +130,11 @@ fn measure(seed: u64, stream: u64, families: [Family; 2], change: impl Fn(Draw) 
     let partial = [beam.partial_variations_plain(rounded[0]), bar.partial_variations_plain(rounded[1])];
     let points = Points::new(&partial[0].geometry, &partial[1].geometry);
     let inside = Held::default();
-    let (paper, apart, choice) =
+    let (paper, robust, choice) =
         (Formulation::paper(inside), Formulation::robust(&points, inside), Formulation::at(&points, inside));
     let exact =
-        varied(&[beam.partial_variations_precise(at[0]), bar.partial_variations_precise(at[1])], apart);
-    let found = [paper, apart, choice].map(|form| varied(&partial, form));
+        varied(&[beam.partial_variations_precise(at[0]), bar.partial_variations_precise(at[1])], robust);
+    let found = [paper, robust, choice].map(|form| varied(&partial, form));
     let error = |found: f64, exact: DoubleDouble| ((DoubleDouble::from(found) - exact) / exact).abs().value();
     Some(Measured {
         choice,

@@ -9,7 +9,7 @@ use crate::linearization::Quantity;
 ///
 /// Whatever is computed from a wrong number is wrong too, so the whole list of wrong numbers says less than its first:
 /// values come before first variations, those before second ones, the matrices last; and within an order the
-/// parameters come before the vectors, these before lengths, and slips last. A case that is made smaller step by step
+/// parameters come before the vectors, these before lengths, and slips last. A case that is shrunker step by step
 /// must keep all of this, lest it ends in another fault: the same first number, wrong by the word of the same
 /// references, at a closest point with the same ends held. How many numbers are wrong after it may change.
 #[derive(Clone, Debug, PartialEq, Eq)]

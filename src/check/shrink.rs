@@ -21,7 +21,7 @@ use edit::edits;
 /// Most comparisons that a case is worth; one takes about half a millisecond.
 const BUDGET: usize = 1000;
 
-/// A mismatch made small.
+/// A mismatch shrunk.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shrunk {
     /// The number of the case that it comes from.
@@ -32,7 +32,7 @@ pub struct Shrunk {
     pub finding: Finding,
 }
 
-/// The first `most` cases that did not agree, made small; one for each diagnosis.
+/// The first `most` cases that did not agree, shrunk; one for each diagnosis.
 pub fn shrink_mismatches(variant: &Variant, seed: u64, summary: &Summary, most: usize) -> Vec<Shrunk> {
     let config = CheckConfig { variant: variant.clone(), oracles: Oracles::Ad };
     let find = |case: &CaseData| Finding::of(&case.compare(&config).ok()?);
@@ -81,12 +81,12 @@ pub fn shrink<D: PartialEq>(case: &CaseData, diagnose: impl Fn(&CaseData) -> D) 
 }
 
 /// How large a case is: the families count first, in the order of [`Family`](crate::test_beam::Family), then the dofs
-/// that vary, then those that are not nought, then how long the numbers are when written.
+/// that vary, then those that are not zero, then how long the numbers are when written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Size {
     families: usize,
     varied: usize,
-    not_nought: usize,
+    not_zero: usize,
     digits: usize,
 }
 
@@ -94,13 +94,13 @@ impl Size {
     fn of(case: &CaseData) -> Self {
         let contact =
             [case.contact.radius, case.contact.radius_bar, case.contact.xi_0, case.contact.xi_bar_0];
-        let mut size = Self { families: 0, varied: 0, not_nought: 0, digits: 0 };
-        size.not_nought += not_nought(&contact);
+        let mut size = Self { families: 0, varied: 0, not_zero: 0, digits: 0 };
+        size.not_zero += not_zero(&contact);
         size.digits += digits(&contact);
         for TestBeam { family, parameters, q, dq, linear_dq } in &case.test_beams {
             size.families += *family as usize;
-            size.varied += not_nought(dq) + not_nought(linear_dq);
-            size.not_nought += not_nought(q);
+            size.varied += not_zero(dq) + not_zero(linear_dq);
+            size.not_zero += not_zero(q);
             size.digits +=
                 [parameters, q, dq, linear_dq].map(|numbers| digits(numbers)).iter().sum::<usize>();
         }
@@ -108,7 +108,7 @@ impl Size {
     }
 }
 
-fn not_nought(numbers: &[f64]) -> usize {
+fn not_zero(numbers: &[f64]) -> usize {
     numbers.iter().filter(|&&number| number != 0.0).count()
 }
 

@@ -74,7 +74,7 @@ fn human(record: &Accuracy) -> String {
 fn table(at: &str, rows: &[AccuracyRow]) -> Table {
     let mut table = Table::new(&[at, "Ddd paper", "normal", "chosen", "Ddxi paper", "crossed", "chosen"]);
     for AccuracyRow { at, d, xi, .. } in rows {
-        let numbers = [d.paper, d.apart, d.chosen, xi.paper, xi.apart, xi.chosen]
+        let numbers = [d.paper, d.robust, d.chosen, xi.paper, xi.robust, xi.chosen]
             .map(|x| x.map_or_else(|| "-".into(), error));
         table.row([format!("{at:e}")].into_iter().chain(numbers).collect());
     }

@@ -140,7 +140,7 @@ fn parameters(object: &Map<String, Value>, name: &str, family: Family) -> anyhow
     Ok(parameters)
 }
 
-/// Radii and reference parameters; those not given are nought.
+/// Radii and reference parameters; those not given are zero.
 fn contact(value: &Value) -> anyhow::Result<Contact> {
     let object = as_object(value, "contact")?;
     known(object, "contact", &["radius", "radius_bar", "xi_0", "xi_bar_0"])?;

@@ -70,7 +70,7 @@ enum Oracle {
     All,
 }
 
-/// Mismatches shown in full, and made small; the others are counted.
+/// Mismatches shown in full, and shrunk; the others are counted.
 pub(super) const SHOWN: usize = 5;
 
 /// What was asked, and what was found.

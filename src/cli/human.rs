@@ -27,7 +27,7 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     add("Not compared", not_compared(checked));
     add("Differences in double-double", differences(checked));
     add("Disagreements", disagreements::listed(checked));
-    add("Made small: as a test, and as a command", disagreements::made_small(checked));
+    add("Shrunk: as a test, and as a command", disagreements::made_small(checked));
     text + "\n" + &verdict.words + "\n"
 }
 

@@ -8,7 +8,7 @@ use nalgebra::{SMatrix, SVector, Vector3};
 /// A circular arc of fixed opening angle.
 ///
 /// Half its opening angle, alpha (radian), is a fixed parameter. Dofs: centre c (3, the user's unit of length), radius r
-/// (1, a length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not nought), phase (1,
+/// (1, a length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not zero), phase (1,
 /// radian); `N = 9`.
 ///
 /// ```math

@@ -8,7 +8,7 @@ use nalgebra::{SMatrix, SVector, Vector3};
 /// A helix that winds through a fixed angle.
 ///
 /// Half the angle it winds through, alpha (radian), is a fixed parameter. Dofs: centre c (3, the user's unit of
-/// length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not nought), radius r (1, a
+/// length), orientation p = (w, x, y, z) (4, an unnormalised quaternion, scalar first, not zero), radius r (1, a
 /// length), pitch h (1, the rise in one turn, a length; its sign is the handedness), phase (1, radian); `N = 10`.
 ///
 /// ```math

@@ -23,7 +23,7 @@ use nalgebra::{SMatrix, SVector, Vector3, Vector4};
 ///
 /// where A is varied as dA = sum N_i (dw_i P_i + w_i dP_i), DdA = sum N_i (dw_i DP_i + Dw_i dP_i), and DdW = 0.
 /// The origin is laid into the point x itself, which loses no digits far from the user's origin: with P_i - x for
-/// P_i, x^(0) is nought in the first two rows.
+/// P_i, x^(0) is zero in the first two rows.
 ///
 /// The matrices hold the same in the unit directions. With n_i = N_i / W,
 ///
@@ -113,7 +113,7 @@ pub struct NurbsDofs<T, const P: usize> {
     w: [T; 3],
     /// The control points relative to x, with their weights.
     points: [Vector4<T>; P],
-    /// x relative to itself, which is nought, and its first two derivatives.
+    /// x relative to itself, which is zero, and its first two derivatives.
     x: [Vector3<T>; 3],
 }
 

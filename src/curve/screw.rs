@@ -80,7 +80,7 @@ impl<T: Real> Screw<T> {
 /// x = c + R y
 /// ```
 ///
-/// The orientation is an unnormalised quaternion p = (w, u). Every p other than nought is the rotation
+/// The orientation is an unnormalised quaternion p = (w, u). Every p other than zero is the rotation
 /// R(p) = M(p) / |p|^2, M(p) v = B(p, p) v with
 ///
 /// ```math

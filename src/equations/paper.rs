@@ -1,7 +1,7 @@
 //! The equations of the paper, section by section: the print, and what it says run over any scalar.
 //!
 //! G. Zavarise, "A generalized formulation for contact between beams: geometrical preliminaries", 2007. The LaTeX is
-//! that of a scan, so that a misprint cannot always be laid to the print. Every formula is written as it is printed,
+//! that of a scan, so that a misprint cannot always be attributed to the print. Every formula is written as it is printed,
 //! not as one would compute it.
 
 mod conditions;

@@ -34,11 +34,11 @@ impl<'a> Sample<'a> {
         let evaluation = || EvaluationPoint::new(case.beams(), &case.contact, point).ok();
         let Some(first) = evaluation() else { return Vec::new() };
         let paper = Formulation::paper(point.held());
-        let apart = Formulation::robust(&first.points(), point.held());
+        let robust = Formulation::robust(&first.points(), point.held());
         let others = [
-            Formulation { distance: apart.distance, ..paper },
-            Formulation { system: apart.system, ..paper },
-            apart,
+            Formulation { distance: robust.distance, ..paper },
+            Formulation { system: robust.system, ..paper },
+            robust,
         ];
         let others = others.into_iter().filter(|_| point.is_interior());
         let in_form =

@@ -23,7 +23,7 @@ enum Origin {
 ///
 /// As one counts a product with the sum that it goes into, where processors have such an operation; a quotient, a root, a
 /// sine and a cosine are one each, although they take longer. A change of sign counts nothing, nor does what need not
-/// be computed: with constants alone, plus nought, times nought or one. So a count is of what is done at least.
+/// be computed: with constants alone, plus zero, times zero or one. So a count is of what is done at least.
 #[derive(Clone, Copy, Debug)]
 pub struct OperationCount {
     value: f64,

@@ -13,7 +13,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// A bound is a sum of products of the half ulps of operations and of the bounds of inputs, all of which are larger by
 /// this factor. Computing with them loses half an ulp of the bound at a time, which 2^28 times in a row do not outweigh
-/// it, be it in the root of a root; and the only difference, the distance of a divisor from nought, is smaller for it.
+/// it, be it in the root of a root; and the only difference, the distance of a divisor from zero, is smaller for it.
 const INFLATION: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 
 /// Unit roundoff of `f64`, 2^-53, inflated.

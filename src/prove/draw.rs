@@ -5,7 +5,7 @@ use super::{Sides, differentiated};
 use crate::closest_point::Held;
 use crate::linearization::closed_form::Formulation;
 use crate::number::{Faulty, PrimeField};
-use crate::test_beam::{Family, apart, map_padded, stationary};
+use crate::test_beam::{Family, map_padded, robust, stationary};
 use crate::variant::{CONTACT, Step, Variant, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -35,7 +35,7 @@ impl Draw {
         let held = Held { xi: number % 8 == 5 || number % 8 == 7, xi_bar: number % 8 >= 6 };
         let models = families.map(|family| family.model(&mut rng));
         let (beams, at) = stationary(&models, held, &mut rng);
-        let form = if number % 2 == 1 { apart(&beams, at, held) } else { Formulation::paper(held) };
+        let form = if number % 2 == 1 { robust(&beams, at, held) } else { Formulation::paper(held) };
         let with_matrices = (number / 8).is_multiple_of(MATRICES_EVERY);
         let beams = [&*beams[0], &*beams[1]];
         let padded = |step: Step| {

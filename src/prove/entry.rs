@@ -72,10 +72,10 @@ impl Entry<PrimeField> {
     }
 
     /// Closed form over AD as numerator and denominator, if both are at most 1000: a wrong sign of the whole makes it
-    /// -1 / 1, a doubled result 2 / 1. None if AD has nought, or if the fault is in one term of several.
+    /// -1 / 1, a doubled result 2 / 1. None if AD has zero, or if the fault is in one term of several.
     pub fn ratio(&self) -> Option<(i64, u64)> {
-        let nought = PrimeField::new(0);
-        if self.ad == nought { None } else { (self.closed / self.ad).fraction(1000) }
+        let zero = PrimeField::new(0);
+        if self.ad == zero { None } else { (self.closed / self.ad).fraction(1000) }
     }
 }
 

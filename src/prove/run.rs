@@ -109,9 +109,9 @@ fn degrees(families: [Family; 2]) -> Degrees {
     let at = (PolynomialDegree::VARIABLE, PolynomialDegree::VARIABLE);
     let mut degrees = Degrees::default();
     let held = Held::default();
-    let apart =
+    let robust =
         Formulation { held, distance: Distance::Normal { reversed: false }, system: System::CrossProducts };
-    for form in [Formulation::paper(held), apart] {
+    for form in [Formulation::paper(held), robust] {
         let [beam, bar] = [&*beams[0], &*beams[1]];
         let (partial, partial_bar) = (beam.partial_variations(at.0), bar.partial_variations(at.1));
         let padded = [beam.padded(at.0), bar.padded(at.1)];

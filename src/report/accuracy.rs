@@ -1,4 +1,4 @@
-//! The record of how many digits each form keeps, `beamgap-accuracy/1`.
+//! The record of how many digits each form keeps, `beamgap-accuracy/2`.
 
 use super::number::{finite, rounded};
 use super::{Environment, Record};
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// What each form of the closed form loses, over the gap and over the angle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
-    /// `beamgap-accuracy/1`.
+    /// `beamgap-accuracy/2`.
     pub schema: String,
     /// Where and with what it ran.
     pub environment: Environment,
@@ -45,13 +45,13 @@ pub struct Losses {
     /// Of the paper's form.
     pub paper: Option<f64>,
     /// Of the form along the normal and by cross products.
-    pub apart: Option<f64>,
+    pub robust: Option<f64>,
     /// Of the form that is chosen.
     pub chosen: Option<f64>,
 }
 
 impl Record for Accuracy {
-    const SCHEMA: &'static str = "beamgap-accuracy/1";
+    const SCHEMA: &'static str = "beamgap-accuracy/2";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -90,13 +90,13 @@ impl AccuracyRow {
 impl Losses {
     fn new(errors: check::Errors) -> Self {
         let short = |x: f64| finite(x).map(|x| rounded(x, 2));
-        Self { paper: short(errors.paper), apart: short(errors.apart), chosen: short(errors.chosen) }
+        Self { paper: short(errors.paper), robust: short(errors.robust), chosen: short(errors.chosen) }
     }
 
     /// What the choice loses over what the better form loses, which is a rounding unit at least.
     fn ratio(&self) -> f64 {
-        let [paper, apart, chosen] =
-            [self.paper, self.apart, self.chosen].map(|x| x.unwrap_or(f64::INFINITY));
-        chosen / paper.min(apart).max(0.5 * f64::EPSILON)
+        let [paper, robust, chosen] =
+            [self.paper, self.robust, self.chosen].map(|x| x.unwrap_or(f64::INFINITY));
+        chosen / paper.min(robust).max(0.5 * f64::EPSILON)
     }
 }

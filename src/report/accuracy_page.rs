@@ -70,8 +70,8 @@ fn table(title: &str, what: &str, picture: &str, at: &str, rows: &[AccuracyRow])
         let AccuracyRow { at, pairs, normal, crossed, d, xi } = row;
         let _ = write!(text, "| {at:e} |");
         for losses in [d, xi] {
-            let [paper, apart, chosen] = [losses.paper, losses.apart, losses.chosen].map(error);
-            let _ = write!(text, " {paper} | {apart} | {chosen} |");
+            let [paper, robust, chosen] = [losses.paper, losses.robust, losses.chosen].map(error);
+            let _ = write!(text, " {paper} | {robust} | {chosen} |");
         }
         let _ = writeln!(text, " {normal} of {pairs} | {crossed} of {pairs} |");
     }

@@ -86,8 +86,8 @@ fn draw(
     }
     for (k, name) in names.into_iter().enumerate() {
         let told = |row: &AccuracyRow| {
-            let Losses { paper, apart, chosen } = of(row);
-            [paper, apart, chosen][k].filter(|error| *error > 0.0).map(|error| (x(row.at), y(error)))
+            let Losses { paper, robust, chosen } = of(row);
+            [paper, robust, chosen][k].filter(|error| *error > 0.0).map(|error| (x(row.at), y(error)))
         };
         let points: Vec<_> = rows.iter().filter_map(told).collect();
         let (colour, width) = (COLOURS[k], if k == 2 { 1 } else { 4 });
@@ -105,7 +105,7 @@ fn draw(
     Ok(root.present()?)
 }
 
-/// Where a share of the way between two pixels is.
+/// Where a share of the method between two pixels is.
 fn pixel(share: f64, (from, to): (i32, i32)) -> i32 {
     #[expect(clippy::cast_possible_truncation, reason = "a pixel within the picture")]
     let offset = (share.clamp(0.0, 1.0) * f64::from(to - from)).round() as i32;

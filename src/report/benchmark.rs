@@ -1,19 +1,19 @@
-//! The record of the benchmarks, `beamgap-benchmark/6`.
+//! The record of the benchmarks, `beamgap-benchmark/7`.
 
-use super::criterion::{Verdict, Verdicts, samples, turns};
+use super::criterion::{Verdict, Verdicts, rounds, samples};
 use super::number::{number, rounded};
 use super::record::format;
-use super::{Environment, Instructions, Peers, Record, ReportError, Task, Turns, spread};
+use super::{Environment, Instructions, Peers, Record, ReportError, Rounds, Task, spread};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// The way that the others of a group are divided by.
+/// The method that the others of a group are divided by.
 pub const CLOSED_FORM: &str = "closed form";
 
 /// All that was measured, and where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Benchmark {
-    /// `beamgap-benchmark/6`.
+    /// `beamgap-benchmark/7`.
     pub schema: String,
     /// Where and with what it was measured.
     pub environment: Environment,
@@ -25,7 +25,7 @@ pub struct Benchmark {
     pub peers: Option<Peers>,
 }
 
-/// One way to do one task, measured.
+/// One method to do one task, measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
     /// The task.
@@ -34,32 +34,32 @@ pub struct Measured {
     pub family: String,
     /// The dofs of both beams together.
     pub dofs: usize,
-    /// The way.
-    pub way: String,
+    /// The method.
+    pub method: String,
     /// How many pairs a run did; all times are those of one.
     pub pairs: usize,
     /// The median time in nanoseconds.
     pub median: f64,
     /// The 95 % interval of the median.
     pub interval: [f64; 2],
-    /// How many times as long as the closed form it takes, turn by turn, if there is one for the same task and beams.
+    /// How many times as long as the closed form it takes, round by round, if there is one for the same task and beams.
     pub ratio_to_closed_form: Option<Ratio>,
     /// The largest error, relative to the largest number of its kind; measured before the time was.
     pub error: f64,
     /// The largest error over what rounding, and truncation if there is any, allow: right if at most one.
     pub share: f64,
-    /// Its times next to those of the closed form, if there is one; of the floors, if its arithmetic is counted; of one
+    /// Its times next to those of the closed form, if there is one; of the roofline, if its arithmetic is counted; of one
     /// thread, if it has more.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub turns: Vec<Turns>,
+    pub rounds: Vec<Rounds>,
     /// All samples, in nanoseconds a pair, in the order they were taken.
     pub samples: Vec<f64>,
 }
 
-/// A ratio of two times that were taken in turns.
+/// A ratio of two times that were taken in interleaved rounds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ratio {
-    /// The median of the ratios of the turns.
+    /// The median of the ratios of the rounds.
     pub value: f64,
     /// Its 95 % interval.
     pub interval: [f64; 2],
@@ -78,7 +78,7 @@ impl Ratio {
 }
 
 impl Record for Benchmark {
-    const SCHEMA: &'static str = "beamgap-benchmark/6";
+    const SCHEMA: &'static str = "beamgap-benchmark/7";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -107,15 +107,15 @@ impl Benchmark {
     pub fn read(directory: &Path) -> Result<Self, ReportError> {
         let found = samples(directory)?;
         let (verdicts, verified) = Verdicts::read(directory)?;
-        let mut turns = turns(directory, verified)?;
+        let mut rounds = rounds(directory, verified)?;
         let mut scenarios: Vec<Measured> = Vec::new();
         for verdict in verdicts.scenarios {
             let group = verdict.group();
-            let scenario = || format!("{group}, {}", verdict.way);
+            let scenario = || format!("{group}, {}", verdict.method);
             if !verdict.is_right() {
                 return Err(ReportError::Wrong { scenario: scenario(), share: verdict.share });
             }
-            let key = (group.clone(), verdict.way.clone());
+            let key = (group.clone(), verdict.method.clone());
             let timed = found.get(&key);
             let Some(timed) = timed.filter(|timed| timed.written >= verified) else {
                 return Err(ReportError::NotTimed { scenario: scenario() });
@@ -125,19 +125,19 @@ impl Benchmark {
             let Some(spread) = spread(&samples) else {
                 return Err(ReportError::NotTimed { scenario: scenario() });
             };
-            let Verdict { task, family, dofs, way, pairs, error, share } = verdict;
+            let Verdict { task, family, dofs, method, pairs, error, share } = verdict;
             let mut measured = Measured {
                 task,
                 family,
                 dofs,
-                way,
+                method,
                 pairs,
                 median: rounded(spread.median, 5),
                 interval: spread.interval,
                 ratio_to_closed_form: None,
                 error: rounded(error, 3),
                 share: rounded(share, 3),
-                turns: turns.remove(&key).into_iter().flatten().map(Turns::rounded).collect(),
+                rounds: rounds.remove(&key).into_iter().flatten().map(Rounds::rounded).collect(),
                 samples,
             };
             measured.ratio_to_closed_form = measured.over_closed_form().map(Ratio::rounded);
@@ -163,7 +163,7 @@ impl Measured {
     /// and the one between them.
     pub(super) fn stored(&self) -> usize {
         let all = self.dofs * self.dofs;
-        match self.way.split(", ").nth(1) {
+        match self.method.split(", ").nth(1) {
             Some("in full") => all,
             Some("packed" | "four at once" | "to memory") => self.dofs * (self.dofs + 1) / 2,
             _ => all - all / 4,
@@ -173,22 +173,22 @@ impl Measured {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use super::{Measured, Turns};
+    use super::{Measured, Rounds};
 
-    /// A way with the standard pair.
-    pub(in super::super) fn measured(way: &str, turns: Vec<Turns>) -> Measured {
+    /// A method with the standard pair.
+    pub(in super::super) fn measured(method: &str, rounds: Vec<Rounds>) -> Measured {
         Measured {
             task: "all but the slips".to_owned(),
             family: "hermite".to_owned(),
             dofs: 24,
-            way: way.to_owned(),
+            method: method.to_owned(),
             pairs: 1,
             median: 100.0,
             interval: [90.0, 110.0],
             ratio_to_closed_form: None,
             error: 0.0,
             share: 0.0,
-            turns,
+            rounds,
             samples: vec![100.0],
         }
     }

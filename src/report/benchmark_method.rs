@@ -24,8 +24,8 @@ impl Benchmark {
                     count(samples as u64)
                 ),
                 format!(
-                    "A ratio is the time of the way over the time of the **{CLOSED_FORM}** of the same task and beams: the \
-                     median over turns in each of which both ran, one after the other, with its 95 % interval. Where that \
+                    "A ratio is the time of the method over the time of the **{CLOSED_FORM}** of the same task and beams: the \
+                     median over rounds in each of which both ran, one after the other, with its 95 % interval. Where that \
                      holds 1 the table says so. A machine that changes its speed changes the times and not the ratios, so \
                      these are not always the quotients of the times in their tables."
                 ),
@@ -34,7 +34,7 @@ impl Benchmark {
                  linearizations; for differences also what they change by step their steps are doubled. A scenario that \
                  exceeds it anywhere is not timed."
                     .to_owned(),
-                "The chord ways take one step for d alone, which is enough there, and two for all quantities. By orders: the \
+                "The chord methods take one step for d alone, which is enough there, and two for all quantities. By orders: the \
                  first derivatives of xi and xi_bar once for each dof, the second by the implicit function theorem. A row is \
                  one dof against eight."
                     .to_owned(),
@@ -49,10 +49,10 @@ impl Benchmark {
 const SILENCE: [&str; 5] = [
     "Nothing about other processors, compilers or flags.",
     "Nothing about other programs but those listed: a speed-up over the automatic differentiation of this crate is none over \
-     another's. How far apart honest ways of automatic differentiation are among themselves, the tables show.",
+     another's. How far apart honest methods of automatic differentiation are among themselves, the tables show.",
     "The samples of one time follow each other, so whatever else the machine did meanwhile is in some rows and not in \
      others. Their intervals say how much the samples scatter, not how far a busy machine shifts them all; ratios are \
-     taken in turns for that reason.",
+     taken in interleaved rounds for that reason.",
     "One pair of each family stands for all; its numbers are in the cache. An assembly that writes every Hessian to memory \
      waits for memory.",
     "The errors are those of one well-conditioned pair. How errors grow is the business of the crosscheck.",

@@ -57,24 +57,24 @@ impl Benchmark {
         blocks.extend(self.many());
         blocks.push(Block::heading("Accuracy"));
         blocks.push(Block::text(
-            "Each way with the pair of Hermite beams: the largest error against double-double, over the time.",
+            "Each method with the pair of Hermite beams: the largest error against double-double, over the time.",
         ));
         blocks.push(picture("benchmark-accuracy.svg", "Error over time", self.accuracy_to_svg()?));
-        blocks.extend(self.floors()?);
+        blocks.extend(self.roofline()?);
         blocks.extend(self.instructions.iter().flat_map(instructions));
         blocks.extend(self.peers.iter().flat_map(super::Peers::blocks));
         blocks.extend(self.method());
         Ok(blocks)
     }
 
-    /// All ways of a task for the standard pair.
+    /// All methods of a task for the standard pair.
     fn standard(&self, task: Task) -> Block {
         let rows = self.of(task).filter(|measured| measured.family == STANDARD).map(|measured| {
             let [low, high] = measured.interval.map(time);
             let times = measured.ratio_to_closed_form.map_or_else(String::new, Ratio::in_words);
-            let times = if measured.way == CLOSED_FORM { "1".to_owned() } else { times };
+            let times = if measured.method == CLOSED_FORM { "1".to_owned() } else { times };
             vec![
-                measured.way.clone(),
+                measured.method.clone(),
                 time(measured.median),
                 format!("{low} to {high}"),
                 times,
@@ -82,28 +82,29 @@ impl Benchmark {
                 verdict(measured.share),
             ]
         });
-        let ways = format!("{STANDARD}, 24 dofs");
-        let head = [&ways, "#median", "#95 % interval", "#times the closed form", "#largest error", VERDICT];
+        let methods = format!("{STANDARD}, 24 dofs");
+        let head =
+            [&methods, "#median", "#95 % interval", "#times the closed form", "#largest error", VERDICT];
         Block::table(&head.map(|name: &str| name), rows.collect())
     }
 
-    /// Ways and families, whichever there are more of down and the others across.
+    /// Methods and families, whichever there are more of down and the others across.
     fn by_family(&self, task: Task) -> Block {
-        let (mut ways, mut families): (Vec<&str>, Vec<(&str, usize)>) = (Vec::new(), Vec::new());
-        for Measured { way, family, dofs, .. } in self.of(task) {
-            if !ways.contains(&way.as_str()) {
-                ways.push(way);
+        let (mut methods, mut families): (Vec<&str>, Vec<(&str, usize)>) = (Vec::new(), Vec::new());
+        for Measured { method, family, dofs, .. } in self.of(task) {
+            if !methods.contains(&method.as_str()) {
+                methods.push(method);
             }
             if !families.contains(&(family, *dofs)) {
                 families.push((family, *dofs));
             }
         }
-        let find = |way: &str, (family, dofs): (&str, usize)| {
-            self.of(task).find(|of| of.way == way && of.family == family && of.dofs == dofs)
+        let find = |method: &str, (family, dofs): (&str, usize)| {
+            self.of(task).find(|of| of.method == method && of.family == family && of.dofs == dofs)
         };
-        let of_way = |way: &&str| families.iter().map(|&family| find(way, family)).collect();
-        let mut cells: Vec<Vec<Option<&Measured>>> = ways.iter().map(of_way).collect();
-        let mut down: Vec<String> = ways.iter().map(|&way| way.to_owned()).collect();
+        let of_method = |method: &&str| families.iter().map(|&family| find(method, family)).collect();
+        let mut cells: Vec<Vec<Option<&Measured>>> = methods.iter().map(of_method).collect();
+        let mut down: Vec<String> = methods.iter().map(|&method| method.to_owned()).collect();
         let mut across: Vec<String> =
             families.iter().map(|(family, dofs)| format!("{family}, {dofs}")).collect();
         if across.len() > down.len() {
@@ -126,14 +127,14 @@ impl Benchmark {
                     of.task.replace(" by size", ""),
                     of.family.clone(),
                     count(of.dofs as u64),
-                    of.way.clone(),
+                    of.method.clone(),
                     time(of.median),
                     format!("{} ns", plain(of.median / entries)),
                     verdict(of.share),
                 ]
             })
         });
-        let head = ["task", "family", "#dofs", "way", "#median", "#an entry of a Hessian", VERDICT];
+        let head = ["task", "family", "#dofs", "method", "#median", "#an entry of a Hessian", VERDICT];
         Ok(vec![
             Block::heading("Cost over the number of dofs"),
             Block::text(
@@ -160,13 +161,13 @@ impl Benchmark {
                 let [speed_up, of_arithmetic] = [of.speed_up(), of.speed_up_of_arithmetic()]
                     .map(|ratio| ratio.map_or_else(String::new, Ratio::in_words));
                 let task = of.task.replace(" of many pairs", "");
-                let way = of.way.replace("closed form, ", "");
+                let method = of.method.replace("closed form, ", "");
                 let median = time(of.median);
-                vec![task, way, median, interval, rate, speed_up, of_arithmetic, verdict(of.share)]
+                vec![task, method, median, interval, rate, speed_up, of_arithmetic, verdict(of.share)]
             });
         let head = [
             "task",
-            "way",
+            "method",
             "#time of a pair",
             "#95 % interval",
             "#pairs in a second",
@@ -180,17 +181,17 @@ impl Benchmark {
                 "Pairs of Hermite beams, {in_cache}, one by one or four in the lanes of a vector, each result written where \
                  the last one was, as an assembly does that takes it from there; or by one call, {to_memory}, each result in \
                  memory of its own, which then waits for memory. How many times as many pairs two threads do as one was \
-                 measured with both in turns, on {} cores; and in the same turns how many times as many multiply-adds in \
-                 registers, with no memory and nothing else to do, each thread for a whole turn.",
+                 measured with both in interleaved rounds, on {} cores; and in the same rounds how many times as many multiply-adds in \
+                 registers, with no memory and nothing else to do, each thread for a whole round.",
                 self.environment.cores
             )),
             Block::table(&head, rows.collect()),
         ]
     }
 
-    fn floors(&self) -> Result<Vec<Block>, ReportError> {
+    fn roofline(&self) -> Result<Vec<Block>, ReportError> {
         let rows = self.below_the_roof().map(|below| {
-            let [of_arithmetic, of_stores] = below.floors.map(time);
+            let [of_arithmetic, of_stores] = below.roofline.map(time);
             let [multiply_adds, bytes] = [below.multiply_adds, below.bytes].map(|n| count(n as u64));
             let (of_pair, times) = (time(below.time), plain(below.times));
             vec![below.name(), multiply_adds, of_arithmetic, bytes, of_stores, of_pair, times]
@@ -198,21 +199,21 @@ impl Benchmark {
         let head = [
             "a pair, 24 dofs",
             "#multiply-adds",
-            "#their floor",
+            "#roofline bound",
             "#bytes stored",
-            "#their floor",
+            "#roofline bound",
             "#a pair",
-            "#times the higher floor",
+            "#times the roofline bound",
         ];
         let [multiply_adds, bytes] = self.roof();
         Ok(vec![
-            Block::heading("The floor"),
+            Block::heading("The roofline"),
             Block::text(&format!(
                 "One core of this machine does {} multiply-adds in a nanosecond at best, and stores {} bytes into its first \
-                 cache: measured by two small kernels, in turns with the ways of this table, so that both meet the machine at \
-                 the same speed. The multiply-adds of a way are counted by evaluating \
+                 cache: measured by two small kernels, in interleaved rounds with the methods of this table, so that both meet the machine at \
+                 the same speed. The multiply-adds of a method are counted by evaluating \
                  the same source over a number that counts: a product with the sum that takes it, any other sum or product, \
-                 a quotient and a root are one each. So the floor is that of a machine that only computes, never waits, \
+                 a quotient and a root are one each. So the roofline is that of a machine that only computes, never waits, \
                  and always has four numbers to compute with, which one pair at a time has not.",
                 plain(multiply_adds),
                 plain(bytes)
@@ -234,7 +235,7 @@ fn row(of: Vec<Option<&Measured>>) -> Vec<String> {
 }
 
 /// The head of a column of verdicts.
-const VERDICT: &str = "#of what is allowed";
+const VERDICT: &str = "#error / tolerance";
 
 /// The largest error over what is allowed for it.
 fn verdict(share: f64) -> String {

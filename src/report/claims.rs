@@ -13,14 +13,15 @@ impl Benchmark {
         claims
     }
 
-    /// The ways of a task with the standard pair.
+    /// The methods of a task with the standard pair.
     fn of_hermites(&self, task: Task) -> impl Iterator<Item = &Measured> {
         self.of(task).filter(|of| of.family == "hermite")
     }
 
     fn closed_form(&self) -> String {
         let [d, all] = [Task::Distance, Task::All].map(|task| {
-            let closed = self.below_the_roof().find(|of| of.task == task && of.measured.way == CLOSED_FORM);
+            let closed =
+                self.below_the_roof().find(|of| of.task == task && of.measured.method == CLOSED_FORM);
             closed.map_or_else(String::new, |of| {
                 format!("{}, {} times", time(of.measured.median), plain(of.times))
             })
@@ -33,8 +34,8 @@ impl Benchmark {
 
     fn threads(&self) -> String {
         let tasks = [Task::DistanceOfMany, Task::AllOfMany];
-        let ways = || tasks.into_iter().flat_map(|task| self.of(task));
-        let to_memory = |of: &&Measured| of.way.contains("to memory");
+        let methods = || tasks.into_iter().flat_map(|task| self.of(task));
+        let to_memory = |of: &&Measured| of.method.contains("to memory");
         let in_words = |ratios: &mut dyn Iterator<Item = Ratio>| {
             let (least, most) = range(ratios.map(|ratio| ratio.value));
             format!("{} to {}", plain(least), plain(most))
@@ -42,15 +43,15 @@ impl Benchmark {
         format!(
             "Two threads do {} times as many pairs as one, or {} times if each result goes to memory of its own; where \
              they only multiply and add in registers, {} times as much.",
-            in_words(&mut ways().filter(|of| !to_memory(of)).filter_map(Measured::speed_up)),
-            in_words(&mut ways().filter(to_memory).filter_map(Measured::speed_up)),
-            in_words(&mut ways().filter_map(Measured::speed_up_of_arithmetic))
+            in_words(&mut methods().filter(|of| !to_memory(of)).filter_map(Measured::speed_up)),
+            in_words(&mut methods().filter(to_memory).filter_map(Measured::speed_up)),
+            in_words(&mut methods().filter_map(Measured::speed_up_of_arithmetic))
         )
     }
 
     fn automatic(&self) -> String {
         let [d, all] = [Task::Distance, Task::All]
-            .map(|task| ratios(self.of_hermites(task).filter(|of| of.way.contains("dual"))));
+            .map(|task| ratios(self.of_hermites(task).filter(|of| of.method.contains("dual"))));
         format!(
             "Automatic differentiation takes {d} times as long for d and {all} times for all, depending on what it \
              shares and how the closest point is lifted."
@@ -58,7 +59,7 @@ impl Benchmark {
     }
 
     fn differences(&self) -> String {
-        let rows = || self.of_hermites(Task::All).filter(|of| of.way.contains("differences"));
+        let rows = || self.of_hermites(Task::All).filter(|of| of.method.contains("differences"));
         let (least, most) = range(rows().map(|of| of.error));
         let (least, most) = (error(Some(least)), error(Some(most)));
         format!(
@@ -68,8 +69,8 @@ impl Benchmark {
     }
 
     fn closest_point(&self) -> String {
-        let times = |way: &str| {
-            range(self.of(Task::ClosestPoint).filter(|of| of.way.starts_with(way)).map(|of| of.median))
+        let times = |method: &str| {
+            range(self.of(Task::ClosestPoint).filter(|of| of.method.starts_with(method)).map(|of| of.median))
         };
         let ((least, most), (first, last)) = (times("Newton"), times("search"));
         format!(

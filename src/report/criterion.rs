@@ -4,7 +4,7 @@
 //! iterations and their time. All else they hold, and whatever else lies in their directory, is passed over.
 
 use super::task::group;
-use super::{Environment, ReportError, Turns};
+use super::{Environment, ReportError, Rounds};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,8 +14,8 @@ use std::time::SystemTime;
 /// The file, next to criterion's, in which the benches leave their verdicts.
 pub const VERDICTS: &str = "beamgap-verdicts.json";
 
-/// The file in which they leave the turns of what was timed.
-const TURNS: &str = "beamgap-turns.json";
+/// The file in which they leave the rounds of what was timed.
+const TURNS: &str = "beamgap-rounds.json";
 
 /// What the benches found before they timed anything.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,8 +35,8 @@ pub struct Verdict {
     pub family: String,
     /// The dofs of both beams together.
     pub dofs: usize,
-    /// The way, criterion's function.
-    pub way: String,
+    /// The method, criterion's function.
+    pub method: String,
     /// How many pairs a run does.
     pub pairs: usize,
     /// The largest error, relative to the largest number of its kind.
@@ -91,30 +91,30 @@ impl Verdicts {
     }
 }
 
-/// Writes the turns of ways into criterion's directory, each with the group and the name of the way.
+/// Writes the rounds of methods into criterion's directory, each with the group and the name of the method.
 ///
 /// # Errors
 /// [`ReportError::Write`].
-pub fn write_turns(directory: &Path, turns: &[(String, String, Turns)]) -> Result<(), ReportError> {
-    let json = serde_json::to_string(turns)
+pub fn write_rounds(directory: &Path, rounds: &[(String, String, Rounds)]) -> Result<(), ReportError> {
+    let json = serde_json::to_string(rounds)
         .map_err(|source| ReportError::Format { what: TURNS.to_owned(), source })?;
     super::write(directory, TURNS, &json)
 }
 
-/// Those that were taken after `verified`, by group and way.
-pub(super) fn turns(
+/// Those that were taken after `verified`, by group and method.
+pub(super) fn rounds(
     directory: &Path,
     verified: SystemTime,
-) -> Result<BTreeMap<(String, String), Vec<Turns>>, ReportError> {
+) -> Result<BTreeMap<(String, String), Vec<Rounds>>, ReportError> {
     let path = directory.join(TURNS);
     let Some((text, _)) = read(&path).filter(|(_, written)| *written >= verified) else {
         return Ok(BTreeMap::new());
     };
-    let turns: Vec<(String, String, Turns)> = serde_json::from_str(&text)
+    let rounds: Vec<(String, String, Rounds)> = serde_json::from_str(&text)
         .map_err(|source| ReportError::Format { what: path.display().to_string(), source })?;
     let mut of_ways = BTreeMap::new();
-    for (group, way, turns) in turns {
-        of_ways.entry((group, way)).or_insert_with(Vec::new).push(turns);
+    for (group, method, rounds) in rounds {
+        of_ways.entry((group, method)).or_insert_with(Vec::new).push(rounds);
     }
     Ok(of_ways)
 }

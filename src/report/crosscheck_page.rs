@@ -172,7 +172,7 @@ impl Crosscheck {
 const SILENCE: &str = "
 ## What these numbers do not say
 
-- That two ways agree does not prove either right: they share the curves' positions, the closest points and the
+- That two methods agree does not prove either right: they share the curves' positions, the closest points and the
   definitions of the quantities. What they do not share is every derivative.
 - The errors are relative to the terms that are summed, not to the result. Where terms cancel, the result has fewer
   digits than the table suggests; the tolerance knows of that, the error does not.

@@ -21,7 +21,7 @@ pub struct Faults {
     pub holds: bool,
     /// How many faults there are of each kind.
     pub kinds: Vec<(String, usize)>,
-    /// What is written another way, and is right.
+    /// What is written in another way, and is right.
     pub rewrites: Vec<String>,
     /// The checks, in words.
     pub checks: Vec<(String, String)>,
@@ -73,7 +73,7 @@ pub struct UndetectedRow {
     pub faults: Vec<String>,
 }
 
-/// What became of the operations of one code in one place, each made wrong in several ways.
+/// What became of the operations of one code in one place, each made wrong in several methods.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct OperationsRow {
     /// The code.

@@ -25,7 +25,7 @@ pub struct Instructions {
 /// The instructions that a scenario takes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Count {
-    /// Its group and way.
+    /// Its group and method.
     pub scenario: String,
     /// How many instructions one run takes.
     pub instructions: u64,

@@ -149,11 +149,11 @@ mod tests {
         let blocks = [
             Block::heading("A < B"),
             Block::text("It is **so** by `x & y`."),
-            Block::table(&["way", "#time"], vec![vec!["one".into(), "1 ns".into()]]),
+            Block::table(&["method", "#time"], vec![vec!["one".into(), "1 ns".into()]]),
         ];
         assert_eq!(
             markdown("T", &blocks),
-            "# T\n\n## A < B\n\nIt is **so** by `x & y`.\n\n| way | time |\n|---|---:|\n| one | 1 ns |\n"
+            "# T\n\n## A < B\n\nIt is **so** by `x & y`.\n\n| method | time |\n|---|---:|\n| one | 1 ns |\n"
         );
         let html = html("T", &blocks);
         assert!(

@@ -4,17 +4,17 @@ use super::benchmark::{Benchmark, Measured};
 use super::number::number;
 use super::{Task, spread};
 
-/// A way whose arithmetic is counted.
+/// A method whose arithmetic is counted.
 pub(super) struct Below<'a> {
     pub(super) task: Task,
     pub(super) measured: &'a Measured,
     /// What it takes for a pair.
     pub(super) multiply_adds: usize,
     pub(super) bytes: usize,
-    /// The nanoseconds of a pair, and those that its multiply-adds and its bytes take alone: medians over the turns.
+    /// The nanoseconds of a pair, and those that its multiply-adds and its bytes take alone: medians over the rounds.
     pub(super) time: f64,
-    pub(super) floors: [f64; 2],
-    /// The time over the higher floor: the median of the ratios of each turn.
+    pub(super) roofline: [f64; 2],
+    /// The time over the roofline bound: the median of the ratios of each round.
     pub(super) times: f64,
 }
 
@@ -25,7 +25,7 @@ impl Below<'_> {
             Task::Distance | Task::DistanceOfMany => Task::Distance,
             _ => Task::All,
         };
-        format!("{}, {}", task.name(), self.measured.way.split(", ").nth(1).unwrap_or("in blocks"))
+        format!("{}, {}", task.name(), self.measured.method.split(", ").nth(1).unwrap_or("in blocks"))
     }
 
     /// Multiply-adds for a byte stored.
@@ -40,7 +40,7 @@ impl Below<'_> {
 
     /// Multiply-adds and bytes that the machine does in a nanosecond, if it does nothing else.
     fn limits(&self) -> [f64; 2] {
-        [number(self.multiply_adds) / self.floors[0], number(self.bytes) / self.floors[1]]
+        [number(self.multiply_adds) / self.roofline[0], number(self.bytes) / self.roofline[1]]
     }
 }
 
@@ -52,9 +52,9 @@ impl Benchmark {
             self.of(task).filter_map(move |measured| {
                 // A quantity has a value and a gradient too.
                 let bytes = quantities * (measured.stored() + measured.dofs + 1) * size_of::<f64>();
-                let (multiply_adds, turns) = measured.with_floors(number(bytes))?;
+                let (multiply_adds, rounds) = measured.with_floors(number(bytes))?;
                 let median = |of: fn(&[f64; 3]) -> f64| {
-                    let samples: Vec<f64> = turns.iter().map(of).collect();
+                    let samples: Vec<f64> = rounds.iter().map(of).collect();
                     spread(&samples).map(|spread| spread.median)
                 };
                 Some(Below {
@@ -63,8 +63,8 @@ impl Benchmark {
                     multiply_adds,
                     bytes,
                     time: median(|[time, ..]| *time)?,
-                    floors: [median(|[_, floor, _]| *floor)?, median(|[.., floor]| *floor)?],
-                    times: median(|[time, floor, other]| time / floor.max(*other))?,
+                    roofline: [median(|[_, roofline, _]| *roofline)?, median(|[.., roofline]| *roofline)?],
+                    times: median(|[time, roofline, other]| time / roofline.max(*other))?,
                 })
             })
         })
@@ -80,21 +80,21 @@ impl Benchmark {
 #[cfg(test)]
 mod tests {
     use crate::report::benchmark::tests::measured;
-    use crate::report::{Benchmark, Environment, Record, Turns};
+    use crate::report::{Benchmark, Environment, Record, Rounds};
 
     #[test]
     fn a_machine_that_slows_down_changes_no_ratio() {
         // Of 5 (300 + 24 + 1) numbers, at a byte in 0.01 and a multiply-add in 0.04 nanoseconds, then half as fast.
         let samples = vec![[800.0, 0.04, 0.01], [1600.0, 0.08, 0.02], [1600.0, 0.08, 0.02]];
-        let turns = vec![Turns::Floors { multiply_adds: 10_000, samples }];
-        let scenarios = vec![measured("closed form", vec![]), measured("closed form, packed", turns)];
+        let rounds = vec![Rounds::Roofline { multiply_adds: 10_000, samples }];
+        let scenarios = vec![measured("closed form", vec![]), measured("closed form, packed", rounds)];
         let (schema, environment) = (Benchmark::SCHEMA.to_owned(), Environment::here("by hand"));
         let benchmark = Benchmark { schema, environment, scenarios, instructions: None, peers: None };
         let rows: Vec<_> = benchmark.below_the_roof().collect();
-        let [row] = &rows[..] else { panic!("one way is counted") };
+        let [row] = &rows[..] else { panic!("one method is counted") };
         assert_eq!(row.name(), "all but the slips, packed");
         assert_eq!((row.multiply_adds, row.bytes), (10_000, 13_000));
-        let found = [row.time, row.floors[0], row.floors[1], row.times];
+        let found = [row.time, row.roofline[0], row.roofline[1], row.times];
         assert_eq!(found.map(f64::to_bits), [1600.0, 800.0, 260.0, 2.0].map(f64::to_bits));
         assert_eq!(benchmark.roof().map(f64::to_bits), [12.5, 50.0].map(f64::to_bits));
     }

@@ -73,7 +73,7 @@ impl Task {
         }
     }
 
-    /// The name of a group: the task and the beams, which its ways have in common.
+    /// The name of a group: the task and the beams, which its methods have in common.
     pub fn group(self, family: &str, dofs: usize) -> String {
         group(self.name(), family, dofs)
     }

@@ -52,7 +52,7 @@ pub(crate) fn normal_to_free(
 }
 
 /// The form that is not the paper's: n has the sign with which n·d is the root that the field takes of d·d.
-pub(crate) fn apart(
+pub(crate) fn robust(
     beams: &[Box<dyn ExactBeam<PrimeField>>; 2],
     (xi, xi_bar): (PrimeField, PrimeField),
     held: Held,

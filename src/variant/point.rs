@@ -7,11 +7,11 @@ use crate::linearization::closed_form::{Formulation, PartialVariations, variatio
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Faulty, Label, PrimeField, recorded_terms};
 use crate::pair::Contact;
-use crate::test_beam::{ExactBeam, Family, PaddedBeam, apart, map_padded, stationary};
+use crate::test_beam::{ExactBeam, Family, PaddedBeam, map_padded, robust, stationary};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-/// Neither radii nor reference parameters are nought, and no two are equal.
+/// Neither radii nor reference parameters are zero, and no two are equal.
 pub(crate) const CONTACT: Contact = Contact { radius: 0.125, radius_bar: 0.25, xi_0: 0.5, xi_bar_0: -0.75 };
 
 /// Two beams over the prime field at a stationary point, with all that operands can be mistaken for.
@@ -43,11 +43,11 @@ impl Point {
         ]
     }
 
-    fn new(families: [Family; 2], held: Held, is_apart: bool) -> Self {
+    fn new(families: [Family; 2], held: Held, is_robust: bool) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(0);
         let models = families.map(|family| family.model(&mut rng));
         let (beams, at) = stationary(&models, held, &mut rng);
-        let form = if is_apart { apart(&beams, at, held) } else { Formulation::paper(held) };
+        let form = if is_robust { robust(&beams, at, held) } else { Formulation::paper(held) };
         let [beam, bar] = beams;
         let placed = |step: Step| step.place([&*beam, &*bar], at);
         let partial = Step::ALL

@@ -222,7 +222,7 @@ fn what_is_no_case_at_all_is_refused() {
     assert_eq!(output.status.code(), Some(2));
 }
 
-/// Two lines that cross above the origin: x is nought there, and no less comparable than elsewhere.
+/// Two lines that cross above the origin: x is zero there, and no less comparable than elsewhere.
 #[test]
 fn a_closest_point_at_the_origin_is_compared() {
     let line = |q: [f64; 6], dq: [f64; 6], linear_dq: [f64; 6]| json!({ "family": "segment", "q": q, "dq": dq, "linear_dq": linear_dq });

@@ -17,7 +17,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 const INSIDE: Held = Held { xi: false, xi_bar: false };
-const APART: Formulation = Formulation {
+const ROBUST: Formulation = Formulation {
     held: INSIDE,
     distance: Distance::Normal { reversed: false },
     system: System::CrossProducts,
@@ -76,7 +76,7 @@ fn errors<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const K: usi
 ) -> (Formulation, [f64; 2], [[f64; 2]; K]) {
     let at = precise(beams, near);
     let rounded = (at.0.value(), at.1.value());
-    let mut choice = APART;
+    let mut choice = ROBUST;
     all(beams, rounded, |points| {
         choice = Formulation::at(points, INSIDE);
         choice
@@ -84,7 +84,7 @@ fn errors<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const K: usi
     // n of either side, the same in both numbers.
     let reversed =
         |form: Formulation| if is_reversed(choice, beams, rounded) { form.reversed() } else { form };
-    let exact = all(beams, at, |_| reversed(APART));
+    let exact = all(beams, at, |_| reversed(ROBUST));
     let of = |form: Formulation| {
         let found = all(beams, rounded, |_| form);
         [error(&found.d.hessian, &exact.d.hessian), error(&found.xi.hessian, &exact.xi.hessian)]
@@ -98,8 +98,8 @@ fn is_reversed<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     at: (f64, f64),
 ) -> bool {
     let (jet, jet_bar) = jets(pair, q, at);
-    let apart = Formulation::robust(&Points::new(&jet.geometry, &jet_bar.geometry), choice.held);
-    apart.sign() == Some(-1.0)
+    let robust = Formulation::robust(&Points::new(&jet.geometry, &jet_bar.geometry), choice.held);
+    robust.sign() == Some(-1.0)
 }
 
 /// The beam moved along d until the gap is `gap`; none if the tangents are nearly parallel there.
@@ -135,7 +135,7 @@ fn is_continuous<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
 ) {
     let chosen = |gap: f64| {
         let (beams, at) = with_gap(case, gap)?;
-        let mut choice = APART;
+        let mut choice = ROBUST;
         all(&beams, at, |points: &Points<f64>| {
             choice = Formulation::at(points, INSIDE);
             choice
@@ -174,10 +174,11 @@ fn is_continuous<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     let size = |of: &Derivatives<RunningError, N, M>| {
         (0..N + M).fold(0.0_f64, |size, i| size.max(of.hessian.entry(i, i).value.abs()))
     };
-    let apart = (0..N + M).flat_map(|i| (0..N + M).map(move |j| (i, j))).fold(0.0_f64, |apart, (i, j)| {
-        apart.max((length.hessian.entry(i, j).value - normal.hessian.entry(i, j).value).abs())
-    });
-    assert!(apart < 1e-10 * size(&normal), "{apart:e} at a gap of {near}");
+    let difference =
+        (0..N + M).flat_map(|i| (0..N + M).map(move |j| (i, j))).fold(0.0_f64, |difference, (i, j)| {
+            difference.max((length.hessian.entry(i, j).value - normal.hessian.entry(i, j).value).abs())
+        });
+    assert!(difference < 1e-10 * size(&normal), "{difference:e} at a gap of {near}");
 }
 
 macro_rules! for_pairs {
@@ -286,7 +287,7 @@ proptest! {
         let beams = (pair, q);
         let of = |form| all(&beams, (point.xi, point.xi_bar), |_| form);
         let paper = of(Formulation::paper(held));
-        let other = of(Formulation { held, ..APART });
+        let other = of(Formulation { held, ..ROBUST });
         prop_assert!(other == paper);
     }
 }
@@ -315,7 +316,7 @@ fn short_tangents_and_parallel_ones_are_left_to_the_paper() {
     let curved = (placed(0.0, 0.1, 1.0, [0.0, 0.0, 0.3]), straight(1e-4));
     for (beam, bar) in [slow, curved] {
         let beams = (pair, DofVector { beam, bar });
-        let (form, [chosen, _], [[normal, _]]) = errors(&beams, (0.0, 0.0), [APART]);
+        let (form, [chosen, _], [[normal, _]]) = errors(&beams, (0.0, 0.0), [ROBUST]);
         assert_eq!(form.distance, Distance::Length);
         assert!(chosen < 0.1 * normal, "{chosen:e} against {normal:e}");
     }

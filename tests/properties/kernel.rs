@@ -18,7 +18,7 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
 /// The form of small angles.
-const APART: Formulation = Formulation {
+const ROBUST: Formulation = Formulation {
     held: Held { xi: false, xi_bar: false },
     distance: Distance::Normal { reversed: false },
     system: System::CrossProducts,
@@ -108,9 +108,9 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
             q.beam[start + c] += (d - (x.x - x_bar.x))[c];
         }
     }
-    let apart = Formulation { held, ..APART };
-    let regular = Formulation { system: System::Determinants, ..apart };
-    for form in [Formulation::paper(held), apart, apart.reversed(), regular, regular.reversed()] {
+    let robust = Formulation { held, ..ROBUST };
+    let regular = Formulation { system: System::Determinants, ..robust };
+    for form in [Formulation::paper(held), robust, robust.reversed(), regular, regular.reversed()] {
         let blocks = by_blocks::<_, _, _, N, M, S>(pair, &q, at, form);
         assert!(blocks == by_matrices(pair, &q, at, form), "{form:?}");
     }

@@ -168,7 +168,7 @@ fn double_double_sine_and_cosine_of_one_are_those_of_the_tables() {
 }
 
 #[test]
-fn root_of_negative_nought_has_a_bound() {
+fn root_of_negative_zero_has_a_bound() {
     let root = RunningError::new(-0.0, 1e-4).sqrt();
     assert!((1e-2..1e-2 + 1e-8).contains(&root.bound));
 }

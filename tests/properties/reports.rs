@@ -4,7 +4,7 @@ use beamgap::check::{self, CheckConfig, Regime, Selection};
 use beamgap::prove::prove;
 use beamgap::report::{
     Accuracy, Benchmark, Bounds, Count, Crosscheck, Difference, Environment, Instructions, Measured, Record,
-    ReportError, Spread, Task, Turns, VERDICTS, Verdict, Verdicts, median_interval, spread, write_turns,
+    ReportError, Rounds, Spread, Task, VERDICTS, Verdict, Verdicts, median_interval, spread, write_rounds,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::Variant;
@@ -16,22 +16,27 @@ fn committed(name: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
+/// Compares a page with the committed one; `BEAMGAP_BLESS=1` writes it instead.
+fn is_committed(name: &str, text: &str) {
+    if std::env::var_os("BEAMGAP_BLESS").is_some() {
+        fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("reports").join(name), text).unwrap();
+    }
+    assert!(text == committed(name), "{name} is stale: BEAMGAP_BLESS=1 writes it again");
+}
+
 #[test]
 fn committed_pages_are_what_the_committed_records_render_to() {
     let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
-    assert!(crosscheck.to_markdown() == committed("crosscheck.md"), "crosscheck.md is stale");
+    is_committed("crosscheck.md", &crosscheck.to_markdown());
     let bounds = Bounds::from_json(&committed("bounds.json")).unwrap();
-    assert!(bounds.to_markdown() == committed("bounds.md"), "bounds.md is stale");
+    is_committed("bounds.md", &bounds.to_markdown());
     let accuracy = Accuracy::from_json(&committed("accuracy.json")).unwrap();
-    assert!(accuracy.to_markdown() == committed("accuracy.md"), "accuracy.md is stale");
-    assert!(accuracy.gap_to_svg().unwrap() == committed("accuracy-gap.svg"), "accuracy-gap.svg is stale");
-    assert!(
-        accuracy.angle_to_svg().unwrap() == committed("accuracy-angle.svg"),
-        "accuracy-angle.svg is stale"
-    );
+    is_committed("accuracy.md", &accuracy.to_markdown());
+    is_committed("accuracy-gap.svg", &accuracy.gap_to_svg().unwrap());
+    is_committed("accuracy-angle.svg", &accuracy.angle_to_svg().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
     for (name, text) in benchmark.pages().unwrap() {
-        assert!(text == committed(&name), "{name} is stale");
+        is_committed(&name, &text);
     }
 }
 
@@ -91,9 +96,9 @@ fn committed_medians_and_intervals_follow_from_the_samples() {
 #[test]
 fn every_family_is_timed_in_every_way() {
     let all = Benchmark::from_json(&committed("benchmark.json")).unwrap().scenarios;
-    let has = |task: Task, family: &str, way: &str| {
-        let is_it = |of: &&Measured| of.task == task.name() && of.family == family && of.way == way;
-        assert_eq!(all.iter().filter(is_it).count(), 1, "{}, {family}, {way}", task.name());
+    let has = |task: Task, family: &str, method: &str| {
+        let is_it = |of: &&Measured| of.task == task.name() && of.family == family && of.method == method;
+        assert_eq!(all.iter().filter(is_it).count(), 1, "{}, {family}, {method}", task.name());
     };
     for family in ["segment", "quadratic", "hermite", "bspline", "nurbs", "helix"] {
         for task in [Task::Distance, Task::All] {
@@ -174,32 +179,32 @@ impl Left {
         Self(directory)
     }
 
-    fn verdicts(&self, ways: &[(&str, f64)]) {
-        let verdict = |&(way, share): &(&str, f64)| Verdict {
+    fn verdicts(&self, methods: &[(&str, f64)]) {
+        let verdict = |&(method, share): &(&str, f64)| Verdict {
             task: "d".to_owned(),
             family: "hermite".to_owned(),
             dofs: 24,
-            way: way.to_owned(),
+            method: method.to_owned(),
             pairs: 4,
             error: 1e-16,
             share,
         };
         let verdicts = Verdicts {
             environment: Environment::here("by hand"),
-            scenarios: ways.iter().map(verdict).collect(),
+            scenarios: methods.iter().map(verdict).collect(),
         };
         verdicts.write(&self.0).unwrap();
     }
 
     /// Ten samples, of one iteration more each, at so many nanoseconds an iteration.
-    fn samples(&self, way: &str, time: f64) {
-        self.samples_of("d/hermite, 24 dofs", way, time);
+    fn samples(&self, method: &str, time: f64) {
+        self.samples_of("d/hermite, 24 dofs", method, time);
     }
 
-    fn samples_of(&self, group: &str, way: &str, time: f64) {
-        let directory = self.0.join(group.replace('/', "_")).join(way).join("new");
+    fn samples_of(&self, group: &str, method: &str, time: f64) {
+        let directory = self.0.join(group.replace('/', "_")).join(method).join("new");
         fs::create_dir_all(&directory).unwrap();
-        let name = format!(r#"{{"group_id":"{group}","function_id":"{way}","of_the_future":[1,2]}}"#);
+        let name = format!(r#"{{"group_id":"{group}","function_id":"{method}","of_the_future":[1,2]}}"#);
         fs::write(directory.join("benchmark.json"), name).unwrap();
         let iterations: Vec<f64> = (1..=10).map(f64::from).collect();
         let times: Vec<f64> = iterations.iter().map(|n| n * time).collect();
@@ -221,26 +226,26 @@ fn what_criterion_left_is_read_and_what_it_should_not_hold_is_passed_over() {
     left.samples("closed form", 800.0);
     left.samples("hyper-dual", 160_000.0);
     left.samples("of an older version", 1.0);
-    let floors = Turns::Floors { multiply_adds: 1500, samples: vec![[812.5, 0.5, 0.25]] };
-    // The machine is slower in the second turn; by their samples alone the dual numbers take 200 times as long.
+    let roofline = Rounds::Roofline { multiply_adds: 1500, samples: vec![[812.5, 0.5, 0.25]] };
+    // The machine is slower in the second round; by their samples alone the dual numbers take 200 times as long.
     let samples = vec![[48_000.0, 200.0], [72_000.0, 300.0], [49_000.0, 200.0]];
     let of_group =
-        |way: &str, turns: &Turns| ("d/hermite, 24 dofs".to_owned(), way.to_owned(), turns.clone());
-    let by_closed_form = Turns::ClosedForm { samples };
-    let turns = [("closed form", &floors), ("hyper-dual", &by_closed_form), ("hyper-dual", &floors)];
-    write_turns(&left.0, &turns.map(|(way, turns)| of_group(way, turns))).unwrap();
+        |method: &str, rounds: &Rounds| ("d/hermite, 24 dofs".to_owned(), method.to_owned(), rounds.clone());
+    let by_closed_form = Rounds::ClosedForm { samples };
+    let rounds = [("closed form", &roofline), ("hyper-dual", &by_closed_form), ("hyper-dual", &roofline)];
+    write_rounds(&left.0, &rounds.map(|(method, rounds)| of_group(method, rounds))).unwrap();
     let broken = left.0.join("broken/new");
     fs::create_dir_all(&broken).unwrap();
     fs::write(broken.join("benchmark.json"), "{").unwrap();
     fs::write(broken.join("sample.json"), "{}").unwrap();
 
     let Benchmark { scenarios, .. } = Benchmark::read(&left.0).unwrap();
-    let ways: Vec<&str> = scenarios.iter().map(|measured| measured.way.as_str()).collect();
-    assert_eq!(ways, ["closed form", "hyper-dual"]);
-    assert_eq!(scenarios[0].turns, std::slice::from_ref(&floors));
+    let methods: Vec<&str> = scenarios.iter().map(|measured| measured.method.as_str()).collect();
+    assert_eq!(methods, ["closed form", "hyper-dual"]);
+    assert_eq!(scenarios[0].rounds, std::slice::from_ref(&roofline));
     assert_eq!(
-        (&scenarios[0].ratio_to_closed_form, &scenarios[1].turns),
-        (&None, &vec![by_closed_form, floors])
+        (&scenarios[0].ratio_to_closed_form, &scenarios[1].rounds),
+        (&None, &vec![by_closed_form, roofline])
     );
     let Measured { task, family, dofs, median, ratio_to_closed_form, .. } = &scenarios[1];
     // The time of one of four pairs.

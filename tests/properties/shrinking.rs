@@ -1,4 +1,4 @@
-//! A mismatch is made small, and stays the mismatch it was.
+//! A mismatch is shrunk, and stays the mismatch it was.
 
 use beamgap::check::{
     Case, CaseData, CheckConfig, Comparison, Diagnosis, Family, Finding, Order, TestBeam, Verdict, shrink,
@@ -32,7 +32,7 @@ fn flipped(quantity: Quantity, order: Order) -> impl Fn(&mut Comparison) {
     }
 }
 
-/// How many dofs are not nought, in q and in both directions.
+/// How many dofs are not zero, in q and in both directions.
 fn counts(case: &CaseData) -> [usize; 3] {
     let lists: [fn(&TestBeam) -> &Vec<f64>; 3] = [|s| &s.q, |s| &s.dq, |s| &s.linear_dq];
     lists.map(|list| case.test_beams.iter().flat_map(list).filter(|&&number| number != 0.0).count())

@@ -44,9 +44,9 @@ pub(crate) fn weighted_points<const P: usize, const N: usize>() -> impl Strategy
     })
 }
 
-/// A quaternion away from nought, of any length.
+/// A quaternion away from zero, of any length.
 pub(crate) fn quaternion() -> impl Strategy<Value = Vector4<f64>> {
-    vector::<4>().prop_filter("away from nought", |p| p.norm() > 0.3)
+    vector::<4>().prop_filter("away from zero", |p| p.norm() > 0.3)
 }
 
 /// The dofs of an arc: centre, radius, quaternion, phase.
@@ -97,7 +97,7 @@ impl Expression {
     }
 }
 
-/// Any formula, ill-conditioned ones and such that divide by nought or take the root of a negative number included.
+/// Any formula, ill-conditioned ones and such that divide by zero or take the root of a negative number included.
 pub(crate) fn expression() -> impl Strategy<Value = Expression> {
     let leaf = prop_oneof![
         4 => (0..2_usize).prop_map(Expression::Variable),
@@ -147,7 +147,7 @@ fn weights_are_positive_and_in_their_places() {
 }
 
 #[test]
-fn quaternions_are_away_from_nought_and_in_their_places() {
+fn quaternions_are_away_from_zero_and_in_their_places() {
     assert!(samples(quaternion()).iter().all(|p| p.norm() > 0.3));
     for q in samples(arc()) {
         assert!(q.fixed_rows::<4>(4).norm() > 0.3 && q[3] > 0.0);

@@ -1,7 +1,7 @@
 //! Automatic differentiation, by every route and with numbers of every width.
 
 use super::input::{Input, TimedCurve};
-use super::work::{Judge, Way, rows, scenario};
+use super::work::{Judge, Method, rows, scenario};
 use super::{Scenario, Task};
 use beamgap::linearization::ad::{
     Chord, Route, chord, expand_by_orders, expand_by_rows, expand_by_sweep, expand_by_vector_dual,
@@ -22,13 +22,13 @@ pub(super) fn all<S>(of: Quantities<S>) -> [S; 5] {
     [of.d, of.xi, of.xi_bar, of.t, of.t_bar]
 }
 
-/// Every way but [`at_once`].
+/// Every method but [`at_once`].
 pub(super) fn scenarios<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
     judge: &Judge,
 ) -> Vec<Scenario> {
     // One chord step makes the first variation of xi exact, and d needs no more.
-    let of_d: [Way<A, B, [Derivatives<f64, N, M>; 1], N, M>; 5] = [
+    let of_d: [Method<A, B, [Derivatives<f64, N, M>; 1], N, M>; 5] = [
         ("rows of hyper-duals, by orders", |p| {
             [expand_d_by_orders::<_, _, N, M, ROW>(&p.pair, &p.q, &p.point)]
         }),
@@ -39,7 +39,7 @@ pub(super) fn scenarios<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, cons
         ("hyper-dual, Newton", |p| expand_by_sweep(Route::Newton, &p.pair, &p.q, &p.point, d)),
         ("hyper-dual, stationary", |p| expand_by_sweep(Route::Stationary, &p.pair, &p.q, &p.point, d)),
     ];
-    let of_all: [Way<A, B, [Derivatives<f64, N, M>; 5], N, M>; 5] = [
+    let of_all: [Method<A, B, [Derivatives<f64, N, M>; 5], N, M>; 5] = [
         ("rows of hyper-duals, by orders", |p| {
             expand_by_orders::<_, _, N, M, ROW, 5>(&p.pair, &p.q, &p.point, all)
         }),
@@ -53,11 +53,11 @@ pub(super) fn scenarios<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, cons
         ("hyper-dual, stationary", |p| expand_by_sweep(Route::Stationary, &p.pair, &p.q, &p.point, all)),
     ];
     let mut scenarios = Vec::new();
-    scenarios.extend(of_d.map(|(way, work)| {
-        scenario((Task::Distance, way), input, work, |of| rows(&of.each_ref()), judge.of_first(3))
+    scenarios.extend(of_d.map(|(method, work)| {
+        scenario((Task::Distance, method), input, work, |of| rows(&of.each_ref()), judge.of_first(3))
     }));
-    scenarios.extend(of_all.map(|(way, work)| {
-        scenario((Task::All, way), input, work, |of| rows(&of.each_ref()), judge.of_first(15))
+    scenarios.extend(of_all.map(|(method, work)| {
+        scenario((Task::All, method), input, work, |of| rows(&of.each_ref()), judge.of_first(15))
     }));
     scenarios
 }
@@ -67,17 +67,17 @@ pub(super) fn at_once<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const 
     input: &Input<A, B, N, M>,
     judge: &Judge,
 ) -> [Scenario; 2] {
-    let way = "vector dual, chord";
+    let method = "vector dual, chord";
     [
         scenario(
-            (Task::Distance, way),
+            (Task::Distance, method),
             input,
             |p| expand_by_vector_dual::<_, _, N, M, S, 1>(chord_of(p), 1, &p.pair, &p.q, &p.point, d),
             |of| rows(&of.each_ref()),
             judge.of_first(3),
         ),
         scenario(
-            (Task::All, way),
+            (Task::All, method),
             input,
             |p| expand_by_vector_dual::<_, _, N, M, S, 5>(chord_of(p), 2, &p.pair, &p.q, &p.point, all),
             |of| rows(&of.each_ref()),

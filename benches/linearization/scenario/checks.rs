@@ -3,11 +3,12 @@
 use super::{Scenario, Task};
 use std::collections::BTreeSet;
 
-/// Ways have names of their own, each task has a closed form or a search, and multiply-adds are counted right.
+/// Methods have names of their own, each task has a closed form or a search, and multiply-adds are counted right.
 pub(crate) fn check(all: &[Scenario]) {
     let names: BTreeSet<String> = all.iter().map(Scenario::to_string).collect();
     assert_eq!(names.len(), all.len(), "two scenarios have the same name");
-    let has = |task: Task, way: &str| all.iter().any(|of| of.task == task && of.way.starts_with(way));
+    let has =
+        |task: Task, method: &str| all.iter().any(|of| of.task == task && of.method.starts_with(method));
     for task in [Task::Distance, Task::All, Task::WithSlips, Task::Gradients, Task::Directions] {
         assert!(has(task, "closed form"), "{task:?} has no closed form");
     }
@@ -18,8 +19,9 @@ pub(crate) fn check(all: &[Scenario]) {
 /// An entry of a Hessian is a sum of products, and all that leads to these does not depend on the layout: of d two, of xi
 /// and of xi_bar three, of t and t_bar two, and four among the dofs of their own beam.
 fn check_multiply_adds(all: &[Scenario]) {
-    let of = |task: Task, way: &str| {
-        let is_counted = |of: &&Scenario| of.task == task && of.way == way && of.multiply_adds.is_some();
+    let of = |task: Task, method: &str| {
+        let is_counted =
+            |of: &&Scenario| of.task == task && of.method == method && of.multiply_adds.is_some();
         all.iter().find(is_counted).and_then(|of| of.multiply_adds).expect("they are counted")
     };
     // Between the beams, and among the dofs of both.

@@ -2,7 +2,7 @@
 
 use super::input::{Input, Inputs, TimedCurve};
 use super::truth;
-use super::work::{Judge, Way, scenario};
+use super::work::{Judge, Method, scenario};
 use super::{Scenario, Task};
 
 /// How far from the closest point Newton's method starts: what a time step may move it.
@@ -29,7 +29,7 @@ pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const 
     input: Input<A, B, N, M>,
 ) -> [Scenario; 2] {
     let judge = Judge::new(move || truth::closest_point(&input));
-    let ways: [Way<A, B, (f64, f64), N, M>; 2] = [
+    let methods: [Method<A, B, (f64, f64), N, M>; 2] = [
         ("search for all minima", |p| {
             let found = p.pair.closest_points(&p.q).expect("the pairs are regular");
             found.interior().map(|point| (point.xi, point.xi_bar)).expect("they cross inside")
@@ -40,9 +40,9 @@ pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const 
             (found.xi, found.xi_bar)
         }),
     ];
-    ways.map(|(way, work)| {
+    methods.map(|(method, work)| {
         scenario(
-            (Task::ClosestPoint, way),
+            (Task::ClosestPoint, method),
             &input,
             work,
             |&(xi, xi_bar)| vec![vec![xi, xi_bar]],

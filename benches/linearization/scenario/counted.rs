@@ -18,23 +18,23 @@ use nalgebra::SVector;
 /// The same scenarios of the standard family with their multiply-adds, where they are counted.
 pub(super) fn counted(mut scenarios: Vec<Scenario>) -> Vec<Scenario> {
     for scenario in &mut scenarios {
-        scenario.multiply_adds = multiply_adds(scenario.task, &scenario.way);
+        scenario.multiply_adds = multiply_adds(scenario.task, &scenario.method);
     }
     scenarios
 }
 
-fn multiply_adds(task: Task, way: &str) -> Option<usize> {
+fn multiply_adds(task: Task, method: &str) -> Option<usize> {
     let full = Full::<OperationCount, 24>::zeros();
     let packed = Packed::<OperationCount, 24, 300>::zeros();
     match task {
-        Task::Distance if way == CLOSED_FORM => Some(of_d(Derivatives::zero())),
-        Task::Distance if way == IN_FULL => Some(of_d(full)),
-        Task::Distance if way == PACKED => Some(of_d(packed)),
-        Task::DistanceOfMany if way == FOUR_AT_ONCE => Some(of_d(packed)),
-        Task::All if way == CLOSED_FORM => Some(of_all(Derivatives::zero())),
-        Task::All if way == IN_FULL => Some(of_all(full)),
-        Task::All if way == PACKED => Some(of_all(packed)),
-        Task::AllOfMany if way == FOUR_AT_ONCE => Some(of_all(packed)),
+        Task::Distance if method == CLOSED_FORM => Some(of_d(Derivatives::zero())),
+        Task::Distance if method == IN_FULL => Some(of_d(full)),
+        Task::Distance if method == PACKED => Some(of_d(packed)),
+        Task::DistanceOfMany if method == FOUR_AT_ONCE => Some(of_d(packed)),
+        Task::All if method == CLOSED_FORM => Some(of_all(Derivatives::zero())),
+        Task::All if method == IN_FULL => Some(of_all(full)),
+        Task::All if method == PACKED => Some(of_all(packed)),
+        Task::AllOfMany if method == FOUR_AT_ONCE => Some(of_all(packed)),
         _ => None,
     }
 }

@@ -1,4 +1,4 @@
-//! The ways without second derivatives: central differences, with the closest point solved for again each time.
+//! The methods without second derivatives: central differences, with the closest point solved for again each time.
 
 use super::error::{Exact, Rows};
 use super::input::{Input, TimedCurve};
@@ -151,7 +151,7 @@ fn by<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize, const 
     judge: &Judge,
     work: fn(&Input<A, B, N, M>, f64) -> [Derivatives<f64, N, M>; K],
 ) -> Scenario {
-    let way = match differenced {
+    let method = match differenced {
         Differenced::Values => "differences of values",
         Differenced::Gradients => "differences of gradients",
     };
@@ -159,7 +159,7 @@ fn by<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize, const 
     let (moved, judge) = (*input, judge.clone());
     let error =
         move |fine: Rows| error(&fine, &rows(&work(&moved, 2.0)), &judge.truth()[..3 * K], differenced);
-    scenario((task, way), input, move |p| work(p, 1.0), rows, error)
+    scenario((task, method), input, move |p| work(p, 1.0), rows, error)
 }
 
 /// What differences may be off: what changes when the steps are twice as wide, which is three times the truncation, and
@@ -168,7 +168,7 @@ fn error(fine: &Rows, coarse: &Rows, truth: &[Vec<Exact>], differenced: Differen
     let rounding = |row: usize| truth[row].iter().fold(0.0_f64, |most, exact| most.max(exact.tolerance));
     let allowance = |row: usize| {
         let changes = fine[row].iter().zip(&coarse[row]).map(|(a, b)| (a - b).abs());
-        // Values, gradients and Hessians take turns.
+        // Values, gradients and Hessians take rounds.
         let divided = match (differenced, row % 3) {
             (Differenced::Values, 1) => rounding(row - 1) / OF_VALUES,
             (Differenced::Values, 2) => 4.0 * rounding(row - 2) / (OF_VALUES * OF_VALUES),

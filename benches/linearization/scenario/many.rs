@@ -156,7 +156,7 @@ impl Many {
     /// Judged by the first pairs.
     fn scenario<const K: usize>(
         &self,
-        (task, way, threads): (Task, &str, usize),
+        (task, method, threads): (Task, &str, usize),
         runner: impl Fn() -> Runner + Send + Sync + 'static,
         rows: impl Fn(usize) -> Rows + Send + Sync + 'static,
     ) -> Scenario {
@@ -165,12 +165,12 @@ impl Many {
             let of_pair = |(i, judge): (usize, &Judge)| Error::of(&rows(i), &judge.truth()[..3 * K], |_| 0.0);
             judges.iter().enumerate().map(of_pair).fold(Error::NONE, Error::worse)
         };
-        let way = by_threads(way, threads);
+        let method = by_threads(method, threads);
         Scenario {
             task,
             family: Family::Hermite.name(),
             dofs: 24,
-            way,
+            method,
             pairs: IN_CACHE / K,
             multiply_adds: None,
             runner: Box::new(runner),
@@ -179,9 +179,9 @@ impl Many {
     }
 }
 
-/// The name of a way by so many threads.
-pub(super) fn by_threads(way: &str, threads: usize) -> String {
-    format!("{way}, {threads} {}", if threads == 1 { "thread" } else { "threads" })
+/// The name of a method by so many threads.
+pub(super) fn by_threads(method: &str, threads: usize) -> String {
+    format!("{method}, {threads} {}", if threads == 1 { "thread" } else { "threads" })
 }
 
 fn pool(threads: usize) -> ThreadPool {

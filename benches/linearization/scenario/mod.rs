@@ -1,4 +1,4 @@
-//! What is timed and counted: every task in every way, each judged against double-double.
+//! What is timed and counted: every task in every method, each judged against double-double.
 //!
 //! Benches and counts go through one list, [`all`], so that no number is reported of what was not judged by the same code
 //! on the same pair.
@@ -25,7 +25,7 @@ pub(crate) use checks::check;
 use beamgap::report::{Task, Verdict};
 use std::fmt;
 
-/// One way to do one task with one kind of beams.
+/// One method to do one task with one kind of beams.
 pub(crate) struct Scenario {
     /// The task.
     pub(crate) task: Task,
@@ -33,8 +33,8 @@ pub(crate) struct Scenario {
     pub(crate) family: &'static str,
     /// The dofs of both beams together.
     pub(crate) dofs: usize,
-    /// The way.
-    pub(crate) way: String,
+    /// The method.
+    pub(crate) method: String,
     /// How many pairs a run does.
     pub(crate) pairs: usize,
     /// The multiply-adds of a pair, if they are counted.
@@ -59,19 +59,19 @@ impl Scenario {
             task: self.task.name().to_owned(),
             family: self.family.to_owned(),
             dofs: self.dofs,
-            way: self.way.clone(),
+            method: self.method.clone(),
             pairs: self.pairs,
             error: relative,
             share,
         }
     }
 
-    /// The name of the same way by one thread, if this is one by two.
+    /// The name of the same method by one thread, if this is one by two.
     pub(crate) fn by_one_thread(&self) -> Option<String> {
-        Some(many::by_threads(self.way.strip_suffix(&many::by_threads("", 2))?, 1))
+        Some(many::by_threads(self.method.strip_suffix(&many::by_threads("", 2))?, 1))
     }
 
-    /// The task and the beams, which the ways of a group have in common.
+    /// The task and the beams, which the methods of a group have in common.
     pub(crate) fn group(&self) -> String {
         self.task.group(self.family, self.dofs)
     }
@@ -79,7 +79,7 @@ impl Scenario {
 
 impl fmt::Display for Scenario {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}, {}", self.group(), self.way)
+        write!(f, "{}, {}", self.group(), self.method)
     }
 }
 

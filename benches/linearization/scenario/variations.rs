@@ -2,7 +2,7 @@
 
 use super::input::{Input, Inputs, TimedCurve};
 use super::truth::{self, by_quantity};
-use super::work::{Judge, Way, scenario};
+use super::work::{Judge, Method, scenario};
 use super::{Scenario, Task};
 use beamgap::linearization::ad::{self, Route, chord};
 use beamgap::linearization::closed_form::vary;
@@ -25,14 +25,14 @@ pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const 
     input: Input<A, B, N, M>,
 ) -> [Scenario; 4] {
     let judge = Judge::new(move || truth::directions(&input));
-    let ways: [Way<A, B, Quantities<Varied<f64>>, N, M>; 4] = [
+    let methods: [Method<A, B, Quantities<Varied<f64>>, N, M>; 4] = [
         (CLOSED_FORM, |p| vary(&p.pair, &p.q, &p.point, &p.dq, &p.linear_dq)),
         ("hyper-dual, chord", |p| by(Route::Chord(chord(&p.pair, &p.q, &p.point), 2), p)),
         ("hyper-dual, Newton", |p| by(Route::Newton, p)),
         ("hyper-dual, stationary", |p| by(Route::Stationary, p)),
     ];
     let rows = |of: &Quantities<Varied<f64>>| by_quantity(of.components());
-    ways.map(|(way, work)| scenario((Task::Directions, way), &input, work, rows, judge.of_first(52)))
+    methods.map(|(method, work)| scenario((Task::Directions, method), &input, work, rows, judge.of_first(52)))
 }
 
 fn by<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(

@@ -8,8 +8,8 @@ use beamgap::linearization::Derivatives;
 use std::hint::black_box;
 use std::sync::{Arc, OnceLock};
 
-/// A way to `R` from a pair, and its name.
-pub(super) type Way<A, B, R, const N: usize, const M: usize> = (&'static str, fn(&Input<A, B, N, M>) -> R);
+/// A method to `R` from a pair, and its name.
+pub(super) type Method<A, B, R, const N: usize, const M: usize> = (&'static str, fn(&Input<A, B, N, M>) -> R);
 
 /// The truth about a pair, found once and when it is first asked for.
 #[derive(Clone)]
@@ -44,9 +44,9 @@ impl Judge {
     }
 }
 
-/// One way to work on a pair, judged by `judge` from the rows that `rows` sorts its result into.
+/// One method to work on a pair, judged by `judge` from the rows that `rows` sorts its result into.
 pub(super) fn scenario<A, B, R, const N: usize, const M: usize>(
-    (task, way): (Task, &str),
+    (task, method): (Task, &str),
     input: &Input<A, B, N, M>,
     work: impl Fn(&Input<A, B, N, M>) -> R + Send + Sync + Copy + 'static,
     rows: impl Fn(&R) -> Rows + Send + Sync + 'static,
@@ -63,15 +63,15 @@ where
             black_box(&work(black_box(&input)));
         })
     };
-    let (family, dofs, way) = (input.family, N + M, way.to_owned());
+    let (family, dofs, method) = (input.family, N + M, method.to_owned());
     let judge = Box::new(move || judge(rows(&work(&input))));
     let runner = Box::new(runner);
-    Scenario { task, family, dofs, way, pairs: 1, multiply_adds: None, runner, judge }
+    Scenario { task, family, dofs, method, pairs: 1, multiply_adds: None, runner, judge }
 }
 
-/// One way to work on a pair that writes its result over memory of the caller.
+/// One method to work on a pair that writes its result over memory of the caller.
 pub(super) fn written<A, B, R, const N: usize, const M: usize>(
-    (task, way): (Task, &str),
+    (task, method): (Task, &str),
     input: &Input<A, B, N, M>,
     work: impl Fn(&Input<A, B, N, M>, &mut R) + Send + Sync + Copy + 'static,
     memory: fn() -> R,
@@ -95,9 +95,9 @@ where
         work(&input, &mut to);
         judge(rows(&to))
     };
-    let (family, dofs, way) = (input.family, N + M, way.to_owned());
+    let (family, dofs, method) = (input.family, N + M, method.to_owned());
     let (runner, judge) = (Box::new(runner), Box::new(judge));
-    Scenario { task, family, dofs, way, pairs: 1, multiply_adds: None, runner, judge }
+    Scenario { task, family, dofs, method, pairs: 1, multiply_adds: None, runner, judge }
 }
 
 /// Values, gradients and Hessians.

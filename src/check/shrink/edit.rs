@@ -24,7 +24,7 @@ pub(super) enum Edit {
     Plain(usize),
     /// A node, or a weight, like its neighbours.
     Straight(usize, usize),
-    /// One number nought, one, or rounded to so many binary digits.
+    /// One number zero, one, or rounded to so many binary digits.
     Number(usize, List, usize, To),
 }
 
@@ -138,7 +138,7 @@ fn numbers_mut(test_beam: &mut TestBeam, list: List) -> &mut Vec<f64> {
 /// The nearest multiple of 2^-digits.
 fn rounded(number: f64, digits: i32) -> f64 {
     let unit = 2.0_f64.powi(-digits);
-    // No minus in front of nought.
+    // No minus in front of zero.
     (number / unit).round() * unit + 0.0
 }
 

@@ -109,7 +109,7 @@ impl Formulation {
     #[inline]
     pub fn at(points: &Points<f64>, held: Held) -> Self {
         let Points { beam, bar, d } = points;
-        let apart = Self::robust(points, held);
+        let robust = Self::robust(points, held);
         let squares = Squares::at(points);
         let Squares { t2: [t2, t_bar2], c2, .. } = squares;
         let is_near = |x: &Geometry<f64>, t2: f64, other: f64| {
@@ -123,12 +123,12 @@ impl Formulation {
         };
         Self {
             held,
-            distance: if normal { apart.distance } else { Distance::Length },
-            system: if wide { System::Determinants } else { apart.system },
+            distance: if normal { robust.distance } else { Distance::Length },
+            system: if wide { System::Determinants } else { robust.system },
         }
     }
 
-    /// The form with n the other way round.
+    /// The form with n reversed.
     #[must_use]
     pub fn reversed(self) -> Self {
         match self.distance {

@@ -1,4 +1,4 @@
-//! Each way as a point: how far off its numbers are, against how long they take.
+//! Each method as a point: how far off its numbers are, against how long they take.
 
 use super::{Area, Axis, COLOURS, Drawn, dot, frame, picture, text};
 use crate::report::benchmark::{Benchmark, Measured};
@@ -9,11 +9,11 @@ use plotters::style::text_anchor::HPos;
 
 const SIZE: (u32, u32) = (860, 480);
 
-/// Where it is, and the number of its way.
+/// Where it is, and the number of its method.
 type Dot = ((i32, i32), usize);
 
 impl Benchmark {
-    /// Error over time, of all ways with the pair of Hermite beams.
+    /// Error over time, of all methods with the pair of Hermite beams.
     ///
     /// # Errors
     /// [`ReportError::Draw`].
@@ -25,13 +25,14 @@ impl Benchmark {
                 .flat_map(|task| self.of(task))
                 .filter(|of| of.family == "hermite")
                 .collect();
-            let mut ways: Vec<&str> = Vec::new();
+            let mut methods: Vec<&str> = Vec::new();
             for of in &of_tasks {
-                if !ways.contains(&of.way.as_str()) {
-                    ways.push(&of.way);
+                if !methods.contains(&of.method.as_str()) {
+                    methods.push(&of.method);
                 }
             }
-            let number = |way: &str| ways.iter().position(|other| *other == way).map_or(0, |i| i + 1);
+            let number =
+                |method: &str| methods.iter().position(|other| *other == method).map_or(0, |i| i + 1);
             let x = Axis::decades(of_tasks.iter().map(|of| of.median), (90, 580), "time of a pair", time);
             let label = |value: f64| error(Some(value));
             let name = "largest error, of the largest number of its kind";
@@ -43,13 +44,13 @@ impl Benchmark {
                 text(area, task.name(), (616, legend), 13, HPos::Left)?;
                 let of_task = of_tasks.iter().filter(|of| of.task == task.name());
                 let mut dots: Vec<_> =
-                    of_task.map(|of| ((x.at(of.median), y.at(of.error)), number(&of.way))).collect();
+                    of_task.map(|of| ((x.at(of.median), y.at(of.error)), number(&of.method))).collect();
                 dots.sort_unstable();
                 numbered(area, &dots, COLOURS[i], if i == 0 { HPos::Right } else { HPos::Left })?;
             }
-            for (i, way) in ways.iter().enumerate() {
+            for (i, method) in methods.iter().enumerate() {
                 let legend = 124 + 20 * i32::try_from(i)?;
-                text(area, &format!("{}  {way}", i + 1), (600, legend), 13, HPos::Left)?;
+                text(area, &format!("{}  {method}", i + 1), (600, legend), 13, HPos::Left)?;
             }
             Ok(())
         })

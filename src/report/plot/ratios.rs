@@ -12,13 +12,13 @@ const WIDTH: u32 = 860;
 const HEAD: i32 = 62;
 /// The height of a bar.
 const BAR: i32 = 13;
-/// The height between the bars of two ways.
+/// The height between the bars of two methods.
 const SPACE: i32 = 9;
-/// The height of a test_points's title.
+/// The height of a panel's title.
 const TITLE: i32 = 34;
-/// The height of a test_points's axis.
+/// The height of a panel's axis.
 const AXIS: i32 = 34;
-/// Where the names of the ways end.
+/// Where the names of the methods end.
 const NAMES: i32 = 222;
 /// Where the bars start.
 const LEFT: i32 = 230;
@@ -27,7 +27,7 @@ const RIGHT: i32 = 790;
 /// The families that are shown: straight, cubic, and with dofs that enter nonlinearly.
 const FAMILIES: [&str; 3] = ["segment", "hermite", "helix"];
 impl Benchmark {
-    /// Ratios to the closed form, way by way.
+    /// Ratios to the closed form, method by method.
     ///
     /// # Errors
     /// [`ReportError::Draw`].
@@ -39,36 +39,36 @@ impl Benchmark {
     }
 }
 
-/// One task: its ways, and the families of each.
+/// One task: its methods, and the families of each.
 struct Panel<'a> {
     task: &'a str,
-    ways: Vec<(&'a str, Vec<&'a Measured>)>,
+    methods: Vec<(&'a str, Vec<&'a Measured>)>,
     /// The powers of ten at which the axis starts and ends.
     decades: (i32, i32),
 }
 
 impl<'a> Panel<'a> {
-    /// The test_points of a task that has a closed form and something to divide by it.
+    /// The panel of a task that has a closed form and something to divide by it.
     fn new(record: &'a Benchmark, task: Task) -> Option<Self> {
-        let mut test_points = Self { task: task.name(), ways: Vec::new(), decades: (0, 1) };
+        let mut panel = Self { task: task.name(), methods: Vec::new(), decades: (0, 1) };
         for measured in record.of(task).filter(|measured| colour(measured).is_some()) {
             let Some(ratio) = measured.ratio_to_closed_form else { continue };
-            while ratio.interval[1] >= 10_f64.powi(test_points.decades.1) {
-                test_points.decades.1 += 1;
+            while ratio.interval[1] >= 10_f64.powi(panel.decades.1) {
+                panel.decades.1 += 1;
             }
-            while ratio.interval[0] <= 10_f64.powi(test_points.decades.0) {
-                test_points.decades.0 -= 1;
+            while ratio.interval[0] <= 10_f64.powi(panel.decades.0) {
+                panel.decades.0 -= 1;
             }
-            match test_points.ways.iter_mut().find(|(way, _)| *way == measured.way) {
+            match panel.methods.iter_mut().find(|(method, _)| *method == measured.method) {
                 Some((_, rows)) => rows.push(measured),
-                None => test_points.ways.push((&measured.way, vec![measured])),
+                None => panel.methods.push((&measured.method, vec![measured])),
             }
         }
-        (!test_points.ways.is_empty()).then_some(test_points)
+        (!panel.methods.is_empty()).then_some(panel)
     }
 
     fn height(&self) -> i32 {
-        let bars: i32 = self.ways.iter().map(|(_, rows)| way_height(rows)).sum();
+        let bars: i32 = self.methods.iter().map(|(_, rows)| way_height(rows)).sum();
         TITLE + bars + AXIS
     }
 }
@@ -78,45 +78,45 @@ fn colour(measured: &Measured) -> Option<RGBColor> {
     FAMILIES.iter().position(|&family| family == measured.family).map(|i| COLOURS[i])
 }
 
-/// The height that a way takes, the space after it included.
+/// The height that a method takes, the space after it included.
 fn way_height(rows: &[&Measured]) -> i32 {
     BAR * i32::try_from(rows.len()).unwrap_or(0) + SPACE
 }
 
 fn draw(root: &Area, panels: &[Panel]) -> Drawn {
-    text(root, "Time of each way over the time of the closed form", (LEFT, 18), 17, HPos::Left)?;
+    text(root, "Time of each method over the time of the closed form", (LEFT, 18), 17, HPos::Left)?;
     for (i, family) in FAMILIES.iter().enumerate() {
         let x = LEFT + 90 * i32::try_from(i)?;
         root.draw(&Rectangle::new([(x, 38), (x + 12, 50)], COLOURS[i].filled()))?;
         text(root, family, (x + 18, 45), 13, HPos::Left)?;
     }
     let mut top = HEAD;
-    for test_points in panels {
-        draw_panel(root, test_points, top)?;
-        top += test_points.height();
+    for panel in panels {
+        draw_panel(root, panel, top)?;
+        top += panel.height();
     }
     Ok(())
 }
 
-fn draw_panel(root: &Area, test_points: &Panel, top: i32) -> Drawn {
+fn draw_panel(root: &Area, panel: &Panel, top: i32) -> Drawn {
     let x = |ratio: f64| {
-        let (low, high) = test_points.decades;
+        let (low, high) = panel.decades;
         let part = ((ratio.log10() - f64::from(low)) / f64::from(high - low)).clamp(0.0, 1.0);
         #[expect(clippy::cast_possible_truncation, reason = "a pixel within the picture")]
         let offset = (part * f64::from(RIGHT - LEFT)).round() as i32;
         LEFT + offset
     };
-    let bottom = top + test_points.height() - AXIS;
-    text(root, test_points.task, (LEFT, top + 16), 15, HPos::Left)?;
-    for power in test_points.decades.0..=test_points.decades.1 {
+    let bottom = top + panel.height() - AXIS;
+    text(root, panel.task, (LEFT, top + 16), 15, HPos::Left)?;
+    for power in panel.decades.0..=panel.decades.1 {
         let at = x(10_f64.powi(power));
         root.draw(&PathElement::new([(at, top + TITLE - 6), (at, bottom)], GREY))?;
         text(root, &label(power), (at, bottom + 11), 12, HPos::Center)?;
     }
     let mut y = top + TITLE;
-    for (way, rows) in &test_points.ways {
+    for (method, rows) in &panel.methods {
         let height = way_height(rows) - SPACE;
-        text(root, way, (NAMES, y + height / 2), 13, HPos::Right)?;
+        text(root, method, (NAMES, y + height / 2), 13, HPos::Right)?;
         for measured in rows {
             let Some(ratio) = measured.ratio_to_closed_form else { continue };
             let colour = colour(measured).unwrap_or(BLACK);

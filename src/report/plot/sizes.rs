@@ -30,9 +30,9 @@ impl Benchmark {
                 }
                 rows.iter().try_for_each(|of| dot(area, at(of), colour))?;
                 dot(area, (620, legend), colour)?;
-                let (task, way) =
-                    (rows[0].task.replace(" by size", ""), rows[0].way.replace("closed form", ""));
-                let name = format!("{task}, {}{way}", rows[0].family);
+                let (task, method) =
+                    (rows[0].task.replace(" by size", ""), rows[0].method.replace("closed form", ""));
+                let name = format!("{task}, {}{method}", rows[0].family);
                 text(area, &name, (632, legend), 13, HPos::Left)?;
                 legend += 22;
             }
@@ -51,9 +51,9 @@ fn proportional(area: &super::Area, x: &Axis, y: &Axis, through: Option<&Measure
     text(area, "as the entries of a Hessian", (632, legend), 13, HPos::Left)
 }
 
-/// The rows of each family and way, by size.
+/// The rows of each family and method, by size.
 fn series<'a>(rows: impl Iterator<Item = &'a Measured>) -> Vec<Vec<&'a Measured>> {
     let mut rows: Vec<_> = rows.collect();
-    rows.sort_by_key(|of| (&of.family, &of.way, of.dofs));
-    rows.chunk_by(|a, b| (&a.family, &a.way) == (&b.family, &b.way)).map(<[_]>::to_vec).collect()
+    rows.sort_by_key(|of| (&of.family, &of.method, of.dofs));
+    rows.chunk_by(|a, b| (&a.family, &a.method) == (&b.family, &b.method)).map(<[_]>::to_vec).collect()
 }

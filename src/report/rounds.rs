@@ -1,52 +1,54 @@
-//! Ways in turns: whatever changes the speed of the machine for longer than a turn changes all that take turns.
+//! Interleaved rounds: slow drifts of the clock affect all methods of a round alike.
 
 use super::benchmark::{Measured, Ratio};
 use super::number::{number, rounded};
 use super::spread;
 use serde::{Deserialize, Serialize};
 
-/// What a way took its turns with, and the times of every turn in nanoseconds.
+/// What a method took its rounds with, and the times of every round in nanoseconds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "with", rename_all = "snake_case")]
-pub enum Turns {
+pub enum Rounds {
     /// The closed form of the same task on the same beams.
     ClosedForm {
         /// The time of a pair, and that by the closed form.
         samples: Vec<[f64; 2]>,
     },
     /// Two kernels, one that multiplies and adds and one that stores.
-    Floors {
+    Roofline {
         /// The multiply-adds of a pair.
         multiply_adds: usize,
         /// The time of a pair, of a multiply-add and of a byte stored.
         samples: Vec<[f64; 3]>,
     },
-    /// The same way by one thread, and by as many as the way has and by one a kernel that only multiplies and adds.
+    /// The same method by one thread, and by as many as the method has and by one a kernel that only multiplies and adds.
     OneThread {
         /// The time of a pair by all threads and by one, and of a multiply-add by all and by one.
         samples: Vec<[f64; 4]>,
     },
 }
 
-impl Turns {
+impl Rounds {
     /// With so many digits as a time has.
     pub(super) fn rounded(self) -> Self {
         fn all<const K: usize>(samples: Vec<[f64; K]>) -> Vec<[f64; K]> {
-            samples.into_iter().map(|turn| turn.map(|time| rounded(time, 5))).collect()
+            samples.into_iter().map(|round| round.map(|time| rounded(time, 5))).collect()
         }
         match self {
             Self::ClosedForm { samples } => Self::ClosedForm { samples: all(samples) },
-            Self::Floors { multiply_adds, samples } => Self::Floors { multiply_adds, samples: all(samples) },
+            Self::Roofline { multiply_adds, samples } => {
+                Self::Roofline { multiply_adds, samples: all(samples) }
+            }
             Self::OneThread { samples } => Self::OneThread { samples: all(samples) },
         }
     }
 }
 
 impl Measured {
-    /// The multiply-adds of a pair, and in each turn its time, and what they and so many bytes would take.
+    /// The multiply-adds of a pair, and in each round its time, and what they and so many bytes would take.
     pub(super) fn with_floors(&self, bytes: f64) -> Option<(usize, Vec<[f64; 3]>)> {
-        self.turns.iter().find_map(|turns| {
-            let Turns::Floors { multiply_adds, samples } = turns else { return None };
+        self.rounds.iter().find_map(|rounds| {
+            let Rounds::Roofline { multiply_adds, samples } = rounds else { return None };
             let amount = number(*multiply_adds);
             let with_floors =
                 samples.iter().map(|&[time, of_one, of_byte]| [time, amount * of_one, bytes * of_byte]);
@@ -56,8 +58,8 @@ impl Measured {
 
     /// How many times as long as the closed form it takes.
     pub(super) fn over_closed_form(&self) -> Option<Ratio> {
-        self.turns.iter().find_map(|turns| {
-            let Turns::ClosedForm { samples } = turns else { return None };
+        self.rounds.iter().find_map(|rounds| {
+            let Rounds::ClosedForm { samples } = rounds else { return None };
             median(samples, |&[time, of_closed_form]| time / of_closed_form)
         })
     }
@@ -73,14 +75,14 @@ impl Measured {
     }
 
     fn over_one_thread(&self, ratio: impl Fn(&[f64; 4]) -> f64) -> Option<Ratio> {
-        self.turns.iter().find_map(|turns| {
-            let Turns::OneThread { samples } = turns else { return None };
+        self.rounds.iter().find_map(|rounds| {
+            let Rounds::OneThread { samples } = rounds else { return None };
             median(samples, &ratio)
         })
     }
 }
 
-/// The median of the ratios of each turn.
+/// The median of the ratios of each round.
 fn median<const K: usize>(samples: &[[f64; K]], ratio: impl Fn(&[f64; K]) -> f64) -> Option<Ratio> {
     let ratios: Vec<f64> = samples.iter().map(ratio).collect();
     spread(&ratios).map(|spread| Ratio { value: spread.median, interval: spread.interval })
@@ -88,23 +90,23 @@ fn median<const K: usize>(samples: &[[f64; K]], ratio: impl Fn(&[f64; K]) -> f64
 
 #[cfg(test)]
 mod tests {
-    use super::{Ratio, Turns};
+    use super::{Ratio, Rounds};
     use crate::report::benchmark::tests::measured;
 
     #[test]
     fn ways_are_compared_with_the_closed_form_turn_by_turn() {
         let samples = vec![[600.0, 150.0], [1500.0, 300.0], [630.0, 150.0]];
-        let of = measured("hyper-dual", vec![Turns::ClosedForm { samples }]);
+        let of = measured("hyper-dual", vec![Rounds::ClosedForm { samples }]);
         assert_eq!(of.over_closed_form().unwrap().value.to_bits(), 4.2_f64.to_bits());
         assert!(of.speed_up().is_none() && of.with_floors(1.0).is_none());
     }
 
     #[test]
     fn threads_are_compared_turn_by_turn() {
-        // The machine is twice as slow in every other turn.
+        // The machine is twice as slow in every other round.
         let of_pairs = [[50.0, 95.0], [100.0, 190.0], [50.0, 80.0], [100.0, 195.0], [50.0, 95.0]];
         let samples = of_pairs.map(|[by_all, by_one]| [by_all, by_one, 0.5 * by_all, by_all]).to_vec();
-        let of = measured("closed form, 2 threads", vec![Turns::OneThread { samples }]);
+        let of = measured("closed form, 2 threads", vec![Rounds::OneThread { samples }]);
         let Ratio { value, interval: [low, high] } = of.speed_up().unwrap();
         assert_eq!([value, low, high].map(f64::to_bits), [1.9, 1.6, 1.95].map(f64::to_bits));
         assert_eq!(

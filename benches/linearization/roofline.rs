@@ -1,7 +1,7 @@
 //! Two kernels that show what a core's arithmetic and its stores can do.
 
+use crate::rounds::Timed;
 use crate::scenario::Runner;
-use crate::turns::Timed;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Level, Simd, f64x4, prelude::*, x86::Avx2};
 use std::hint::black_box;
@@ -14,17 +14,17 @@ const LENGTH: usize = 64;
 /// The numbers that are stored: a Hessian of 24 dofs.
 const NUMBERS: usize = 24 * 24;
 
-/// Both in turns of such a length, for one multiply-add and for one byte stored.
-pub(crate) fn floors(turn: Duration) -> [Timed; 2] {
+/// Both in rounds of this length, for one multiply-add and for one byte stored.
+pub(crate) fn roofline(round: Duration) -> [Timed; 2] {
     let [chains, stores] = kernels();
-    [Timed::new(chains, CHAINS * LENGTH * 4, turn), Timed::new(stores, NUMBERS * size_of::<f64>(), turn)]
+    [Timed::new(chains, CHAINS * LENGTH * 4, round), Timed::new(stores, NUMBERS * size_of::<f64>(), round)]
 }
 
-/// How often a thread runs its chains before it ends: longer than a turn, so that starting it does not show.
+/// How often a thread runs its chains before it ends: longer than a round, so that starting it does not show.
 const RUNS: usize = 1 << 19;
 
-/// Multiply-adds alone by so many threads, in turns of such a length, for one of them.
-pub(crate) fn multiply_adds_by(threads: usize, turn: Duration) -> Timed {
+/// Multiply-adds alone by so many threads, in rounds of this length, for one of them.
+pub(crate) fn multiply_adds_by(threads: usize, round: Duration) -> Timed {
     let run = || {
         let [mut chains, _] = kernels();
         (0..RUNS).for_each(|_| chains());
@@ -37,7 +37,7 @@ pub(crate) fn multiply_adds_by(threads: usize, turn: Duration) -> Timed {
             run();
         });
     };
-    Timed::new(Box::new(by_all), threads * RUNS * CHAINS * LENGTH * 4, turn)
+    Timed::new(Box::new(by_all), threads * RUNS * CHAINS * LENGTH * 4, round)
 }
 
 /// Multiply-adds, and stores, as fast as this machine can.

@@ -1,0 +1,75 @@
+//! Interleaved rounds of a method and of what it is compared with.
+
+use crate::roofline::{multiply_adds_by, roofline};
+use crate::scenario::{Runner, Scenario};
+use beamgap::report::{CLOSED_FORM, Rounds};
+use std::time::{Duration, Instant};
+
+/// How many rounds there are with the roofline, and with one thread.
+const MANY: usize = 101;
+/// The same with the closed form, which nearly all methods have: their samples are most of the record.
+const FEW: usize = 41;
+/// How long a round is at least.
+const SHORT: Duration = Duration::from_micros(100);
+/// The same with threads, which a system may leave on one core for some milliseconds after they wake.
+const LONG: Duration = Duration::from_millis(50);
+
+/// The rounds of a scenario of the group: with the closed form if there is one and this is another method, with the roofline if
+/// its arithmetic is counted, with one thread if it has two.
+pub(crate) fn rounds(scenario: &Scenario, group: &[Scenario]) -> Vec<Rounds> {
+    let timed = |scenario: &Scenario, round| Timed::new(scenario.runner(), scenario.pairs, round);
+    let find =
+        |method: &str| group.iter().find(|other| other.method == method && other.method != scenario.method);
+    let with_closed_form = find(CLOSED_FORM).map(|closed_form| Rounds::ClosedForm {
+        samples: in_rounds(FEW, [timed(scenario, SHORT), timed(closed_form, SHORT)]),
+    });
+    let with_floors = scenario.multiply_adds.map(|multiply_adds| {
+        let [multiply_add, store] = roofline(SHORT);
+        Rounds::Roofline {
+            multiply_adds,
+            samples: in_rounds(MANY, [timed(scenario, SHORT), multiply_add, store]),
+        }
+    });
+    let with_one_thread = scenario.by_one_thread().and_then(|method| find(&method)).map(|by_one| {
+        let [of_all, of_one] = [2, 1].map(|threads| multiply_adds_by(threads, LONG));
+        let methods = [timed(scenario, LONG), timed(by_one, LONG), of_all, of_one];
+        Rounds::OneThread { samples: in_rounds(MANY, methods) }
+    });
+    [with_closed_form, with_floors, with_one_thread].into_iter().flatten().collect()
+}
+
+fn in_rounds<const K: usize>(rounds: usize, mut methods: [Timed; K]) -> Vec<[f64; K]> {
+    (0..rounds).map(|_| methods.each_mut().map(Timed::round)).collect()
+}
+
+/// What does so much in a run, run so many times a round.
+pub(crate) struct Timed {
+    run: Runner,
+    amount: usize,
+    runs: u32,
+}
+
+impl Timed {
+    /// With as many runs as fill a round.
+    pub(crate) fn new(run: Runner, amount: usize, round: Duration) -> Self {
+        let mut timed = Self { run, amount, runs: 1 };
+        while timed.elapsed() < round {
+            timed.runs *= 2;
+        }
+        timed
+    }
+
+    fn elapsed(&mut self) -> Duration {
+        let start = Instant::now();
+        for _ in 0..self.runs {
+            (self.run)();
+        }
+        start.elapsed()
+    }
+
+    /// The nanoseconds of one of what it does.
+    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+    fn round(&mut self) -> f64 {
+        self.elapsed().as_nanos() as f64 / f64::from(self.runs) / self.amount as f64
+    }
+}
