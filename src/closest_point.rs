@@ -192,6 +192,8 @@ pub struct Statistics {
 /// [`ProjectionError::NonFinite`], or [`ProjectionError::ZeroTangent`] if a curve is a single point. That centroids are
 /// parallel, that they cross or that no minimum is interior is no error of the search but a property of what it finds:
 /// see [`ClosestPoint::degeneracy`], [`ClosestPoints::unresolved`] and [`ClosestPoints::interior`].
+#[doc(alias = "closest point projection")]
+#[doc(alias = "CPP")]
 pub fn closest_points(
     beam: &dyn Centroid,
     bar: &dyn Centroid,

@@ -28,6 +28,7 @@ mod interval;
 mod number;
 mod page;
 mod peers;
+mod picture;
 mod plot;
 mod record;
 mod roof;
@@ -45,6 +46,7 @@ pub use faults::{DetectionRow, Faults, OperationsRow, UndetectedOperations, Unde
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
 pub use peers::{AtGap, LeftOut, Peer, Peers};
+pub use picture::picture;
 pub use record::Record;
 pub use rounds::Rounds;
 pub use task::Task;

@@ -129,7 +129,7 @@ fn table(paper: &record::EquationTable) -> String {
         ]);
     }
     let _ = write!(text, "{table}");
-    text.push_str("\nSymmetry step delta and Delta are exchanged, of formulas of second order: by\n");
+    text.push_str("\nSymmetry when delta and Delta are exchanged, of formulas of second order: by\n");
     text.push_str("form, by orthogonality, not at all\n\n");
     let mut table = Table::new(&["claim", "made in", "form", "orth", "not"]).left(&[1]);
     for claim in &paper.claims {

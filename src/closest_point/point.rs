@@ -23,6 +23,7 @@ pub struct ClosestPoint {
     /// xi, the parameter on the first curve.
     pub xi: f64,
     /// xi_bar, the parameter on the barred curve.
+    #[doc(alias = "eta")]
     pub xi_bar: f64,
     /// The end of the first beam that holds xi, if one does.
     pub end: Option<End>,

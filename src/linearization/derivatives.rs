@@ -223,6 +223,7 @@ impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
     #[doc(alias = "gap")]
     #[doc(alias = "Eq. (19)")]
     #[doc(alias = "normal gap")]
+    #[doc(alias = "penetration")]
     pub fn g_n(&self) -> Derivatives<T, N, M> {
         // Eq. (11), (18), (19): g_N = d − (r + r̄)   δg_N = δd   Δδg_N = Δδd
         Derivatives { value: self.d.value - self.radii, ..self.d }

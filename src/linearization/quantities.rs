@@ -33,8 +33,11 @@ pub struct Quantities<S> {
     /// xi_bar_C, the parameter of the other closest point.
     pub xi_bar: S,
     /// g_N, the distance between the surfaces.
+    #[doc(alias = "normal gap")]
+    #[doc(alias = "penetration")]
     pub g_n: S,
     /// g_T, the slip along the beam.
+    #[doc(alias = "tangential gap")]
     pub g_t: S,
     /// g_T_bar, the slip along the other beam.
     pub g_t_bar: S,

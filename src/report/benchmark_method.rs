@@ -31,7 +31,7 @@ impl Benchmark {
                 ),
                 "The error is the largest distance from the closed form in double-double, relative to the largest number of that \
                  value, gradient or Hessian. What is allowed for each number is the sum of the running error bounds of both \
-                 linearizations; for differences also what they change by step their steps are doubled. A scenario that \
+                 linearizations; for differences also what they change by when their steps are doubled. A scenario that \
                  exceeds it anywhere is not timed."
                     .to_owned(),
                 "The chord methods take one step for d alone, which is enough there, and two for all quantities. By orders: the \

@@ -139,7 +139,7 @@ impl Benchmark {
             Block::heading("Cost over the number of dofs"),
             Block::text(
                 "A cost proportional to the size of the result is a constant time for each entry of a Hessian that is stored. What is \
-                 spent on the shape functions and on the gradients is spread over few entries step there are few dofs, and \
+                 spent on the shape functions and on the gradients is spread over few entries when there are few dofs, and \
                  Hessians that overflow the first cache cost more again.",
             ),
             picture("benchmark-sizes.svg", "Time over the number of dofs", self.sizes_to_svg()?),

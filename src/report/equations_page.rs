@@ -64,7 +64,7 @@ impl EquationTable {
             "\n## All equations\n\n\
              *Refuted*: draws in which a part of the equation is not equal in any reading of the print, for pairs linear in \
              their dofs and others. *Error*: of the print in `f64`, the difference of both sides over the larger sum of the \
-             absolute values of their terms; of (14), over the arc length. *Where*: below `src`, step this was made.\n\n\
+             absolute values of their terms; of (14), over the arc length. *Where*: below `src`, when this was made.\n\n\
              | eq | what | as printed | verdict | refuted as printed | as corrected | error | where |\n\
              |---:|---|---|---|---:|---:|---:|---|\n",
         );

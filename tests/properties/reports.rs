@@ -1,10 +1,12 @@
 //! The reports say what was found and measured, and nothing else.
 
 use beamgap::check::{self, CheckConfig, Regime, Selection};
+use beamgap::equations::{self, EquationTable};
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, Benchmark, Bounds, Count, Crosscheck, Difference, Environment, Instructions, Measured, Record,
-    ReportError, Rounds, Spread, Task, VERDICTS, Verdict, Verdicts, median_interval, spread, write_rounds,
+    Accuracy, Benchmark, Bounds, Count, Crosscheck, Difference, Environment, Faults, Instructions, Measured,
+    Record, ReportError, Rounds, Spread, Task, VERDICTS, Verdict, Verdicts, median_interval, picture, spread,
+    write_rounds,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::Variant;
@@ -34,6 +36,7 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     is_committed("accuracy.md", &accuracy.to_markdown());
     is_committed("accuracy-gap.svg", &accuracy.gap_to_svg().unwrap());
     is_committed("accuracy-angle.svg", &accuracy.angle_to_svg().unwrap());
+    is_committed("beams.svg", &picture().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
     for (name, text) in benchmark.pages().unwrap() {
         is_committed(&name, &text);
@@ -77,9 +80,76 @@ fn threads_do_not_matter() {
 fn the_front_page_claims_what_was_measured() {
     let front = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    for claim in Benchmark::from_json(&committed("benchmark.json")).unwrap().claims() {
+    let mut claims = Benchmark::from_json(&committed("benchmark.json")).unwrap().claims();
+    claims.extend(claims_of_the_table());
+    for claim in claims {
         assert!(words(&front).contains(&claim), "README.md is to say: {claim}");
     }
+}
+
+/// The rows of the table at the top of the front page.
+fn claims_of_the_table() -> [String; 6] {
+    let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
+    let bounds = Bounds::from_json(&committed("bounds.json")).unwrap();
+    let faults = Faults::from_json(&committed("faults.json")).unwrap();
+    let equations = EquationTable::from_json(&committed("equations.json")).unwrap();
+    let numbers: u64 = crosscheck.quantities.iter().map(|worst| worst.entries).sum();
+    let left = crosscheck.regimes.iter().flat_map(|regime| &regime.not_compared).map(|what| what.count);
+    let of_terms: usize = faults.kinds.iter().map(|(_, count)| count).sum();
+    let of_gate = || faults.rows.iter().filter(|row| row.check == "gate");
+    assert!(of_gate().all(|row| row.detected == of_terms && row.false_positives.is_empty()));
+    let most =
+        faults.rows.iter().filter(|row| row.check == "symmetry").max_by_key(|row| row.detected).unwrap();
+    let operations: usize = faults.operations.iter().map(|row| row.faults).sum();
+    let misprints =
+        equations.equations.iter().filter(|row| row.verdict == equations::Verdict::Misprint).count();
+    [
+        format!(
+            "| Closed form and automatic differentiation agree. | {} closest points, {} numbers, {} regimes, {} pairs of \
+             curve families: {} mismatches. {} points are not compared, each with its reason. | \
+             [crosscheck](reports/crosscheck.md) |",
+            count(crosscheck.points),
+            count(numbers),
+            crosscheck.regimes.len(),
+            crosscheck.pairs.len(),
+            crosscheck.mismatches.len(),
+            count(left.sum())
+        ),
+        format!(
+            "| The tolerances are bounds. | {} closest points: {} errors exceed their bound. | [bounds](reports/bounds.md) |",
+            count(bounds.regimes.iter().map(|regime| regime.measured).sum()),
+            bounds.violations.len()
+        ),
+        format!(
+            "| The check detects wrong terms. | {} of {} faults in each regime; {} of {} equivalent formulas rejected. \
+             Symmetry alone detects {} of {}. | [faults](reports/faults.md) |",
+            count(of_terms as u64),
+            count(of_terms as u64),
+            of_gate().map(|row| row.false_positives.len()).max().unwrap(),
+            faults.rewrites.len(),
+            most.detected,
+            most.planted
+        ),
+        format!(
+            "| The check covers every operation. | {} faults of single operations: each is detected or has a reason. | \
+             [faults](reports/faults.md) |",
+            count(operations as u64)
+        ),
+        format!(
+            "| The paper is verified equation by equation. | {} equations: {misprints} are misprinted. | \
+             [equations](reports/equations.md) |",
+            equations.equations.len()
+        ),
+        format!("AGREE: at {} closest points nothing differs beyond rounding.", crosscheck.points),
+    ]
+}
+
+/// A count with its thousands apart.
+fn count(number: u64) -> String {
+    let digits = number.to_string();
+    let grouped: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().map(|group| std::str::from_utf8(group).unwrap()).collect();
+    grouped.join(",")
 }
 
 #[test]
