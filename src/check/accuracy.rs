@@ -43,7 +43,7 @@ pub struct Level {
     /// For how many the choice is the distance along the normal.
     pub normal: usize,
     /// For how many it is the system by cross products.
-    pub crossed: usize,
+    pub cross_products: usize,
     /// Of Delta-delta d.
     pub d: Errors,
     /// Of Delta-delta xi.
@@ -104,7 +104,7 @@ impl Level {
             at,
             pairs: measured.len(),
             normal: measured.iter().filter(|pair| pair.choice.sign().is_some()).count(),
-            crossed: measured.iter().filter(|pair| pair.choice.uses_cross_products()).count(),
+            cross_products: measured.iter().filter(|pair| pair.choice.uses_cross_products()).count(),
             d: errors(|pair| pair.d),
             xi: errors(|pair| pair.xi),
         }

@@ -1,6 +1,6 @@
 //! What is checked, and by what.
 
-use super::draw::turn;
+use super::draw::place_in_regime;
 use crate::variant::Variant;
 
 /// The closed form under check, and the oracles that it is compared with.
@@ -31,7 +31,7 @@ impl Oracles {
     pub(super) fn asks_differences(self, number: u64) -> bool {
         match self {
             Self::Ad => false,
-            Self::Sample => turn(number).is_multiple_of(13),
+            Self::Sample => place_in_regime(number).is_multiple_of(13),
             Self::All => true,
         }
     }

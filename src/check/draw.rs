@@ -25,7 +25,7 @@ pub struct Case {
     beams: [Box<dyn AnyBeam>; 2],
 }
 
-/// Which cases are wanted: all pairs of families in all regimes take turns, so a selection leaves the others out.
+/// Which cases are wanted: all pairs of families in all regimes alternate, so a selection leaves the others out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Selection {
     /// The regimes, not empty.
@@ -36,10 +36,10 @@ pub struct Selection {
     pub cases: u64,
 }
 
-/// The regimes whose cases take turns; the last one counts its own from [`APART`] on, so that the numbers of the others
+/// The regimes whose cases alternate; the last one counts its own from [`BADLY_SCALED`] on, so that the numbers of the others
 /// stay what they were before there was one more.
 const REGIMES: u64 = Regime::ALL.len() as u64 - 1;
-const APART: u64 = 1 << 40;
+const BADLY_SCALED: u64 = 1 << 40;
 const FAMILIES: u64 = Family::ALL.len() as u64;
 
 impl Selection {
@@ -47,7 +47,7 @@ impl Selection {
     pub fn numbers(&self) -> Vec<u64> {
         let wanted = |regime: Regime| {
             let number = move |turn| match regime {
-                Regime::BadlyScaled => APART + turn,
+                Regime::BadlyScaled => BADLY_SCALED + turn,
                 _ => turn * REGIMES + regime as u64,
             };
             let of_regime = (0..).map(number);
@@ -62,20 +62,20 @@ impl Selection {
 
 /// The regime of a case.
 fn regime(number: u64) -> Regime {
-    if number >= APART {
+    if number >= BADLY_SCALED {
         return Regime::BadlyScaled;
     }
     Regime::ALL[usize::try_from(number % REGIMES).unwrap_or(0)]
 }
 
 /// Which of the cases of its regime a case is.
-pub(super) fn turn(number: u64) -> u64 {
-    if number >= APART { number - APART } else { number / REGIMES }
+pub(super) fn place_in_regime(number: u64) -> u64 {
+    if number >= BADLY_SCALED { number - BADLY_SCALED } else { number / REGIMES }
 }
 
 /// The families of a case: all pairs in turn.
 fn families(number: u64) -> [Family; 2] {
-    let turn = turn(number);
+    let turn = place_in_regime(number);
     [turn / FAMILIES, turn].map(|i| Family::ALL[usize::try_from(i % FAMILIES).unwrap_or(0)])
 }
 

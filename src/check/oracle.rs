@@ -7,7 +7,7 @@
 //!
 //! # Steps
 //! How far the problem may be moved before it becomes another is measured: the rate at which the chord iterations
-//! converge after a trial step, and the changes of xi, d, t and t_bar relative to themselves, give a radius for each
+//! converge after a first step, and the changes of xi, d, t and t_bar relative to themselves, give a radius for each
 //! direction. The steps are that part of it at which rounding and truncation are about equal, twice and four times that,
 //! extrapolated to sixth order (L. F. Richardson).
 //!

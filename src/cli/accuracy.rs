@@ -72,7 +72,7 @@ fn human(record: &Accuracy) -> String {
 }
 
 fn table(at: &str, rows: &[AccuracyRow]) -> Table {
-    let mut table = Table::new(&[at, "Ddd paper", "normal", "chosen", "Ddxi paper", "crossed", "chosen"]);
+    let mut table = Table::new(&[at, "Ddd paper", "normal", "chosen", "Ddxi paper", "crossprod.", "chosen"]);
     for AccuracyRow { at, d, xi, .. } in rows {
         let numbers = [d.paper, d.robust, d.chosen, xi.paper, xi.robust, xi.chosen]
             .map(|x| x.map_or_else(|| "-".into(), error));

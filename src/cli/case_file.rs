@@ -40,7 +40,7 @@ fn short(value: Value) -> Value {
     match value {
         Value::Array(values) => values.into_iter().map(short).collect(),
         Value::Object(entries) => entries.into_iter().map(|(name, value)| (name, short(value))).collect(),
-        // Nought with a sign has no whole number.
+        // Zero with a sign has no whole number.
         Value::Number(number) if number.as_f64().is_some_and(|number| number.to_bits() != 1 << 63) => {
             let whole = format!("{number}").strip_suffix(".0").and_then(|whole| whole.parse::<i64>().ok());
             whole.map_or(Value::Number(number), Value::from)

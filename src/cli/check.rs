@@ -185,9 +185,9 @@ fn verdict_on(points: &Compared) -> Verdict {
     in_words(points.len() as u64 - left, count(|found| matches!(found, Found::Mismatch(_))), left, untrusted)
 }
 
-fn in_words(compared: u64, apart: u64, left: u64, untrusted: usize) -> Verdict {
+fn in_words(compared: u64, wrong: u64, left: u64, untrusted: usize) -> Verdict {
     let points = if compared == 1 { "closest point" } else { "closest points" };
-    let (exit, name, words) = match (compared, apart) {
+    let (exit, name, words) = match (compared, wrong) {
         _ if untrusted > 0 => {
             let cases = if untrusted == 1 { "case" } else { "cases" };
             let words = format!(
@@ -202,7 +202,7 @@ fn in_words(compared: u64, apart: u64, left: u64, untrusted: usize) -> Verdict {
             (Exit::Agree, "agree", words)
         }
         _ => {
-            let words = format!("DISAGREE: {apart} of {compared} {points} differ beyond rounding.");
+            let words = format!("DISAGREE: {wrong} of {compared} {points} differ beyond rounding.");
             (Exit::Disagree, "disagree", words)
         }
     };
@@ -220,8 +220,8 @@ mod tests {
 
     #[test]
     fn one_is_not_said_as_many() {
-        let said = |compared, apart, left, untrusted| {
-            let verdict = in_words(compared, apart, left, untrusted);
+        let said = |compared, wrong, left, untrusted| {
+            let verdict = in_words(compared, wrong, left, untrusted);
             (verdict.exit, verdict.words.lines().next().unwrap_or_default().to_owned())
         };
         for (numbers, exit, words) in [
@@ -232,8 +232,8 @@ mod tests {
             ((2, 1, 0, 1), Exit::Untrusted, "UNTRUSTED: in 1 case the oracles disagree among themselves."),
             ((2, 2, 0, 2), Exit::Untrusted, "UNTRUSTED: in 2 cases the oracles disagree among themselves."),
         ] {
-            let (compared, apart, left, untrusted) = numbers;
-            assert_eq!(said(compared, apart, left, untrusted), (exit, words.to_owned()));
+            let (compared, wrong, left, untrusted) = numbers;
+            assert_eq!(said(compared, wrong, left, untrusted), (exit, words.to_owned()));
         }
         assert!(in_words(2, 0, 3, 0).words.ends_with("\nNot compared, and not counted as agreeing: 3."));
         assert!(!in_words(2, 0, 0, 0).words.contains("Not compared"));

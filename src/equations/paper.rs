@@ -36,7 +36,7 @@ fn norm<T: Real>(v: &Vector3<T>) -> T {
 }
 
 /// δξ Δᵤu + δᵤu Δξ, of u,ξ (k = 1) or u,ξξ (k = 2).
-fn crossed<T: Real>(s: &Side<T>, k: usize) -> Vector3<T> {
+fn mixed<T: Real>(s: &Side<T>, k: usize) -> Vector3<T> {
     s.jet.linear_u[k] * s.xi.delta + s.jet.delta_u[k] * s.xi.linear
 }
 

@@ -28,12 +28,13 @@ pub fn limits(seed: u64, regimes: &[Regime]) -> Vec<Limit> {
         let points = test_points(seed, regime);
         let samples: Vec<_> =
             points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
-        let sound: Vec<_> = samples.iter().map(|sample| sample.compared(&Variant::Unmodified)).collect();
+        let unmodified: Vec<_> = samples.iter().map(|sample| sample.compared(&Variant::Unmodified)).collect();
         let limit = |&label: &Label| {
             let nudged = Variant::Weighted(label, 1.0 + NUDGE);
-            let pairs = samples.iter().zip(&sound);
-            let at =
-                |(sample, sound): (&Sample, &Vec<Comparison>)| smallest(sound, &sample.compared(&nudged));
+            let pairs = samples.iter().zip(&unmodified);
+            let at = |(sample, unmodified): (&Sample, &Vec<Comparison>)| {
+                smallest(unmodified, &sample.compared(&nudged))
+            };
             Limit { regime, label, limit: pairs.map(at).fold(f64::INFINITY, f64::min) }
         };
         labels.iter().map(limit).collect::<Vec<_>>()
@@ -42,14 +43,18 @@ pub fn limits(seed: u64, regimes: &[Regime]) -> Vec<Limit> {
 }
 
 /// The relative error at which some entry exceeds its tolerance.
-fn smallest(sound: &[Comparison], nudged: &[Comparison]) -> f64 {
-    sound.iter().zip(nudged).map(|(sound, nudged)| sensitivity(sound, nudged)).fold(f64::INFINITY, f64::min)
+fn smallest(unmodified: &[Comparison], nudged: &[Comparison]) -> f64 {
+    unmodified
+        .iter()
+        .zip(nudged)
+        .map(|(unmodified, nudged)| sensitivity(unmodified, nudged))
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// The relative error at which this entry exceeds its tolerance, from what a nudge changes.
-pub(super) fn sensitivity(sound: &Comparison, nudged: &Comparison) -> f64 {
+pub(super) fn sensitivity(unmodified: &Comparison, nudged: &Comparison) -> f64 {
     // Both sides of an entry may move: of a matrix entry, each is the closed form's.
-    let before = sound.closed - sound.other;
+    let before = unmodified.closed - unmodified.other;
     let change = (nudged.closed - nudged.other - before).abs() / NUDGE;
-    if sound.is_meaningful() && change > 0.0 { sound.tolerance / change } else { f64::INFINITY }
+    if unmodified.is_meaningful() && change > 0.0 { unmodified.tolerance / change } else { f64::INFINITY }
 }

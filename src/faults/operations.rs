@@ -116,7 +116,7 @@ pub fn all_operations(seed: u64) -> Vec<Operations> {
 }
 
 pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &Code<'_>) -> Operations {
-    let (sound, count) = counted(|| run(None));
+    let (unmodified, count) = counted(|| run(None));
     let own = operations(|| run(None));
     let others: Vec<_> = kinds.iter().map(|&kind| (kind.name(), operations(|| run(Some(kind))))).collect();
     let of_operation = |k: usize| {
@@ -125,14 +125,14 @@ pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &
             others.iter().filter_map(|(name, other)| Some((*name, Change::Instead(*other.get(k)?))));
         let changes =
             alone.chain(mistaken).filter(|(_, change)| change.of(Traced::from_bits(own[k])).bits() != own[k]);
-        let is_shown = |change| with_operation(k, change, || run(None)) != sound;
-        changes.map(|(name, change)| (name, is_shown(change))).collect::<Vec<_>>()
+        let is_detected = |change| with_operation(k, change, || run(None)) != unmodified;
+        changes.map(|(name, change)| (name, is_detected(change))).collect::<Vec<_>>()
     };
     let found: Vec<_> = (0..count).into_par_iter().map(of_operation).collect();
     let mut all =
         Operations { code, place, operations: count, faults: 0, detected: 0, undetected: Vec::new() };
     for (operation, faults) in found.into_iter().enumerate() {
-        let detected = faults.iter().filter(|(_, is_shown)| *is_shown).count();
+        let detected = faults.iter().filter(|(_, is_detected)| *is_detected).count();
         (all.faults, all.detected) = (all.faults + faults.len(), all.detected + detected);
         let undetected = |wrong| {
             let (at, term) = locate(operation, || run(None));
@@ -140,7 +140,7 @@ pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &
             let reason = reason(lost, &all.code, place, &at);
             Undetected { operation, wrong, at, term, lost, reason }
         };
-        let missed = faults.iter().filter(|(_, is_shown)| !is_shown).map(|(wrong, _)| *wrong);
+        let missed = faults.iter().filter(|(_, is_detected)| !is_detected).map(|(wrong, _)| *wrong);
         let missed =
             if detected == 0 { missed.take(1).map(|_| "any").collect() } else { missed.collect::<Vec<_>>() };
         let missed: Vec<_> = missed.into_iter().map(undetected).collect();

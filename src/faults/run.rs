@@ -123,7 +123,7 @@ impl Planted {
     ) -> Detection {
         let is_fair = |sample: &&S| !rejects(&Variant::Unmodified, sample);
         let fair: Vec<_> = samples.iter().filter(is_fair).collect();
-        let survives = |faults: &[Fault]| {
+        let is_undetected = |faults: &[Fault]| {
             let variant = Variant::Faulty(faults.to_vec());
             !fair.iter().any(|sample| rejects(&variant, sample))
         };
@@ -135,10 +135,10 @@ impl Planted {
             points: samples.len(),
             rejected: samples.len() - fair.len(),
             planted: self.faults.len(),
-            undetected: self.faults.par_iter().copied().filter(|&fault| survives(&[fault])).collect(),
+            undetected: self.faults.par_iter().copied().filter(|&fault| is_undetected(&[fault])).collect(),
             false_positives: Rewrite::ALL.into_par_iter().filter(is_accused).collect(),
             pairs: self.pairs.len(),
-            pairs_undetected: self.pairs.par_iter().copied().filter(|pair| survives(pair)).collect(),
+            pairs_undetected: self.pairs.par_iter().copied().filter(|pair| is_undetected(pair)).collect(),
         }
     }
 }

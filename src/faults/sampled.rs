@@ -61,7 +61,7 @@ pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
 }
 
 fn at_sample(mut found: Sampled, sample: &Sample, each: usize, rng: &mut ChaCha8Rng) -> Sampled {
-    let sound = sample.compared(&Variant::Unmodified);
+    let unmodified = sample.compared(&Variant::Unmodified);
     // A number that no operation has: all are counted, and none is wrong.
     let with = |number, factor| sample.compared(&Variant::Operation(found.code, number, factor));
     let (_, count) = counted(|| with(usize::MAX, 1.0));
@@ -71,15 +71,16 @@ fn at_sample(mut found: Sampled, sample: &Sample, each: usize, rng: &mut ChaCha8
         found.operations += 1;
         for factor in FACTORS {
             let wrong = with(number, factor);
-            let is_changed = wrong.iter().zip(&sound).any(|(wrong, sound)| sides(wrong) != sides(sound));
+            let is_changed =
+                wrong.iter().zip(&unmodified).any(|(wrong, unmodified)| sides(wrong) != sides(unmodified));
             let is_detected = wrong.iter().any(|entry| entry.is_meaningful() && !entry.agrees());
             found.faults += usize::from(is_changed);
             found.detected += usize::from(is_detected);
         }
         let mut limits: BTreeMap<Quantity, f64> = BTreeMap::new();
-        for (sound, nudged) in sound.iter().zip(&with(number, 1.0 + NUDGE)) {
-            let limit = sensitivity(sound, nudged);
-            let smallest = limits.entry(sound.quantity).or_insert(f64::INFINITY);
+        for (unmodified, nudged) in unmodified.iter().zip(&with(number, 1.0 + NUDGE)) {
+            let limit = sensitivity(unmodified, nudged);
+            let smallest = limits.entry(unmodified.quantity).or_insert(f64::INFINITY);
             *smallest = smallest.min(limit);
         }
         for (quantity, limit) in limits.into_iter().filter(|(_, limit)| limit.is_finite()) {

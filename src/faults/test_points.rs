@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 const INSIDE: usize = 2;
 /// Cases that are drawn at most.
 const DRAWN: u64 = 2000;
-/// The turns from one case to the next: coprime to the 121 pairs of families, so that all are met.
+/// The step from one case to the next: coprime to the 121 pairs of families, so that all are met.
 const STRIDE: usize = 37;
 
 /// A closest point, with all that does not depend on the variant.

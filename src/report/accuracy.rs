@@ -32,7 +32,7 @@ pub struct AccuracyRow {
     /// Pairs for which the distance is varied along the normal.
     pub normal: usize,
     /// Pairs for which the system is solved by cross products.
-    pub crossed: usize,
+    pub cross_products: usize,
     /// Of Delta-delta d.
     pub d: Losses,
     /// Of Delta-delta xi.
@@ -82,8 +82,8 @@ impl Accuracy {
 
 impl AccuracyRow {
     fn new(level: &check::Level) -> Self {
-        let check::Level { at, pairs, normal, crossed, d, xi } = *level;
-        Self { at, pairs, normal, crossed, d: Losses::new(d), xi: Losses::new(xi) }
+        let check::Level { at, pairs, normal, cross_products, d, xi } = *level;
+        Self { at, pairs, normal, cross_products, d: Losses::new(d), xi: Losses::new(xi) }
     }
 }
 

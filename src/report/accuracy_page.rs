@@ -67,13 +67,13 @@ fn table(title: &str, what: &str, picture: &str, at: &str, rows: &[AccuracyRow])
          |---:|---:|---:|---:|---:|---:|---:|---:|---:|\n"
     );
     for row in rows {
-        let AccuracyRow { at, pairs, normal, crossed, d, xi } = row;
+        let AccuracyRow { at, pairs, normal, cross_products, d, xi } = row;
         let _ = write!(text, "| {at:e} |");
         for losses in [d, xi] {
             let [paper, robust, chosen] = [losses.paper, losses.robust, losses.chosen].map(error);
             let _ = write!(text, " {paper} | {robust} | {chosen} |");
         }
-        let _ = writeln!(text, " {normal} of {pairs} | {crossed} of {pairs} |");
+        let _ = writeln!(text, " {normal} of {pairs} | {cross_products} of {pairs} |");
     }
     text
 }

@@ -15,7 +15,7 @@ use std::time::SystemTime;
 pub const VERDICTS: &str = "beamgap-verdicts.json";
 
 /// The file in which they leave the rounds of what was timed.
-const TURNS: &str = "beamgap-rounds.json";
+const ROUNDS: &str = "beamgap-rounds.json";
 
 /// What the benches found before they timed anything.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -97,8 +97,8 @@ impl Verdicts {
 /// [`ReportError::Write`].
 pub fn write_rounds(directory: &Path, rounds: &[(String, String, Rounds)]) -> Result<(), ReportError> {
     let json = serde_json::to_string(rounds)
-        .map_err(|source| ReportError::Format { what: TURNS.to_owned(), source })?;
-    super::write(directory, TURNS, &json)
+        .map_err(|source| ReportError::Format { what: ROUNDS.to_owned(), source })?;
+    super::write(directory, ROUNDS, &json)
 }
 
 /// Those that were taken after `verified`, by group and method.
@@ -106,7 +106,7 @@ pub(super) fn rounds(
     directory: &Path,
     verified: SystemTime,
 ) -> Result<BTreeMap<(String, String), Vec<Rounds>>, ReportError> {
-    let path = directory.join(TURNS);
+    let path = directory.join(ROUNDS);
     let Some((text, _)) = read(&path).filter(|(_, written)| *written >= verified) else {
         return Ok(BTreeMap::new());
     };

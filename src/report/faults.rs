@@ -222,8 +222,8 @@ fn undetected(found: &faults::Injected) -> Vec<UndetectedRow> {
             found.detections.iter().filter(|detection| detection.check == check).collect();
         let mut faults: BTreeMap<Vec<usize>, Vec<String>> = BTreeMap::new();
         for fault in &found.faults {
-            let survives = |&i: &usize| detections[i].undetected.contains(fault);
-            let regimes: Vec<usize> = (0..detections.len()).filter(survives).collect();
+            let is_undetected = |&i: &usize| detections[i].undetected.contains(fault);
+            let regimes: Vec<usize> = (0..detections.len()).filter(is_undetected).collect();
             if !regimes.is_empty() {
                 faults.entry(regimes).or_default().push(fault.to_string());
             }

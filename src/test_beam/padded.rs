@@ -42,7 +42,7 @@ impl<T: Real, const D: usize> Padded<T, D> {
         Jet { geometry: jet.geometry, dofs: padded }
     }
 
-    /// A curve with more dofs than there is room for, as one with two: its ways along the two directions.
+    /// A curve with more dofs than there is room for, as one with two: its variations along the two directions.
     pub(crate) fn along<U: DofDerivatives<T, N>, const N: usize>(
         jet: &Jet<T, U>,
         dq: &SVector<T, N>,

@@ -135,11 +135,11 @@ impl Rewrite {
         form: Formulation,
         contact: &Contact,
     ) -> Quantities<Varied<T>> {
-        let sound = |[beam, bar]: [PartialVariations<T>; 2], at, form, contact: &Contact| {
+        let unmodified = |[beam, bar]: [PartialVariations<T>; 2], at, form, contact: &Contact| {
             variations_in(form, &beam, &bar, at, contact)
         };
-        by_invariance(self, &sound, beams, at, form, contact).unwrap_or_else(|| {
-            by_term(self, beams, form.held, sound(beams.map(|beam| *beam), at, form, contact))
+        by_invariance(self, &unmodified, beams, at, form, contact).unwrap_or_else(|| {
+            by_term(self, beams, form.held, unmodified(beams.map(|beam| *beam), at, form, contact))
         })
     }
 }

@@ -13,16 +13,16 @@ pub(super) fn by_term<T: Real>(
     rewrite: Rewrite,
     [beam, bar]: [&PartialVariations<T>; 2],
     held: Held,
-    sound: Quantities<Varied<T>>,
+    unmodified: Quantities<Varied<T>>,
 ) -> Quantities<Varied<T>> {
-    let mut all = sound;
+    let mut all = unmodified;
     let (x, y) = (&beam.geometry, &bar.geometry);
-    let [d, dd, linear_d, second_d] = parts(&sound.d_vector);
-    let [t, dt, linear_t, second_t] = parts(&sound.t_vector);
+    let [d, dd, linear_d, second_d] = parts(&unmodified.d_vector);
+    let [t, dt, linear_t, second_t] = parts(&unmodified.t_vector);
     let (u_hat, linear_u_hat) = (beam.delta_u[0] - bar.delta_u[0], beam.linear_u[0] - bar.linear_u[0]);
     let second_u_hat = beam.second_u[0] - bar.second_u[0];
-    let (xi, xi_bar) = (&sound.xi, &sound.xi_bar);
-    let (dist, length) = (sound.d.value, sound.t.value);
+    let (xi, xi_bar) = (&unmodified.xi, &unmodified.xi_bar);
+    let (dist, length) = (unmodified.d.value, unmodified.t.value);
     let one = T::one();
     // Eq. (40): what moves and what turns
     let moved = x.t * xi.linear - y.t * xi_bar.linear;
@@ -51,7 +51,7 @@ pub(super) fn by_term<T: Real>(
                 + a_bar * xi_bar.delta * xi_bar.linear
                 - a * xi.delta * xi.linear;
             all.d.second = (bracket + u_hat.dot(&linear_u_hat) + d.dot(&second_u_hat)
-                - sound.d.delta * sound.d.linear)
+                - unmodified.d.delta * unmodified.d.linear)
                 / dist;
         }
         Rewrite::SecondDProjected | Rewrite::SecondDProjectedTwice => {
@@ -71,9 +71,9 @@ pub(super) fn by_term<T: Real>(
             ((h_bar * r + p.b * rhs) / det, (p.b * r + h * rhs) / det)
         }),
         Rewrite::UnitTangents => solve(&mut all, [beam, bar], held, |p, r, r_bar| {
-            let (s, s_bar) = (one / sound.t.value, one / sound.t_bar.value);
+            let (s, s_bar) = (one / unmodified.t.value, one / unmodified.t_bar.value);
             let (a, b, a_bar) = (p.a * s * s, p.b * s * s_bar, p.a_bar * s_bar * s_bar);
-            let unit = Projection { a, b, a_bar, held, crossed: None };
+            let unit = Projection { a, b, a_bar, held, cross_products: None };
             let (xi, xi_bar) = unit.solve(r * s, r_bar * s_bar);
             (xi * s, xi_bar * s_bar)
         }),
@@ -95,7 +95,7 @@ pub(super) fn by_term<T: Real>(
         // Eq. (34)
         Rewrite::SecondTAsQuotient => {
             let product = length * (linear_t.dot(&dt) + t.dot(&second_t));
-            all.t.second = (product - sound.t.linear * t.dot(&dt)) / (length * length);
+            all.t.second = (product - unmodified.t.linear * t.dot(&dt)) / (length * length);
         }
         // Eq. (58)
         Rewrite::SecondTCubed => {
@@ -110,13 +110,13 @@ pub(super) fn by_term<T: Real>(
             (all.d.value, all.t.value) = (norm(d), norm(t));
         }
         Rewrite::SlipReordered => {
-            let slip = sound.g_t.value / length;
+            let slip = unmodified.g_t.value / length;
             all.g_t.second = length * xi.second
-                + (sound.t.linear * xi.delta + sound.t.delta * xi.linear)
-                + slip * sound.t.second;
+                + (unmodified.t.linear * xi.delta + unmodified.t.delta * xi.linear)
+                + slip * unmodified.t.second;
         }
         Rewrite::XBarFromD => {
-            all.x_bar = sound.x.zip_map(&sound.d_vector, |x, d| Varied {
+            all.x_bar = unmodified.x.zip_map(&unmodified.d_vector, |x, d| Varied {
                 value: x.value - d.value,
                 delta: x.delta - d.delta,
                 linear: x.linear - d.linear,

@@ -233,8 +233,8 @@ fn the_choice_of_the_system_is_continuous() {
         let beams = segments(angle, 0.75);
         let (form, ..) = errors(&beams, (0.0, 0.0), []);
         assert_eq!(form.uses_cross_products(), angle < switch);
-        let crossed = Formulation { system: System::CrossProducts, ..Formulation::paper(INSIDE) };
-        let (_, _, both) = errors(&beams, (0.0, 0.0), [Formulation::paper(INSIDE), crossed]);
+        let cross_products = Formulation { system: System::CrossProducts, ..Formulation::paper(INSIDE) };
+        let (_, _, both) = errors(&beams, (0.0, 0.0), [Formulation::paper(INSIDE), cross_products]);
         assert!(both.iter().flatten().all(|&error| error < 1e-13), "{both:?}");
     }
 }

@@ -65,16 +65,16 @@ impl Inputs {
     pub(super) fn drawn() -> Self {
         let nurbs = |of: &TestBeam| {
             let weights = std::array::from_fn(|i| of.parameter("weights")[i]);
-            Nurbs::new(of.parameter("knots"), weights).expect(SOUND)
+            Nurbs::new(of.parameter("knots"), weights).expect(VALID)
         };
-        let weighted = |of: &TestBeam| NurbsWeighted::new(of.parameter("knots")).expect(SOUND);
+        let weighted = |of: &TestBeam| NurbsWeighted::new(of.parameter("knots")).expect(VALID);
         Self {
             segment: drawn(Family::Segment, 1, |_| Segment::new())[0],
             quadratic: drawn(Family::Quadratic, 1, |_| Quadratic::new())[0],
             cubic: drawn(Family::Cubic, 1, |_| Cubic::new())[0],
             hermite_scaled: drawn(Family::HermiteScaled, 1, |of| Hermite::scaled_by(of.parameters[0]))[0],
             bezier: drawn(Family::Bezier, 1, |_| Bezier::new())[0],
-            spline: drawn(Family::BSpline, 1, |of| BSpline::new(&of.parameters).expect(SOUND))[0],
+            spline: drawn(Family::BSpline, 1, |of| BSpline::new(&of.parameters).expect(VALID))[0],
             nurbs: drawn(Family::Nurbs, 1, nurbs)[0],
             nurbs_weighted: drawn(Family::NurbsWeighted, 1, weighted)[0],
             arc: drawn(Family::Arc, 1, |of| Arc::new(of.parameters[0]))[0],
@@ -83,7 +83,7 @@ impl Inputs {
     }
 }
 
-const SOUND: &str = "what is drawn is a curve";
+const VALID: &str = "what is drawn is a curve";
 
 /// The first `count` pairs of a family with wide gaps and angles.
 pub(super) fn drawn<C: TimedCurve<N>, const N: usize>(

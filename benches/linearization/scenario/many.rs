@@ -31,7 +31,7 @@ pub(super) const FOUR_AT_ONCE: &str = "closed form, four at once, 1 thread";
 type Hermites = Twins<Hermite, 12>;
 type Met = PairAtPoint<'static, Hermite, Hermite, 12, 12>;
 /// `K` quantities of a pair.
-type Expansions<const K: usize> = [Derivatives<f64, 12, 12>; K];
+type AllDerivatives<const K: usize> = [Derivatives<f64, 12, 12>; K];
 /// `K` quantities of four pairs, halves of the Hessians.
 type Four<const K: usize> = [Packed<Lanes, 24, 300>; K];
 
@@ -55,10 +55,10 @@ pub(super) fn scenarios() -> Vec<Scenario> {
     let many = Many { pairs, judges };
     let mut all = Vec::new();
     for threads in [1, 2] {
-        all.push(many.one_by_one(Task::DistanceOfMany, threads, |p, [d]: &mut Expansions<1>| {
+        all.push(many.one_by_one(Task::DistanceOfMany, threads, |p, [d]: &mut AllDerivatives<1>| {
             kernel::write_d(p.pair, p.q, p.point, d);
         }));
-        all.push(many.one_by_one(Task::AllOfMany, threads, |p, to: &mut Expansions<5>| {
+        all.push(many.one_by_one(Task::AllOfMany, threads, |p, to: &mut AllDerivatives<5>| {
             let [d, xi, xi_bar, t, t_bar] = to;
             kernel::write_all(p.pair, p.q, p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
         }));
@@ -82,7 +82,7 @@ impl Many {
         &self,
         task: Task,
         threads: usize,
-        work: fn(&Met, &mut Expansions<K>),
+        work: fn(&Met, &mut AllDerivatives<K>),
     ) -> Scenario {
         let (pairs, of_first) = (self.pairs.clone(), self.pairs.clone());
         let runner = move || -> Runner {

@@ -1,6 +1,8 @@
 //! What a number draws is what its regime asks for.
 
-use super::{APART, Case, FAMILIES, REGIMES, Selection, families, orthonormal, regime, turn};
+use super::{
+    BADLY_SCALED, Case, FAMILIES, REGIMES, Selection, families, orthonormal, place_in_regime, regime,
+};
 use crate::check::regime::Draw;
 use crate::check::{Family, Regime};
 use crate::curve::Geometry;
@@ -105,12 +107,20 @@ fn all_pairs_of_families_take_turns_in_all_regimes() {
     let all = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: pairs };
     let numbers = all.numbers();
     assert_eq!(numbers.iter().collect::<BTreeSet<_>>().len() as u64, (REGIMES + 1) * pairs);
-    let is_apart = |number| (APART..APART + pairs).contains(&number);
-    assert!(numbers.iter().all(|&number| number < REGIMES * pairs || is_apart(number)));
+    let is_badly_scaled = |number| (BADLY_SCALED..BADLY_SCALED + pairs).contains(&number);
+    assert!(numbers.iter().all(|&number| number < REGIMES * pairs || is_badly_scaled(number)));
     let met: BTreeSet<_> = numbers.iter().map(|&number| (regime(number), families(number))).collect();
     assert_eq!(met.len() as u64, (REGIMES + 1) * pairs);
-    assert_eq!((turn(APART), turn(APART + 13)), (0, 13));
-    assert_eq!((turn(0), turn(REGIMES - 1), turn(REGIMES), turn(5 * REGIMES + 2)), (0, 0, 1, 5));
+    assert_eq!((place_in_regime(BADLY_SCALED), place_in_regime(BADLY_SCALED + 13)), (0, 13));
+    assert_eq!(
+        (
+            place_in_regime(0),
+            place_in_regime(REGIMES - 1),
+            place_in_regime(REGIMES),
+            place_in_regime(5 * REGIMES + 2)
+        ),
+        (0, 0, 1, 5)
+    );
 }
 
 #[test]

@@ -9,8 +9,8 @@ use crate::linearization::{COMPONENTS, Quantities};
 use crate::number::{DoubleDouble, Real};
 use nalgebra::Vector3;
 
-/// The trial step by which the radius is measured; a hundredth of it if the iterations do not converge.
-const TRIAL: f64 = 1.0 / 1_048_576.0;
+/// The first step by which the radius is measured; a hundredth of it if the iterations do not converge.
+const FIRST_STEP: f64 = 1.0 / 1_048_576.0;
 /// The step in the parameters by which the matrix is differenced.
 const MATRIX: f64 = 1.0 / 1_048_576.0;
 /// The most chord iterations.
@@ -160,7 +160,7 @@ impl<'a> Base<'a> {
 
     /// How far the pair may be moved in one direction before it is another problem.
     pub(super) fn radius(&'a self, direction: [f64; 2]) -> Option<f64> {
-        let mut step = TRIAL;
+        let mut step = FIRST_STEP;
         for _ in 0..5 {
             match self.moved(direction.map(|component| step * component)) {
                 Some(moved) if moved.rate < 0.1 => return Some((step / moved.change()).min(1.0)),

@@ -41,7 +41,7 @@ impl Spot {
 }
 
 impl Pair {
-    /// Of the `turn`-th case of a regime: all families and the curve itself take turns, on either side.
+    /// Of the `turn`-th case of a regime: all families and the curve itself alternate, on either side.
     pub(super) fn draw<C, const N: usize>(
         curve: &C,
         beams: &[[f64; N]],

@@ -61,7 +61,7 @@ impl<T: Real> ScrewDofs<T> {
     }
 
     /// The derivatives of y^(k) in the radius, the phase and the pitch.
-    fn ways(&self, k: usize) -> [Vector3<T>; 3] {
+    fn directions(&self, k: usize) -> [Vector3<T>; 3] {
         let (power, one) = (self.powers[k], T::one());
         [self.circle(k) * power, self.circle(k + 1) * (self.screw.radius * power), self.axis(k, one)]
     }
@@ -75,13 +75,13 @@ impl<T: Real> ScrewDofs<T> {
     ) -> SVector<T, N> {
         let Layout { quaternion, radius, pitch, phase } = layout;
         let (u, y) = (self.turned_back(w), &self.y[k]);
-        let [way, turn, rise] = self.ways(k);
+        let [direction, turn, rise] = self.directions(k);
         let mut gradient = SVector::<T, N>::zeros();
         if k == 0 {
             gradient.fixed_rows_mut::<3>(0).copy_from(w);
         }
         gradient.fixed_rows_mut::<4>(quaternion).copy_from(&self.turning(u.dot(y), &form(y, w)));
-        (gradient[radius], gradient[phase]) = (u.dot(&way), u.dot(&turn));
+        (gradient[radius], gradient[phase]) = (u.dot(&direction), u.dot(&turn));
         if let Some(pitch) = pitch {
             gradient[pitch] = u.dot(&rise);
         }
@@ -97,16 +97,16 @@ impl<T: Real> ScrewDofs<T> {
     ) -> SMatrix<T, N, N> {
         let Layout { quaternion, radius, pitch, phase } = layout;
         let (p, u, y) = (&self.screw.quaternion, self.turned_back(w), &self.y[k]);
-        let [way, turn, rise] = self.ways(k);
+        let [direction, turn, rise] = self.directions(k);
         let mut hessian = SMatrix::<T, N, N>::zeros();
 
         let (value, form_y) = (u.dot(y), form(y, w));
         let g = self.turning(value, &form_y);
         let half = form_y - Matrix4::from_diagonal_element(value) - p * g.transpose() - g * p.transpose();
         hessian.fixed_view_mut::<4, 4>(quaternion, quaternion).copy_from(&((half + half) / self.square));
-        for (i, way) in [(Some(radius), &way), (Some(phase), &turn), (pitch, &rise)] {
+        for (i, direction) in [(Some(radius), &direction), (Some(phase), &turn), (pitch, &rise)] {
             let Some(i) = i else { continue };
-            let mixed = self.turning(u.dot(way), &form(way, w));
+            let mixed = self.turning(u.dot(direction), &form(direction, w));
             hessian.fixed_view_mut::<4, 1>(quaternion, i).copy_from(&mixed);
             hessian.fixed_view_mut::<1, 4>(i, quaternion).copy_from(&mixed.transpose());
         }

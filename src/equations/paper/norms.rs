@@ -220,7 +220,7 @@ fn distance<T: Real>(p: &Point<T>, table: &mut Table<T>) {
 /// t·(t,ξξ δξΔξ + t,ξ Δδξ + Δᵤu,ξξ δξ + δᵤu,ξξ Δξ), the bracket of (42) and (58).
 pub(super) fn bracket<T: Real>(s: &Side<T>) -> T {
     let x = s.jet.geometry;
-    let sum = x.t_xixi * squared(s) + x.t_xi * s.xi.second + super::crossed(s, 2);
+    let sum = x.t_xixi * squared(s) + x.t_xi * s.xi.second + super::mixed(s, 2);
     s.t.value.dot(&sum)
 }
 

@@ -1,7 +1,7 @@
 //! Section 5.2, projection parameters: (49) to (56).
 
 use super::norms::delta_u_hat;
-use super::{crossed, squared};
+use super::{mixed, squared};
 use crate::equations::point::{Point, Side};
 use crate::equations::table::{Order, Table};
 use crate::number::Real;
@@ -49,8 +49,8 @@ pub(super) fn first_sides<T: Real>(p: &Point<T>) -> [T; 2] {
 /// What of Δδd and of Δδt, Δδt̄ holds neither Δδξ nor Δδξ̄; with Δᵤδᵤu where asked for.
 fn rests<T: Real>(p: &Point<T>, complete: bool) -> (Vector3<T>, [Vector3<T>; 2]) {
     let kept = |s: &Side<T>, k: usize| if complete { s.jet.second_u[k] } else { Vector3::zeros() };
-    let of_x = |s: &Side<T>| s.jet.geometry.t_xi * squared(s) + crossed(s, 1) + kept(s, 0);
-    let of_t = |s: &Side<T>| s.jet.geometry.t_xixi * squared(s) + crossed(s, 2) + kept(s, 1);
+    let of_x = |s: &Side<T>| s.jet.geometry.t_xi * squared(s) + mixed(s, 1) + kept(s, 0);
+    let of_t = |s: &Side<T>| s.jet.geometry.t_xixi * squared(s) + mixed(s, 2) + kept(s, 1);
     (of_x(&p.beam) - of_x(&p.bar), [&p.beam, &p.bar].map(of_t))
 }
 

@@ -1,6 +1,6 @@
 //! Section 3, virtual quantities: (23) to (32).
 
-use super::{crossed, squared};
+use super::{mixed, squared};
 use crate::equations::point::Point;
 use crate::equations::table::{Order, Table};
 use crate::number::Real;
@@ -86,7 +86,7 @@ fn coordinates<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     );
 
     // (27): .. = x,ξξ δξΔξ + x,ξ Δδξ + δξ Δᵤu,ξ + δᵤu,ξ Δξ
-    let kept = t_xi * squared(s) + t * xi.second + crossed(s, 1);
+    let kept = t_xi * squared(s) + t * xi.second + mixed(s, 1);
     table.state(
         27,
         "second variation of x_C",
@@ -143,7 +143,7 @@ fn tangents<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     );
 
     // (30): first with Δᵤδᵤu,ξ, then without
-    let kept = t_xixi * squared(s) + t_xi * xi.second + crossed(s, 2);
+    let kept = t_xixi * squared(s) + t_xi * xi.second + mixed(s, 2);
     table.state(
         30,
         "second variation of x_C,ξ",
@@ -179,8 +179,8 @@ fn resume<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     let s = &p.beam;
     let (t, t_xi, t_xixi) = (s.jet.geometry.t, s.jet.geometry.t_xi, s.jet.geometry.t_xixi);
     let second_u = &s.jet.second_u;
-    let row_2 = t_xi * squared(s) + t * s.xi.second + crossed(s, 1);
-    let row_4 = t_xixi * squared(s) + t_xi * s.xi.second + crossed(s, 2);
+    let row_2 = t_xi * squared(s) + t * s.xi.second + mixed(s, 1);
+    let row_4 = t_xixi * squared(s) + t_xi * s.xi.second + mixed(s, 2);
     table
         .state(
             31,
@@ -214,13 +214,13 @@ fn geometry<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     let (x, y) = (s.jet.geometry, r.jet.geometry);
     let (k, k_bar) = (&s.jet.second_u, &r.jet.second_u);
     // Δδd = t Δδξ − t̄ Δδξ̄ + t,ξ δξΔξ − t̄,ξ̄ δξ̄Δξ̄ + (δξ Δᵤu,ξ + δᵤu,ξ Δξ) − (δξ̄ Δᵤū,ξ̄ + δᵤū,ξ̄ Δξ̄)
-    let d = x.t * s.xi.second - y.t * r.xi.second + x.t_xi * squared(s) - y.t_xi * squared(r) + crossed(s, 1)
-        - crossed(r, 1);
-    let t = x.t_xixi * squared(s) + x.t_xi * s.xi.second + crossed(s, 2);
+    let d = x.t * s.xi.second - y.t * r.xi.second + x.t_xi * squared(s) - y.t_xi * squared(r) + mixed(s, 1)
+        - mixed(r, 1);
+    let t = x.t_xixi * squared(s) + x.t_xi * s.xi.second + mixed(s, 2);
     // δt̄, printed with a stray −δξ̄
     let delta_t_bar = y.t_xi * r.xi.delta + r.jet.delta_u[1];
     // Δδt̄, printed with t̄,ξ̄ for t̄,ξ̄ξ̄
-    let rest_t_bar = y.t_xi * r.xi.second + crossed(r, 2);
+    let rest_t_bar = y.t_xi * r.xi.second + mixed(r, 2);
     let t_bar = y.t_xixi * squared(r) + rest_t_bar;
     table.state(
         32,

@@ -45,15 +45,15 @@ impl<T: Real> First<T> {
         // Eq. (44), (50): R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   Eq. (49) corrected in its second row
         let r = -named("R: du,xi.d", u[1].dot(d));
         let r_bar = -named("R_bar: du_bar,xi.d", u_bar[1].dot(d));
-        let (xi, xi_bar) = match projection.crossed {
+        let (xi, xi_bar) = match projection.cross_products {
             None => {
                 let r = r - named("R: du_hat.t", u_hat.dot(&beam.geometry.t));
                 let r_bar = r_bar - named("R_bar: du_hat.t_bar", u_hat.dot(&bar.geometry.t));
                 projection.solve(r, r_bar)
             }
-            Some(crossed) => {
+            Some(cross_products) => {
                 let (xi, xi_bar) = projection.solve(r, r_bar);
-                let [u, u_bar] = crossed.u;
+                let [u, u_bar] = cross_products.u;
                 let along = named("dxi: u.du_hat", u.dot(&u_hat));
                 let along_bar = named("dxi_bar: u_bar.du_hat", u_bar.dot(&u_hat));
                 (xi + along, xi_bar + along_bar)

@@ -33,19 +33,19 @@ pub struct Projection<T> {
     /// Which parameters are held at an end.
     pub held: Held,
     /// What takes the place of products that cancel, in the [`Formulation`] that asks for it.
-    pub crossed: Option<Crossed<T>>,
+    pub cross_products: Option<CrossProducts<T>>,
 }
 
 /// What the cross products of the tangents yield, in place of products that cancel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossed<T> {
+pub struct CrossProducts<T> {
     /// D.
     pub det: T,
     /// u and u_bar, which w multiplies in the solution for R = -t.w - e, R_bar = -t_bar.w - e_bar.
     pub u: [Vector3<T>; 2],
 }
 
-impl<T: Real> Crossed<T> {
+impl<T: Real> CrossProducts<T> {
     #[inline]
     fn new(points: &Points<T>) -> Self {
         let Points { beam: x, bar: y, d } = points;
@@ -103,15 +103,16 @@ impl<T: Real> Projection<T> {
         let b = named("b: t.t_bar", t.dot(t_bar));
         let a_bar =
             -named("a_bar: t_bar.t_bar", t_bar.dot(t_bar)) + named("a_bar: d.t_bar,xi", d.dot(t_bar_xi));
-        let crossed = form.uses_cross_products().then(|| Crossed::new(points));
-        Self { a, b, a_bar, held: form.held, crossed }
+        let cross_products = form.uses_cross_products().then(|| CrossProducts::new(points));
+        Self { a, b, a_bar, held: form.held, cross_products }
     }
 
     /// D = a a_bar + b^2, negative at a strict minimum.
     #[inline]
     #[doc(alias = "Eq. (52)")]
     pub fn det(&self) -> T {
-        self.crossed.map_or_else(|| self.a * self.a_bar + self.b * self.b, |crossed| crossed.det)
+        self.cross_products
+            .map_or_else(|| self.a * self.a_bar + self.b * self.b, |cross_products| cross_products.det)
     }
 
     /// (delta xi, delta xi_bar) from the right-hand sides R and R_bar, of first or of second order.
@@ -119,14 +120,14 @@ impl<T: Real> Projection<T> {
     #[doc(alias = "Eq. (56)")]
     #[doc(alias = "Eq. (59)")]
     pub fn solve(&self, r: T, r_bar: T) -> (T, T) {
-        let Self { a, b, a_bar, held, crossed } = *self;
+        let Self { a, b, a_bar, held, cross_products } = *self;
         let zero = T::zero();
         match (held.xi, held.xi_bar) {
             (false, false) => {
                 // Eq. (52): D = a ā + b²
-                let det = crossed.map_or_else(
+                let det = cross_products.map_or_else(
                     || named("D: a a_bar", a * a_bar) + named("D: b b", b * b),
-                    |crossed| crossed.det,
+                    |cross_products| cross_products.det,
                 );
                 // Eq. (52), (59): δξ = (ā R + b R̄)/D   δξ̄ = (−b R + a R̄)/D
                 let xi = named("xi: a_bar R", a_bar * r) + named("xi: b R_bar", b * r_bar);

@@ -38,15 +38,15 @@ pub(super) fn second_order<T: Real>(
         + named("R2_bar: Dd.dt_bar", linear.d.dot(&delta.bar.t)))
         - named("R2_bar: d.rest", d.dot(&rest_t_bar));
     // Eq. (55), (59); its twin Eq. (56) lacks a bar
-    let (xi, xi_bar) = match projection.crossed {
+    let (xi, xi_bar) = match projection.cross_products {
         None => {
             let r = r - named("R2: t.rest", rest_d.dot(&beam.geometry.t));
             let r_bar = r_bar - named("R2_bar: t_bar.rest", rest_d.dot(&bar.geometry.t));
             projection.solve(r, r_bar)
         }
-        Some(crossed) => {
+        Some(cross_products) => {
             let (xi, xi_bar) = projection.solve(r, r_bar);
-            let [u, u_bar] = crossed.u;
+            let [u, u_bar] = cross_products.u;
             let along = named("Ddxi: u.rest", u.dot(&rest_d));
             let along_bar = named("Ddxi_bar: u_bar.rest", u_bar.dot(&rest_d));
             (xi + along, xi_bar + along_bar)

@@ -36,17 +36,17 @@ fn the_form_is_that_of_the_smaller_loss() {
         (distance, system)
     };
     let normal = |reversed| Distance::Normal { reversed };
-    let (products, crossed) = (System::Determinants, System::CrossProducts);
+    let (products, cross_products) = (System::Determinants, System::CrossProducts);
     assert_eq!(at(1.5, 0.5), (normal(false), products));
     assert_eq!(at(1.5, 8.0), (Distance::Length, products));
     assert_eq!(at(1.5, 1e-2), (normal(false), products));
     assert_eq!(at(1.5, -1e-2), (normal(true), products));
     assert_eq!(at(1.5, 0.0), (normal(false), products));
-    assert_eq!(at(1e-2, 1e-2), (Distance::Length, crossed));
-    assert_eq!(at(1e-2, 1e-4), (normal(false), crossed));
+    assert_eq!(at(1e-2, 1e-2), (Distance::Length, cross_products));
+    assert_eq!(at(1e-2, 1e-4), (normal(false), cross_products));
     // Parallel tangents have no common normal, not even where the centroids cross.
-    assert_eq!(at(0.0, 1e-9), (Distance::Length, crossed));
-    assert_eq!(at(0.0, 0.0), (Distance::Length, crossed));
+    assert_eq!(at(0.0, 1e-9), (Distance::Length, cross_products));
+    assert_eq!(at(0.0, 0.0), (Distance::Length, cross_products));
     // Nor do straight ones lose anything by theirs.
     let mut straight = points(1e-5, 0.25);
     (straight.beam.t_xi, straight.bar.t_xi) = (Vector3::zeros(), Vector3::zeros());

@@ -64,7 +64,7 @@ impl<T: Real> Solution<T, [T; 3]> {
             return Self::regular(f, at, &products, T::from(sign));
         }
         let (inverse, (u, u_bar)) = if form.uses_cross_products() {
-            crossed(points, form)
+            cross_products(points, form)
         } else {
             let inverse = by_products(f, at, &products, form);
             (inverse, mean(f, at, inverse))
@@ -135,10 +135,10 @@ fn mean<T: Real, A: Arithmetic<T>>(
 }
 
 /// p, q and q_bar, u and u_bar without products that cancel.
-fn crossed<T: Real>(points: &Points<T>, form: Formulation) -> ([T; 3], ([T; 3], [T; 3])) {
+fn cross_products<T: Real>(points: &Points<T>, form: Formulation) -> ([T; 3], ([T; 3], [T; 3])) {
     let projection = Projection::in_formulation(points, form);
     let [[p, q], [_, q_bar]] = projection.inverse();
-    let [u, minus_u_bar] = projection.crossed.map_or([points.d; 2], |crossed| crossed.u);
+    let [u, minus_u_bar] = projection.cross_products.map_or([points.d; 2], |cross_products| cross_products.u);
     ([p, q, q_bar], (u.into(), (-minus_u_bar).into()))
 }
 

@@ -77,9 +77,9 @@ where
     /// m = p t + q t_bar, where p and q are the row `i` of the inverse matrix.
     #[inline]
     pub(super) fn mean(&self, i: usize, [p, q]: [T; 2]) -> Vector3<T> {
-        self.projection.crossed.map_or_else(
+        self.projection.cross_products.map_or_else(
             || named("m: t", self.jet.geometry.t) * p + named("m: t_bar", self.jet_bar.geometry.t) * q,
-            |crossed| -named("m: u", crossed.u[i]),
+            |cross_products| -named("m: u", cross_products.u[i]),
         )
     }
 
