@@ -1,38 +1,38 @@
-//! The gate: random pairs of beams, in regimes that are known to hide faults, through both linearizations.
+//! The check: random pairs of beams through the closed form and through automatic differentiation.
 //!
-//! A case is drawn from its number alone, its closest points are searched for, and at each of them the closed form is
-//! compared with automatic differentiation, in the [`Formulation`](crate::linearization::closed_form::Formulation) that the library takes
-//! there: every quantity's value, first and second variations, the symmetry of the second, and the matrices contracted with
-//! the same directions.
+//! A case is drawn from its number alone. Its closest points are searched for. At each closest point the closed form is
+//! compared with automatic differentiation, in the
+//! [`Formulation`](crate::linearization::closed_form::Formulation) that the library uses there. The comparison covers the value
+//! and the first and second variations of every quantity, the symmetry of the second variations, the matrices, and the
+//! kernel in every layout. Matrices are contracted with the directions of the variations.
 //!
 //! # The tolerance
-//! Both sides are also run over [`RunningError`](crate::number::RunningError), which yields for every number a bound on its
-//! distance from exact arithmetic: each operation contributes half an ulp of its result, and passes on what its
-//! operands have. The closest point is refined in double-double, so that its parameters enter with little more than their
-//! own half ulp; routes that solve for it in `f64` again are held to the bound that their residual and the conditioning
-//! of the projection give. |closed - AD| must not exceed the sum of the two bounds. So the tolerance is a multiple of
-//! epsilon derived from the number of operations and the conditioning of the case, entry by entry; no entry is
-//! compared with an absolute number.
+//! Both sides are also evaluated over [`RunningError`](crate::number::RunningError). It yields for every number a bound on its
+//! distance from exact arithmetic: each operation adds half an ulp of its result and propagates the bounds of its
+//! operands. The closest point is refined in double-double, so its parameters are known to about half an ulp. Routes that
+//! solve for the closest point in `f64` again get a larger bound, from their residual and the conditioning of the
+//! projection. |closed - AD| must not exceed the sum of the two bounds. No tolerance is tuned, and no number is compared
+//! with an absolute tolerance.
 //!
 //! # The third oracle
-//! Central differences of the value in double-double share no derivative with either side, and bring their own estimate
-//! of their error. They are asked for a sample of the cases ([`Oracles`]), and wherever closed form and AD disagree: then
-//! they say which of the two is wrong ([`Arbitration`]). Oracles that disagree among themselves condemn the check, not
-//! the closed form.
+//! Central differences of the value in double-double share no derivative with either side. They estimate their own error.
+//! They are computed for a sample of the cases ([`Oracles`]), and wherever closed form and AD disagree. There they decide
+//! which side is wrong ([`Arbitration`]). If the oracles disagree among themselves, the check is not trusted, and the closed
+//! form is not rejected.
 //!
-//! # What is shown
-//! What is *shown* is the error relative to its scale, the sum of the absolute values of the closed form's terms
-//! ([`TermScale`](crate::number::TermScale)), with the vectors that enter it counted by their length and a parameter by
-//! its range. The scale knows nothing of rounding in the curves themselves: an arc bent by 1e-6 has its centre a
-//! million lengths away, and its points lose six digits, which the tolerance knows.
+//! # Errors in the tables
+//! Tables show the error divided by its scale. The scale is the sum of the absolute values of the closed form's terms
+//! ([`TermScale`](crate::number::TermScale)). A vector counts by its length, a parameter by its range. The scale does not
+//! include rounding in the curves; the tolerance does. Example: an arc bent by 1e-6 has its centre a million lengths away,
+//! and its points lose six digits.
 //!
-//! # What cannot be compared
-//! A case without a minimum that has derivatives, or whose bounds exceed a thousandth of its scales, is counted under
-//! its reason. It is never passed.
+//! # What is not compared
+//! A case is not compared if no minimum has derivatives, or if a bound exceeds a thousandth of its scale. It is counted under
+//! its reason. It is never counted as a pass.
 //!
-//! # What does not agree
-//! A mismatch is named by its first wrong number ([`Diagnosis`]), shrunk while it keeps that name ([`shrink`]), and
-//! written as a test ([`test_source`]) or as numbers ([`CaseData`]).
+//! # Mismatches
+//! A mismatch is identified by its first wrong number ([`Diagnosis`]). It is shrunk while this number stays the first
+//! ([`shrink`]). It is written as a test ([`test_source`]) or as numbers ([`CaseData`]).
 
 mod accuracy;
 mod arbitration;

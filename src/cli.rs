@@ -38,15 +38,15 @@ enum Command {
     Check(check::Check),
     /// Compare the two over a prime field, without a tolerance.
     Prove(prove::Prove),
-    /// Measure how far the tolerances are above the rounding, by double-double.
+    /// Measure the overestimation factor of the tolerances, by double-double.
     Bounds(bounds::MeasureBounds),
-    /// Measure how many digits each form of the closed form keeps, by double-double.
+    /// Measure the digits that each formulation keeps, by double-double.
     Accuracy(accuracy::Accurate),
-    /// Plant faults in the closed form, and see which checks notice.
+    /// Inject faults into the closed form, and list which checks detect them.
     Faults(faults::InjectFaults),
-    /// Run every equation of the paper, as printed and as corrected.
+    /// Evaluate every equation of the paper, as printed and as corrected.
     Equations(equations::ListEquations),
-    /// Write the reports: what the gate finds now, and what `cargo bench` measured last.
+    /// Write all reports, and the benchmark that `cargo bench` measured last.
     Report(report::Report),
 }
 

@@ -42,10 +42,10 @@ pub(crate) struct Check {
     /// Of one case, only the numbers that differ beyond rounding
     #[arg(long, conflicts_with_all = ["cases", "family", "regime"], requires = "one")]
     only_wrong: bool,
-    /// Plant a fault of the catalogue, to see the check fail; may be repeated (see `beamgap faults --list`)
+    /// Inject this fault, to see the check fail; may be repeated (see `beamgap faults --list`)
     #[arg(long, value_name = "FAULT")]
     plant: Vec<String>,
-    /// With what the closed form is compared
+    /// What the closed form is compared with
     #[arg(long, value_enum, default_value_t = Oracle::Ad)]
     oracle: Oracle,
     /// Tables for people, or one document for programs

@@ -18,16 +18,16 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
         }
     };
     add(
-        "Worst error over scale, the sum of the sizes of its terms",
+        "Worst error / scale; the scale is the sum of the absolute values of all terms",
         cells(&checked.summary.cells, &Order::ALL, worst),
     );
-    add("The case that showed it", cells(&checked.summary.cells, &Order::ALL, shown_by));
-    add("Regimes: closest points compared, worst error, and most of a tolerance used", regimes(checked));
+    add("The case with this error", cells(&checked.summary.cells, &Order::ALL, shown_by));
+    add("Regimes: closest points compared, worst error, worst error / tolerance", regimes(checked));
     add(&coverage(checked), families(checked));
     add("Not compared", not_compared(checked));
     add("Differences in double-double", differences(checked));
-    add("Disagreements", disagreements::listed(checked));
-    add("Shrunk: as a test, and as a command", disagreements::made_small(checked));
+    add("Mismatches", disagreements::listed(checked));
+    add("Shrunk mismatches, as a test and as a command", disagreements::made_small(checked));
     text + "\n" + &verdict.words + "\n"
 }
 
@@ -39,13 +39,13 @@ fn title(Checked { plant, seed, selection, summary, .. }: &Checked) -> String {
         several => format!("{} regimes", several.len()),
     };
     format!(
-        "Contact geometry of two beams: closed form against automatic differentiation\n\
+        "Contact geometry of two beams: closed form and automatic differentiation\n\
          seed {seed:#x}, {regimes}, {} cases each, {family}\n{}\n\
          first: delta and Delta; second: Delta-delta; symmetry: second, with the\n\
          directions exchanged; matrix: gradient and Hessian times the directions\n{}",
         selection.cases,
         planted(plant),
-        if summary.mismatches.is_empty() { "" } else { "!: some number differs beyond rounding\n" }
+        if summary.mismatches.is_empty() { "" } else { "!: a number differs beyond rounding\n" }
     )
 }
 
@@ -78,7 +78,7 @@ fn shown_by(cell: &Cell) -> String {
 }
 
 fn regimes(checked: &Checked) -> String {
-    let titles = ["regime", "cases", "inside", "at ends", "differ", "error", "case", "of tol."];
+    let titles = ["regime", "cases", "inside", "at ends", "differ", "error", "case", "/ tol."];
     let mut table = Table::new(&titles);
     for (regime, tally) in &checked.summary.regimes {
         let counts =
@@ -129,8 +129,8 @@ fn differences(checked: &Checked) -> String {
         return String::new();
     }
     format!(
-        "  asked at {points} closest points; of {unclear} where the tolerance for AD means nothing,\n  \
-         they decided {decided}\n\nWorst difference from them over scale\n{}",
+        "  computed at {points} closest points; at {unclear} of them the tolerance for AD is larger\n  \
+         than 1e-3 of a scale, and they decided {decided}\n\nWorst difference from them / scale\n{}",
         cells(of, &[Order::Value, Order::First, Order::Second], worst)
     )
 }

@@ -25,7 +25,7 @@ pub(crate) struct Prove {
     /// Only this family; may be repeated, and then all pairs of those named
     #[arg(long, value_parser = families())]
     family: Vec<Family>,
-    /// Plant a fault of the catalogue, to see the proof fail; may be repeated (see `beamgap faults --list`)
+    /// Inject this fault, to see the proof fail; may be repeated (see `beamgap faults --list`)
     #[arg(long, value_name = "FAULT")]
     plant: Vec<String>,
     /// Tables for people, or one document for programs

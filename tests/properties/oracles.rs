@@ -45,7 +45,7 @@ fn the_third_oracle_is_asked_on_demand() {
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
     let counts = &document["differences"];
     assert!(counts["points"].as_u64() > Some(0), "{counts}");
-    assert!(stdout(&run(&arguments)).contains("\nDifferences in double-double\n  asked at "));
+    assert!(stdout(&run(&arguments)).contains("\nDifferences in double-double\n  computed at "));
 
     let case = json(&run(&["check", "--case", "45", "--oracle", "all", "--format", "json"]));
     let entries = case["closest_points"][0]["entries"].as_array().unwrap();
