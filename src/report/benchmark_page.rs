@@ -31,10 +31,7 @@ impl Benchmark {
 
     fn blocks(&self) -> Result<Vec<Block>, ReportError> {
         let mut blocks = vec![
-            Block::text(
-                "How long does it take to linearize the contact geometry of a pair of beams, in closed form and by automatic \
-                 differentiation, as far as this crate does both, and how exact is the result?",
-            ),
+            Block::text(&self.conclusion()),
             picture("benchmark.svg", "Ratios to the closed form", self.ratios_to_svg()?),
         ];
         for task in [Task::Distance, Task::All, Task::Directions] {
@@ -239,7 +236,7 @@ const VERDICT: &str = "#error / tolerance";
 
 /// The largest error over what is allowed for it.
 fn verdict(share: f64) -> String {
-    format!("{}{}", error(Some(share)), if share <= 1.0 { ", right" } else { ", wrong" })
+    format!("{} ({})", error(Some(share)), if share <= 1.0 { "pass" } else { "fail" })
 }
 
 fn picture(file: &str, caption: &str, svg: String) -> Block {
