@@ -1,6 +1,7 @@
 //! A case as the source of a Rust test, to be pasted into the tests of whoever calls the library.
 
 use super::CaseData;
+use super::compare::MATRICES;
 use super::verdict::{Comparison, Order};
 use crate::linearization::{Quantity, Varied};
 use crate::pair::Contact;
@@ -15,6 +16,14 @@ pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison) -> Strin
     curves.sort_unstable();
     curves.dedup();
     let curves = if let [one] = curves[..] { one.into() } else { format!("{{{}}}", curves.join(", ")) };
+    // Other layouts hold the numbers of `linearize`; lanes compute them in another order.
+    let layout = match (entry.order, entry.against) {
+        (Order::Matrix, MATRICES | D_ALONE) => String::new(),
+        (Order::Matrix, layout) => {
+            format!("    // Found in \"{layout}\": this test compares what `linearize` returns.\n")
+        }
+        _ => String::new(),
+    };
     let side = match entry.order {
         Order::Value | Order::First | Order::Second => "{ad, closed_form}",
         Order::Symmetry | Order::Matrix => "closed_form",
@@ -43,7 +52,7 @@ fn {name}() {{
     let found = pair.closest_points(&q).unwrap();
     let point = &found.minima[{minimum}];
 
-    let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).{field};
+{layout}    let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).{field};
     let other = {other};
     assert!((closed - other).abs() <= {tolerance}, \"{{closed:e}}, not {{other:e}}\");
 }}
@@ -58,6 +67,9 @@ fn {name}() {{
     )
 }
 
+/// The kernel where it computes d without the other quantities.
+const D_ALONE: &str = "kernel, d alone";
+
 /// What the number is compared with, as an expression.
 fn other(entry: &Comparison) -> String {
     let route = match (entry.order, entry.against) {
@@ -66,10 +78,17 @@ fn other(entry: &Comparison) -> String {
         }
         (Order::Matrix, _) => {
             let contracted = match entry.part {
+                "value" => "value",
                 "delta" => "gradient.along(&dq)",
                 "Delta" => "gradient.along(&linear_dq)",
                 _ => "hessian.along(&dq, &linear_dq)",
             };
+            if entry.against == D_ALONE {
+                return format!(
+                    "{{\n        let mut d = beamgap::linearization::Derivatives::zero();\n        \
+                     closed_form::kernel::write_d(&pair, &q, point, &mut d);\n        d.{contracted}\n    }}"
+                );
+            }
             let scalar = quantity(entry.quantity);
             return format!("pair.linearize(&q, point).{scalar}.{contracted}");
         }

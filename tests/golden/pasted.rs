@@ -328,3 +328,71 @@ fn matrix_of_d_delta() {
     assert!((closed - other).abs() <= 3.0e-14, "{closed:e}, not {other:e}");
 }
 }
+mod d_alone_value {
+#[test]
+fn matrix_of_d_value() {
+    use beamgap::curve::{Hermite, Segment};
+    use beamgap::linearization::closed_form;
+    use beamgap::nalgebra::SVector;
+    use beamgap::pair::{Contact, DofVector, Pair};
+
+    let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
+    let pair = Pair::new(Hermite::new(), Segment::new()).with_contact(contact);
+    let q = DofVector {
+        beam: SVector::from([-1.0, 0.0, 0.25, 1.0, 0.0, -0.5, 1.0, 0.0, 0.25, 1.0, 0.0, 0.5]),
+        bar: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
+    };
+    let dq = DofVector {
+        beam: SVector::from([-0.5, 0.0, 0.5, -0.25, 0.25, -0.5, 0.0, 0.5, -0.25, 0.25, -0.5, 0.0]),
+        bar: SVector::from([-0.5, 0.0, 0.5, -0.25, 0.25, -0.5]),
+    };
+    let linear_dq = DofVector {
+        beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25]),
+        bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
+    };
+    let found = pair.closest_points(&q).unwrap();
+    let point = &found.minima[0];
+
+    let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).d.value;
+    let other = {
+        let mut d = beamgap::linearization::Derivatives::zero();
+        closed_form::kernel::write_d(&pair, &q, point, &mut d);
+        d.value
+    };
+    assert!((closed - other).abs() <= 2.0e-14, "{closed:e}, not {other:e}");
+}
+}
+mod d_alone_delta_delta {
+#[test]
+fn matrix_of_d_second() {
+    use beamgap::curve::{Hermite, Segment};
+    use beamgap::linearization::closed_form;
+    use beamgap::nalgebra::SVector;
+    use beamgap::pair::{Contact, DofVector, Pair};
+
+    let contact = Contact { radius: 0.0, radius_bar: 0.0, xi_0: 0.0, xi_bar_0: 0.5 };
+    let pair = Pair::new(Hermite::new(), Segment::new()).with_contact(contact);
+    let q = DofVector {
+        beam: SVector::from([-1.0, 0.0, 0.25, 1.0, 0.0, -0.5, 1.0, 0.0, 0.25, 1.0, 0.0, 0.5]),
+        bar: SVector::from([0.25, -1.0, -0.5, 0.25, 1.0, -0.5]),
+    };
+    let dq = DofVector {
+        beam: SVector::from([-0.5, 0.0, 0.5, -0.25, 0.25, -0.5, 0.0, 0.5, -0.25, 0.25, -0.5, 0.0]),
+        bar: SVector::from([-0.5, 0.0, 0.5, -0.25, 0.25, -0.5]),
+    };
+    let linear_dq = DofVector {
+        beam: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25, -0.25, 0.5, 0.0, -0.5, 0.25]),
+        bar: SVector::from([-0.5, 0.25, -0.25, 0.5, 0.0, -0.5]),
+    };
+    let found = pair.closest_points(&q).unwrap();
+    let point = &found.minima[0];
+
+    let closed = closed_form::vary(&pair, &q, point, &dq, &linear_dq).d.second;
+    let other = {
+        let mut d = beamgap::linearization::Derivatives::zero();
+        closed_form::kernel::write_d(&pair, &q, point, &mut d);
+        d.hessian.along(&dq, &linear_dq)
+    };
+    assert!((closed - other).abs() <= 1.5e-13, "{closed:e}, not {other:e}");
+}
+}

@@ -100,7 +100,17 @@ fn tests_to_be_pasted_are_the_golden_ones() {
         let name = family.name().replace('-', "_");
         let _ = writeln!(text, "mod {name} {{\n{}}}", test_source(&case, minimum, entry));
     }
-    for needed in ["Route::Newton", "Route::Stationary", "Route::Chord", "linearize", "&linear_dq, &dq"] {
+    // The kernel has numbers that no other layout has.
+    let case = small(Family::Hermite);
+    let compared = case.compare(&CheckConfig::default()).unwrap();
+    let of_d = compared[0].1.entries().iter().filter(|entry| entry.against == "kernel, d alone");
+    for entry in of_d.filter(|entry| ["value", "Delta-delta"].contains(&entry.part)) {
+        let name = entry.part.replace('-', "_").to_lowercase();
+        let _ = writeln!(text, "mod d_alone_{name} {{\n{}}}", test_source(&case, 0, entry));
+    }
+    for needed in
+        ["write_d", "Route::Newton", "Route::Stationary", "Route::Chord", "linearize", "&linear_dq, &dq"]
+    {
         assert!(text.contains(needed), "{needed}");
     }
     // The tolerance is derived from how the formulas are written.
