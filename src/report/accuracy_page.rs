@@ -1,4 +1,4 @@
-//! What each form keeps, as Markdown, from the record alone.
+//! The digits that each formulation keeps, as Markdown, from the record alone.
 
 use super::accuracy::{Accuracy, AccuracyRow, Losses};
 use super::number::{count, error, plain};
@@ -17,10 +17,10 @@ impl Accuracy {
         };
         let _ = writeln!(
             page,
-            "The closed form has each of two formulas in two forms, equal in exact arithmetic: the paper's, and one that \
-             keeps its digits where the paper's cancel. Which one is evaluated is chosen at each closest point. At a gap \
-             of 1e-6 lengths the median error of Delta-delta d is {}; at an angle of 1e-5 that of Delta-delta xi is {}. \
-             The choice loses at most {} times what the better form does.\n",
+            "Two formulas of the closed form exist in two formulations that are equal in exact arithmetic: the paper's, and a \
+             robust one that keeps its digits where the paper's terms cancel. The library chooses one of them at each closest \
+             point. At a gap of 1e-6 lengths the median error of Delta-delta d is {}; at an angle of 1e-5 that of Delta-delta \
+             xi is {}. The error of the choice is at most {} times that of the better formulation.\n",
             at(&self.gaps, 1e-6, |row| row.d),
             at(&self.angles, 1e-5, |row| row.xi),
             plain(self.worst_choice()),
@@ -46,9 +46,9 @@ impl Accuracy {
         let _ = write!(
             page,
             "\n## What the numbers do not say\n\n\
-             Of nearly parallel curved beams the curvature is known to rounding only, and so is what depends on it: no \
-             form mends that. The closest point itself is taken as it is, rounded: where it is not known well, both forms \
-             are evaluated at the wrong place.\n\
+             The curvature of nearly parallel curved beams is known to rounding only. All formulations lose the digits that \
+             depend on it. The closest point is rounded to `f64`. Where it is ill-conditioned, all formulations are \
+             evaluated at a wrong point.\n\
              \n## How it was made\n\n{}| seed | {:#x} |\n| pairs at each gap and angle | {} |\n\n\
              All numbers are in `accuracy.json`, from which alone this page and its pictures are made.\n",
             self.environment.rows(),

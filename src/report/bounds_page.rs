@@ -1,4 +1,4 @@
-//! How sharp the tolerances are, as Markdown, from the record alone.
+//! The overestimation of the tolerances as Markdown, from the record alone.
 
 use super::bounds::{Bounds, BoundsRow};
 use super::number::{count, error, plain};
@@ -12,9 +12,10 @@ impl Bounds {
         let entries: u64 = self.rows_of("all").map(|row| row.entries).sum();
         let _ = writeln!(
             page,
-            "The gate compares with bounds on rounding. Are they bounds, and how far above the rounding are they? At {} \
-             closest points every number of the closed form and of automatic differentiation was set against the closed form \
-             in double-double, at the closest point refined there. Of {} numbers with an error, **{}**.\n",
+            "The tolerances of the check are bounds on rounding error. This report measures whether errors exceed them, and \
+             their overestimation factor. At {} closest points it compares every number of the closed form and of automatic \
+             differentiation with the closed form in double-double, at the closest point refined there. Of {} numbers with \
+             an error, **{}**.\n",
             count(points),
             count(entries),
             match self.violations.len() {
@@ -23,7 +24,7 @@ impl Bounds {
             }
         );
         page.push_str(&self.violations_listed());
-        page.push_str("## Bound over error, and error over scale\n\nOver all regimes.\n\n");
+        page.push_str("## Overestimation factor (bound / error), and error / scale\n\nOver all regimes.\n\n");
         page.push_str(&table(self.rows_of("all"), |row| format!("{} | {}", row.side, row.order)));
         for side in ["closed form", "AD"] {
             let _ = write!(page, "\n## By regime: {side}\n\n");

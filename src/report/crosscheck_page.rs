@@ -1,4 +1,4 @@
-//! The gate's findings as Markdown, from the record alone.
+//! The comparison of the check as Markdown, from the record alone.
 
 use super::crosscheck::{Crosscheck, RegimeRow};
 use super::number::{count, error};
@@ -16,8 +16,8 @@ impl Crosscheck {
             self.regimes.iter().flat_map(|regime| &regime.not_compared).map(|what| what.count).sum();
         let _ = writeln!(
             page,
-            "Do the closed form and automatic differentiation agree? Of {} random pairs of beams, {} closest points were \
-             compared in {} numbers: **{}**. Points or cases that could not be compared: {}.\n",
+            "This report compares the closed form with automatic differentiation. Of {} random pairs of beams, {} closest \
+             points were compared in {} numbers: **{}**. Points or cases that could not be compared: {}.\n",
             count(cases),
             count(self.points),
             count(entries),

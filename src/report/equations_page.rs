@@ -7,14 +7,14 @@ use std::fmt::Write;
 impl EquationTable {
     /// The page; the same record always makes the same page.
     pub fn to_markdown(&self) -> String {
-        let mut page = String::from("# EquationTable\n\n");
+        let mut page = String::from("# Equations\n\n");
         let of = |verdict| self.equations.iter().filter(|entry| entry.verdict == verdict).count();
         let [linear, nonlinear] = self.pairs.map(|pairs| pairs * self.draws);
         let _ = writeln!(
             page,
-            "Is what the paper prints true? Every numbered equation was run, as printed and as corrected, against \
-             hyper-dual numbers: over the field of 2^61 - 1 elements, where two sides are equal or not, in {} draws with \
-             curves that are linear in their dofs and {} with one that is not; and in `f64`, at {} closest points. Of {} \
+            "This report evaluates every numbered equation of the paper, as printed and as corrected, and compares it with \
+             hyper-dual numbers. Over the field of 2^61 - 1 elements two sides are equal or not: {} draws have curves that are \
+             linear in their dofs, {} have one that is not. In `f64` the equations are evaluated at {} closest points. Of {} \
              equations **{} are misprinted**; {} as corrected.\n",
             count(linear),
             count(nonlinear),

@@ -94,7 +94,7 @@ mod tests {
     use crate::report::benchmark::tests::measured;
 
     #[test]
-    fn ways_are_compared_with_the_closed_form_turn_by_turn() {
+    fn methods_are_compared_with_the_closed_form_round_by_round() {
         let samples = vec![[600.0, 150.0], [1500.0, 300.0], [630.0, 150.0]];
         let of = measured("hyper-dual", vec![Rounds::ClosedForm { samples }]);
         assert_eq!(of.over_closed_form().unwrap().value.to_bits(), 4.2_f64.to_bits());
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn threads_are_compared_turn_by_turn() {
+    fn threads_are_compared_round_by_round() {
         // The machine is twice as slow in every other round.
         let of_pairs = [[50.0, 95.0], [100.0, 190.0], [50.0, 80.0], [100.0, 195.0], [50.0, 95.0]];
         let samples = of_pairs.map(|[by_all, by_one]| [by_all, by_one, 0.5 * by_all, by_all]).to_vec();

@@ -31,7 +31,7 @@ fn no_error_exceeds_its_bound() {
 }
 
 #[test]
-fn sharpness_does_not_depend_on_threads() {
+fn bounds_do_not_depend_on_threads() {
     let of = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 5 };

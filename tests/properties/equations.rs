@@ -48,7 +48,7 @@ fn same(one: &Value, other: &Value, key: &str) -> bool {
 }
 
 #[test]
-fn the_committed_ledger_is_what_a_run_finds_now() {
+fn the_committed_equations_are_what_a_run_finds_now() {
     assert_eq!((committed().seed, committed().draws), (0x5eed, DRAWS));
     let value = |json: &str| serde_json::from_str::<Value>(json).unwrap();
     let (now, then) = (NOW.to_json().unwrap(), file("reports/equations.json"));
@@ -66,7 +66,7 @@ fn the_committed_page_is_what_the_committed_record_renders_to() {
 }
 
 #[test]
-fn equations_in_the_source_and_in_the_ledger_are_the_same() {
+fn equations_in_the_source_and_in_the_table_are_the_same() {
     let all: Vec<u8> = (1..=59).collect();
     assert_eq!(NOW.equations.iter().map(|entry| entry.number).collect::<Vec<_>>(), all);
     assert_eq!(places().into_keys().collect::<Vec<_>>(), all);

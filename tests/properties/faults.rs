@@ -58,7 +58,7 @@ fn the_proof_is_red_for_every_fault() {
 }
 
 #[test]
-fn committed_teeth_bite_where_others_do_not() {
+fn committed_faults_are_detected_by_the_gate_alone() {
     let committed = committed();
     let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/faults.md")).unwrap();
     assert!(committed.to_markdown() == page, "faults.md is stale");
@@ -87,7 +87,7 @@ fn committed_teeth_bite_where_others_do_not() {
 }
 
 #[test]
-fn a_planted_fault_is_told_shrunk_and_laid_to_the_closed_form() {
+fn a_planted_fault_is_shrunk_and_attributed_to_the_closed_form() {
     let fault = ["--plant", "Dd|d|: d.turned = sign"];
     let few = ["--cases", "100", "--regime", "generic", "--family", "hermite"];
     let output = run(&[&["check", "--format", "json"], &few[..], &fault].concat());

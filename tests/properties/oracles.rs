@@ -4,7 +4,7 @@ use crate::command_line::{json, run, stdout};
 use serde_json::Value;
 
 #[test]
-fn sharpness_measures_bounds_that_hold() {
+fn measured_bounds_hold() {
     let arguments = ["bounds", "--cases", "3", "--family", "arc", "--regime", "near-end"];
     let text = stdout(&run(&arguments));
     assert!(text.contains("BOUNDS HOLD") && text.lines().all(|line| line.chars().count() <= 80), "{text}");
@@ -16,7 +16,7 @@ fn sharpness_measures_bounds_that_hold() {
 }
 
 #[test]
-fn sharpness_is_shown_side_by_side_and_for_all_regimes() {
+fn bounds_are_shown_for_each_side_and_regime() {
     let arguments = ["bounds", "--cases", "1", "--family", "segment"];
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
     let command = document["environment"]["command"].as_str().unwrap();

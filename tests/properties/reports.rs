@@ -36,6 +36,10 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     is_committed("accuracy.md", &accuracy.to_markdown());
     is_committed("accuracy-gap.svg", &accuracy.gap_to_svg().unwrap());
     is_committed("accuracy-angle.svg", &accuracy.angle_to_svg().unwrap());
+    let faults = Faults::from_json(&committed("faults.json")).unwrap();
+    is_committed("faults.md", &faults.to_markdown());
+    let equations = EquationTable::from_json(&committed("equations.json")).unwrap();
+    is_committed("equations.md", &equations.to_markdown());
     is_committed("beams.svg", &picture().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
     for (name, text) in benchmark.pages().unwrap() {
