@@ -1,25 +1,27 @@
-//! The table: every equation of the paper, as printed and as corrected, and what became of it when it was run.
+//! The equations of the paper, as printed and as corrected, and their verdicts.
 //!
-//! Each equation is entered once, generic over the scalar, with the LaTeX of the print next to the formula that it
-//! prints. It is run over the prime field of [`prove`](crate::prove), at stationary pairs of all families, where it is
-//! equal to the truth or refuted; and in `f64`, at closest points of the [gate](crate::check), where its error has a
-//! size. The truth is that of hyper-dual numbers; whatever an equation takes besides itself is true as well, so each is
-//! judged alone.
+//! Each equation is entered once, generic over the scalar, with the LaTeX of the print next to the formula. It is evaluated
+//! over the prime field of [`prove`](crate::prove), at stationary pairs of all families, and in `f64`, at closest points of
+//! the [check](crate::check). The reference is hyper-dual differentiation. An equation takes reference values for everything
+//! but itself, so each equation is judged alone.
 //!
 //! # Verdicts
-//! A verdict follows from the evidence. Printed and always equal: exact. Printed, equal for curves that are linear in
-//! their dofs and refuted for others: exact for those, since what the paper drops as of higher order is of the order of
-//! what it keeps. Refuted for curves that are linear as well: a misprint, if the correction is equal everywhere; if it is
-//! not, the table does not hold. Given, not found, is only what needs no proof: that an equation is a definition, a list
-//! or an assumption, or that the scan has lost it. What is printed but has no meaning is read in several ways, and all are
-//! run.
+//! - Exact: the print is equal in every draw.
+//! - Exact if linear: the print is equal for curves that are linear in their dofs, and refuted for others. The paper drops
+//!   terms that it calls of higher order; they are of the order of the terms that it keeps.
+//! - Misprint: the print is refuted for linear curves too, and the correction is equal in every draw.
+//! - Refuted: the correction is refuted. The table does not hold then.
+//! - Definitions, lists, assumptions and equations that the scan has lost need no evidence.
+//!
+//! A print without a meaning is read in several ways, and each reading is evaluated.
 //!
 //! # Symmetry
-//! Everything of second order is run once more with delta and Delta exchanged: at stationary pairs, and with random
-//! numbers for everything that it takes. What is symmetric there too is so by its form, the rest by orthogonality.
+//! Formulas of second order are evaluated again with delta and Delta exchanged: at stationary pairs, and with random numbers
+//! for all operands. A formula that is symmetric for random numbers is symmetric by its form. A formula that is symmetric at
+//! stationary pairs only is symmetric by orthogonality.
 //!
-//! # Where
-//! That an equation is computed somewhere is read off the source: `Eq. (40)` in a comment or in a doc alias.
+//! # Places
+//! The lines that compute an equation are found in the source: `Eq. (40)` in a comment or in a doc alias.
 
 mod arc;
 mod claim;

@@ -1,8 +1,8 @@
-//! First and second variations of the contact geometry, twice: in closed form and by automatic differentiation.
+//! First and second variations of the contact geometry, in closed form and by automatic differentiation.
 //!
-//! The two are siblings with the same results. [`closed_form`] sees the jets of the curves and knows the formulas of
-//! the paper; [`ad`] sees positions only and knows no formula. Both are total: they neither iterate to a tolerance
-//! nor branch on values, and take the closest point as given.
+//! Both compute the same results. [`closed_form`] evaluates the formulas of the paper with the jets of the curves. [`ad`]
+//! differentiates positions and uses no formula of the paper. Both take the closest point as given. They do not iterate to a
+//! tolerance, and they return a result for every input.
 
 pub mod ad;
 pub mod closed_form;

@@ -1,12 +1,12 @@
-//! The proof without a tolerance: both linearizations over a prime field, compared by `==`.
+//! The proof without a tolerance: closed form and automatic differentiation over a prime field, compared by `==`.
 //!
-//! For every pair of families, dofs, directions and parameters are drawn at random from the field of 2^61 - 1 elements.
-//! One beam is translated so that d is normal to the tangents of the free parameters, so the point is stationary by
-//! construction; draws whose d, t or t_bar have no square root in the field are drawn again. The orthogonality
-//! conditions are then lifted by two chord steps in hyper-dual arithmetic, which is exact since the parts are nilpotent,
-//! and every value, first and second variation of the closed form must be equal to that of AD; so must gradients and
-//! Hessians, contracted with the same directions. Ends of the beams are held in turn, and every other
-//! draw is by the formulas of the [`Formulation`](crate::linearization::closed_form::Formulation) that is not the paper's.
+//! Dofs, directions and parameters of every pair of families are drawn at random from the field of 2^61 - 1 elements. One
+//! beam is translated so that d is normal to the tangents of the free parameters; the point is then stationary by
+//! construction. A draw whose d, t or t_bar has no square root in the field is drawn again. Two chord steps in hyper-dual
+//! arithmetic differentiate the orthogonality conditions; they are exact, as the dual parts are nilpotent. Every value,
+//! first and second variation of the closed form must be equal to that of AD. So must gradients and Hessians, contracted
+//! with the same directions. Some draws hold parameters at ends. Every other draw uses the robust
+//! [`Formulation`](crate::linearization::closed_form::Formulation).
 //!
 //! # What equality proves
 //! The difference of the two sides is a function of the drawn numbers, rational but for three square roots. If it is

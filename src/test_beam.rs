@@ -1,6 +1,6 @@
-//! Beams to test with: one of every family, drawn at random, with the family and the number of dofs forgotten.
+//! Test beams: random beams of every family, without their type and number of dofs.
 //!
-//! What comes after, the gate and the proof, is thereby compiled once and not once per pair of families.
+//! The check and the proof are therefore compiled once, and not once for each pair of families.
 
 mod beam;
 mod data;

@@ -1,7 +1,7 @@
-//! What is checked: the closed form as it is, with faults planted in it, or with a formula written another way.
+//! The closed form under check: unmodified, with faults, or with a formula rewritten equivalently.
 //!
-//! A check that was never seen to fail proves nothing. So every check takes a [`Variant`], runs the library's own code
-//! through it, and can be shown to turn red for each fault of the [`catalogue`] and to stay green for each [`Rewrite`].
+//! Every check takes a [`Variant`] and runs the library's own code through it. It must fail for each fault of the
+//! [`catalogue`] and pass for each [`Rewrite`].
 
 mod catalogue;
 mod fault;

@@ -1,18 +1,16 @@
-//! The matrices once more, for speed: by blocks of three rows and columns, four numbers at a time.
+//! The kernel: gradients and Hessians of d, xi, xi_bar, t, t_bar, g_T and g_T_bar, in vector arithmetic.
 //!
-//! A curve that is linear in its dofs is a sum of control vectors times shape functions, so that a gradient is a vector
-//! spread over the dofs by shape functions, and a Hessian a sum of such gradients for every shape function:
+//! A curve that is linear in its dofs is a sum of shape functions times control vectors. A row of a Hessian is therefore
 //!
 //! ```text
 //! row (a, i) of H = s_a K_i + s′_a L_i + s″_a M_i      i = x, y, z
 //! ```
 //!
-//! with rows K, L and M that all a share. [`Matrices`] is the reference of what is here: the same equations with each of
-//! their terms in sight, for every curve. Here they are sorted by what they multiply, and what the quantities share is done
-//! once.
+//! with rows K, L and M that all control vectors a share. The kernel computes K, L and M once. [`Matrices`] computes the same
+//! numbers term by term, for every curve, and is the reference of the kernel.
 //!
-//! Where an x86-64 has AVX2 and fused products and sums they are used, whatever the build was made for; where it has not,
-//! the matrices do the work. Other processors do it one number after the other. The ways round differently, no more.
+//! On an x86-64 with AVX2 and FMA the kernel uses them, whatever the build target is. Other x86-64 machines use the matrices.
+//! Other processors run the kernel in scalar arithmetic. The results differ by rounding only.
 
 mod arithmetic;
 #[cfg(target_arch = "x86_64")]
