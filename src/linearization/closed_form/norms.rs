@@ -25,7 +25,7 @@ pub(super) fn by_length<T: Real>(
     let linear_first = named("d|d|: d.du_hat", d.dot(linear_du_hat)) / value;
     // Eq. (40), (57), from (38) and (39), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû:
     // d Δδd = δᵤû·(t Δξ − t̄ Δξ̄) + d·(δᵤu,ξ Δξ − δᵤū,ξ̄ Δξ̄) + δᵤû·Δᵤû + d·Δᵤδᵤû − δd Δd
-    // As (37) it holds at an held end too, where δξ = 0 takes the place of d·t = 0.
+    // As (37) it holds at a held end too, where δξ = 0 takes the place of d·t = 0.
     let moved = named("Dd|d|: du_hat.t Dxi", t * linear_dxi)
         - named("Dd|d|: du_hat.t_bar Dxi_bar", t_bar * linear_dxi_bar);
     let turned = named("Dd|d|: d.du,xi Dxi", delta.beam.u[1] * linear_dxi)
