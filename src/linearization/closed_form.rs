@@ -13,7 +13,7 @@
 
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet};
-use crate::linearization::{Linearization, Quantities, Varied};
+use crate::linearization::{Linearization, Linearized, Quantities, Varied};
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 
@@ -45,13 +45,11 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
     /// # Example
     /// See the crate's front page.
     #[must_use]
-    pub fn linearize(&self, q: &DofVector<f64, N, M>, point: &ClosestPoint) -> Linearization<f64, N, M> {
-        let mut all = Linearization::ZEROS;
-        kernel::write_linearization(self, q, point, &mut all);
-        all
+    pub fn linearize(&self, q: &DofVector<f64, N, M>, point: &ClosestPoint) -> Linearized<N, M> {
+        Linearized::written(|to| kernel::write_linearization(self, q, point, to))
     }
 
-    /// The same, written over `to`: half the time, as [`Pair::linearize`] clears and copies its result.
+    /// The same, written over `to`.
     pub fn linearize_into(
         &self,
         q: &DofVector<f64, N, M>,

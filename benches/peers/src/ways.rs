@@ -71,7 +71,7 @@ way!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(linearize_all, linearize_all_read: Linearization<f64, 12, 12>, |case, to| {
-    *to = PAIR.linearize(&case.q, &case.point);
+    *to = *PAIR.linearize(&case.q, &case.point);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to| {
