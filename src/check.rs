@@ -67,7 +67,7 @@ pub use diagnosis::{Diagnosis, Finding, look_at};
 pub use distribution::Distribution;
 pub use draw::{Case, Selection};
 pub(crate) use evaluation_point::EvaluationPoint;
-pub use own::{JetFinding, OwnCurve, curve};
+pub use own::{JetFinding, OwnCurve, curve, jet};
 pub use pasted::test_source;
 pub use regime::Regime;
 pub use run::run;
