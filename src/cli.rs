@@ -9,6 +9,7 @@ mod check;
 mod disagreements;
 mod equations;
 mod exit;
+mod export;
 mod faults;
 mod human;
 mod json;
@@ -46,6 +47,12 @@ enum Command {
     Faults(faults::InjectFaults),
     /// Evaluate every equation of the paper, as printed and as corrected.
     Equations(equations::ListEquations),
+    /// Write cases for a program in any language.
+    Export(export::Export),
+    /// Print the JSON Schema of the cases or of the answers.
+    Schema(export::Schema),
+    /// Answer cases by the closed form of this library.
+    Evaluate(export::Evaluate),
     /// Write all reports, and the benchmark that `cargo bench` measured last.
     Report(report::Report),
 }
@@ -71,6 +78,9 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Accuracy(accurate) => accurate.run(),
         Command::Faults(faults) => faults.run(),
         Command::Equations(equations) => equations.run(),
+        Command::Export(export) => export.run(),
+        Command::Schema(schema) => schema.run(),
+        Command::Evaluate(evaluate) => evaluate.run(),
         Command::Report(report) => report.run(),
     })
 }

@@ -7,6 +7,7 @@
 mod answers;
 mod conventions;
 mod error;
+mod evaluate;
 mod json;
 mod lines;
 mod number;
@@ -14,6 +15,7 @@ mod vectors;
 
 pub use answers::{ANSWERS, AnswerReader, Answers};
 pub use conventions::{Conventions, Dofs, Length, Penalty, Range};
+pub use evaluate::{Evaluator, Formulas};
 pub use error::{ExternalError, Place};
 pub use number::{NotANumber, hex, parse};
 pub use vectors::{Drawing, Expected, Outcome, VECTORS, Vector, VectorReader, VectorWriter};
