@@ -5,17 +5,25 @@
 //! ([`Answers`]).
 
 mod answers;
+mod compare;
 mod conventions;
 mod error;
 mod evaluate;
 mod json;
 mod lines;
+mod matching;
 mod number;
+mod process;
+mod report;
 mod vectors;
 
 pub use answers::{ANSWERS, AnswerReader, Answers};
+pub use compare::{CaseFound, Demands, Judged, Judgement, compare_answers};
 pub use conventions::{Conventions, Dofs, Length, Penalty, Range};
 pub use evaluate::{Evaluator, Formulas};
 pub use error::{ExternalError, Place};
+pub use matching::Matching;
+pub use process::{ProcessError, Runner};
+pub use report::{Loss, PartFound, PartKey, RegimeFound, Report};
 pub use number::{NotANumber, hex, parse};
 pub use vectors::{Drawing, Expected, Outcome, VECTORS, Vector, VectorReader, VectorWriter};
