@@ -1,6 +1,7 @@
 //! Arguments in, exit code out; each subcommand is a module.
 
 mod accuracy;
+mod answered;
 mod arguments;
 mod bounds;
 mod case;
@@ -19,6 +20,7 @@ mod proof;
 mod prove;
 mod report;
 mod table;
+mod verify;
 
 use clap::{Parser, Subcommand};
 use exit::Exit;
@@ -53,6 +55,8 @@ enum Command {
     Schema(export::Schema),
     /// Answer cases by the closed form of this library.
     Evaluate(export::Evaluate),
+    /// Compare the answers of a program in any language, from a file or from the program.
+    Verify(verify::Verify),
     /// Write all reports, and the benchmark that `cargo bench` measured last.
     Report(report::Report),
 }
@@ -81,6 +85,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Export(export) => export.run(),
         Command::Schema(schema) => schema.run(),
         Command::Evaluate(evaluate) => evaluate.run(),
+        Command::Verify(verify) => verify.run(),
         Command::Report(report) => report.run(),
     })
 }

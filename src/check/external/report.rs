@@ -3,7 +3,6 @@
 use super::answers::Answers;
 use super::compare::{CaseFound, Judged, Judgement};
 use super::vectors::{Outcome, Vector};
-use crate::check::diagnosis::place;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
 use std::collections::BTreeMap;
@@ -59,7 +58,7 @@ pub struct RegimeFound {
     pub loss: Option<Loss>,
 }
 
-/// The key of a part: quantity, order, and the name of the part.
+/// The key of a part: order, quantity, and the name of the order, or residual or tangent.
 pub type PartKey = (Order, Quantity, &'static str);
 
 /// What was found of all answers.
@@ -195,6 +194,8 @@ impl Report {
 }
 
 fn key(judged: &Judged) -> PartKey {
-    let (order, _, _) = place(&judged.comparison);
-    (order, judged.comparison.quantity, judged.comparison.part)
+    let comparison = &judged.comparison;
+    let is_of_element = matches!(comparison.part, "residual" | "tangent");
+    let name = if is_of_element { comparison.part } else { comparison.order.name() };
+    (comparison.order, comparison.quantity, name)
 }
