@@ -2,6 +2,7 @@
 
 mod dense;
 mod refined;
+mod structure;
 
 use super::root_enclosure;
 use super::verdict::Inconclusive;
@@ -14,6 +15,7 @@ use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
 use crate::variant::{Contracted, SCALARS, Step, Variant, contracted, every_layout, fast_kernel, terms};
 pub(super) use dense::Dense;
+pub(super) use structure::Structure;
 use refined::Refined;
 use std::sync::OnceLock;
 

@@ -5,7 +5,7 @@ use super::human::error;
 use super::json;
 use super::table::Table;
 use super::verify::Verified;
-use beamgap::check::external::{Judged, Location, Report, locate, other_conventions};
+use beamgap::check::external::{Cause, Explanation, Judged, Location, Report, explain, locate, other_conventions};
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
 use serde_json::{Value, json};
@@ -124,8 +124,45 @@ pub(super) fn explained(verified: &Verified) -> String {
     }
     if let Some(words) = other_conventions(&report.kept, demands) {
         let _ = writeln!(text, "The answers agree if {words}.\nState it in the head of the answers.");
+    } else if let Some(explanation) = explain(&report.kept, demands) {
+        text += &cause(&explanation);
     }
     text + "\n"
+}
+
+/// What is wrong, or that it is not known.
+pub(super) fn cause(explanation: &Explanation) -> String {
+    let Explanation { causes, before, after, runner_up, cases } = explanation;
+    let after = after.map_or_else(|| "-".into(), error);
+    let runner_up = runner_up.as_ref();
+    let mut text = String::new();
+    match causes.as_slice() {
+        [] => {
+            let best = runner_up.map_or_else(String::new, |(words, left)| {
+                format!(" The best attempt leaves {}: {words}.", error(*left))
+            });
+            let _ = writeln!(text, "Cause: not known. No fault of the catalogue explains {cases} cases.{best}");
+            return text;
+        }
+        [one] => {
+            let _ = writeln!(text, "Cause: {}{}.", one.words, coefficient(one));
+        }
+        several => {
+            let _ = writeln!(text, "Cause: one of {}, which these answers cannot tell apart:", several.len());
+            for one in several {
+                let _ = writeln!(text, "  - {}{}", one.words, coefficient(one));
+            }
+        }
+    }
+    let left = runner_up.map_or_else(|| "none".into(), |(_, left)| error(*left));
+    let _ = writeln!(text, "With it the deviation of {cases} cases falls from {} to {after}; runner-up {left}.", error(*before));
+    let names: Vec<_> = causes.iter().map(|cause| format!("`{}`", cause.name)).collect();
+    let _ = writeln!(text, "In the catalogue: {}", names.join(", "));
+    text
+}
+
+fn coefficient(cause: &Cause) -> String {
+    cause.coefficient.map_or_else(String::new, |of| format!(" (coefficient {of:+.3})"))
 }
 
 fn at(order: Order, quantity: Quantity) -> &'static str {

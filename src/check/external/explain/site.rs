@@ -1,0 +1,150 @@
+//! A case with its answers, and what the closed form with a fault would have answered.
+
+use super::hypothesis::Change;
+use crate::check::candidate::Sides;
+use crate::check::diagnosis::place;
+use crate::check::evaluation_point::EvaluationPoint;
+use crate::check::external::answers::Answers;
+use crate::check::external::compare::{Converted, Demands, Judgement};
+use crate::check::external::conventions::{Conventions, ITEMS};
+use crate::check::external::vectors::Vector;
+use crate::check::verdict::Order;
+use crate::linearization::closed_form::Formulation;
+use crate::linearization::{Quantity, Varied};
+use crate::variant::{SCALAR_COMPONENTS, Variant};
+
+/// A number of an answer.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Datum {
+    /// Item and part.
+    pub(super) place: [usize; 2],
+    pub(super) quantity: Quantity,
+    pub(super) order: Order,
+    /// The place in the order of evaluation.
+    pub(super) rank: (Order, usize, usize),
+    /// Whether it is a gradient or a Hessian, contracted with the directions.
+    pub(super) is_contracted: bool,
+    pub(super) answer: f64,
+    pub(super) reference: f64,
+    pub(super) scale: f64,
+    pub(super) tolerance: f64,
+    pub(super) is_wrong: bool,
+}
+
+impl Datum {
+    /// How far a prediction is from the answer: over the scale, and over what rounding explains.
+    pub(super) fn misfit(&self, predicted: f64) -> [f64; 2] {
+        let off = (self.answer - predicted).abs();
+        if off.is_nan() {
+            let both = self.answer.is_nan() && predicted.is_nan();
+            return [if both { 0.0 } else { f64::INFINITY }; 2];
+        }
+        let rounding = 8.0 * self.tolerance + 1e-12 * self.scale + 1e-9 * (predicted - self.reference).abs();
+        [ratio(off, self.scale.max(predicted.abs())), ratio(off, rounding)]
+    }
+}
+
+fn ratio(one: f64, two: f64) -> f64 {
+    if one == 0.0 { 0.0 } else { one / two }
+}
+
+/// All items, as a program answers them directly, and contracted.
+pub(super) type Predicted = [Vec<Varied<f64>>; 2];
+
+/// A case that is to be explained.
+pub(super) struct Site<'a> {
+    paper: EvaluationPoint<'a>,
+    robust: Option<EvaluationPoint<'a>>,
+    conventions: Conventions,
+    is_closed: bool,
+    pub(super) data: Vec<Datum>,
+}
+
+impl<'a> Site<'a> {
+    /// All numbers of the answers to a case that can be compared; `evaluate` makes the closest point.
+    pub(super) fn new(
+        (vector, answers): &(Vector, Answers),
+        demands: &Demands,
+        evaluate: impl Fn() -> Option<EvaluationPoint<'a>>,
+    ) -> Option<Self> {
+        let (sides, paper) = Sides::new(evaluate()?, &vector.case.test_beams);
+        let converted = Converted::new(vector, &sides, &demands.conventions);
+        let entries = converted.entries(answers, &demands.conventions).ok()?;
+        let datum = |entry: crate::check::candidate::Entry| {
+            let judged = entry.judged(demands.digits);
+            let comparison = judged.comparison;
+            let digits = demands.digits.map_or(0.0, |digits| 10.0_f64.powi(-i32::from(digits)));
+            Datum {
+                place: entry.place,
+                quantity: comparison.quantity,
+                order: comparison.order,
+                rank: place(&comparison),
+                is_contracted: entry.is_contracted,
+                answer: comparison.closed,
+                reference: comparison.other,
+                scale: comparison.scale.max(comparison.other.abs()),
+                tolerance: comparison.tolerance + digits * entry.size,
+                is_wrong: judged.judgement == Judgement::Wrong,
+            }
+        };
+        let clear = |entry: &crate::check::candidate::Entry| {
+            entry.judged(demands.digits).judgement != Judgement::Unclear
+        };
+        let data = entries.into_iter().filter(clear).map(datum).collect();
+        let inside = !paper.held.xi && !paper.held.xi_bar;
+        let robust = if inside { evaluate() } else { None };
+        let robust = robust.map(|evaluation| {
+            let form = Formulation::robust(&evaluation.points(), evaluation.held);
+            evaluation.in_formulation(form)
+        });
+        let is_closed = sides.reference[20].value.value < 0.0;
+        Some(Self { paper, robust, conventions: demands.conventions, is_closed, data })
+    }
+
+    /// Whether some number is a gradient or a Hessian.
+    fn has_contracted(&self) -> bool {
+        self.data.iter().any(|datum| datum.is_contracted)
+    }
+
+    /// What the closed form with this change would have answered, in each way in which the program may have made its
+    /// numbers: by the paper's formulas or along the normal, gradients and Hessians by formulas of their own or from the
+    /// variations.
+    pub(super) fn predicted(&self, change: &Change) -> Vec<Predicted> {
+        let mut all = Vec::with_capacity(4);
+        for evaluation in [Some(&self.paper), self.robust.as_ref()].into_iter().flatten() {
+            let (varied, rows) = match change {
+                Change::Structure(structure) => evaluation.simplified(*structure),
+                other => {
+                    let variant = if let Change::Variant(variant) = other { variant } else { &Variant::Unmodified };
+                    let of_matrices = || evaluation.matrices(variant).map(|row| row.map(|number| number.value));
+                    let rows = if self.has_contracted() { of_matrices() } else { Default::default() };
+                    (evaluation.plain(variant), rows)
+                }
+            };
+            let converted = |varied: [Varied<f64>; ITEMS - 1]| {
+                let mut all = self.conventions.of(&varied, self.is_closed);
+                change.of_items(&mut all, &varied, &self.conventions);
+                all
+            };
+            let direct = converted(varied);
+            if self.has_contracted() {
+                let mut contracted = varied;
+                for (i, [delta, linear, second]) in SCALAR_COMPONENTS.into_iter().zip(rows) {
+                    contracted[i] = Varied { value: contracted[i].value, delta, linear, second };
+                }
+                contracted[20] = Varied { value: contracted[20].value, ..contracted[15] };
+                all.push([direct.clone(), converted(contracted)]);
+            }
+            all.push([direct.clone(), direct]);
+        }
+        all
+    }
+
+    /// The number of a prediction that stands where this one does.
+    pub(super) fn number([direct, contracted]: &Predicted, datum: &Datum) -> f64 {
+        let [item, part] = datum.place;
+        let of = if datum.is_contracted { contracted } else { direct };
+        of[item].parts()[part]
+    }
+}
+
