@@ -19,7 +19,10 @@ use crate::test_beam::AnyBeam;
 use crate::variant::Variant;
 use hypothesis::Change;
 use search::{Fit, measured_factor, search};
+use rayon::prelude::*;
 use site::Site;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
 /// What explains the answers.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +58,8 @@ pub fn explain(cases: &[(Vector, Answers)], demands: &Demands) -> Option<Explana
         Some((case, beams, point))
     });
     let known: Vec<Known> = known.collect();
-    let sites: Vec<Site> = known.iter().filter_map(|known| site(known, demands)).collect();
+    let sites: Vec<Site> = known.par_iter().filter_map(|known| site(known, demands)).collect();
+    let sites = clearest(sites);
     if sites.is_empty() {
         return None;
     }
@@ -78,6 +82,24 @@ pub fn explain(cases: &[(Vector, Answers)], demands: &Demands) -> Option<Explana
         cases: sites.len(),
     })
 }
+
+/// The cases at which rounding explains least: of each kind some, and all kinds in turn.
+fn clearest(mut sites: Vec<Site>) -> Vec<Site> {
+    sites.sort_by(|one, two| one.blur().total_cmp(&two.blur()));
+    let mut turns = BTreeMap::new();
+    let mut placed: Vec<(usize, Site)> = Vec::new();
+    for site in sites {
+        let turn: &mut usize = turns.entry(site.kind()).or_default();
+        placed.push((*turn, site));
+        *turn += 1;
+    }
+    // What is wrong in most numbers says most.
+    placed.sort_by_key(|(turn, site)| (*turn, Reverse(site.wrong())));
+    placed.into_iter().map(|(_, site)| site).take(USED).collect()
+}
+
+/// How many cases are used.
+const USED: usize = 8;
 
 /// A case with its answers, its beams and its closest point.
 type Known<'a> = (&'a (Vector, Answers), [Box<dyn AnyBeam>; 2], ClosestPoint);

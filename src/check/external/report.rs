@@ -8,9 +8,9 @@ use crate::linearization::Quantity;
 use std::collections::BTreeMap;
 
 /// Cases with a wrong number that are kept, to be explained.
-const KEPT: usize = 16;
+const KEPT: usize = 40;
 /// Of these, at most so many of each kind of pair.
-const OF_A_KIND: usize = 4;
+const OF_A_KIND: usize = 10;
 
 /// What was found of one part of a quantity.
 #[derive(Clone, Debug, PartialEq)]

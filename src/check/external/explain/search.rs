@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 /// Cases that every fault is tried at.
 const SCREENED: usize = 4;
 /// First faults of a pair, to each of which all second faults are tried.
-const FIRST_OF_PAIR: usize = 12;
+const FIRST_OF_PAIR: usize = 6;
 
 /// How well a change explains the answers.
 #[derive(Clone, Debug)]
@@ -108,7 +108,7 @@ pub(super) struct Found {
 /// Looks for what explains the answers.
 pub(super) fn search(sites: &[Site]) -> Found {
     let all: Vec<&Site> = sites.iter().collect();
-    let screened = spread(&all);
+    let screened = all[..all.len().min(SCREENED)].to_vec();
     let every = |_: &Datum| true;
     let before = fit(&all, Change::Variant(Variant::Unmodified), &every).worst;
     let mut fits: Vec<Fit> =
@@ -197,62 +197,61 @@ fn predict_the_same(one: &Change, two: &Change, sites: &[&Site]) -> bool {
     })
 }
 
-/// Some cases, from all over the list.
-fn spread<'a, 'b>(all: &[&'a Site<'b>]) -> Vec<&'a Site<'b>> {
-    let count = all.len().min(SCREENED);
-    (0..count).map(|i| all[i * all.len() / count.max(1)]).collect()
-}
-
 /// The factor of a term that fits best, by Gauss-Newton iterations; nothing if the term changes nothing.
 fn weight(sites: &[&Site], label: Label) -> Option<f64> {
     const STEP: f64 = 1e-4;
-    let at = |factor: f64| -> Vec<Vec<f64>> {
-        let change = Change::Variant(Variant::Weighted(label, factor));
-        let per_site = sites.iter().map(|site| {
-            let of = |predicted: &super::site::Predicted| {
-                let misfit = |datum: &Datum| {
-                    let off = (Site::number(predicted, datum) - datum.answer) / datum.scale;
-                    if off.is_finite() { off } else { 0.0 }
-                };
-                site.data.iter().map(misfit).collect::<Vec<f64>>()
-            };
-            site.predicted(&change).iter().map(of).collect::<Vec<_>>()
-        });
-        // One way of making for all cases, where each has as many ways.
-        let per_site: Vec<_> = per_site.collect();
-        let ways = per_site.iter().map(Vec::len).max().unwrap_or(0);
-        (0..ways).map(|way| per_site.iter().flat_map(|of| of[way.min(of.len() - 1)].clone()).collect()).collect()
+    let (start, next) = (misfits(sites, label, 1.0), misfits(sites, label, 1.0 + STEP));
+    let sums = |own: &[f64], next: &[f64]| {
+        own.iter().zip(next).fold([0.0; 3], |[gr, gg, rr], (own, next)| {
+            let slope = (next - own) / STEP;
+            [gr + slope * own, gg + slope * slope, rr + own * own]
+        })
     };
-    let ways = at(1.0).len();
-    let fitted = |way: usize| {
-        let (mut factor, mut best) = (1.0, f64::INFINITY);
-        for _ in 0..8 {
-            let (own, next) = (at(factor).swap_remove(way), at(factor + STEP).swap_remove(way));
-            let sums = own.iter().zip(&next).fold([0.0; 3], |[gr, gg, rr], (own, next)| {
-                let slope = (next - own) / STEP;
-                [gr + slope * own, gg + slope * slope, rr + own * own]
-            });
-            if sums[1] == 0.0 || !sums[1].is_finite() {
-                return None;
-            }
-            best = sums[2];
-            let step = sums[0] / sums[1];
-            factor -= step;
-            if step.abs() < 1e-12 {
-                break;
-            }
+    // The way of making that the first step explains most of.
+    let gain = |way: usize| {
+        let [gr, gg, _] = sums(&start[way], &next[way]);
+        if gg > 0.0 { gr * gr / gg } else { 0.0 }
+    };
+    let way = (0..start.len()).max_by(|&one, &two| gain(one).total_cmp(&gain(two)))?;
+    if gain(way) == 0.0 {
+        return None;
+    }
+    let mut factor = 1.0;
+    for _ in 0..8 {
+        let of = |factor| misfits(sites, label, factor).swap_remove(way);
+        let [gr, gg, _] = sums(&of(factor), &of(factor + STEP));
+        let step = gr / gg;
+        factor -= step;
+        if !step.is_finite() || step.abs() < 1e-11 {
+            break;
         }
-        factor.is_finite().then_some((factor, best))
-    };
-    let best = (0..ways).filter_map(fitted).min_by(|one, two| one.1.total_cmp(&two.1))?;
-    (best.1.is_finite()).then_some(best.0)
+    }
+    factor.is_finite().then_some(factor)
+}
+
+/// The misfits of all data over their scales, with a term multiplied; in each way of making, the same at all cases.
+fn misfits(sites: &[&Site], label: Label, factor: f64) -> Vec<Vec<f64>> {
+    let change = Change::Variant(Variant::Weighted(label, factor));
+    let per_site = sites.iter().map(|site| {
+        let of = |predicted: &super::site::Predicted| {
+            let misfit = |datum: &Datum| {
+                let off = (Site::number(predicted, datum) - datum.answer) / datum.scale;
+                if off.is_finite() { off } else { 0.0 }
+            };
+            site.data.iter().map(misfit).collect::<Vec<f64>>()
+        };
+        site.predicted(&change).iter().map(of).collect::<Vec<_>>()
+    });
+    let per_site: Vec<_> = per_site.collect();
+    let ways = per_site.iter().map(Vec::len).max().unwrap_or(0);
+    (0..ways).map(|way| per_site.iter().flat_map(|of| of[way.min(of.len() - 1)].clone()).collect()).collect()
 }
 
 /// The factor that a term seems to have had, near that of a fault: 0 if it is missing, -1 if its sign is wrong.
 pub(super) fn measured_factor(sites: &[Site], fault: Fault) -> Option<f64> {
-    let all: Vec<&Site> = sites.iter().collect();
+    let all: Vec<&Site> = sites.iter().take(SCREENED).collect();
     matches!(fault.kind, Kind::Sign | Kind::Dropped | Kind::Doubled | Kind::Halved).then_some(())?;
-    let factor = weight(&spread(&all), fault.label)?;
+    let factor = weight(&all, fault.label)?;
     let nominal = match fault.kind {
         Kind::Sign => -1.0,
         Kind::Dropped => 0.0,

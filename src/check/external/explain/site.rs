@@ -11,6 +11,7 @@ use crate::check::external::vectors::Vector;
 use crate::check::verdict::Order;
 use crate::linearization::closed_form::Formulation;
 use crate::linearization::{Quantity, Varied};
+use crate::test_beam::Family;
 use crate::variant::{SCALAR_COMPONENTS, Variant};
 
 /// A number of an answer.
@@ -54,8 +55,10 @@ pub(super) type Predicted = [Vec<Varied<f64>>; 2];
 /// A case that is to be explained.
 pub(super) struct Site<'a> {
     paper: EvaluationPoint<'a>,
-    robust: Option<EvaluationPoint<'a>>,
+    /// In other formulations, where they differ.
+    others: Vec<EvaluationPoint<'a>>,
     conventions: Conventions,
+    families: [Family; 2],
     is_closed: bool,
     pub(super) data: Vec<Datum>,
 }
@@ -91,14 +94,35 @@ impl<'a> Site<'a> {
             entry.judged(demands.digits).judgement != Judgement::Unclear
         };
         let data = entries.into_iter().filter(clear).map(datum).collect();
+        let chosen = evaluate()?.form;
+        let robust = Formulation::robust(&paper.points(), paper.held);
         let inside = !paper.held.xi && !paper.held.xi_bar;
-        let robust = if inside { evaluate() } else { None };
-        let robust = robust.map(|evaluation| {
-            let form = Formulation::robust(&evaluation.points(), evaluation.held);
-            evaluation.in_formulation(form)
-        });
+        let mut forms = vec![paper.form];
+        for form in [chosen, robust].into_iter().filter(|_| inside) {
+            if !forms.contains(&form) {
+                forms.push(form);
+            }
+        }
+        let in_form = |&form: &Formulation| Some(evaluate()?.in_formulation(form));
+        let others = forms[1..].iter().filter_map(in_form).collect();
         let is_closed = sides.reference[20].value.value < 0.0;
-        Some(Self { paper, robust, conventions: demands.conventions, is_closed, data })
+        Some(Self { paper, others, conventions: demands.conventions, families: vector.families(), is_closed, data })
+    }
+
+    /// The largest tolerance over its scale.
+    pub(super) fn blur(&self) -> f64 {
+        self.data.iter().map(|datum| ratio(datum.tolerance, datum.scale)).fold(0.0, f64::max)
+    }
+
+    /// How many numbers are wrong.
+    pub(super) fn wrong(&self) -> usize {
+        self.data.iter().filter(|datum| datum.is_wrong).count()
+    }
+
+    /// Which terms are at work: those of curves that are not linear in their dofs, and those of free parameters.
+    pub(super) fn kind(&self) -> [bool; 4] {
+        let linear = self.families.map(Family::is_linear);
+        [linear[0], linear[1], self.paper.held.xi, self.paper.held.xi_bar]
     }
 
     /// Whether some number is a gradient or a Hessian.
@@ -107,11 +131,11 @@ impl<'a> Site<'a> {
     }
 
     /// What the closed form with this change would have answered, in each way in which the program may have made its
-    /// numbers: by the paper's formulas or along the normal, gradients and Hessians by formulas of their own or from the
+    /// numbers: by the paper's formulas or by those that keep more digits, gradients and Hessians by formulas of their own or from the
     /// variations.
     pub(super) fn predicted(&self, change: &Change) -> Vec<Predicted> {
         let mut all = Vec::with_capacity(4);
-        for evaluation in [Some(&self.paper), self.robust.as_ref()].into_iter().flatten() {
+        for evaluation in [&self.paper].into_iter().chain(&self.others) {
             let (varied, rows) = match change {
                 Change::Structure(structure) => evaluation.simplified(*structure),
                 other => {
