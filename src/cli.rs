@@ -10,6 +10,7 @@ mod check;
 mod disagreements;
 mod equations;
 mod exit;
+mod explain;
 mod export;
 mod faults;
 mod human;
@@ -57,6 +58,8 @@ enum Command {
     Evaluate(export::Evaluate),
     /// Compare the answers of a program in any language, from a file or from the program.
     Verify(verify::Verify),
+    /// Name the term that is wrong in the answers of a program.
+    Explain(explain::Explain),
     /// Write all reports, and the benchmark that `cargo bench` measured last.
     Report(report::Report),
 }
@@ -86,6 +89,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Schema(schema) => schema.run(),
         Command::Evaluate(evaluate) => evaluate.run(),
         Command::Verify(verify) => verify.run(),
+        Command::Explain(explain) => explain.run(),
         Command::Report(report) => report.run(),
     })
 }

@@ -13,7 +13,7 @@ mod point;
 mod rewrite;
 mod rewrites;
 
-pub(crate) use catalogue::terms;
+pub(crate) use catalogue::{classes, terms};
 pub use catalogue::{catalogue, with_faults};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;

@@ -5,6 +5,7 @@
 //! of one term, a simplification as a whole, a factor on a quantity, a factor on a term, two faults. Faults that lead to
 //! the same numbers are named together.
 
+mod accuracy;
 mod equation;
 mod hypothesis;
 mod search;
@@ -17,10 +18,11 @@ use crate::check::evaluation_point::EvaluationPoint;
 use crate::closest_point::ClosestPoint;
 use crate::test_beam::AnyBeam;
 use crate::variant::Variant;
+pub use accuracy::{ExplainedFault, Naming, explained_faults};
 use hypothesis::Change;
 use search::{Fit, measured_factor, search};
 use rayon::prelude::*;
-use site::Site;
+use site::{Memo, Site};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -52,13 +54,17 @@ pub struct Cause {
 
 /// Explains the answers to these cases; nothing if none of them can be compared.
 pub fn explain(cases: &[(Vector, Answers)], demands: &Demands) -> Option<Explanation> {
+    with_memo(cases, demands, &Memo::default())
+}
+
+fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Option<Explanation> {
     let known = cases.iter().filter_map(|case| {
         let beams = case.0.case.beams().ok()?;
         let point = case.0.evaluated(|evaluation| evaluation.point).ok()?;
         Some((case, beams, point))
     });
     let known: Vec<Known> = known.collect();
-    let sites: Vec<Site> = known.par_iter().filter_map(|known| site(known, demands)).collect();
+    let sites: Vec<Site> = known.par_iter().filter_map(|known| site(known, demands, memo)).collect();
     let sites = clearest(sites);
     if sites.is_empty() {
         return None;
@@ -104,8 +110,9 @@ const USED: usize = 8;
 /// A case with its answers, its beams and its closest point.
 type Known<'a> = (&'a (Vector, Answers), [Box<dyn AnyBeam>; 2], ClosestPoint);
 
-fn site<'a>((case, beams, point): &'a Known<'_>, demands: &Demands) -> Option<Site<'a>> {
+fn site<'a>((case, beams, point): &'a Known<'_>, demands: &Demands, memo: &'a Memo) -> Option<Site<'a>> {
     let beams = beams.each_ref().map(|beam| &**beam);
     let evaluate = || EvaluationPoint::new(beams, &case.0.case.contact, point).ok();
-    Site::new(case, demands, evaluate).filter(|site| !site.data.is_empty())
+    let site = Site::new(case, demands, evaluate).filter(|site| !site.data.is_empty())?;
+    Some(site.with_memo(memo.get(&case.0.id)))
 }

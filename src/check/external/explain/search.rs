@@ -8,7 +8,7 @@ use crate::linearization::Quantity;
 use crate::number::Label;
 use crate::variant::{Fault, Kind, Variant, terms};
 use rayon::prelude::*;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// Cases that every fault is tried at.
 const SCREENED: usize = 4;
@@ -35,14 +35,15 @@ impl Fit {
 pub(super) fn fit(sites: &[&Site], change: Change, is_asked: &(dyn Fn(&Datum) -> bool + Sync)) -> Fit {
     let mut all = [0.0_f64; 2];
     for site in sites {
-        let misfit = |predicted| {
+        let misfit = |predicted: &super::site::Predicted| {
             let asked = site.data.iter().filter(|datum| is_asked(datum));
             asked.fold([0.0_f64; 2], |[worst, over], datum| {
-                let [own, own_over] = datum.misfit(Site::number(&predicted, datum));
+                let [own, own_over] = datum.misfit(Site::number(predicted, datum));
                 [worst.max(own), over.max(own_over)]
             })
         };
-        let best = site.predicted(&change).into_iter().map(misfit);
+        let predicted = site.predicted(&change);
+        let best = predicted.iter().map(misfit);
         let best = best.min_by(|one, two| one[1].total_cmp(&two[1])).unwrap_or([f64::INFINITY; 2]);
         all = [all[0].max(best[0]), all[1].max(best[1])];
     }
@@ -61,6 +62,12 @@ fn singles() -> Vec<Fault> {
 
 fn of_faults(faults: &[Fault]) -> Change {
     Change::Variant(Variant::Faulty(faults.to_vec()))
+}
+
+/// The predictions at a case that every search asks for.
+pub(super) fn memo(site: &Site) -> HashMap<String, Vec<super::site::Predicted>> {
+    let all: Vec<_> = singles().iter().map(|&fault| of_faults(&[fault])).collect();
+    all.into_par_iter().map(|change| (change.name(), site.predicted(&change).into_owned())).collect()
 }
 
 /// All that is tried first: one fault of the catalogue, a simplification, a factor.
@@ -189,7 +196,7 @@ fn predict_the_same(one: &Change, two: &Change, sites: &[&Site]) -> bool {
     sites.iter().all(|site| {
         let (one, two) = (site.predicted(one), site.predicted(two));
         site.data.iter().all(|datum| {
-            one.iter().zip(&two).all(|(one, two)| {
+            one.iter().zip(two.iter()).all(|(one, two)| {
                 let (one, two) = (Site::number(one, datum), Site::number(two, datum));
                 (one - two).abs() <= 1e-9 * datum.scale.max(one.abs()) || one.to_bits() == two.to_bits()
             })
@@ -266,8 +273,9 @@ fn pairs(sites: &[&Site]) -> Vec<Fit> {
     let key = |datum: &Datum| (datum.rank.0, datum.rank.1);
     let first_wrong = |change: &Change| {
         let of_site = |site: &&Site| {
-            let per_way = site.predicted(change).into_iter().map(|predicted| {
-                let wrong = site.data.iter().filter(|datum| datum.misfit(Site::number(&predicted, datum))[1] > 1.0);
+            let predicted = site.predicted(change);
+            let per_way = predicted.iter().map(|predicted| {
+                let wrong = site.data.iter().filter(|datum| datum.misfit(Site::number(predicted, datum))[1] > 1.0);
                 wrong.map(key).min()
             });
             // The way that goes farthest; one without a wrong number goes to the end.

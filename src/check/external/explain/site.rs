@@ -13,6 +13,8 @@ use crate::linearization::closed_form::Formulation;
 use crate::linearization::{Quantity, Varied};
 use crate::test_beam::Family;
 use crate::variant::{SCALAR_COMPONENTS, Variant};
+use std::borrow::Cow;
+use std::collections::HashMap;
 
 /// A number of an answer.
 #[derive(Clone, Copy, Debug)]
@@ -52,8 +54,12 @@ fn ratio(one: f64, two: f64) -> f64 {
 /// All items, as a program answers them directly, and contracted.
 pub(super) type Predicted = [Vec<Varied<f64>>; 2];
 
+/// Predictions that are used again, by case and by name of the change.
+pub(super) type Memo = HashMap<String, HashMap<String, Vec<Predicted>>>;
+
 /// A case that is to be explained.
 pub(super) struct Site<'a> {
+    memo: Option<&'a HashMap<String, Vec<Predicted>>>,
     paper: EvaluationPoint<'a>,
     /// In other formulations, where they differ.
     others: Vec<EvaluationPoint<'a>>,
@@ -106,7 +112,12 @@ impl<'a> Site<'a> {
         let in_form = |&form: &Formulation| Some(evaluate()?.in_formulation(form));
         let others = forms[1..].iter().filter_map(in_form).collect();
         let is_closed = sides.reference[20].value.value < 0.0;
-        Some(Self { paper, others, conventions: demands.conventions, families: vector.families(), is_closed, data })
+        Some(Self { paper, others, conventions: demands.conventions, families: vector.families(), is_closed, data, memo: None })
+    }
+
+    /// With predictions that are known already.
+    pub(super) fn with_memo(self, memo: Option<&'a HashMap<String, Vec<Predicted>>>) -> Self {
+        Self { memo, ..self }
     }
 
     /// The largest tolerance over its scale.
@@ -133,7 +144,14 @@ impl<'a> Site<'a> {
     /// What the closed form with this change would have answered, in each way in which the program may have made its
     /// numbers: by the paper's formulas or by those that keep more digits, gradients and Hessians by formulas of their own or from the
     /// variations.
-    pub(super) fn predicted(&self, change: &Change) -> Vec<Predicted> {
+    pub(super) fn predicted(&self, change: &Change) -> Cow<'_, [Predicted]> {
+        match self.memo.and_then(|memo| memo.get(&change.name())) {
+            Some(known) => Cow::Borrowed(known),
+            None => Cow::Owned(self.computed(change)),
+        }
+    }
+
+    fn computed(&self, change: &Change) -> Vec<Predicted> {
         let mut all = Vec::with_capacity(4);
         for evaluation in [&self.paper].into_iter().chain(&self.others) {
             let (varied, rows) = match change {
