@@ -34,7 +34,7 @@ impl ExplainProgram {
         let _ = writeln!(
             page,
             "\nThe largest deviation that is left where the fault alone is named is {} of its scale.\n",
-            error(self.largest_left)
+            error(Some(self.largest_left))
         );
         let listed = [Naming::Among, Naming::Other, Naming::None].map(Naming::name);
         let mut others = self.others.iter().filter(|other| listed.contains(&other.naming.as_str())).peekable();
@@ -44,7 +44,7 @@ impl ExplainProgram {
                 let named: Vec<_> = other.named.iter().take(4).map(|name| format!("`{}`", name.replace('|', "\\|"))).collect();
                 let more = other.named.len().saturating_sub(4);
                 let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-                let [before, after] = other.deviation.map(error);
+                let [before, after] = other.deviation.map(|deviation| error(Some(deviation)));
                 let (fault, naming) = (other.fault.replace('|', "\\|"), &other.naming);
                 let _ = writeln!(page, "| `{fault}` | {naming} | {}{more} | {before} | {after} |", named.join(", "));
             }
