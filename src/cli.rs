@@ -1,6 +1,7 @@
 //! Arguments in, exit code out; each subcommand is a module.
 
 mod accuracy;
+mod adapter;
 mod answered;
 mod arguments;
 mod bounds;
@@ -60,6 +61,8 @@ enum Command {
     Verify(verify::Verify),
     /// Name the term that is wrong in the answers of a program.
     Explain(explain::Explain),
+    /// Print a program that answers cases, in your language, to put your element into.
+    Adapter(adapter::Adapter),
     /// Write all reports, and the benchmark that `cargo bench` measured last.
     Report(report::Report),
 }
@@ -90,6 +93,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Evaluate(evaluate) => evaluate.run(),
         Command::Verify(verify) => verify.run(),
         Command::Explain(explain) => explain.run(),
+        Command::Adapter(adapter) => adapter.run(),
         Command::Report(report) => report.run(),
     })
 }

@@ -207,7 +207,7 @@ fn entry(location: &Location, first_index: usize) -> String {
 }
 
 /// The result for programs, of the schema `beamgap-verify/1`.
-pub(super) fn json(verified: &Verified, words: &str) -> anyhow::Result<String> {
+pub(super) fn json(verified: &Verified, words: &str, explain: bool) -> anyhow::Result<String> {
     let Verified { report, demands, command } = verified;
     let parts = report.parts.iter().map(|((_, quantity, part), found)| {
         json!({
@@ -261,6 +261,10 @@ pub(super) fn json(verified: &Verified, words: &str) -> anyhow::Result<String> {
         .then(|| other_conventions(&report.kept, demands))
         .flatten()
         .map(|words| json!(words));
+    let explanation = (explain && conventions.is_none())
+        .then(|| self::explain(&report.kept, demands))
+        .flatten()
+        .map(|of| explanation(&of));
     json::text(&json!({
         "schema": "beamgap-verify/1",
         "version": env!("CARGO_PKG_VERSION"),
@@ -279,5 +283,19 @@ pub(super) fn json(verified: &Verified, words: &str) -> anyhow::Result<String> {
         "regimes": regimes.collect::<Vec<_>>(),
         "first": first,
         "agrees_if": conventions,
+        "explanation": explanation,
     }))
+}
+
+fn explanation(of: &Explanation) -> Value {
+    let causes = of.causes.iter().map(|cause| {
+        json!({ "name": cause.name, "words": cause.words, "coefficient": cause.coefficient })
+    });
+    json!({
+        "causes": causes.collect::<Vec<_>>(),
+        "before": json::rounded(of.before),
+        "after": of.after.and_then(json::rounded),
+        "runner_up": of.runner_up.as_ref().map(|(words, left)| json!({ "words": words, "left": json::rounded(*left) })),
+        "cases": of.cases,
+    })
 }

@@ -78,14 +78,21 @@ impl Verify {
             },
         };
         let (exit, words) = answered::verdict(&verified);
-        let explanation = (!self.no_explanation && exit == Exit::Disagree)
-            .then(|| answered::explained(&verified))
-            .unwrap_or_default();
-        let document = match self.format {
-            Format::Human => answered::human(&verified) + &explanation + &words + "\n",
-            Format::Json => answered::json(&verified, &words)?,
-        };
-        output.write(&document, &(words + "\n"))?;
+        let explain = !self.no_explanation && exit == Exit::Disagree;
+        match self.format {
+            // The tables first: an explanation takes seconds.
+            Format::Human if self.output.is_none() => {
+                Output::Standard.write(&answered::human(&verified), "")?;
+                let explanation = if explain { answered::explained(&verified) } else { String::new() };
+                Output::Standard.write(&(explanation + &words + "\n"), "")?;
+            }
+            Format::Human => {
+                let explanation = if explain { answered::explained(&verified) } else { String::new() };
+                let document = answered::human(&verified) + &explanation + &words + "\n";
+                output.write(&document, &(words + "\n"))?;
+            }
+            Format::Json => output.write(&answered::json(&verified, &words, explain)?, &(words + "\n"))?,
+        }
         match failed {
             Some(error) if exit == Exit::Agree => Err(error),
             Some(error) => {

@@ -12,6 +12,8 @@ use std::collections::{BTreeSet, HashMap};
 
 /// Cases that every fault is tried at.
 const SCREENED: usize = 4;
+/// Changes that explain the first case best, which are tried at more.
+const NEAREST: usize = 120;
 /// First faults of a pair, to each of which all second faults are tried.
 const FIRST_OF_PAIR: usize = 6;
 
@@ -23,6 +25,8 @@ pub(super) struct Fit {
     pub(super) worst: f64,
     /// The largest deviation over what rounding explains.
     pub(super) over: f64,
+    /// The place in the order of evaluation.
+    pub(super) order: usize,
 }
 
 impl Fit {
@@ -47,7 +51,7 @@ pub(super) fn fit(sites: &[&Site], change: Change, is_asked: &(dyn Fn(&Datum) ->
         let best = best.min_by(|one, two| one[1].total_cmp(&two[1])).unwrap_or([f64::INFINITY; 2]);
         all = [all[0].max(best[0]), all[1].max(best[1])];
     }
-    Fit { change, worst: all[0], over: all[1] }
+    Fit { change, worst: all[0], over: all[1], order: 0 }
 }
 
 /// The names of all terms, in the order of evaluation.
@@ -118,10 +122,20 @@ pub(super) fn search(sites: &[Site]) -> Found {
     let screened = all[..all.len().min(SCREENED)].to_vec();
     let every = |_: &Datum| true;
     let before = fit(&all, Change::Variant(Variant::Unmodified), &every).worst;
-    let mut fits: Vec<Fit> =
-        candidates(&all).into_par_iter().map(|change| fit(&screened, change, &every)).collect();
+    // What explains all explains the first case.
+    let first = &all[..1];
+    let mut fits: Vec<Fit> = candidates(&all)
+        .into_par_iter()
+        .enumerate()
+        .map(|(order, change)| Fit { order, ..fit(first, change, &every) })
+        .collect();
+    fits.sort_by(|one, two| one.over.total_cmp(&two.over));
+    let nearest = fits.len().min(NEAREST);
+    let better = |of: &mut Fit| *of = Fit { order: of.order, ..fit(&screened, of.change.clone(), &every) };
+    fits[..nearest].par_iter_mut().for_each(better);
+    fits[nearest..].iter_mut().for_each(|of| of.over = f64::INFINITY);
     let confirm = |fits: &mut Vec<Fit>| {
-        fits.par_iter_mut().filter(|of| of.explains()).for_each(|of| *of = fit(&all, of.change.clone(), &every));
+        fits.par_iter_mut().filter(|of| of.explains()).for_each(|of| *of = Fit { order: of.order, ..fit(&all, of.change.clone(), &every) });
         fits.iter().any(Fit::explains)
     };
     let mut is_found = confirm(&mut fits);
@@ -140,7 +154,7 @@ pub(super) fn search(sites: &[Site]) -> Found {
     if !is_found {
         let best = fits.iter().map(|of| of.worst).fold(f64::INFINITY, f64::min);
         fits.par_iter_mut().filter(|of| of.worst <= 10.0 * best).for_each(|of| {
-            *of = fit(&all, of.change.clone(), &every);
+            *of = Fit { order: of.order, ..fit(&all, of.change.clone(), &every) };
         });
     }
     ranked(fits, before, &all)
@@ -161,8 +175,7 @@ fn ranked(mut fits: Vec<Fit>, before: f64, sites: &[&Site]) -> Found {
         if is_found { of.explains() } else { of.worst <= 4.0 * best && of.worst <= CLOSE * before }
     };
     let (mut equal, mut others): (Vec<_>, Vec<_>) = fits.drain(..).partition(explains);
-    // Sorting is stable: the order of evaluation stays.
-    equal.sort_by_key(|of| of.change.class());
+    equal.sort_by_key(|of| (of.change.class(), of.order));
     if let Some(simplest) = equal.first().map(|of| of.change.class()) {
         equal.retain(|of| of.change.class() == simplest);
     }
