@@ -13,8 +13,8 @@ mod point;
 mod rewrite;
 mod rewrites;
 
-pub(crate) use catalogue::{classes, terms};
 pub use catalogue::{catalogue, with_faults};
+pub(crate) use catalogue::{classes, terms};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 

@@ -15,9 +15,9 @@ use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
 use crate::variant::{Contracted, SCALARS, Step, Variant, contracted, every_layout, fast_kernel, terms};
 pub(super) use dense::Dense;
-pub(super) use structure::Structure;
 use refined::Refined;
 use std::sync::OnceLock;
+pub(super) use structure::Structure;
 
 /// A closest point that has derivatives, and is known well enough.
 #[derive(Debug)]

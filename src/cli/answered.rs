@@ -5,7 +5,9 @@ use super::human::error;
 use super::json;
 use super::table::Table;
 use super::verify::Verified;
-use beamgap::check::external::{Cause, Explanation, Judged, Location, Report, explain, locate, other_conventions};
+use beamgap::check::external::{
+    Cause, Explanation, Judged, Location, Report, explain, locate, other_conventions,
+};
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
 use serde_json::{Value, json};
@@ -15,13 +17,21 @@ use std::fmt::Write;
 pub(super) fn verdict(Verified { report, .. }: &Verified) -> (Exit, String) {
     let Report { compared, wrong, doubted, missing, unanswered, vectors, .. } = report;
     let open = missing + unanswered;
-    let open = if open == 0 { String::new() } else { format!(" {open} of {vectors} cases are not answered.") };
+    let open =
+        if open == 0 { String::new() } else { format!(" {open} of {vectors} cases are not answered.") };
     match (*compared, *wrong) {
-        (0, _) => (Exit::Nothing, format!("NOTHING COMPARED: of {vectors} cases none has an answer that can be.{open}")),
-        (_, 0) => (Exit::Agree, format!("AGREES: at {compared} closest points nothing differs beyond rounding.{open}")),
-        (_, wrong) if wrong == *doubted => {
-            (Exit::Untrusted, format!("NOT TRUSTED: at {doubted} of {compared} closest points the references disagree."))
-        }
+        (0, _) => (
+            Exit::Nothing,
+            format!("NOTHING COMPARED: of {vectors} cases none has an answer that can be.{open}"),
+        ),
+        (_, 0) => (
+            Exit::Agree,
+            format!("AGREES: at {compared} closest points nothing differs beyond rounding.{open}"),
+        ),
+        (_, wrong) if wrong == *doubted => (
+            Exit::Untrusted,
+            format!("NOT TRUSTED: at {doubted} of {compared} closest points the references disagree."),
+        ),
         _ => (Exit::Disagree, format!("DISAGREES: at {wrong} of {compared} closest points.{open}")),
     }
 }
@@ -44,21 +54,21 @@ pub(super) fn human(verified: &Verified) -> String {
         let titles = ["quantity", "order", "numbers", "wrong", "fewer digits", "digits", "attainable"];
         let mut table = Table::new(&titles).left(&[1]);
         for ((_, quantity, part), found) in &report.parts {
-            let comparison = &found.worst.comparison;
             table.row(vec![
                 quantity.name().into(),
                 (*part).into(),
                 found.numbers.to_string(),
                 found.wrong.to_string(),
                 found.losing.to_string(),
-                digits(comparison.scaled_error()),
-                digits(found.worst.attainable / comparison.scale),
+                digits(found.worst.loss / found.worst.scale),
+                digits(found.worst.attainable / found.worst.scale),
             ]);
         }
         let _ = write!(text, "\n{table}");
         text += "digits: of the number next to its tolerance or farthest beyond it; attainable: there, by the best formulas\n";
     }
-    let losing: Vec<_> = report.regimes.iter().filter_map(|(name, of)| Some((name, of, of.loss.as_ref()?))).collect();
+    let losing: Vec<_> =
+        report.regimes.iter().filter_map(|(name, of)| Some((name, of, of.loss.as_ref()?))).collect();
     if !losing.is_empty() {
         text += "\nRight, but with fewer digits than are attainable\n";
         let mut table = Table::new(&["regime", "cases", "fewer", "at most lost", "of", "case"]).left(&[4]);
@@ -122,7 +132,9 @@ pub(super) fn explained(verified: &Verified) -> String {
             at(order, quantity)
         );
     }
-    if let Some(words) = other_conventions(&report.kept, demands) {
+    if judged.is_rounding {
+        text += "Rounding of the textbook formulas explains it: the formulas are right, but keep too few digits here.\n";
+    } else if let Some(words) = other_conventions(&report.kept, demands) {
         let _ = writeln!(text, "The answers agree if {words}.\nState it in the head of the answers.");
     } else if let Some(explanation) = explain(&report.kept, demands) {
         text += &cause(&explanation);
@@ -141,7 +153,8 @@ pub(super) fn cause(explanation: &Explanation) -> String {
             let best = runner_up.map_or_else(String::new, |(words, left)| {
                 format!(" The best attempt leaves {}: {words}.", error(*left))
             });
-            let _ = writeln!(text, "Cause: not known. No fault of the catalogue explains {cases} cases.{best}");
+            let _ =
+                writeln!(text, "Cause: not known. No fault of the catalogue explains {cases} cases.{best}");
             return text;
         }
         [one] => {
@@ -155,7 +168,11 @@ pub(super) fn cause(explanation: &Explanation) -> String {
         }
     }
     let left = runner_up.map_or_else(|| "none".into(), |(_, left)| error(*left));
-    let _ = writeln!(text, "With it the deviation of {cases} cases falls from {} to {after}; runner-up {left}.", error(*before));
+    let _ = writeln!(
+        text,
+        "With it the deviation of {cases} cases falls from {} to {after}; runner-up {left}.",
+        error(*before)
+    );
     let names: Vec<_> = causes.iter().map(|cause| format!("`{}`", cause.name)).collect();
     let _ = writeln!(text, "In the catalogue: {}", names.join(", "));
     text
@@ -288,9 +305,10 @@ pub(super) fn json(verified: &Verified, words: &str, explain: bool) -> anyhow::R
 }
 
 fn explanation(of: &Explanation) -> Value {
-    let causes = of.causes.iter().map(|cause| {
-        json!({ "name": cause.name, "words": cause.words, "coefficient": cause.coefficient })
-    });
+    let causes = of
+        .causes
+        .iter()
+        .map(|cause| json!({ "name": cause.name, "words": cause.words, "coefficient": cause.coefficient }));
     json!({
         "causes": causes.collect::<Vec<_>>(),
         "before": json::rounded(of.before),

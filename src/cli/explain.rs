@@ -61,7 +61,9 @@ impl Explain {
         if exit == Exit::Disagree {
             let kept = &verified.report.kept;
             text = match other_conventions(kept, &demands) {
-                Some(words) => format!("The answers agree if {words}.\nState it in the head of the answers.\n"),
+                Some(words) => {
+                    format!("The answers agree if {words}.\nState it in the head of the answers.\n")
+                }
                 None => explain(kept, &demands).map(|explanation| cause(&explanation)).unwrap_or_default(),
             };
         }
@@ -79,7 +81,11 @@ impl Explain {
             text += &format!("{}\n  {}\n", program.answers, counts.join(", "));
         }
         let holds = record.programs.iter().all(report::ExplainProgram::holds);
-        let words = if holds { "EXPLAINED: every fault that shows is named." } else { "NOT EXPLAINED: some faults are not named." };
+        let words = if holds {
+            "EXPLAINED: every fault that shows is named."
+        } else {
+            "NOT EXPLAINED: some faults are not named."
+        };
         Output::Standard.write(&(text + words + "\n"), "")?;
         Ok(if holds { Exit::Agree } else { Exit::Untrusted })
     }

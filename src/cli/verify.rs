@@ -69,9 +69,12 @@ impl Verify {
             Ok(verified) => verified,
             // What it answered before it failed is shown first.
             Err(error) => match error.downcast::<ProcessError>()? {
-                ProcessError::Failed { program, status, answered, stderr, mut report } if report.compared > 0 => {
+                ProcessError::Failed { program, status, answered, stderr, mut report }
+                    if report.compared > 0 =>
+                {
                     let found = std::mem::take(&mut *report);
-                    failed = Some(anyhow!(ProcessError::Failed { program, status, answered, stderr, report }));
+                    failed =
+                        Some(anyhow!(ProcessError::Failed { program, status, answered, stderr, report }));
                     self.of(found, Conventions::default())
                 }
                 other => return Err(other.into()),

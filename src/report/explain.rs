@@ -64,10 +64,8 @@ impl Record for Explain {
 impl ExplainProgram {
     fn new(answers: &str, found: &[ExplainedFault]) -> Self {
         let of = |naming: Naming| found.iter().filter(move |of| of.naming == naming);
-        let counts = Naming::ALL.map(|naming| NamingCount {
-            naming: naming.name().to_owned(),
-            faults: of(naming).count(),
-        });
+        let counts = Naming::ALL
+            .map(|naming| NamingCount { naming: naming.name().to_owned(), faults: of(naming).count() });
         let is_other = |of: &&ExplainedFault| !matches!(of.naming, Naming::First | Naming::Undetected);
         let others = found.iter().filter(is_other).map(|of| NotFirst {
             fault: of.fault.to_string(),
@@ -76,7 +74,12 @@ impl ExplainProgram {
             deviation: of.deviation.map(rounded),
         });
         let left = of(Naming::First).map(|of| of.deviation[1]).fold(0.0, f64::max);
-        Self { answers: answers.to_owned(), counts: counts.to_vec(), others: others.collect(), largest_left: rounded(left) }
+        Self {
+            answers: answers.to_owned(),
+            counts: counts.to_vec(),
+            others: others.collect(),
+            largest_left: rounded(left),
+        }
     }
 
     /// How many faults are named in this way.
@@ -104,7 +107,10 @@ impl Explain {
             environment: Environment::here(command),
             seed,
             programs: vec![
-                program("values, gradients, Hessians and variations along the directions, to all digits", None),
+                program(
+                    "values, gradients, Hessians and variations along the directions, to all digits",
+                    None,
+                ),
                 program("gradients and Hessians alone, to 6 significant digits", Some(6)),
             ],
         }

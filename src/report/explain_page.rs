@@ -37,16 +37,26 @@ impl ExplainProgram {
             error(Some(self.largest_left))
         );
         let listed = [Naming::Among, Naming::Other, Naming::None].map(Naming::name);
-        let mut others = self.others.iter().filter(|other| listed.contains(&other.naming.as_str())).peekable();
+        let mut others =
+            self.others.iter().filter(|other| listed.contains(&other.naming.as_str())).peekable();
         if others.peek().is_some() {
             page += "| fault | explanation | named | before | after |\n|---|---|---|---:|---:|\n";
             for other in others {
-                let named: Vec<_> = other.named.iter().take(4).map(|name| format!("`{}`", name.replace('|', "\\|"))).collect();
+                let named: Vec<_> = other
+                    .named
+                    .iter()
+                    .take(4)
+                    .map(|name| format!("`{}`", name.replace('|', "\\|")))
+                    .collect();
                 let more = other.named.len().saturating_sub(4);
                 let more = if more > 0 { format!(" and {more} more") } else { String::new() };
                 let [before, after] = other.deviation.map(|deviation| error(Some(deviation)));
                 let (fault, naming) = (other.fault.replace('|', "\\|"), &other.naming);
-                let _ = writeln!(page, "| `{fault}` | {naming} | {}{more} | {before} | {after} |", named.join(", "));
+                let _ = writeln!(
+                    page,
+                    "| `{fault}` | {naming} | {}{more} | {before} | {after} |",
+                    named.join(", ")
+                );
             }
             page.push('\n');
         }

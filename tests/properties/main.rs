@@ -16,6 +16,7 @@ mod degenerate;
 mod equations;
 mod errors;
 mod every_minimum;
+mod external;
 mod families;
 mod faults;
 mod invariances;

@@ -24,6 +24,8 @@ pub(in crate::check) struct Sides {
     pub(in crate::check) best: Vec<Varied<RunningError2>>,
     /// The size of the terms of the paper's formulas.
     pub(in crate::check) scales: Vec<Varied<TermScale>>,
+    /// The size of the terms of the formulas that lose the fewest digits.
+    pub(in crate::check) best_scales: Vec<Varied<TermScale>>,
 }
 
 /// A number of an answer, compared.
@@ -34,8 +36,12 @@ pub(in crate::check) struct Entry {
     pub(in crate::check) place: [usize; 2],
     /// Whether it is a gradient or a Hessian, contracted with the directions.
     pub(in crate::check) is_contracted: bool,
-    /// The difference that the rounding of the best formulas explains.
+    /// The difference from the best formulas.
+    pub(in crate::check) loss: f64,
+    /// The difference from them that a careful evaluation of them explains.
     pub(in crate::check) attainable: f64,
+    /// The size of their terms.
+    pub(in crate::check) best_scale: f64,
     /// The sum of the absolute values of what was contracted.
     pub(in crate::check) size: f64,
 }
@@ -48,6 +54,7 @@ impl Sides {
     ) -> (Self, EvaluationPoint<'a>) {
         let EvaluationPoint { at, form, contact, .. } = evaluation;
         let best = Variant::Unmodified.formulas(&evaluation.bounded(Step::Now), at, form, contact);
+        let best_scales = evaluation.sized(&Variant::Unmodified).to_vec();
         let reference = evaluation.chord().to_vec();
         let paper = Formulation::paper(evaluation.held);
         let paper = evaluation.in_formulation(paper);
@@ -56,6 +63,7 @@ impl Sides {
             textbook: textbook(&paper, test_beams).to_vec(),
             best: best.components().to_vec(),
             scales: paper.sized(&Variant::Unmodified).to_vec(),
+            best_scales,
         };
         (sides, paper)
     }
@@ -138,7 +146,9 @@ impl Sides {
         let [near, far] = textbook.bound;
         let bound = CAREFUL * near + far + number.bound;
         let [best_near, best_far] = best.bound;
-        let attainable = CAREFUL * best_near + best_far + number.bound + other.bound[0];
+        let attainable = CAREFUL * best_near + best_far + number.bound;
+        let loss = (number.value - best.value).abs();
+        let best_scale = self.best_scales[item].parts()[k].scale;
         let comparison = Comparison {
             quantity,
             axis: (item < COMPONENTS).then(|| Quantity::axis_of_component(item)).flatten(),
@@ -151,7 +161,7 @@ impl Sides {
             bound,
             tolerance: bound + other.bound[0],
         };
-        Entry { comparison, place: [item, k], is_contracted: false, attainable, size }
+        Entry { comparison, place: [item, k], is_contracted: false, loss, attainable, best_scale, size }
     }
 }
 

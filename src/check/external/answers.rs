@@ -126,7 +126,6 @@ fn quantity(name: &str) -> Result<(Quantity, Option<char>), String> {
 }
 
 fn is_vector(quantity: Quantity) -> bool {
-    let vectors =
-        [Quantity::X, Quantity::XBar, Quantity::DVector, Quantity::TVector, Quantity::TBarVector];
+    let vectors = [Quantity::X, Quantity::XBar, Quantity::DVector, Quantity::TVector, Quantity::TBarVector];
     vectors.contains(&quantity)
 }

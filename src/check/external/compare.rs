@@ -40,8 +40,14 @@ pub struct Judged {
     pub comparison: Comparison,
     /// What it is found to be.
     pub judgement: Judgement,
-    /// The difference that the rounding of the best formulas explains.
+    /// The difference from the formulas that lose the fewest digits.
+    pub loss: f64,
+    /// The difference from them that a careful evaluation of them explains.
     pub attainable: f64,
+    /// The size of their terms.
+    pub scale: f64,
+    /// Whether a careful evaluation of the textbook formulas explains the difference.
+    pub is_rounding: bool,
     /// Whether it is a gradient or a Hessian, contracted with the directions.
     pub is_contracted: bool,
 }
@@ -60,27 +66,33 @@ pub enum CaseFound {
 impl Entry {
     /// The judgement under these demands, and the tolerance that it was made with.
     pub(super) fn judged(self, digits: Option<u8>) -> Judged {
-        let Self { mut comparison, attainable, size, is_contracted, .. } = self;
-        if let Some(digits) = digits {
-            let asked = 10.0_f64.powi(-i32::from(digits)) * comparison.scale.max(size);
-            comparison.tolerance = attainable;
-            let is_meaningful = comparison.is_meaningful();
-            comparison.tolerance = attainable.max(asked);
-            let judgement = match (is_meaningful, comparison.agrees()) {
-                (false, _) => Judgement::Unclear,
-                (true, true) if comparison.difference() > attainable => Judgement::Loses,
-                (true, true) => Judgement::Agrees,
-                (true, false) => Judgement::Wrong,
-            };
-            return Judged { comparison, judgement, attainable, is_contracted };
-        }
-        let judgement = match (comparison.is_meaningful(), comparison.agrees()) {
+        let Self { comparison, loss, attainable, best_scale: scale, size, is_contracted, .. } = self;
+        let (is_meaningful, is_right) = match digits {
+            None => (comparison.is_meaningful(), comparison.agrees()),
+            Some(digits) => {
+                let asked = 10.0_f64.powi(-i32::from(digits)) * scale.max(size);
+                let limit = attainable.max(asked);
+                let is_meaningful = attainable <= 1e-3 * scale.max(size).max(comparison.other.abs());
+                (
+                    is_meaningful || !comparison.closed.is_finite(),
+                    loss <= limit || comparison.difference() <= limit,
+                )
+            }
+        };
+        let judgement = match (is_meaningful, is_right) {
             (false, _) => Judgement::Unclear,
-            (true, true) if comparison.difference() > attainable => Judgement::Loses,
+            (true, true) if loss > attainable => Judgement::Loses,
             (true, true) => Judgement::Agrees,
             (true, false) => Judgement::Wrong,
         };
-        Judged { comparison, judgement, attainable, is_contracted }
+        // What rounding may explain under the demands.
+        let tolerance = match digits {
+            None => comparison.tolerance,
+            Some(digits) => attainable.max(10.0_f64.powi(-i32::from(digits)) * scale.max(size)),
+        };
+        let is_rounding = comparison.agrees();
+        let comparison = Comparison { tolerance, ..comparison };
+        Judged { comparison, judgement, loss, attainable, scale, is_rounding, is_contracted }
     }
 }
 
@@ -100,6 +112,7 @@ impl Converted {
                 reference: conventions.of(&sides.reference, is_closed),
                 textbook: conventions.of(&sides.textbook, is_closed),
                 best: conventions.of(&sides.best, is_closed),
+                best_scales: conventions.of(&sides.best_scales, is_closed),
                 scales: conventions.of(&sides.scales, is_closed),
             },
             directions: vector.directions().map(|dq| conventions.direction(families, &dq)),
@@ -170,9 +183,8 @@ pub fn compare_answers(
         Ok(CaseFound::Compared(judged, is_doubted))
     });
     match compared {
-        Ok(found) => found.map_err(|wrong: String| {
-            answers.place.clone().error(format!("case {}: {wrong}", answers.id))
-        }),
+        Ok(found) => found
+            .map_err(|wrong: String| answers.place.clone().error(format!("case {}: {wrong}", answers.id))),
         Err(outcome) => Ok(CaseFound::Degenerate(outcome)),
     }
 }

@@ -187,10 +187,12 @@ impl Conventions {
             Length::HalfSquare => converted[15] = square(converted[15], half),
         }
         let zero = T::zero();
-        let energy = self.penalty.filter(|penalty| penalty.always || is_closed).map_or(
-            Varied { value: zero, delta: zero, linear: zero, second: zero },
-            |penalty| square(all[20], half * T::from(penalty.stiffness)),
-        );
+        let energy = self
+            .penalty
+            .filter(|penalty| penalty.always || is_closed)
+            .map_or(Varied { value: zero, delta: zero, linear: zero, second: zero }, |penalty| {
+                square(all[20], half * T::from(penalty.stiffness))
+            });
         let sign = |is_negative| if is_negative { -T::one() } else { T::one() };
         let (residual, tangent) = (sign(self.residual_is_negative), sign(self.tangent_is_negative));
         converted.push(Varied {
@@ -263,13 +265,20 @@ impl Conventions {
         let words = format!("matrices are written {order} (matrix)");
         add(Self { column_major: !self.column_major, ..*self }, &words);
         for (factor, words) in [(1.0, "1"), (0.5, "0.5"), (2.0, "2")] {
-            let words = format!("dx/dxi is {words} times the tangent dofs of a Hermite beam (hermite_tangent)");
+            let words =
+                format!("dx/dxi is {words} times the tangent dofs of a Hermite beam (hermite_tangent)");
             add(Self { hermite_tangent: factor, ..*self }, &words);
         }
         let (residual, tangent) = (!self.residual_is_negative, !self.tangent_is_negative);
         if self.penalty.is_some() {
-            add(Self { residual_is_negative: residual, ..*self }, "the residual has the other sign (residual_sign)");
-            add(Self { tangent_is_negative: tangent, ..*self }, "the tangent has the other sign (tangent_sign)");
+            add(
+                Self { residual_is_negative: residual, ..*self },
+                "the residual has the other sign (residual_sign)",
+            );
+            add(
+                Self { tangent_is_negative: tangent, ..*self },
+                "the tangent has the other sign (tangent_sign)",
+            );
         }
         let mut pairs = Vec::new();
         for (i, (one, words)) in single.iter().enumerate() {

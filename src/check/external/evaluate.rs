@@ -53,7 +53,9 @@ impl Evaluator {
         let penalty = self.penalty.map_or_else(String::new, |stiffness| {
             format!(",\"penalty_stiffness\":{}", self.writer.number(stiffness))
         });
-        format!("{{\"schema\":\"{ANSWERS}\",\"program\":\"beamgap evaluate\",\"version\":\"{version}\"{penalty}}}")
+        format!(
+            "{{\"schema\":\"{ANSWERS}\",\"program\":\"beamgap evaluate\",\"version\":\"{version}\"{penalty}}}"
+        )
     }
 
     /// The line that answers a case, without its end.

@@ -74,7 +74,8 @@ impl<'a> Node<'a> {
         match &self.value {
             Value::Number(number, _) => Ok(*number),
             Value::Text(text) => {
-                let wrong = |_| JsonError::at(self.column, format!("{what}: a number expected, found {text:?}"));
+                let wrong =
+                    |_| JsonError::at(self.column, format!("{what}: a number expected, found {text:?}"));
                 number::parse(text).map_err(wrong)
             }
             other => Err(self.found(&format!("{what}: a number expected"), other)),
@@ -234,7 +235,8 @@ impl<'a> Reader<'a> {
     /// A number, or one of the words of JSON.
     fn word(&mut self) -> Read<Value<'a>> {
         let rest = &self.text[self.at..];
-        let ends = |byte: &u8| matches!(byte, b',' | b']' | b'}' | b':' | b'"' | b' ' | b'\t' | b'\r' | b'\n');
+        let ends =
+            |byte: &u8| matches!(byte, b',' | b']' | b'}' | b':' | b'"' | b' ' | b'\t' | b'\r' | b'\n');
         let length = rest.as_bytes().iter().position(|byte| ends(byte)).unwrap_or(rest.len());
         let word = &rest[..length];
         let value = match word {
@@ -307,9 +309,11 @@ impl<'a> Reader<'a> {
                     self.at += if is_pair { 2 } else { 0 };
                     let digits = self.text.get(self.at..self.at + 4).filter(|_| is_pair).ok_or_else(wrong)?;
                     self.at += 4;
-                    let second = u32::from_str_radix(digits, 16).ok().filter(|s| (0xdc00..0xe000).contains(s));
+                    let second =
+                        u32::from_str_radix(digits, 16).ok().filter(|s| (0xdc00..0xe000).contains(s));
                     let second = second.ok_or_else(wrong)?;
-                    char::from_u32(0x10000 + ((first - 0xd800) << 10) + (second - 0xdc00)).ok_or_else(wrong)?
+                    char::from_u32(0x10000 + ((first - 0xd800) << 10) + (second - 0xdc00))
+                        .ok_or_else(wrong)?
                 } else {
                     char::from_u32(first).ok_or_else(wrong)?
                 }
@@ -357,7 +361,10 @@ mod tests {
             ("1 2", "3: the end of the line expected, found '2'"),
             ("\"a", "1: a closing quote expected, found none"),
             ("", "1: a value expected, found the end of the line"),
-            ("[**]", "2: a number expected, found asterisks: the field of the Fortran format is too narrow, found \"**\""),
+            (
+                "[**]",
+                "2: a number expected, found asterisks: the field of the Fortran format is too narrow, found \"**\"",
+            ),
         ] {
             assert_eq!(told(line), expected, "{line}");
         }

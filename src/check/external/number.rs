@@ -38,10 +38,9 @@ pub fn parse(word: &str) -> Result<f64, NotANumber> {
         Ok(number) => Ok(number),
         Err(_) if word.is_empty() => Err(NotANumber::Empty),
         Err(_) if word.bytes().all(|byte| byte == b'*') => Err(NotANumber::Overflow),
-        Err(_) => hexadecimal(word)
-            .or_else(|| fortran(word))
-            .or_else(|| no_number(word))
-            .ok_or(NotANumber::Other),
+        Err(_) => {
+            hexadecimal(word).or_else(|| fortran(word)).or_else(|| no_number(word)).ok_or(NotANumber::Other)
+        }
     }
 }
 
@@ -95,7 +94,10 @@ fn fortran(word: &str) -> Option<f64> {
         }
     };
     // Words such as `inf` and `nan` have no mantissa.
-    number.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit() || c == '.').then_some(())?;
+    number
+        .trim_start_matches(['+', '-'])
+        .starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        .then_some(())?;
     number.parse().ok()
 }
 
@@ -184,7 +186,9 @@ mod tests {
 
     #[test]
     fn other_words_are_no_numbers() {
-        for word in ["abc", "1.0.0", "1e", "--1", "1-", "-", "0x", "0xg", "0x1p", "d5", "1 2", "1,5", "1e5e5", "ω"] {
+        for word in
+            ["abc", "1.0.0", "1e", "--1", "1-", "-", "0x", "0xg", "0x1p", "d5", "1 2", "1,5", "1e5e5", "ω"]
+        {
             assert_eq!(parse(word), Err(NotANumber::Other), "{word}");
         }
         assert_eq!((parse("  "), parse("*****")), (Err(NotANumber::Empty), Err(NotANumber::Overflow)));

@@ -126,7 +126,8 @@ impl Runner {
         let sent = feed(&mut child, vectors, self.look_ahead);
         let told = listen(&mut child, &program);
         let stderr = overhear(&mut child);
-        let end = |stderr: &Receiver<String>| stderr.recv_timeout(Duration::from_millis(200)).unwrap_or_default();
+        let end =
+            |stderr: &Receiver<String>| stderr.recv_timeout(Duration::from_millis(200)).unwrap_or_default();
         match self.matched(&program, &sent, &told, &mut progress) {
             Ok((report, conventions, answered)) => {
                 let status = wait(&mut child);
@@ -222,9 +223,7 @@ impl Runner {
 struct OptionalError(Option<ProcessError>);
 
 impl OptionalError {
-    fn wrap<T>(
-        mut next: impl FnMut() -> Result<T, Option<ProcessError>>,
-    ) -> impl FnMut() -> Result<T, Self> {
+    fn wrap<T>(mut next: impl FnMut() -> Result<T, Option<ProcessError>>) -> impl FnMut() -> Result<T, Self> {
         move || next().map_err(Self)
     }
 }
@@ -308,7 +307,8 @@ fn overhear(child: &mut Child) -> Receiver<String> {
             }
             let text = String::from_utf8_lossy(&end);
             let text = text.trim_end();
-            let told = if text.is_empty() { String::new() } else { format!("\nIts standard error ends:\n{text}") };
+            let told =
+                if text.is_empty() { String::new() } else { format!("\nIts standard error ends:\n{text}") };
             // Nobody may be waiting for it.
             if let Err(TrySendError::Full(_) | TrySendError::Disconnected(_)) = tell.try_send(told) {}
         });

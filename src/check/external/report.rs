@@ -41,7 +41,7 @@ pub struct Loss {
 impl Loss {
     /// How many digits of those that can be attained are lost.
     pub fn digits(&self) -> f64 {
-        (self.judged.comparison.difference() / self.judged.attainable).log10()
+        (self.judged.loss / self.judged.attainable).log10()
     }
 }
 
@@ -147,7 +147,8 @@ impl Report {
     }
 
     fn add_part(&mut self, one: &Judged, case: &str) {
-        let new = || PartFound { numbers: 0, losing: 0, wrong: 0, unclear: 0, worst: *one, case: case.to_owned() };
+        let new =
+            || PartFound { numbers: 0, losing: 0, wrong: 0, unclear: 0, worst: *one, case: case.to_owned() };
         let part = self.parts.entry(key(one)).or_insert_with(new);
         match one.judgement {
             Judgement::Unclear => part.unclear += 1,

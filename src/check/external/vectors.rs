@@ -11,8 +11,8 @@ mod write;
 
 pub use read::VectorReader;
 pub(super) use read::{find, id, schema};
-pub(super) use write::{key, quoted};
 pub use write::{Expected, VectorWriter};
+pub(super) use write::{key, quoted};
 
 use super::error::Place;
 use crate::check::draw::Case;

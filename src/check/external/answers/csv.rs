@@ -37,7 +37,11 @@ pub(super) fn head<R: BufRead>(
         let expected = format!("the titles `{TITLES}`, or a head of JSON, expected, found {shown:?}");
         return Err(place.error(expected));
     }
-    if is_named { Ok(()) } else { Err(place.error(format!("a comment `# schema = {ANSWERS}` expected before the titles"))) }
+    if is_named {
+        Ok(())
+    } else {
+        Err(place.error(format!("a comment `# schema = {ANSWERS}` expected before the titles")))
+    }
 }
 
 /// The rows of the case that is read, and the names of those that were.
@@ -101,7 +105,8 @@ impl Row {
     fn read(line: &str, first_index: usize, place: &Place) -> Result<Self, ExternalError> {
         let error = |column: usize, expected: String| Place { column, ..place.clone() }.error(expected);
         let mut cells = line.splitn(3, ',');
-        let [id, item, word] = [cells.next(), cells.next(), cells.next()].map(|cell| cell.unwrap_or_default());
+        let [id, item, word] =
+            [cells.next(), cells.next(), cells.next()].map(|cell| cell.unwrap_or_default());
         let columns = [id.len() + 2, id.len() + item.len() + 3];
         if line.matches(',').count() != 2 {
             return Err(error(1, format!("three cells, {TITLES}, expected")));
@@ -115,7 +120,8 @@ impl Row {
             _ => words.next().unwrap_or("value").to_owned(),
         };
         let index = |word: &str| {
-            let expected = || error(columns[0], format!("an index from {first_index} on expected, found {word:?}"));
+            let expected =
+                || error(columns[0], format!("an index from {first_index} on expected, found {word:?}"));
             let index = word.parse::<usize>().ok().filter(|&index| index < 1 << 20);
             index.and_then(|index| index.checked_sub(first_index)).ok_or_else(expected)
         };
@@ -131,7 +137,10 @@ impl Row {
         };
         if indices.len() != expected {
             let found = indices.len();
-            return Err(error(columns[0], format!("{name}:{part}: {expected} indices expected, found {found}")));
+            return Err(error(
+                columns[0],
+                format!("{name}:{part}: {expected} indices expected, found {found}"),
+            ));
         }
         Ok(Self { id, item: name, part, indices, word: bare(word), columns })
     }
@@ -151,7 +160,8 @@ impl Row {
         }
         let number = number::parse(&self.word)
             .map_err(|wrong| error(self.columns[1], format!("{}, found {:?}", wrong.words(), self.word)))?;
-        let twice = || error(self.columns[0], format!("{}:{} expected once, found twice", self.item, self.part));
+        let twice =
+            || error(self.columns[0], format!("{}:{} expected once, found twice", self.item, self.part));
         if self.part != "residual" && self.part != "tangent" {
             let (of, axis) = quantity(&self.item).map_err(|wrong| error(self.columns[0], wrong))?;
             if axis.is_none() && super::is_vector(of) {

@@ -131,7 +131,9 @@ fn explained(
     let naming = match named.as_slice() {
         [] => Naming::None,
         [one] if *one == own => Naming::First,
-        all if all.iter().all(|name| class(name).is_some() && class(name) == class(&own)) => Naming::Equivalent,
+        all if all.iter().all(|name| class(name).is_some() && class(name) == class(&own)) => {
+            Naming::Equivalent
+        }
         all if all.contains(&own) || all.iter().any(|name| class(name) == class(&own)) => Naming::Among,
         _ => Naming::Other,
     };
@@ -151,8 +153,7 @@ fn answered(program: &Evaluator, vectors: &[Vector]) -> Vec<(Vector, Answers)> {
 /// Cases of all kinds of pairs, at which no term vanishes.
 fn chosen(seed: u64) -> Vec<Vector> {
     let regimes = vec![Regime::Generic, Regime::NearEnd];
-    let drawing =
-        Drawing { seed, regimes, families: Family::ALL.to_vec(), cases: DRAWN, penetrating: false };
+    let drawing = Drawing { seed, regimes, families: Family::ALL.to_vec(), cases: DRAWN, penetrating: false };
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
     let mut chosen = Vec::new();
     // A step that is coprime to the number of pairs of families, so that all are met.

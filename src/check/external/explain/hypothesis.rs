@@ -28,7 +28,12 @@ pub(super) enum Change {
 
 impl Change {
     /// Applies what concerns whole items, after the conventions; `varied` is before them.
-    pub(super) fn of_items(&self, all: &mut [Varied<f64>], varied: &[Varied<f64>], conventions: &Conventions) {
+    pub(super) fn of_items(
+        &self,
+        all: &mut [Varied<f64>],
+        varied: &[Varied<f64>],
+        conventions: &Conventions,
+    ) {
         match *self {
             Self::Variant(_) | Self::Structure(_) => {}
             Self::Factor(quantity, order, factor) => {

@@ -1,7 +1,7 @@
 //! The search for what is wrong: each fault of the catalogue, then factors, then pairs.
 
 use super::hypothesis::Change;
-use super::site::{Datum, Site};
+use super::site::{By, Datum, Site};
 use crate::check::evaluation_point::Structure;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
@@ -33,10 +33,20 @@ impl Fit {
     pub(super) fn explains(&self) -> bool {
         self.over <= 1.0
     }
+
+    /// The same at other cases.
+    fn fit_again(&mut self, sites: &[&Site], by: By) {
+        *self = Self { order: self.order, ..fit(sites, self.change.clone(), by, &every) };
+    }
 }
 
 /// The deviations of the data that are asked for, after a change; at each case made in the way that fits best.
-pub(super) fn fit(sites: &[&Site], change: Change, is_asked: &(dyn Fn(&Datum) -> bool + Sync)) -> Fit {
+pub(super) fn fit(
+    sites: &[&Site],
+    change: Change,
+    by: By,
+    is_asked: &(dyn Fn(&Datum) -> bool + Sync),
+) -> Fit {
     let mut all = [0.0_f64; 2];
     for site in sites {
         let misfit = |predicted: &super::site::Predicted| {
@@ -46,7 +56,7 @@ pub(super) fn fit(sites: &[&Site], change: Change, is_asked: &(dyn Fn(&Datum) ->
                 [worst.max(own), over.max(own_over)]
             })
         };
-        let predicted = site.predicted(&change);
+        let predicted = site.predicted(&change, by);
         let best = predicted.iter().map(misfit);
         let best = best.min_by(|one, two| one[1].total_cmp(&two[1])).unwrap_or([f64::INFINITY; 2]);
         all = [all[0].max(best[0]), all[1].max(best[1])];
@@ -71,7 +81,7 @@ fn of_faults(faults: &[Fault]) -> Change {
 /// The predictions at a case that every search asks for.
 pub(super) fn memo(site: &Site) -> HashMap<String, Vec<super::site::Predicted>> {
     let all: Vec<_> = singles().iter().map(|&fault| of_faults(&[fault])).collect();
-    all.into_par_iter().map(|change| (change.name(), site.predicted(&change).into_owned())).collect()
+    all.into_par_iter().map(|change| (change.name(), site.predicted(&change, By::All).into_owned())).collect()
 }
 
 /// All that is tried first: one fault of the catalogue, a simplification, a factor.
@@ -82,9 +92,11 @@ fn candidates(sites: &[&Site]) -> Vec<Change> {
     all.push(Change::BeamsExchanged);
     let wrong: BTreeSet<_> = of(sites).filter(|datum| datum.is_wrong).map(|datum| datum.quantity).collect();
     for quantity in wrong {
-        all.extend([Order::Value, Order::First, Order::Second, Order::Matrix].into_iter().filter_map(|order| {
-            Some(Change::Factor(quantity, order, factor(sites, quantity, order)?))
-        }));
+        all.extend(
+            [Order::Value, Order::First, Order::Second, Order::Matrix]
+                .into_iter()
+                .filter_map(|order| Some(Change::Factor(quantity, order, factor(sites, quantity, order)?))),
+        );
     }
     all
 }
@@ -119,50 +131,57 @@ pub(super) struct Found {
 /// Looks for what explains the answers.
 pub(super) fn search(sites: &[Site]) -> Found {
     let all: Vec<&Site> = sites.iter().collect();
-    let screened = all[..all.len().min(SCREENED)].to_vec();
-    let every = |_: &Datum| true;
-    let before = fit(&all, Change::Variant(Variant::Unmodified), &every).worst;
-    // What explains all explains the first case.
-    let first = &all[..1];
-    let mut fits: Vec<Fit> = candidates(&all)
-        .into_par_iter()
-        .enumerate()
-        .map(|(order, change)| Fit { order, ..fit(first, change, &every) })
-        .collect();
-    fits.sort_by(|one, two| one.over.total_cmp(&two.over));
-    let nearest = fits.len().min(NEAREST);
-    let better = |of: &mut Fit| *of = Fit { order: of.order, ..fit(&screened, of.change.clone(), &every) };
-    fits[..nearest].par_iter_mut().for_each(better);
-    fits[nearest..].iter_mut().for_each(|of| of.over = f64::INFINITY);
-    let confirm = |fits: &mut Vec<Fit>| {
-        fits.par_iter_mut().filter(|of| of.explains()).for_each(|of| *of = Fit { order: of.order, ..fit(&all, of.change.clone(), &every) });
-        fits.iter().any(Fit::explains)
-    };
-    let mut is_found = confirm(&mut fits);
-    if !is_found && !is_close(&fits, before) {
-        let weighted = |label: Label| {
-            let factor = weight(&screened, label)?;
-            Some(fit(&screened, Change::Variant(Variant::Weighted(label, factor)), &every))
-        };
-        fits.extend(labels().into_par_iter().filter_map(weighted).collect::<Vec<_>>());
-        is_found = confirm(&mut fits);
-        if !is_found && !is_close(&fits, before) {
-            fits.extend(pairs(&screened));
-            is_found = confirm(&mut fits);
+    let before = fit(&all, Change::Variant(Variant::Unmodified), By::All, &every).worst;
+    // Most programs evaluate the paper's formulas.
+    let mut fits = Vec::new();
+    for by in [By::Paper, By::All] {
+        fits = one_change(&all, by);
+        if fits.iter().any(|of| of.explains() || of.worst <= CLOSE * before) {
+            return ranked(fits, before, &all);
         }
     }
-    if !is_found {
-        let best = fits.iter().map(|of| of.worst).fold(f64::INFINITY, f64::min);
-        fits.par_iter_mut().filter(|of| of.worst <= 10.0 * best).for_each(|of| {
-            *of = Fit { order: of.order, ..fit(&all, of.change.clone(), &every) };
-        });
+    let screened = &all[..all.len().min(SCREENED)];
+    let weighted = |label: Label| {
+        let factor = weight(screened, label)?;
+        Some(fit(screened, Change::Variant(Variant::Weighted(label, factor)), By::All, &every))
+    };
+    fits.extend(labels().into_par_iter().filter_map(weighted).collect::<Vec<_>>());
+    confirm(&mut fits, &all, By::All);
+    if !fits.iter().any(|of| of.explains() || of.worst <= CLOSE * before) {
+        fits.extend(pairs(screened));
+        confirm(&mut fits, &all, By::All);
     }
     ranked(fits, before, &all)
 }
 
-/// Whether one explanation leaves next to nothing, and is better than all others: answers of few digits.
-fn is_close(fits: &[Fit], before: f64) -> bool {
-    fits.iter().any(|of| of.worst <= CLOSE * before)
+fn every(_: &Datum) -> bool {
+    true
+}
+
+/// How well each single change explains the answers.
+fn one_change(all: &[&Site], by: By) -> Vec<Fit> {
+    // What explains all explains the first case.
+    let mut fits: Vec<Fit> = candidates(all)
+        .into_par_iter()
+        .enumerate()
+        .map(|(order, change)| Fit { order, ..fit(&all[..1], change, by, &every) })
+        .collect();
+    fits.sort_by(|one, two| one.over.total_cmp(&two.over));
+    // What was tried at one case only is no runner-up.
+    fits.truncate(NEAREST);
+    let screened = &all[..all.len().min(SCREENED)];
+    fits.par_iter_mut().for_each(|of| of.fit_again(screened, by));
+    confirm(&mut fits, all, by);
+    fits
+}
+
+/// Tries those that explain some cases at all of them; if none does, those that are nearest to it.
+fn confirm(fits: &mut [Fit], all: &[&Site], by: By) {
+    fits.par_iter_mut().filter(|of| of.explains()).for_each(|of| of.fit_again(all, by));
+    if !fits.iter().any(Fit::explains) {
+        let best = fits.iter().map(|of| of.worst).fold(f64::INFINITY, f64::min);
+        fits.par_iter_mut().filter(|of| of.worst <= 10.0 * best).for_each(|of| of.fit_again(all, by));
+    }
 }
 
 /// The part of the deviation that may be left where answers have few digits.
@@ -207,7 +226,7 @@ fn without_twins(equal: &mut Vec<Fit>, sites: &[&Site]) {
 
 fn predict_the_same(one: &Change, two: &Change, sites: &[&Site]) -> bool {
     sites.iter().all(|site| {
-        let (one, two) = (site.predicted(one), site.predicted(two));
+        let (one, two) = (site.predicted(one, By::All), site.predicted(two, By::All));
         site.data.iter().all(|datum| {
             one.iter().zip(two.iter()).all(|(one, two)| {
                 let (one, two) = (Site::number(one, datum), Site::number(two, datum));
@@ -260,7 +279,7 @@ fn misfits(sites: &[&Site], label: Label, factor: f64) -> Vec<Vec<f64>> {
             };
             site.data.iter().map(misfit).collect::<Vec<f64>>()
         };
-        site.predicted(&change).iter().map(of).collect::<Vec<_>>()
+        site.predicted(&change, By::All).iter().map(of).collect::<Vec<_>>()
     });
     let per_site: Vec<_> = per_site.collect();
     let ways = per_site.iter().map(Vec::len).max().unwrap_or(0);
@@ -286,9 +305,10 @@ fn pairs(sites: &[&Site]) -> Vec<Fit> {
     let key = |datum: &Datum| (datum.rank.0, datum.rank.1);
     let first_wrong = |change: &Change| {
         let of_site = |site: &&Site| {
-            let predicted = site.predicted(change);
+            let predicted = site.predicted(change, By::All);
             let per_way = predicted.iter().map(|predicted| {
-                let wrong = site.data.iter().filter(|datum| datum.misfit(Site::number(predicted, datum))[1] > 1.0);
+                let wrong =
+                    site.data.iter().filter(|datum| datum.misfit(Site::number(predicted, datum))[1] > 1.0);
                 wrong.map(key).min()
             });
             // The way that goes farthest; one without a wrong number goes to the end.
@@ -301,20 +321,18 @@ fn pairs(sites: &[&Site]) -> Vec<Fit> {
     let up_to = |end: (Order, usize)| move |datum: &Datum| key(datum) <= end;
     let firsts: Vec<Fault> = singles
         .par_iter()
-        .filter(|fault| fit(sites, of_faults(&[**fault]), &up_to(start)).explains())
+        .filter(|fault| fit(sites, of_faults(&[**fault]), By::All, &up_to(start)).explains())
         .copied()
         .collect();
-    let mut farthest: Vec<_> = firsts
-        .iter()
-        .filter_map(|&fault| Some((first_wrong(&of_faults(&[fault]))?, fault)))
-        .collect();
+    let mut farthest: Vec<_> =
+        firsts.iter().filter_map(|&fault| Some((first_wrong(&of_faults(&[fault]))?, fault))).collect();
     farthest.sort_by(|one, two| two.0.cmp(&one.0));
     farthest.truncate(FIRST_OF_PAIR);
     let seconds = |&(end, first): &((Order, usize), Fault)| {
         let both = |&second: &Fault| {
             let change = of_faults(&[first, second]);
-            let is_first = fit(&sites[..1], change.clone(), &up_to(end)).explains();
-            (second.label != first.label && is_first).then(|| fit(sites, change, &|_| true))
+            let is_first = fit(&sites[..1], change.clone(), By::All, &up_to(end)).explains();
+            (second.label != first.label && is_first).then(|| fit(sites, change, By::All, &|_| true))
         };
         singles.par_iter().filter_map(both).collect::<Vec<_>>()
     };

@@ -47,8 +47,19 @@ impl Datum {
     }
 }
 
+/// What is infinite in both is no fit.
 fn ratio(one: f64, two: f64) -> f64 {
-    if one == 0.0 { 0.0 } else { one / two }
+    let ratio = if one == 0.0 { 0.0 } else { one / two };
+    if ratio.is_nan() { f64::INFINITY } else { ratio }
+}
+
+/// By which formulas a program may have made its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum By {
+    /// The paper's.
+    Paper,
+    /// Also those that keep more digits.
+    All,
 }
 
 /// All items, as a program answers them directly, and contracted.
@@ -112,7 +123,15 @@ impl<'a> Site<'a> {
         let in_form = |&form: &Formulation| Some(evaluate()?.in_formulation(form));
         let others = forms[1..].iter().filter_map(in_form).collect();
         let is_closed = sides.reference[20].value.value < 0.0;
-        Some(Self { paper, others, conventions: demands.conventions, families: vector.families(), is_closed, data, memo: None })
+        Some(Self {
+            paper,
+            others,
+            conventions: demands.conventions,
+            families: vector.families(),
+            is_closed,
+            data,
+            memo: None,
+        })
     }
 
     /// With predictions that are known already.
@@ -144,21 +163,26 @@ impl<'a> Site<'a> {
     /// What the closed form with this change would have answered, in each way in which the program may have made its
     /// numbers: by the paper's formulas or by those that keep more digits, gradients and Hessians by formulas of their own or from the
     /// variations.
-    pub(super) fn predicted(&self, change: &Change) -> Cow<'_, [Predicted]> {
+    pub(super) fn predicted(&self, change: &Change, by: By) -> Cow<'_, [Predicted]> {
         match self.memo.and_then(|memo| memo.get(&change.name())) {
+            // The paper's formulas come first.
+            Some(known) if by == By::Paper => Cow::Borrowed(&known[..known.len() / (1 + self.others.len())]),
             Some(known) => Cow::Borrowed(known),
-            None => Cow::Owned(self.computed(change)),
+            None => Cow::Owned(self.computed(change, by)),
         }
     }
 
-    fn computed(&self, change: &Change) -> Vec<Predicted> {
+    fn computed(&self, change: &Change, by: By) -> Vec<Predicted> {
         let mut all = Vec::with_capacity(4);
-        for evaluation in [&self.paper].into_iter().chain(&self.others) {
+        let others = self.others.iter().filter(|_| by == By::All);
+        for evaluation in [&self.paper].into_iter().chain(others) {
             let (varied, rows) = match change {
                 Change::Structure(structure) => evaluation.simplified(*structure),
                 other => {
-                    let variant = if let Change::Variant(variant) = other { variant } else { &Variant::Unmodified };
-                    let of_matrices = || evaluation.matrices(variant).map(|row| row.map(|number| number.value));
+                    let variant =
+                        if let Change::Variant(variant) = other { variant } else { &Variant::Unmodified };
+                    let of_matrices =
+                        || evaluation.matrices(variant).map(|row| row.map(|number| number.value));
                     let rows = if self.has_contracted() { of_matrices() } else { Default::default() };
                     (evaluation.plain(variant), rows)
                 }
@@ -189,4 +213,3 @@ impl<'a> Site<'a> {
         of[item].parts()[part]
     }
 }
-

@@ -52,7 +52,8 @@ impl VectorWriter {
             let _ = write!(line, ",\"{name}\":{}", self.beam(beam));
         }
         let Contact { radius, radius_bar, xi_0, xi_bar_0 } = vector.case.contact;
-        let contact = [("radius", radius), ("radius_bar", radius_bar), ("xi_0", xi_0), ("xi_bar_0", xi_bar_0)];
+        let contact =
+            [("radius", radius), ("radius_bar", radius_bar), ("xi_0", xi_0), ("xi_bar_0", xi_bar_0)];
         let _ = write!(line, ",\"contact\":{}", self.numbers(&contact));
         let expected = vector.evaluated(|evaluation| {
             let jets = self.jets(&evaluation);
