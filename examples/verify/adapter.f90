@@ -14,8 +14,8 @@ program adapter
    integer :: beam, bar, point, held
 
    if (.not. next(line)) stop 1   ! the head of the cases
-   ! State here what you call otherwise, such as "matrix":"column-major" (beamgap schema answers).
-   print '(a)', '{"schema":"beamgap-answers/1","program":"adapter.f90"}'
+   ! State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers).
+   print '(a)', '{"schema":"beamgap-answers/1","program":"adapter.f90","matrix":"column-major"}'
    do while (next(line))
       write (*, '(3a)', advance='no') '{"id":"', word(after('"id":"', 1)), '"'
       beam = after('"beam":{"family":"', 1)
@@ -32,7 +32,7 @@ program adapter
             write (*, '(a, es24.16, a)', advance='no') ',"d":{"value":', d, ',"gradient":['
             call write_row(gradient)
             write (*, '(a)', advance='no') '],"hessian":['
-            call write_row(reshape(hessian, [dofs*dofs]))   ! symmetric: by columns as by rows
+            call write_row(reshape(hessian, [dofs*dofs]))   ! column by column, as the head says
             write (*, '(a)', advance='no') ']},"xi":{"gradient":['
             call write_row(g)
             write (*, '(a)', advance='no') ']},"xi_bar":{"gradient":['

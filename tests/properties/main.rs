@@ -1,5 +1,6 @@
 //! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
 
+mod adapters;
 mod allocation;
 mod batches;
 mod bounded;
@@ -31,6 +32,7 @@ mod pasted;
 mod proof;
 mod reports;
 mod scalars;
+mod schemas;
 mod shrinking;
 mod strategies;
 mod symmetry;

@@ -1,14 +1,14 @@
 //! The search for what is wrong: each fault of the catalogue, then factors, then pairs.
 
 use super::hypothesis::Change;
-use super::site::{By, Datum, Site};
+use super::site::{By, Datum, Known, Site};
 use crate::check::evaluation_point::Structure;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
 use crate::number::Label;
 use crate::variant::{Fault, Kind, Variant, terms};
 use rayon::prelude::*;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 /// Cases that every fault is tried at.
 const SCREENED: usize = 4;
@@ -79,9 +79,9 @@ fn of_faults(faults: &[Fault]) -> Change {
 }
 
 /// The predictions at a case that every search asks for.
-pub(super) fn memo(site: &Site) -> HashMap<String, Vec<super::site::Predicted>> {
+pub(super) fn memo(site: &Site) -> Known {
     let all: Vec<_> = singles().iter().map(|&fault| of_faults(&[fault])).collect();
-    all.into_par_iter().map(|change| (change.name(), site.predicted(&change, By::All).into_owned())).collect()
+    all.into_par_iter().map(|change| (change.name(), site.computed(&change, By::All))).collect()
 }
 
 /// All that is tried first: one fault of the catalogue, a simplification, a factor.

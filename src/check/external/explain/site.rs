@@ -66,11 +66,13 @@ pub(super) enum By {
 pub(super) type Predicted = [Vec<Varied<f64>>; 2];
 
 /// Predictions that are used again, by case and by name of the change.
-pub(super) type Memo = HashMap<String, HashMap<String, Vec<Predicted>>>;
+pub(super) type Memo = HashMap<String, Known>;
+/// Those at a case, each with how many are by the paper's formulas.
+pub(super) type Known = HashMap<String, (Vec<Predicted>, usize)>;
 
 /// A case that is to be explained.
 pub(super) struct Site<'a> {
-    memo: Option<&'a HashMap<String, Vec<Predicted>>>,
+    memo: Option<&'a Known>,
     paper: EvaluationPoint<'a>,
     /// In other formulations, where they differ.
     others: Vec<EvaluationPoint<'a>>,
@@ -135,7 +137,7 @@ impl<'a> Site<'a> {
     }
 
     /// With predictions that are known already.
-    pub(super) fn with_memo(self, memo: Option<&'a HashMap<String, Vec<Predicted>>>) -> Self {
+    pub(super) fn with_memo(self, memo: Option<&'a Known>) -> Self {
         Self { memo, ..self }
     }
 
@@ -166,14 +168,15 @@ impl<'a> Site<'a> {
     pub(super) fn predicted(&self, change: &Change, by: By) -> Cow<'_, [Predicted]> {
         match self.memo.and_then(|memo| memo.get(&change.name())) {
             // The paper's formulas come first.
-            Some(known) if by == By::Paper => Cow::Borrowed(&known[..known.len() / (1 + self.others.len())]),
-            Some(known) => Cow::Borrowed(known),
-            None => Cow::Owned(self.computed(change, by)),
+            Some((known, by_paper)) if by == By::Paper => Cow::Borrowed(&known[..*by_paper]),
+            Some((known, _)) => Cow::Borrowed(known),
+            None => Cow::Owned(self.computed(change, by).0),
         }
     }
 
-    fn computed(&self, change: &Change, by: By) -> Vec<Predicted> {
-        let mut all = Vec::with_capacity(4);
+    /// All of them, and how many are by the paper's formulas.
+    pub(super) fn computed(&self, change: &Change, by: By) -> (Vec<Predicted>, usize) {
+        let (mut all, mut by_paper) = (Vec::with_capacity(4), 0);
         let others = self.others.iter().filter(|_| by == By::All);
         for evaluation in [&self.paper].into_iter().chain(others) {
             let (varied, rows) = match change {
@@ -192,6 +195,7 @@ impl<'a> Site<'a> {
                 change.of_items(&mut all, &varied, &self.conventions);
                 all
             };
+            let first = all.len();
             let direct = converted(varied);
             if self.has_contracted() {
                 let mut contracted = varied;
@@ -201,9 +205,30 @@ impl<'a> Site<'a> {
                 contracted[20] = Varied { value: contracted[20].value, ..contracted[15] };
                 all.push([direct.clone(), converted(contracted)]);
             }
-            all.push([direct.clone(), direct]);
+            all.push([direct.clone(), direct.clone()]);
+            if self.has_contracted()
+                && let Change::Variant(variant) = change
+            {
+                // A Hessian from a wrong variation is not symmetric: it may be the transpose, or the mean of both.
+                let exchanged = evaluation.exchanged(variant);
+                let with = |weight: f64| {
+                    std::array::from_fn(|i| {
+                        let second = (1.0 - weight) * varied[i].second + weight * exchanged[i].second;
+                        Varied { second, ..varied[i] }
+                    })
+                };
+                let is_symmetric = |(one, two): (&Varied<f64>, &Varied<f64>)| {
+                    (one.second - two.second).abs() <= 1e-12 * one.second.abs()
+                };
+                if !varied.iter().zip(&exchanged).all(is_symmetric) {
+                    all.extend([1.0, 0.5].map(|weight| [direct.clone(), converted(with(weight))]));
+                }
+            }
+            if first == 0 {
+                by_paper = all.len();
+            }
         }
-        all
+        (all, by_paper)
     }
 
     /// The number of a prediction that stands where this one does.
