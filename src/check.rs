@@ -45,6 +45,7 @@ mod diagnosis;
 mod distribution;
 mod draw;
 mod evaluation_point;
+pub mod external;
 mod oracle;
 mod own;
 mod pasted;

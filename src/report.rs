@@ -21,6 +21,8 @@ mod environment;
 mod equations;
 mod equations_page;
 mod error;
+mod explain;
+mod explain_page;
 mod faults;
 mod faults_page;
 mod instructions;
@@ -42,6 +44,7 @@ pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_roun
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
 pub use error::ReportError;
+pub use explain::{Explain, ExplainProgram, NamingCount, NotFirst, explain};
 pub use faults::{DetectionRow, Faults, OperationsRow, UndetectedOperations, UndetectedRow};
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};

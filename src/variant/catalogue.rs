@@ -9,6 +9,7 @@ use super::{Fault, Kind, UnknownFault, Variant};
 use crate::number::Label;
 use rayon::prelude::*;
 use std::cell::OnceCell;
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 /// All faults, in the order in which their terms are evaluated.
@@ -68,6 +69,17 @@ impl PartialEq for Outcome {
             one == two
         })
     }
+}
+
+/// Faults by name, each with a number: those of one number have the same results for all beams.
+pub(crate) fn classes(faults: &[Fault]) -> BTreeMap<String, usize> {
+    let results = |fault: &Fault| {
+        let variant = Variant::Faulty(vec![*fault]);
+        points().iter().map(|point| point.results(&variant)).collect::<Vec<_>>()
+    };
+    let all: Vec<_> = faults.par_iter().map(results).collect();
+    let first = |i: usize| (0..i).find(|&j| all[j] == all[i]).unwrap_or(i);
+    faults.iter().enumerate().map(|(i, fault)| (fault.to_string(), first(i))).collect()
 }
 
 fn points() -> &'static [Point] {

@@ -18,10 +18,8 @@ fn nothing_is_allocated_in_an_evaluation() {
     let counted = allocation_counter::measure(|| {
         let (jet, jet_bar) = closed_form::jets(pair, q, at);
         closed_form::Matrices::new(&jet, &jet_bar, point.held()).write_all(at, &pair.contact, &mut all);
-        let written = write_d_batch(
-            &[(); 4].map(|()| PairAtPoint { pair, q, point }),
-            std::slice::from_mut(&mut four),
-        );
+        let written =
+            write_d_batch(&[(); 4].map(|()| PairAtPoint { pair, q, point }), std::slice::from_mut(&mut four));
         assert_eq!(std::hint::black_box((written, &four)).0, 4);
         std::hint::black_box(pair.linearize(q, point));
         std::hint::black_box(closed_form::vary(pair, q, point, dq, linear_dq));

@@ -1,5 +1,6 @@
 //! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
 
+mod adapters;
 mod allocation;
 mod batches;
 mod bounded;
@@ -16,6 +17,7 @@ mod degenerate;
 mod equations;
 mod errors;
 mod every_minimum;
+mod external;
 mod families;
 mod faults;
 mod invariances;
@@ -30,6 +32,7 @@ mod pasted;
 mod proof;
 mod reports;
 mod scalars;
+mod schemas;
 mod shrinking;
 mod strategies;
 mod symmetry;

@@ -145,7 +145,10 @@ impl Many {
     }
 
     /// What a batch yields for one of the first pairs.
-    fn rows_of_four<const K: usize>(&self, batch: Batch<K>) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
+    fn rows_of_four<const K: usize>(
+        &self,
+        batch: Batch<K>,
+    ) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
         let pairs = self.pairs.clone();
         move |i| {
             let mut to = [[Packed::zeros(); K]; DIFFERENT / 4];
