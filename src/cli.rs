@@ -10,6 +10,7 @@ mod disagreements;
 mod equations;
 mod exit;
 mod faults;
+mod formula;
 mod human;
 mod json;
 mod output;

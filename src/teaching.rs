@@ -4,9 +4,11 @@
 //! it.
 
 mod contact;
+mod effect;
 mod elastic;
 mod solve;
 
 pub use contact::{Contribution, Tangent, contact};
+pub use effect::{Effect, SELF_CHECKS, SelfCheck};
 pub use elastic::{Beam, DOFS, FREE, Material};
 pub use solve::{Equilibrium, Iterate, Problem};

@@ -3,8 +3,8 @@
 use super::elastic::DOFS;
 use crate::closest_point::{ClosestPoint, Held};
 use crate::curve::{Geometry, Hermite, Jet, Shapes};
-use crate::linearization::closed_form::{Matrices, jets};
 use crate::linearization::BlockHessian;
+use crate::linearization::closed_form::{Matrices, jets};
 use crate::number::{Faulty, Label, TermChange, with_terms};
 use crate::pair::{DofVector, Pair};
 
@@ -91,9 +91,7 @@ fn hessian(
 ) -> BlockHessian<f64, DOFS, DOFS> {
     match tangent {
         Tangent::Exact => exact,
-        Tangent::FrozenProjection => {
-            Matrices::new(jet, jet_bar, Held { xi: true, xi_bar: true }).d().hessian
-        }
+        Tangent::FrozenProjection => Matrices::new(jet, jet_bar, Held { xi: true, xi_bar: true }).d().hessian,
         _ => {
             let [jet, jet_bar] = [jet, jet_bar].map(faulty);
             let changes = tangent.terms().into_iter();
