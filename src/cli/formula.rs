@@ -26,8 +26,11 @@ pub(super) fn lines(latex: &str) -> Result<Vec<String>, String> {
 /// A row in lines of this width, broken before an operator; later lines are indented.
 fn wrapped(row: &str, width: usize) -> Vec<String> {
     let (mut lines, mut line, mut rest) = (Vec::new(), String::new(), row);
-    while !rest.is_empty() {
-        let next = [" + ", " − ", " = ", " ⇒ ", "   ", ", "].iter().filter_map(|mark| Some(rest[1..].find(mark)? + 1)).min();
+    while let Some(first) = rest.chars().next().map(char::len_utf8) {
+        let next = [" + ", " − ", " = ", " ⇒ ", "   ", ", "]
+            .iter()
+            .filter_map(|mark| Some(rest[first..].find(mark)? + first))
+            .min();
         let cut = next.unwrap_or(rest.len());
         let (piece, after) = rest.split_at(cut);
         if !line.is_empty() && columns(&line) + columns(piece) > width {
@@ -93,7 +96,11 @@ impl<'a> Parser<'a> {
             self.rest = &self.rest[1..];
             // In an index a comma separates nothing.
             let index = self.argument()?.line()?.replace(", ", ",");
-            area = area.beside(&Area::glued(&if mark == '_' { subscript(&index) } else { superscript(&index)? }));
+            area = area.beside(&Area::glued(&if mark == '_' {
+                subscript(&index)
+            } else {
+                superscript(&index)?
+            }));
         }
         Ok(area)
     }
@@ -137,7 +144,8 @@ impl<'a> Parser<'a> {
             "bar" => Area::text(&format!("{}\u{304}", self.argument()?.line()?)),
             "hat" => Area::text(&format!("{}\u{302}", self.argument()?.line()?)),
             "frac" => {
-                let [above, below] = [self.argument()?.line()?, self.argument()?.line()?].map(|part| bracketed(&part));
+                let [above, below] =
+                    [self.argument()?.line()?, self.argument()?.line()?].map(|part| bracketed(&part));
                 Area::text(&format!("{above}/{below}")).beside(&Area::text(" "))
             }
             "sqrt" => Area::text(&format!("√({})", self.argument()?.line()?)),
@@ -160,7 +168,7 @@ impl<'a> Parser<'a> {
             "min" => Area::text("min "),
             "approx" => Area::operator('≈'),
             "Rightarrow" => Area::operator('⇒'),
-            "," | ";" | " " => Area::text(" "),
+            "," | ";" | " " | "\n" => Area::text(" "),
             "quad" => Area::text("   "),
             "qquad" => Area::text("     "),
             _ => return Err(format!("`\\{name}` is not known")),
@@ -184,7 +192,8 @@ impl<'a> Parser<'a> {
                 self.rest = rest;
                 rows.push(Vec::new());
             } else {
-                self.rest = self.rest.strip_prefix(end.as_str()).ok_or_else(|| format!("`{end}` is missing"))?;
+                self.rest =
+                    self.rest.strip_prefix(end.as_str()).ok_or_else(|| format!("`{end}` is missing"))?;
                 return arranged(name, &rows);
             }
         }
@@ -198,8 +207,9 @@ fn arranged(name: &str, rows: &[Vec<Area>]) -> Result<Area, String> {
     }
     let mut lines = Vec::new();
     for row in rows {
-        let row = row.iter().fold(Area::default(), |line, cell| line.beside(cell)).line()?;
-        lines.extend(wrapped(row.trim(), WIDTH - 4));
+        let cells =
+            row.iter().map(|cell| Ok(cell.line()?.trim().to_owned())).collect::<Result<Vec<_>, String>>()?;
+        lines.extend(wrapped(&joined(&cells), WIDTH - 4));
     }
     let area = Area::of(lines);
     match name {
@@ -207,6 +217,27 @@ fn arranged(name: &str, rows: &[Vec<Area>]) -> Result<Area, String> {
         "cases" => Ok(area.enclosed(["⎧ ", "⎪ ", "⎩ ", "{ "], None)),
         _ => Err(format!("the environment {name} is not known")),
     }
+}
+
+/// The cells of a row: what begins with an operator belongs to the cell before.
+fn joined(cells: &[String]) -> String {
+    let mut line = String::new();
+    for cell in cells.iter().filter(|cell| !cell.is_empty()) {
+        match (cell.chars().next().filter(|first| "=+−".contains(*first)), line.is_empty()) {
+            (Some(sign), empty) => {
+                line += if empty { "    " } else { " " };
+                line.push(sign);
+                line.push(' ');
+                line += cell[sign.len_utf8()..].trim_start();
+            }
+            (None, true) => line.clone_from(cell),
+            (None, false) => {
+                line += if line.ends_with('=') { " " } else { "     " };
+                line += cell;
+            }
+        }
+    }
+    line
 }
 
 /// In brackets, if it is more than one factor.

@@ -62,8 +62,16 @@ impl Area {
         let opens = end.is_none_or(|end| ['(', '[', '{', '=', '⇒', ' '].contains(&end));
         let lone_sign = self.operator && self.rows.len() == 1;
         let gap = if next.operator {
-            if opens && end != Some(' ') && !['=', '⇒'].contains(&end.unwrap_or(' ')) { ["", ""] } else { [" ", " "] }
-        } else if next.variation && !opens && !lone_sign && !['δ', 'Δ', 'ᵤ', '·', '−', '√', '/'].contains(&end.unwrap_or(' ')) {
+            if opens && end != Some(' ') && !['=', '⇒'].contains(&end.unwrap_or(' ')) {
+                ["", ""]
+            } else {
+                [" ", " "]
+            }
+        } else if next.variation
+            && !opens
+            && !lone_sign
+            && !['δ', 'Δ', 'ᵤ', '·', '−', '√', '/'].contains(&end.unwrap_or(' '))
+        {
             [" ", ""]
         } else {
             ["", ""]
@@ -79,7 +87,11 @@ impl Area {
         let join = |i: usize| {
             let before = row(self, i);
             // No two blanks where an operator follows a blank.
-            let before = if gap[0] == " " && before.ends_with(' ') && tall == 1 { before.trim_end().to_owned() } else { before };
+            let before = if gap[0] == " " && before.ends_with(' ') && tall == 1 {
+                before.trim_end().to_owned()
+            } else {
+                before
+            };
             format!("{before}{}{}{}", gap[0], row(next, i), gap[1])
         };
         Self::of((0..tall).map(join).collect())
@@ -92,7 +104,9 @@ impl Area {
             .map(|row| row.iter().map(|cell| Ok(cell.line()?.trim().to_owned())).collect())
             .collect::<Result<_, String>>()?;
         let count = cells.iter().map(Vec::len).max().unwrap_or_default();
-        let width = |j: usize| cells.iter().filter_map(|row| row.get(j)).map(|cell| columns(cell)).max().unwrap_or_default();
+        let width = |j: usize| {
+            cells.iter().filter_map(|row| row.get(j)).map(|cell| columns(cell)).max().unwrap_or_default()
+        };
         let widths: Vec<usize> = (0..count).map(width).collect();
         let line = |row: &Vec<String>| {
             let cells = row.iter().zip(&widths).map(|(cell, width)| " ".repeat(width - columns(cell)) + cell);

@@ -128,7 +128,7 @@ fn numbers(worked: &Worked) -> Result<String, String> {
         let name = if part.name.is_empty() { order } else { &part.name };
         let _ = writeln!(
             rows,
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td class=\"digits\">{}</td></tr>",
             escaped(name),
             values(&reading.right),
             values(&reading.left),
@@ -178,7 +178,7 @@ fn evidence(row: &EquationRow) -> Result<String, String> {
     }
     let equal = row.as_corrected.linear.equal + row.as_corrected.nonlinear.equal;
     let what = if row.verdict == Verdict::Misprint || row.verdict == Verdict::ExactIfLinear {
-        "As corrected and completed"
+        "As corrected and completed, the equation"
     } else {
         "The equation"
     };

@@ -53,7 +53,7 @@ pub(super) fn mathml(latex: &str, block: bool) -> Result<String, String> {
 }
 
 /// The LaTeX with all short names written out.
-fn expand(latex: &str) -> String {
+pub(super) fn expand(latex: &str) -> String {
     let mut out = String::with_capacity(latex.len() * 2);
     let mut rest = latex;
     while let Some(at) = rest.find('\\') {

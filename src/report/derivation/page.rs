@@ -13,6 +13,8 @@ use std::fmt::Write;
 const STORY: &str = include_str!("story.txt");
 const NOTES: &str = include_str!("equations.txt");
 const STYLE: &str = include_str!("style.css");
+/// The letters of the page out of Latin Modern Math, and the pieces of brackets, in base 64.
+const FONT: &str = include_str!("math.woff2.base64");
 const TITLE: &str = "The linearization of contact between two beams";
 
 /// The files that marks are looked for in.
@@ -60,10 +62,11 @@ impl Derivation {
         if !shown.iter().copied().eq(1..=59) {
             return Err(format!("the page shows the equations {shown:?}"));
         }
+        let style = STYLE.replace("FONT", &FONT.replace('\n', ""));
         let mut page = format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" \
              content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
-             <title>{TITLE}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#main\">Skip to the text</a>\n\
+             <title>{TITLE}</title>\n<style>{style}</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#main\">Skip to the text</a>\n\
              <header><h1>{TITLE}</h1></header>\n<nav aria-label=\"contents\"><ol>\n"
         );
         for (id, title) in sections(STORY) {
@@ -208,11 +211,7 @@ impl Derivation {
         let mut lines = String::new();
         for (latex, value, by_hand) in rows {
             let latex = super::math::mathml(latex, false)?;
-            let _ = writeln!(
-                lines,
-                "<tr><th scope=\"row\">{latex}</th><td>{by_hand}</td><td>{}</td></tr>",
-                number(value)
-            );
+            let _ = writeln!(lines, "<tr><td>{latex}</td><td>{by_hand}</td><td>{}</td></tr>", number(value));
         }
         let head = "<th scope=\"col\">quantity</th><th scope=\"col\">by hand</th><th scope=\"col\">by the program</th>";
         Ok(wide("numbers of the pair that is worked by hand", head, &lines))

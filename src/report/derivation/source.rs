@@ -1,6 +1,6 @@
 //! Lines of the source, cut where comments name an equation or a mark.
 
-use crate::equations::{SOURCES, named, places};
+use crate::equations::{Place, SOURCES, named, places};
 
 /// The most lines that are shown.
 const LINES: usize = 20;
@@ -23,7 +23,9 @@ pub(super) struct Snippet {
 /// # Errors
 /// If the source does not name it.
 pub(super) fn of_equation(number: u8) -> Result<Snippet, String> {
-    let place = places().remove(&number).and_then(|places| places.into_iter().next());
+    // The checks use the equations; they do not derive them.
+    let is_derived = |place: &Place| !place.file.starts_with("check");
+    let place = places().remove(&number).and_then(|places| places.into_iter().find(is_derived));
     let place = place.ok_or_else(|| format!("no line of the source names ({number})"))?;
     let (file, text) = SOURCES
         .iter()

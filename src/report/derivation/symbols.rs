@@ -1,6 +1,6 @@
 //! The letters of the page, each explained once and linked from every equation that uses it.
 
-use super::math::mathml;
+use super::math::{expand, mathml};
 use super::text::inline;
 use std::fmt::Write;
 
@@ -10,22 +10,24 @@ struct Symbol {
     latex: &'static str,
     /// What it is, in prose.
     words: &'static str,
+    /// Its name, as it is read aloud.
+    name: &'static str,
     /// What in the LaTeX of an equation shows that it is used.
     keys: Vec<&'static str>,
 }
 
-/// The letters of the text file: lines of id, LaTeX, keys and words, with bars between.
+/// The letters of the text file: lines of id, LaTeX, keys, words and name, with bars between.
 fn all() -> Result<Vec<Symbol>, String> {
     include_str!("symbols.txt")
         .lines()
         .filter(|line| !line.is_empty())
         .map(|line| {
             let parts: Vec<&'static str> = line.split(" | ").collect();
-            let [id, latex, keys, words] = parts[..] else {
-                return Err(format!("{line:?} has not four parts"));
+            let [id, latex, keys, words, name] = parts[..] else {
+                return Err(format!("{line:?} has not five parts"));
             };
             let keys: Vec<&'static str> = keys.split(' ').filter(|key| *key != "-").collect();
-            Ok(Symbol { id, latex, words, keys })
+            Ok(Symbol { id, latex, words, name, keys })
         })
         .collect()
 }
@@ -36,7 +38,7 @@ pub(super) fn table() -> Result<String, String> {
     for Symbol { id, latex, words, .. } in all()? {
         let _ = writeln!(
             rows,
-            "<tr id=\"sym-{id}\"><th scope=\"row\">{}</th><td>{}</td></tr>",
+            "<tr id=\"sym-{id}\"><td>{}</td><td>{}</td></tr>",
             mathml(latex, false)?,
             inline(words)?
         );
@@ -49,11 +51,11 @@ pub(super) fn table() -> Result<String, String> {
 
 /// Links to the letters that an equation uses.
 pub(super) fn used(latex: &str) -> Result<String, String> {
-    let plain = latex.replace('\n', " ");
+    let plain = expand(latex).replace('\n', " ");
     let mut links = Vec::new();
-    for Symbol { id, latex, keys, .. } in all()? {
+    for Symbol { id, latex, keys, name, .. } in all()? {
         if keys.iter().any(|key| plain.contains(&key.replace('~', " "))) {
-            links.push(format!("<a href=\"#sym-{id}\">{}</a>", mathml(latex, false)?));
+            links.push(format!("<a href=\"#sym-{id}\" aria-label=\"{name}\">{}</a>", mathml(latex, false)?));
         }
     }
     Ok(links.join(" "))

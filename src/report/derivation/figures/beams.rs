@@ -59,7 +59,8 @@ pub(in super::super) fn varied_pair(step: f64) -> Result<String, ProjectionError
     body += &(wide("tube b", &case.q.beam) + &path("axis b", view.curve(&case.q.beam)));
     body += &path("dashed b", view.curve(&moved.beam));
     body += &path("dashed d", [view.at(&x2.x), view.at(&y2.x)]);
-    body += &path("gap", [view.at(&(y.x + n * radius)), view.at(&(x.x - n * radius))]);
+    body +=
+        &path("gap", [y.x + n * radius, x.x - n * radius].map(|x| view.at(&x)).map(|[u, v]| [u + 14.0, v]));
     body += &arrow("b", view.at(&x.x), view.at(&t));
     body += &arrow("r", view.at(&y.x), view.at(&t_bar));
     body += &arrow("d", view.at(&y.x), view.at(&x.x));
@@ -69,12 +70,12 @@ pub(in super::super) fn varied_pair(step: f64) -> Result<String, ProjectionError
         let [u, v] = view.at(at);
         text([u + right, v + down], &format!("letter {class}"), words)
     };
-    body += &label(&t, [4.0, -8.0], "b", "t");
-    body += &label(&t_bar, [12.0, 6.0], "r", "t̄");
-    body += &label(&((x.x + y.x) * 0.5), [-26.0, 14.0], "d", "d");
-    body += &label(&((x.x + y.x) * 0.5), [12.0, 14.0], "g", "g<tspan dy=\"5\" font-size=\"13\">N</tspan>");
-    body += &label(&x.x, [-30.0, -14.0], "b", "x<tspan dy=\"5\" font-size=\"13\">C</tspan>");
-    body += &label(&y.x, [-34.0, 24.0], "r", "x̄<tspan dy=\"5\" font-size=\"13\">C̄</tspan>");
+    body += &label(&t, [8.0, -4.0], "b", "t");
+    body += &label(&t_bar, [10.0, 12.0], "r", "t̄");
+    body += &label(&((x.x + y.x) * 0.5), [-38.0, 14.0], "d", "d");
+    body += &label(&((x.x + y.x) * 0.5), [24.0, 14.0], "g", "g<tspan dy=\"5\" font-size=\"13\">N</tspan>");
+    body += &label(&x.x, [6.0, -26.0], "b", "x<tspan dy=\"5\" font-size=\"13\">C</tspan>");
+    body += &label(&y.x, [2.0, 40.0], "r", "x̄<tspan dy=\"5\" font-size=\"13\">C̄</tspan>");
     let title = "Two beams with the distance vector d, the tangents t and t bar and the gap at their closest points, \
                  and the same beams varied, dashed";
     Ok(svg(640.0, 380.0, title, &body))
