@@ -224,8 +224,8 @@ fn shown(run: &Run) -> String {
 
 /// A formula in letters, or its LaTeX if it holds something that has none.
 fn readable(latex: &str) -> String {
-    let lines = formula::lines(latex);
-    lines.map_or_else(|_| wrapped(latex), |lines| lines.iter().map(|line| format!("  {line}\n")).collect())
+    let Ok(lines) = formula::lines(latex) else { return wrapped(latex) };
+    lines.iter().fold(String::new(), |text, line| text + "  " + line + "\n")
 }
 
 /// Words in lines of a terminal's width.

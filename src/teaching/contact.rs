@@ -76,7 +76,7 @@ pub fn contact(
     let force = d.gradient.times(penalty * gap);
     let half = d.gradient.times(0.5 * penalty);
     let mut stiffness = BlockHessian::zeros();
-    let hessian = hessian(tangent, d.hessian, [&jet, &jet_bar], point.held());
+    let hessian = hessian(tangent, &d.hessian, [&jet, &jet_bar], point.held());
     stiffness.set_sum([(penalty * gap, &hessian)], [(&d.gradient, &half)]);
     // end: contact
     Contribution { force, stiffness, gap }
@@ -85,12 +85,12 @@ pub fn contact(
 /// The Hessian of d by (40), or what is taken for it.
 fn hessian(
     tangent: Tangent,
-    exact: BlockHessian<f64, DOFS, DOFS>,
+    exact: &BlockHessian<f64, DOFS, DOFS>,
     [jet, jet_bar]: [&Jet<f64, Shapes<f64, 4>>; 2],
     held: Held,
 ) -> BlockHessian<f64, DOFS, DOFS> {
     match tangent {
-        Tangent::Exact => exact,
+        Tangent::Exact => *exact,
         Tangent::FrozenProjection => Matrices::new(jet, jet_bar, Held { xi: true, xi_bar: true }).d().hessian,
         _ => {
             let [jet, jet_bar] = [jet, jet_bar].map(faulty);

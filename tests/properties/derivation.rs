@@ -77,7 +77,7 @@ fn every_equation_agrees_in_the_standard_case() {
     let (mut right, mut refuted) = (0, 0);
     for equation in &worked {
         for part in &equation.parts {
-            let last = part.readings.iter().filter(|reading| reading.reading != Reading::Other).next_back();
+            let last = part.readings.iter().rfind(|reading| reading.reading != Reading::Other);
             assert!(last.unwrap().digits(1.0) >= 13.0, "({}) {}", equation.number, part.name);
             right += 1;
             refuted += part.readings.iter().filter(|reading| reading.digits(1.0) < 3.0).count();

@@ -4,12 +4,15 @@
 #[derive(Clone, Debug, Default)]
 pub(super) struct Area {
     pub(super) rows: Vec<String>,
-    /// Whether it belongs to what it stands behind.
-    glued: bool,
     /// Whether it begins with δ or Δ.
     variation: bool,
     /// Whether it is an operator between two operands.
     operator: bool,
+}
+
+/// The row that others align with: the middle one, or the upper one of the two.
+fn base(rows: usize) -> usize {
+    rows.saturating_sub(1) / 2
 }
 
 /// How many columns a text takes: accents take none.
@@ -24,11 +27,6 @@ impl Area {
 
     pub(super) fn of(rows: Vec<String>) -> Self {
         Self { rows, ..Self::default() }
-    }
-
-    /// Text that follows without a blank.
-    pub(super) fn glued(text: &str) -> Self {
-        Self { glued: true, ..Self::text(text) }
     }
 
     /// δ or Δ: a blank before it ends the factor before.
@@ -58,7 +56,7 @@ impl Area {
         if next.rows.is_empty() {
             return self.clone();
         }
-        let end = self.rows[self.rows.len() / 2].chars().rev().find(|c| columns(&c.to_string()) > 0);
+        let end = self.rows[base(self.rows.len())].chars().rev().find(|c| columns(&c.to_string()) > 0);
         let opens = end.is_none_or(|end| ['(', '[', '{', '=', '⇒', ' '].contains(&end));
         let lone_sign = self.operator && self.rows.len() == 1;
         let gap = if next.operator {
@@ -79,7 +77,7 @@ impl Area {
         let tall = self.rows.len().max(next.rows.len());
         let wide = |area: &Self| area.rows.iter().map(|row| columns(row)).max().unwrap_or_default();
         let row = |area: &Self, i: usize| {
-            let first = tall / 2 - area.rows.len() / 2;
+            let first = base(tall) - base(area.rows.len());
             let text = i.checked_sub(first).and_then(|i| area.rows.get(i)).cloned().unwrap_or_default();
             let blanks = wide(area) - columns(&text);
             text + &" ".repeat(blanks)

@@ -64,7 +64,7 @@ pub(super) fn card(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Resul
         let _ = writeln!(card, "<p>{}</p>", inline(&dropped(row))?);
     }
     card += &code(&of_equation(number)?, number)?;
-    card += &numbers(worked)?;
+    card += &numbers(worked);
     card += &evidence(row)?;
     if row.verdict == Verdict::Misprint {
         card += &misprint(row, note, worked)?;
@@ -115,7 +115,7 @@ fn right(part: &WorkedPart) -> Option<&WorkedReading> {
 const ORDER_ONE: f64 = 1.0;
 
 /// The table of the standard case.
-fn numbers(worked: &Worked) -> Result<String, String> {
+fn numbers(worked: &Worked) -> String {
     let mut rows = String::new();
     for part in &worked.parts {
         let Some(reading) = right(part) else { continue };
@@ -136,14 +136,14 @@ fn numbers(worked: &Worked) -> Result<String, String> {
         );
     }
     if rows.is_empty() {
-        return Ok(String::new());
+        return String::new();
     }
-    Ok(format!(
+    format!(
         "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"numbers of ({})\"><table><thead><tr><th scope=\"col\">\
          standard case</th><th scope=\"col\">this formula</th><th scope=\"col\">hyper-dual numbers</th>\
          <th scope=\"col\">digits</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n",
         worked.number
-    ))
+    )
 }
 
 /// How many digits agree.

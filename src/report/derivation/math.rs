@@ -61,21 +61,18 @@ pub(super) fn expand(latex: &str) -> String {
         rest = &rest[at + 1..];
         let end = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
         let name = &rest[..end];
-        match MACROS.iter().find(|(short, _)| *short == name) {
-            Some((_, long)) => {
-                out.push('{');
-                out.push_str(long);
-                out.push('}');
-            }
-            None => {
+        if let Some((_, long)) = MACROS.iter().find(|(short, _)| *short == name) {
+            out.push('{');
+            out.push_str(long);
+            out.push('}');
+        } else {
+            out.push('\\');
+            out.push_str(name);
+            // An escaped backslash does not begin a name.
+            if name.is_empty() && rest.starts_with('\\') {
                 out.push('\\');
-                out.push_str(name);
-                // An escaped backslash does not begin a name.
-                if name.is_empty() && rest.starts_with('\\') {
-                    out.push('\\');
-                    rest = &rest[1..];
-                    continue;
-                }
+                rest = &rest[1..];
+                continue;
             }
         }
         rest = &rest[end..];

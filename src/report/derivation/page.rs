@@ -173,19 +173,17 @@ impl Derivation {
     }
 
     fn newton_table(&self) -> String {
-        let head: String = self
-            .newton
-            .iter()
-            .map(|run| format!("<th scope=\"col\">{}</th>", escaped(&run.tangent)))
-            .collect();
+        let mut head = String::new();
+        for run in &self.newton {
+            let _ = write!(head, "<th scope=\"col\">{}</th>", escaped(&run.tangent));
+        }
         let mut rows = String::new();
         for i in 0..=8 {
             let cell = |residuals: &[f64]| residuals.get(i).map_or_else(String::new, |r| format!("{r:.1e}"));
-            let cells: String = self
-                .newton
-                .iter()
-                .map(|run| format!("<td>{}</td>", cell(&run.residuals).replace('-', "−")))
-                .collect();
+            let mut cells = String::new();
+            for run in &self.newton {
+                let _ = write!(cells, "<td>{}</td>", cell(&run.residuals).replace('-', "−"));
+            }
             let _ = writeln!(rows, "<tr><th scope=\"row\">{i}</th>{cells}</tr>");
         }
         wide("residuals", &format!("<th scope=\"col\">iteration</th>{head}"), &rows)
@@ -226,15 +224,12 @@ impl Derivation {
         let effect = index.parse().ok().and_then(|index: usize| self.effects.get(index));
         let effect = effect.ok_or_else(|| format!("there is no effect {index}"))?;
         let names = ["Δδd", "Δδξ", "Δδt", "Δδg_T"];
-        let rows: String = names
-            .iter()
-            .zip(effect.deviations)
-            .map(|(name, deviation)| {
-                let deviation =
-                    if deviation < 1e-12 { "none".to_owned() } else { format!("{:.1} %", 100.0 * deviation) };
-                format!("<tr><th scope=\"row\">{name}</th><td>{deviation}</td></tr>\n")
-            })
-            .collect();
+        let mut rows = String::new();
+        for (name, deviation) in names.iter().zip(effect.deviations) {
+            let deviation =
+                if deviation < 1e-12 { "none".to_owned() } else { format!("{:.1} %", 100.0 * deviation) };
+            let _ = writeln!(rows, "<tr><th scope=\"row\">{name}</th><td>{deviation}</td></tr>");
+        }
         let symmetry = if effect.is_symmetric {
             "passes: it does not see the fault"
         } else {

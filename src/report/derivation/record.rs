@@ -7,7 +7,7 @@ use crate::linearization::ad::{self, Route};
 use crate::linearization::closed_form::{self, Projection, jets};
 use crate::pair::{DofVector, Pair};
 use crate::report::Record;
-use crate::teaching::{Effect, Problem, SELF_CHECKS, Tangent};
+use crate::teaching::{Effect, Problem, SELF_CHECKS, SelfCheck, Tangent};
 use serde::{Deserialize, Serialize};
 
 /// The numbers of the page of the derivation.
@@ -108,7 +108,7 @@ impl Derivation {
             worked: case.worked()?,
             by_hand: ByHand::compute()?,
             newton: Tangent::ALL.map(newton).to_vec(),
-            effects: SELF_CHECKS.iter().map(|check| check.effect()).collect::<Result<_, _>>()?,
+            effects: SELF_CHECKS.iter().map(SelfCheck::effect).collect::<Result<_, _>>()?,
             differences,
             floors: [relative(closed.delta, exact.delta), relative(closed.second, exact.second)],
         })

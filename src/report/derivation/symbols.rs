@@ -10,7 +10,7 @@ struct Symbol {
     latex: &'static str,
     /// What it is, in prose.
     words: &'static str,
-    /// Its name, as it is read aloud.
+    /// Its name in words.
     name: &'static str,
     /// What in the LaTeX of an equation shows that it is used.
     keys: Vec<&'static str>,
@@ -55,7 +55,7 @@ pub(super) fn used(latex: &str) -> Result<String, String> {
     let mut links = Vec::new();
     for Symbol { id, latex, keys, name, .. } in all()? {
         if keys.iter().any(|key| plain.contains(&key.replace('~', " "))) {
-            links.push(format!("<a href=\"#sym-{id}\" aria-label=\"{name}\">{}</a>", mathml(latex, false)?));
+            links.push(format!("<a href=\"#sym-{id}\">{} {name}</a>", mathml(latex, false)?));
         }
     }
     Ok(links.join(" "))

@@ -1,6 +1,7 @@
 //! The markup of the prose: paragraphs, headings, lists, formulas, and commands that the page carries out.
 
 use super::math::mathml;
+use std::fmt::Write;
 
 /// The HTML of a text; `carry_out` answers a line that begins with `@`.
 ///
@@ -12,7 +13,7 @@ pub(super) fn html(
 ) -> Result<String, String> {
     let mut page = String::new();
     for block in text.split("\n\n").map(str::trim).filter(|block| !block.is_empty()) {
-        page += &if let Some(line) = block.strip_prefix('@') {
+        let piece = if let Some(line) = block.strip_prefix('@') {
             let (command, argument) = line.split_once([' ', '\n']).unwrap_or((line, ""));
             carry_out(command, argument)?
         } else if let Some(heading) = block.strip_prefix("### ") {
@@ -29,6 +30,7 @@ pub(super) fn html(
         } else {
             format!("<p>{}</p>\n", inline(block)?)
         };
+        page += &piece;
     }
     Ok(page)
 }
@@ -62,12 +64,13 @@ pub(super) fn inline(text: &str) -> Result<String, String> {
         }
         for (i, part) in part.split('`').enumerate() {
             if i % 2 == 1 {
-                out += &format!("<code>{}</code>", escaped(part));
+                let _ = write!(out, "<code>{}</code>", escaped(part));
                 continue;
             }
             for (i, part) in part.split("**").enumerate() {
                 let linked = links(&escaped(part));
-                out += &if i % 2 == 1 { format!("<strong>{linked}</strong>") } else { linked };
+                let mark = if i % 2 == 1 { ["<strong>", "</strong>"] } else { ["", ""] };
+                out.extend([mark[0], &linked, mark[1]]);
             }
         }
     }
@@ -88,12 +91,12 @@ fn links(text: &str) -> String {
         let number = number.filter(|(n, _)| n.parse::<u8>().is_ok_and(|n| (1..=59).contains(&n)));
         let words = rest.strip_prefix('[').and_then(|rest| rest.split_once("]("));
         if let Some((number, after)) = number {
-            out += &format!("<a href=\"#eq-{number}\">({number})</a>");
+            let _ = write!(out, "<a href=\"#eq-{number}\">({number})</a>");
             rest = after;
         } else if let Some((words, (target, after))) =
             words.and_then(|(words, rest)| Some((words, rest.split_once(')')?)))
         {
-            out += &format!("<a href=\"{target}\">{words}</a>");
+            let _ = write!(out, "<a href=\"{target}\">{words}</a>");
             rest = after;
         } else {
             out.push_str(&rest[..1]);
