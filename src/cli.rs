@@ -14,6 +14,7 @@ mod exit;
 mod explain;
 mod export;
 mod faults;
+mod formula;
 mod human;
 mod json;
 mod output;

@@ -1,6 +1,6 @@
 //! The reports, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`EquationTable`] and [`Benchmark`] are the records: what the gate found,
+//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`EquationTable`], [`Derivation`] and [`Benchmark`] are the records: what the gate found,
 //! how sharp its tolerances are, how many digits each form keeps, what it made of planted faults, what became of each
 //! equation, and what criterion measured. Markdown, HTML and SVG are pure functions of what
 //! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
@@ -17,6 +17,7 @@ mod claims;
 mod criterion;
 mod crosscheck;
 mod crosscheck_page;
+mod derivation;
 mod environment;
 mod equations;
 mod equations_page;
@@ -42,6 +43,7 @@ pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 pub use bounds::{Bounds, BoundsRow, BrokenBound, Quantiles, RegimePoints};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_rounds};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
+pub use derivation::{ByHand, Derivation, DifferenceRow, NewtonRun};
 pub use environment::Environment;
 pub use error::ReportError;
 pub use explain::{Explain, ExplainProgram, NamingCount, NotFirst, explain};
@@ -139,6 +141,20 @@ pub fn equations(to: &Path, record: &EquationTable) -> Result<(), ReportError> {
     let json = record.to_json()?;
     write(to, "equations.json", &json)?;
     write(to, "equations.md", &EquationTable::from_json(&json)?.to_markdown())
+}
+
+/// Writes `derivation.json` and `derivation.html` into the directory `to`; with the digits that are lost at small gaps, if
+/// `accuracy.json` is there.
+///
+/// # Errors
+/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Draw`] if the page cannot be put together.
+pub fn derivation(to: &Path, table: &EquationTable) -> Result<(), ReportError> {
+    let record = Derivation::compute(&table.command).map_err(|error| ReportError::Draw(error.to_string()))?;
+    let json = record.to_json()?;
+    let accuracy = fs::read_to_string(to.join("accuracy.json")).ok();
+    let accuracy = accuracy.map(|json| Accuracy::from_json(&json)).transpose()?;
+    write(to, "derivation.json", &json)?;
+    write(to, "derivation.html", &Derivation::from_json(&json)?.to_html(table, accuracy.as_ref())?)
 }
 
 /// Reads what criterion left in `from`, and the counts of instructions and the peers if `to` has them, and writes

@@ -51,9 +51,10 @@ impl Report {
         let chosen = verdict(&accuracy(&self.to, SEED, &command)?).0 == Exit::Agree;
         let equations = equations::equation_table(SEED, equations::DRAWS, equations::CASES, EQUATIONS);
         report::equations(&self.to, &equations)?;
+        report::derivation(&self.to, &equations)?;
         let faults = faults::record(SEED, &[], &command);
         report::faults(&self.to, &faults)?;
-        let mut written = vec!["crosscheck", "bounds", "accuracy", "equations", "faults"];
+        let mut written = vec!["crosscheck", "bounds", "accuracy", "equations", "derivation", "faults"];
         if is_measured {
             benchmark(&self.to, &criterion_directory())?;
             written.push("benchmark");

@@ -4,7 +4,7 @@ use beamgap::check::{self, CheckConfig, Regime, Selection};
 use beamgap::equations::{self, EquationTable};
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, AccuracyRow, Benchmark, Bounds, Count, Crosscheck, Difference, Environment, Faults,
+    Accuracy, AccuracyRow, Benchmark, Bounds, Count, Crosscheck, Derivation, Difference, Environment, Faults,
     Instructions, Measured, Record, ReportError, Rounds, Spread, Task, VERDICTS, Verdict, Verdicts,
     median_interval, picture, spread, write_rounds,
 };
@@ -13,13 +13,13 @@ use beamgap::variant::Variant;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-fn committed(name: &str) -> String {
+pub(crate) fn committed(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports").join(name);
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// Compares a page with the committed one; `BEAMGAP_BLESS=1` writes it instead.
-fn is_committed(name: &str, text: &str) {
+pub(crate) fn is_committed(name: &str, text: &str) {
     if std::env::var_os("BEAMGAP_BLESS").is_some() {
         fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("reports").join(name), text).unwrap();
     }
@@ -40,6 +40,8 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     is_committed("faults.md", &faults.to_markdown());
     let equations = EquationTable::from_json(&committed("equations.json")).unwrap();
     is_committed("equations.md", &equations.to_markdown());
+    let derivation = Derivation::from_json(&committed("derivation.json")).unwrap();
+    is_committed("derivation.html", &derivation.to_html(&equations, Some(&accuracy)).unwrap());
     is_committed("beams.svg", &picture().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
     for (name, text) in benchmark.pages().unwrap() {
