@@ -7,12 +7,12 @@
 
 mod accuracy;
 mod accuracy_page;
-mod accuracy_plot;
 mod benchmark;
 mod benchmark_method;
 mod benchmark_page;
 mod bounds;
 mod bounds_page;
+mod chart;
 mod claims;
 mod criterion;
 mod crosscheck;
@@ -23,16 +23,18 @@ mod equations_page;
 mod error;
 mod faults;
 mod faults_page;
+mod figures;
 mod instructions;
 mod interval;
+mod methods;
 mod number;
 mod page;
 mod peers;
 mod picture;
-mod plot;
 mod record;
 mod roof;
 mod rounds;
+mod symbols;
 mod task;
 
 pub use accuracy::{Accuracy, AccuracyRow, Losses};
@@ -45,10 +47,12 @@ pub use error::ReportError;
 pub use faults::{DetectionRow, Faults, OperationsRow, UndetectedOperations, UndetectedRow};
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
+pub use page::{Page, Table};
 pub use peers::{AtGap, LeftOut, Peer, Peers};
 pub use picture::picture;
 pub use record::Record;
 pub use rounds::Rounds;
+pub use symbols::symbols;
 pub use task::Task;
 
 use crate::check::{self, CheckConfig, Regime, Selection};
@@ -82,7 +86,7 @@ pub fn crosscheck(
     let json = Crosscheck::new(&summary, seed, cases, Environment::here(command)).to_json()?;
     let record = Crosscheck::from_json(&json)?;
     write(to, "crosscheck.json", &json)?;
-    write(to, "crosscheck.md", &record.to_markdown())?;
+    write(to, "crosscheck.md", &record.page().to_markdown())?;
     Ok(record)
 }
 
@@ -97,7 +101,7 @@ pub fn bounds(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Bounds,
     let json = Bounds::new(&found, seed, cases, Environment::here(command)).to_json()?;
     let record = Bounds::from_json(&json)?;
     write(to, "bounds.json", &json)?;
-    write(to, "bounds.md", &record.to_markdown())?;
+    write(to, "bounds.md", &record.page().to_markdown())?;
     Ok(record)
 }
 
@@ -105,16 +109,16 @@ pub fn bounds(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Bounds,
 /// `to`.
 ///
 /// # Errors
-/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Draw`] if a picture cannot be drawn.
+/// [`ReportError::Write`] if a file cannot be written.
 pub fn accuracy(to: &Path, seed: u64, command: &str) -> Result<Accuracy, ReportError> {
     let pairs = ACCURACY_PAIRS as usize;
     let found = check::accuracy(seed, pairs);
     let json = Accuracy::new(&found, seed, pairs, Environment::here(command)).to_json()?;
     let record = Accuracy::from_json(&json)?;
     write(to, "accuracy.json", &json)?;
-    write(to, "accuracy.md", &record.to_markdown())?;
-    write(to, "accuracy-gap.svg", &record.gap_to_svg()?)?;
-    write(to, "accuracy-angle.svg", &record.angle_to_svg()?)?;
+    write(to, "accuracy.md", &record.page().to_markdown())?;
+    write(to, "accuracy-gap.svg", &record.gap_to_svg())?;
+    write(to, "accuracy-angle.svg", &record.angle_to_svg())?;
     Ok(record)
 }
 
@@ -125,7 +129,7 @@ pub fn accuracy(to: &Path, seed: u64, command: &str) -> Result<Accuracy, ReportE
 pub fn faults(to: &Path, record: &Faults) -> Result<(), ReportError> {
     let json = record.to_json()?;
     write(to, "faults.json", &json)?;
-    write(to, "faults.md", &Faults::from_json(&json)?.to_markdown())
+    write(to, "faults.md", &Faults::from_json(&json)?.page().to_markdown())
 }
 
 /// Writes `equations.json` and `equations.md` into the directory `to`.
@@ -135,7 +139,7 @@ pub fn faults(to: &Path, record: &Faults) -> Result<(), ReportError> {
 pub fn equations(to: &Path, record: &EquationTable) -> Result<(), ReportError> {
     let json = record.to_json()?;
     write(to, "equations.json", &json)?;
-    write(to, "equations.md", &EquationTable::from_json(&json)?.to_markdown())
+    write(to, "equations.md", &EquationTable::from_json(&json)?.page().to_markdown())
 }
 
 /// Reads what criterion left in `from`, and the counts of instructions and the peers if `to` has them, and writes
@@ -151,7 +155,7 @@ pub fn benchmark(to: &Path, from: &Path) -> Result<Benchmark, ReportError> {
     let json = Benchmark { instructions, peers, ..Benchmark::read(from)? }.to_json()?;
     let record = Benchmark::from_json(&json)?;
     write(to, "benchmark.json", &json)?;
-    for (name, text) in record.pages()? {
+    for (name, text) in record.pages() {
         write(to, &name, &text)?;
     }
     Ok(record)

@@ -1,5 +1,6 @@
 //! Where and with what numbers were made.
 
+use super::page::Block;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::process::Command;
@@ -63,8 +64,8 @@ impl Environment {
         }
     }
 
-    /// Each thing with its name.
-    pub(super) fn pairs(&self) -> Vec<Vec<String>> {
+    /// A table of it, with further rows.
+    pub(super) fn table(&self, more: Vec<(&str, String)>) -> Block {
         let pairs = [
             ("CPU", format!("{}, {} cores", self.cpu, self.cores)),
             ("kernel", self.kernel.clone()),
@@ -74,13 +75,8 @@ impl Environment {
             ("date", self.date.clone()),
             ("command", format!("`{}`", self.command)),
         ];
-        pairs.map(|(name, value)| vec![name.to_owned(), value]).to_vec()
-    }
-
-    /// The rows of a table.
-    pub(super) fn rows(&self) -> String {
-        let rows = self.pairs().into_iter().map(|pair| format!("| {} |\n", pair.join(" | ")));
-        format!("| | |\n|---|---|\n{}", rows.collect::<String>())
+        let rows = pairs.into_iter().chain(more).map(|(name, value)| vec![name.to_owned(), value]);
+        Block::table(&["", ""], rows.collect())
     }
 }
 

@@ -56,7 +56,4 @@ pub enum ReportError {
         /// Why.
         source: std::io::Error,
     },
-    /// The picture cannot be drawn.
-    #[error("the picture cannot be drawn: {0}")]
-    Draw(String),
 }

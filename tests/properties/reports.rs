@@ -6,7 +6,7 @@ use beamgap::prove::prove;
 use beamgap::report::{
     Accuracy, AccuracyRow, Benchmark, Bounds, Count, Crosscheck, Difference, Environment, Faults,
     Instructions, Measured, Record, ReportError, Rounds, Spread, Task, VERDICTS, Verdict, Verdicts,
-    median_interval, picture, spread, write_rounds,
+    median_interval, picture, spread, symbols, write_rounds,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::Variant;
@@ -29,20 +29,21 @@ fn is_committed(name: &str, text: &str) {
 #[test]
 fn committed_pages_are_what_the_committed_records_render_to() {
     let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
-    is_committed("crosscheck.md", &crosscheck.to_markdown());
+    is_committed("crosscheck.md", &crosscheck.page().to_markdown());
     let bounds = Bounds::from_json(&committed("bounds.json")).unwrap();
-    is_committed("bounds.md", &bounds.to_markdown());
+    is_committed("bounds.md", &bounds.page().to_markdown());
     let accuracy = Accuracy::from_json(&committed("accuracy.json")).unwrap();
-    is_committed("accuracy.md", &accuracy.to_markdown());
-    is_committed("accuracy-gap.svg", &accuracy.gap_to_svg().unwrap());
-    is_committed("accuracy-angle.svg", &accuracy.angle_to_svg().unwrap());
+    is_committed("accuracy.md", &accuracy.page().to_markdown());
+    is_committed("accuracy-gap.svg", &accuracy.gap_to_svg());
+    is_committed("accuracy-angle.svg", &accuracy.angle_to_svg());
     let faults = Faults::from_json(&committed("faults.json")).unwrap();
-    is_committed("faults.md", &faults.to_markdown());
+    is_committed("faults.md", &faults.page().to_markdown());
     let equations = EquationTable::from_json(&committed("equations.json")).unwrap();
-    is_committed("equations.md", &equations.to_markdown());
+    is_committed("equations.md", &equations.page().to_markdown());
+    is_committed("symbols.md", &symbols().to_markdown());
     is_committed("beams.svg", &picture().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
-    for (name, text) in benchmark.pages().unwrap() {
+    for (name, text) in benchmark.pages() {
         is_committed(&name, &text);
     }
 }

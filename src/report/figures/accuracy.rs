@@ -1,0 +1,67 @@
+//! What each formulation loses: median errors over the gap and over the angle.
+
+use super::errors;
+use crate::report::accuracy::{Accuracy, AccuracyRow, Losses};
+use crate::report::chart::{Anchor, Axis, Chart, Place, WIDTH, apart};
+
+const LEFT: f64 = 52.0;
+const RIGHT: f64 = WIDTH - 14.0;
+const TOP: f64 = 56.0;
+const BOTTOM: f64 = 340.0;
+/// The paper's formulation, the robust one, and that which the library chooses, with their lines.
+const LINES: [(usize, &str); 3] = [(1, "thick s1"), (0, "thick s0"), (2, "thick dashed s2")];
+
+impl Accuracy {
+    /// The errors of Delta-delta d over the gap; the same record always makes the same picture.
+    pub fn gap_to_svg(&self) -> String {
+        let names = ["paper: divides by d", "robust: along the normal", "chosen by the library"];
+        picture("Second variation of d over the gap", "gap / length of a beam", names, &self.gaps, |row| {
+            row.d
+        })
+    }
+
+    /// The errors of Delta-delta xi over the angle; the same record always makes the same picture.
+    pub fn angle_to_svg(&self) -> String {
+        let names = ["paper: determinants", "robust: cross products", "chosen by the library"];
+        let title = "Second variation of xi over the angle, straight beams";
+        picture(title, "angle between the beams in rad", names, &self.angles, |row| row.xi)
+    }
+}
+
+fn picture(
+    title: &str,
+    across: &str,
+    names: [&str; 3],
+    rows: &[AccuracyRow],
+    of: fn(&AccuracyRow) -> Losses,
+) -> String {
+    let parts = |row: &AccuracyRow| {
+        let Losses { paper, robust, chosen } = of(row);
+        [paper, robust, chosen]
+    };
+    let x = errors(Axis::decades(rows.iter().map(|row| row.at)), [LEFT, RIGHT], across, 7);
+    let range = Axis::decades(rows.iter().flat_map(parts).flatten());
+    let y = errors(range, [BOTTOM, TOP], "median relative error", 9);
+    let mut chart = Chart::new(title, BOTTOM + 46.0);
+    chart.frame(&x, &y);
+    let mut curves: Vec<Vec<Place>> = Vec::new();
+    for (k, (_, class)) in LINES.iter().enumerate() {
+        let place = |row: &AccuracyRow| {
+            parts(row)[k].filter(|error| *error > 0.0).map(|error| [x.at(row.at), y.at(error)])
+        };
+        let mut places: Vec<Place> = rows.iter().filter_map(place).collect();
+        places.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        if !places.is_empty() {
+            chart.curve(&places, class);
+        }
+        curves.push(places);
+    }
+    // Each label stands above its curve a third from the left, where the curves are far apart.
+    let height = |places: &Vec<Place>| places.get(places.len() / 3).map_or(BOTTOM, |at| at[1] - 8.0);
+    let heights = apart(&curves.iter().map(height).collect::<Vec<_>>(), 17.0, [TOP + 10.0, BOTTOM - 6.0]);
+    for ((places, height), (name, (colour, _))) in curves.iter().zip(heights).zip(names.iter().zip(LINES)) {
+        let left = places.get(places.len() / 3).map_or(LEFT, |at| at[0]);
+        chart.text([left + 6.0, height], Anchor::Start, colour, name);
+    }
+    chart.svg()
+}
