@@ -65,7 +65,7 @@ const METHODS: [Method; 23] = [
     method(
         Generated,
         "CasADi, envelope theorem, four pairs in lanes",
-        "the same, four pairs at once",
+        "CasADi, envelope theorem, four pairs at once",
         "four pairs",
     ),
     method(
@@ -77,7 +77,7 @@ const METHODS: [Method; 23] = [
     method(
         Generated,
         "CasADi, implicit function theorem, four pairs in lanes",
-        "the same, four pairs at once",
+        "CasADi, implicit function theorem, four at once",
         "four pairs",
     ),
     method(Generated, "SymPy with cse", "SymPy, given the envelope theorem", "SymPy"),

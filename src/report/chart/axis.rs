@@ -17,14 +17,16 @@ pub(in super::super) struct Axis<'a> {
 }
 
 impl Axis<'_> {
+    /// The least and the largest of `values` that are positive; 1 and 10 if there are none.
+    pub(in super::super) fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+        let positive = values.filter(|value| *value > 0.0 && value.is_finite());
+        let ends = positive.fold([f64::INFINITY, 0.0_f64], |[least, most], x| [least.min(x), most.max(x)]);
+        if ends[0] > ends[1] { [1.0, 10.0] } else { ends }
+    }
+
     /// The powers of ten that hold all `values`, which must be positive; others are passed over.
     pub(in super::super) fn decades(values: impl Iterator<Item = f64>) -> [f64; 2] {
-        let positive = values.filter(|value| *value > 0.0 && value.is_finite());
-        let [least, most] =
-            positive.fold([f64::INFINITY, 0.0_f64], |[least, most], x| [least.min(x), most.max(x)]);
-        if least > most {
-            return [1.0, 10.0];
-        }
+        let [least, most] = Self::ends(values);
         // A value at a power of ten is at the end of the axis, whatever its logarithm is rounded to.
         let low = (least.log10() + 1e-9).floor();
         let high = (most.log10() - 1e-9).ceil().max(low + 1.0);
@@ -33,8 +35,7 @@ impl Axis<'_> {
 
     /// The values 1, 2 and 5 times powers of ten from below the least of `values` to above the largest.
     pub(in super::super) fn steps(values: impl Iterator<Item = f64>) -> Vec<f64> {
-        let [least, most] =
-            values.fold([f64::INFINITY, 0.0_f64], |[least, most], x| [least.min(x), most.max(x)]);
+        let [least, most] = Self::ends(values);
         let [low, high] = Self::decades([least, most].into_iter());
         let mut steps = vec![low];
         while steps[steps.len() - 1] < 0.999 * high {

@@ -2,7 +2,7 @@
 
 use super::errors;
 use crate::report::accuracy::{Accuracy, AccuracyRow, Losses};
-use crate::report::chart::{Anchor, Axis, Chart, Place, WIDTH, apart};
+use crate::report::chart::{Anchor, Axis, Chart, Place, WIDTH};
 
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 14.0;
@@ -56,12 +56,12 @@ fn picture(
         }
         curves.push(places);
     }
-    // Each label stands above its curve a third from the left, where the curves are far apart.
-    let height = |places: &Vec<Place>| places.get(places.len() / 3).map_or(BOTTOM, |at| at[1] - 8.0);
-    let heights = apart(&curves.iter().map(height).collect::<Vec<_>>(), 17.0, [TOP + 10.0, BOTTOM - 6.0]);
-    for ((places, height), (name, (colour, _))) in curves.iter().zip(heights).zip(names.iter().zip(LINES)) {
-        let left = places.get(places.len() / 3).map_or(LEFT, |at| at[0]);
-        chart.text([left + 6.0, height], Anchor::Start, colour, name);
+    // Each label stands above its curve, on the left, where the curves are far apart; the choice follows one of the others.
+    for ((places, above), (name, (colour, _))) in
+        curves.iter().zip([8.0, 25.0, 8.0]).zip(names.iter().zip(LINES))
+    {
+        let Some([left, height]) = places.get(places.len() / 8) else { continue };
+        chart.text([left + 6.0, height - above], Anchor::Start, colour, name);
     }
     chart.svg()
 }

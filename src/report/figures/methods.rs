@@ -36,9 +36,11 @@ impl Benchmark {
         #[expect(clippy::cast_precision_loss, reason = "counts of rows")]
         let bottom = TOP + GROUP * groups.len() as f64 + ROW * count as f64;
         let points = || groups.iter().flat_map(|(_, rows)| rows).flat_map(|row| row.points.iter().flatten());
-        let [least, most] = Axis::decades(points().map(|(median, ..)| *median));
-        let x = times([0.1 * least, 10.0 * most], TIMES, "time of a pair");
-        let y = errors(Axis::decades(points().filter_map(|(.., error)| *error)), ERRORS, "largest error", 3);
+        let [least, most] = Axis::ends(points().map(|(median, ..)| *median));
+        // Room for a time beside the first point and the last.
+        let x = times([least / 15.0, most * 15.0], TIMES, "time of a pair");
+        let range = Axis::decades(points().filter_map(|(.., error)| *error));
+        let y = errors(range, ERRORS, "largest error", 2);
         let mut chart = Chart::new("Time and error of one pair of beams, 24 dofs", bottom + 56.0);
         for (k, name) in ["d", "all: d, xi, xi_bar, t, t_bar"].into_iter().enumerate() {
             let at = [18.0, 60.0][k];

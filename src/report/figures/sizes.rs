@@ -42,8 +42,8 @@ impl Benchmark {
         })?;
         let at = |n: f64| [x.at(n), y.at(through.median * (n / number(through.dofs)).powi(2)).min(BOTTOM)];
         chart.line(at(first), at(last), "dashed");
-        let middle = at((first * last).sqrt());
-        chart.text([middle[0] + 6.0, middle[1] + 18.0], Anchor::Start, INK, "slope 2: dofs squared");
+        chart.line([LEFT + 12.0, TOP + 16.0], [LEFT + 36.0, TOP + 16.0], "dashed");
+        chart.text([LEFT + 42.0, TOP + 20.0], Anchor::Start, INK, "slope 2: dofs squared");
         let heights = apart(&ends.iter().map(|end| end.0).collect::<Vec<_>>(), 16.0, [TOP, BOTTOM]);
         for ((_, name, colour), height) in ends.iter().zip(heights) {
             chart.text([RIGHT + 8.0, height + 4.0], Anchor::Start, *colour, name);

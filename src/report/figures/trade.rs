@@ -6,7 +6,7 @@ use crate::report::chart::{Anchor, Axis, Chart, Mark, WIDTH, apart};
 use crate::report::methods::Kind;
 
 const LEFT: f64 = 52.0;
-const RIGHT: f64 = WIDTH - 12.0;
+const RIGHT: f64 = WIDTH - 24.0;
 const TOP: f64 = 56.0;
 const BOTTOM: f64 = 470.0;
 /// The height of a label.
