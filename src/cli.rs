@@ -14,10 +14,11 @@ mod human;
 mod json;
 mod output;
 mod panics;
+mod progress;
 mod proof;
 mod prove;
 mod report;
-mod table;
+mod terminal;
 
 use clap::{Parser, Subcommand};
 use exit::Exit;

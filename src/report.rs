@@ -1,6 +1,6 @@
 //! The reports, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`EquationTable`] and [`Benchmark`] are the records: what the gate found,
+//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`] and [`Benchmark`] are the records: what the gate found,
 //! how sharp its tolerances are, how many digits each form keeps, what it made of planted faults, what became of each
 //! equation, and what criterion measured. Markdown, HTML and SVG are pure functions of what
 //! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
@@ -37,12 +37,13 @@ mod rounds;
 mod symbols;
 mod task;
 
-pub use accuracy::{Accuracy, AccuracyRow, Losses};
+pub use accuracy::Accuracy;
 pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 pub use bounds::{Bounds, BoundsRow, BrokenBound, Quantiles, RegimePoints};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_rounds};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use environment::Environment;
+pub use equations::Equations;
 pub use error::ReportError;
 pub use faults::{DetectionRow, Faults, OperationsRow, UndetectedOperations, UndetectedRow};
 pub use instructions::{Count, Difference, Instructions};
@@ -56,7 +57,6 @@ pub use symbols::symbols;
 pub use task::Task;
 
 use crate::check::{self, CheckConfig, Regime, Selection};
-use crate::equations::EquationTable;
 use std::fs;
 use std::path::Path;
 
@@ -90,14 +90,20 @@ pub fn crosscheck(
     Ok(record)
 }
 
-/// Measures how sharp the tolerances are over `cases` cases of each regime and writes `bounds.json` and `bounds.md`
-/// into the directory `to`.
+/// Measures how far above the error the tolerances are, over `cases` cases of each regime, and writes `bounds.json` and
+/// `bounds.md` into the directory `to`; `done` is called after each case.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn bounds(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Bounds, ReportError> {
+pub fn bounds(
+    to: &Path,
+    seed: u64,
+    cases: u64,
+    command: &str,
+    done: impl Fn() + Sync,
+) -> Result<Bounds, ReportError> {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
-    let found = check::bounds(seed, &selection);
+    let found = check::bounds(seed, &selection, done);
     let json = Bounds::new(&found, seed, cases, Environment::here(command)).to_json()?;
     let record = Bounds::from_json(&json)?;
     write(to, "bounds.json", &json)?;
@@ -113,13 +119,21 @@ pub fn bounds(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Bounds,
 pub fn accuracy(to: &Path, seed: u64, command: &str) -> Result<Accuracy, ReportError> {
     let pairs = ACCURACY_PAIRS as usize;
     let found = check::accuracy(seed, pairs);
-    let json = Accuracy::new(&found, seed, pairs, Environment::here(command)).to_json()?;
+    let json = Accuracy::new(found, seed, pairs, Environment::here(command)).to_json()?;
     let record = Accuracy::from_json(&json)?;
     write(to, "accuracy.json", &json)?;
     write(to, "accuracy.md", &record.page().to_markdown())?;
     write(to, "accuracy-gap.svg", &record.gap_to_svg())?;
     write(to, "accuracy-angle.svg", &record.angle_to_svg())?;
     Ok(record)
+}
+
+/// Writes `symbols.md`, which the other pages refer to, into the directory `to`.
+///
+/// # Errors
+/// [`ReportError::Write`] if the file cannot be written.
+pub fn write_symbols(to: &Path) -> Result<(), ReportError> {
+    write(to, "symbols.md", &symbols().to_markdown())
 }
 
 /// Writes `faults.json` and `faults.md` into the directory `to`.
@@ -136,10 +150,10 @@ pub fn faults(to: &Path, record: &Faults) -> Result<(), ReportError> {
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn equations(to: &Path, record: &EquationTable) -> Result<(), ReportError> {
+pub fn equations(to: &Path, record: &Equations) -> Result<(), ReportError> {
     let json = record.to_json()?;
     write(to, "equations.json", &json)?;
-    write(to, "equations.md", &EquationTable::from_json(&json)?.page().to_markdown())
+    write(to, "equations.md", &Equations::from_json(&json)?.page().to_markdown())
 }
 
 /// Reads what criterion left in `from`, and the counts of instructions and the peers if `to` has them, and writes

@@ -1,13 +1,14 @@
 //! The digits that each formulation keeps, as a page, from the record alone.
 
-use super::accuracy::{Accuracy, AccuracyRow, Losses};
+use super::Accuracy;
 use super::number::{count, error, plain};
 use super::page::{Block, Page};
+use crate::check::{Errors, Level};
 
 impl Accuracy {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
-        let at = |rows: &[AccuracyRow], at: f64, of: fn(&AccuracyRow) -> Losses| {
+        let at = |rows: &[Level], at: f64, of: fn(&Level) -> Errors| {
             let row = rows.iter().find(|row| (row.at / at - 1.0).abs() < 1e-6).map(of);
             row.map_or_else(
                 || "nothing".to_owned(),
@@ -20,9 +21,9 @@ impl Accuracy {
              beams that of Delta-delta xi, the second variation of the parameter, is {}. At each closest point the library \
              chooses between two formulations that are equal in exact arithmetic. The error of its choice is at most {} times \
              that of the better one.",
-            at(&self.gaps, 1e-6, |row| row.d),
-            at(&self.angles, 1e-5, |row| row.xi),
-            plain(self.worst_choice()),
+            at(&self.found.gaps, 1e-6, |row| row.d),
+            at(&self.found.angles, 1e-5, |row| row.xi),
+            plain(self.found.worst_choice()),
         );
         let formulations = Block::table(
             &["formulation", "Delta-delta d", "Delta-delta xi"],
@@ -51,10 +52,10 @@ impl Accuracy {
             formulations,
             Block::heading("Over the gap"),
             picture("accuracy-gap.svg", gaps, self.gap_to_svg()),
-            Block::details("The numbers of this figure", vec![table("gap", &self.gaps)]),
+            Block::details("The numbers of this figure", vec![table("gap", &self.found.gaps)]),
             Block::heading("Over the angle"),
             picture("accuracy-angle.svg", angles, self.angle_to_svg()),
-            Block::details("The numbers of this figure", vec![table("angle", &self.angles)]),
+            Block::details("The numbers of this figure", vec![table("angle", &self.found.angles)]),
             Block::heading("What the numbers do not say"),
             Block::list(&[
                 "The curvature of nearly parallel curved beams is known to rounding only. All formulations lose the digits that \
@@ -75,7 +76,7 @@ impl Accuracy {
 }
 
 /// Both quantities at every gap or angle, from small to large.
-pub(super) fn table(at: &str, rows: &[AccuracyRow]) -> Block {
+fn table(at: &str, rows: &[Level]) -> Block {
     let head = [
         &format!("#{at}"),
         "#Delta-delta d: paper",
@@ -87,13 +88,13 @@ pub(super) fn table(at: &str, rows: &[AccuracyRow]) -> Block {
         "#d: robust chosen",
         "#xi: robust chosen",
     ];
-    let row = |row: &AccuracyRow| {
-        let AccuracyRow { at, pairs, normal, cross_products, d, xi } = row;
+    let row = |row: &Level| {
+        let Level { at, pairs, normal, cross_products, d, xi } = row;
         let errors = [d, xi].into_iter().flat_map(|of| [of.paper, of.robust, of.chosen].map(error));
         let chosen = [normal, cross_products].map(|count| format!("{count} of {pairs}"));
         std::iter::once(format!("{at:e}")).chain(errors).chain(chosen).collect()
     };
-    let mut rows: Vec<&AccuracyRow> = rows.iter().collect();
+    let mut rows: Vec<&Level> = rows.iter().collect();
     rows.sort_by(|a, b| a.at.total_cmp(&b.at));
     Block::table(&head, rows.into_iter().map(row).collect())
 }

@@ -7,7 +7,7 @@ use super::page::{Block, Page};
 impl Bounds {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
-        let points: u64 = self.regimes.iter().map(|regime| regime.measured).sum();
+        let points: u64 = self.regimes.iter().map(|regime| regime.points.measured).sum();
         let entries: u64 = self.rows_of("all").map(|row| row.entries).sum();
         let found = match self.violations.len() {
             0 => "No error exceeds its bound".to_owned(),
@@ -31,6 +31,7 @@ impl Bounds {
                  Delta-delta. The scale of a number is the sum of the absolute values of its terms.",
             ),
             table(["side", "order"], self.rows_of("all"), |row| [&row.side, &row.order]),
+            counts(self.rows_of("all")),
         ]);
         for side in ["closed form", "AD"] {
             let rows = self.rows.iter().filter(|row| row.side == side && row.regime != "all");
@@ -61,23 +62,20 @@ impl Bounds {
         let row = |broken: &super::BrokenBound| {
             let names = [&broken.side, &broken.quantity, &broken.part].map(Clone::clone);
             let numbers = [error(broken.bound), error(broken.error)];
-            std::iter::once(broken.case.to_string()).chain(names).chain(numbers).collect()
+            let command = format!("`beamgap check --seed {:#x} --case {}`", self.seed, broken.case);
+            names.into_iter().chain(numbers).chain([command]).collect()
         };
-        let head = ["#case", "side", "quantity", "part", "#bound", "#error"];
+        let head = ["side", "quantity", "part", "#bound", "#error", "shown by"];
         let rows = self.violations.iter().map(row).collect();
-        vec![
-            Block::heading("Broken bounds"),
-            Block::text("`beamgap check --case N` shows a case."),
-            Block::table(&head, rows),
-        ]
+        vec![Block::heading("Broken bounds"), Block::table(&head, rows)]
     }
 
     fn by_regime(&self) -> Vec<Block> {
         let row = |regime: &super::RegimePoints| {
             #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
-            let share = 100.0 * regime.not_meaningful as f64 / regime.measured.max(1) as f64;
-            let counts = [regime.measured, regime.not_meaningful].map(count);
-            let rest = [format!("{share:.2} %"), count(regime.left_out)];
+            let share = 100.0 * regime.points.not_meaningful as f64 / regime.points.measured.max(1) as f64;
+            let counts = [regime.points.measured, regime.points.not_meaningful].map(count);
+            let rest = [format!("{share:.2} %"), count(regime.points.left_out)];
             std::iter::once(regime.regime.clone()).chain(counts).chain(rest).collect()
         };
         let head = ["regime", "#closest points", "#tolerance too wide", "#share", "#left out"];
@@ -107,14 +105,11 @@ fn table<'a>(
         let (factor, scaled) = (&row.overestimation, &row.error);
         let factors = [factor.low, factor.median, factor.high, factor.max].map(ratio);
         let errors = [scaled.median, scaled.high, scaled.max].map(error);
-        let counts = [row.entries, row.exact].map(count);
-        name(row).map(Clone::clone).into_iter().chain(counts).chain(factors).chain(errors).collect()
+        name(row).map(Clone::clone).into_iter().chain(factors).chain(errors).collect()
     };
     let head = [
         names[0],
         names[1],
-        "#numbers with error",
-        "#without",
         "#factor: 5 %",
         "#median",
         "#95 %",
@@ -123,5 +118,14 @@ fn table<'a>(
         "#95 %",
         "#max",
     ];
+    Block::table(&head, of.map(row).collect())
+}
+
+fn counts<'a>(of: impl Iterator<Item = &'a BoundsRow>) -> Block {
+    let row = |row: &BoundsRow| {
+        let counts = [row.entries, row.exact, row.unbounded].map(count);
+        [&row.side, &row.order].map(Clone::clone).into_iter().chain(counts).collect()
+    };
+    let head = ["side", "order", "#numbers with an error", "#without an error", "#without a finite bound"];
     Block::table(&head, of.map(row).collect())
 }

@@ -1,5 +1,6 @@
 //! Where and with what numbers were made.
 
+use super::ReportError;
 use super::page::Block;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -62,6 +63,15 @@ impl Environment {
             date: today(),
             command: command.to_owned(),
         }
+    }
+
+    /// Refuses to make a report of source that no commit has, unless that is allowed.
+    ///
+    /// # Errors
+    /// [`ReportError::Dirty`]. Where there is no repository nothing is refused.
+    pub fn is_clean(allow_dirty: bool) -> Result<(), ReportError> {
+        let is_dirty = !allow_dirty && Self::here("").commit.ends_with("-dirty");
+        if is_dirty { Err(ReportError::Dirty) } else { Ok(()) }
     }
 
     /// A table of it, with further rows.

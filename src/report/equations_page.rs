@@ -1,17 +1,19 @@
 //! The table of the equations as a page, from the record alone.
 
+use super::Equations;
 use super::number::{count, error};
 use super::page::{Block, Page};
 use crate::equations::{Claim, Counts, EquationRow, EquationTable, Reading, Run, Symmetry, Verdict};
 
-impl EquationTable {
+impl Equations {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
-        let of = |verdict| self.equations.iter().filter(|entry| entry.verdict == verdict).count();
+        let table = &self.table;
+        let of = |verdict| table.equations.iter().filter(|entry| entry.verdict == verdict).count();
         let conclusion = format!(
             "**Of the {} equations of the paper {} are misprinted; {} as corrected.** This report evaluates every numbered equation, as \
              printed and as corrected, and compares it with automatic differentiation by hyper-dual numbers.",
-            self.equations.len(),
+            table.equations.len(),
             of(Verdict::Misprint),
             match of(Verdict::Refuted) {
                 0 => "none is refuted".to_owned(),
@@ -19,13 +21,13 @@ impl EquationTable {
             },
         );
         let verdicts = VERDICTS.iter().filter_map(|(verdict, meaning)| {
-            let numbers: Vec<String> = (self.equations.iter().filter(|entry| entry.verdict == *verdict))
+            let numbers: Vec<String> = (table.equations.iter().filter(|entry| entry.verdict == *verdict))
                 .map(|entry| format!("({})", entry.number))
                 .collect();
             let names = [format!("**{}**", verdict.words()), (*meaning).to_owned(), numbers.join(", ")];
             (!numbers.is_empty()).then(|| names.to_vec())
         });
-        let [linear, nonlinear] = self.pairs.map(|pairs| count(pairs * self.draws));
+        let [linear, nonlinear] = table.pairs.map(|pairs| count(pairs * table.draws));
         let mut blocks = vec![
             Block::text(&conclusion),
             Block::table(&["verdict", "meaning", "equations"], verdicts.collect()),
@@ -39,17 +41,17 @@ impl EquationTable {
                 &format!(
                     "In `f64`: at {} closest points. The error is the difference of both sides over the larger sum of the absolute \
                      values of their terms.",
-                    count(self.points.iter().sum())
+                    count(table.points.iter().sum())
                 ),
                 "A misprint may be read in several ways. An equation is refuted as printed if every reading is refuted.",
                 "As corrected, an equation holds for curves that are linear in their dofs. As completed, it holds for all curves.",
             ]),
         ];
-        blocks.extend(self.misprints());
-        blocks.extend(self.dropped());
-        blocks.extend(self.slip());
-        blocks.extend(self.symmetry());
-        blocks.push(self.all());
+        blocks.extend(table.misprints());
+        blocks.extend(table.dropped());
+        blocks.extend(table.slip());
+        blocks.extend(table.symmetry());
+        blocks.push(table.all());
         blocks.extend([
             Block::heading("What this does not say"),
             Block::list(&SILENCE),
@@ -58,21 +60,21 @@ impl EquationTable {
                 "All numbers are in `equations.json`, from which alone this page is made. `beamgap equations --equation N` shows \
                  one equation whole. [Symbols](symbols.md).",
             ),
-            self.made(),
+            self.environment.table(table.made()),
         ]);
         Page::new("Equations", blocks)
     }
+}
 
-    fn made(&self) -> Block {
+impl EquationTable {
+    fn made(&self) -> Vec<(&'static str, String)> {
         let two = |[linear, other]: [u64; 2]| format!("{}, {}", count(linear), count(other));
-        let rows = [
-            ("command", format!("`{}`", self.command)),
+        vec![
             ("seed", format!("{:#x}", self.seed)),
             ("draws for each ordered pair of families", count(self.draws)),
             ("pairs linear in their dofs, and others", two(self.pairs)),
             ("closest points in `f64`, likewise", two(self.points)),
-        ];
-        Block::table(&["", ""], rows.map(|(name, value)| vec![name.to_owned(), value]).to_vec())
+        ]
     }
 
     /// One row for each equation.

@@ -32,6 +32,11 @@ pub enum ReportError {
         /// The largest error over what is allowed.
         share: f64,
     },
+    /// The source is not that of a commit.
+    #[error(
+        "the source has changes that are not committed: commit them, as a report names its commit, or pass --allow-dirty"
+    )]
+    Dirty,
     /// A file is not what it should be.
     #[error("{what} cannot be read")]
     Format {

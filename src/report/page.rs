@@ -43,7 +43,7 @@ pub(super) enum Block {
         /// The picture.
         svg: String,
     },
-    /// Blocks that are folded away until the reader opens them; a terminal leaves them out.
+    /// Blocks that are folded away until the reader opens them; a terminal shows them.
     Details {
         /// What is folded away.
         summary: String,

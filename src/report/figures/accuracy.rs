@@ -1,7 +1,8 @@
 //! What each formulation loses: median errors over the gap and over the angle.
 
 use super::errors;
-use crate::report::accuracy::{Accuracy, AccuracyRow, Losses};
+use crate::check::{Errors, Level};
+use crate::report::Accuracy;
 use crate::report::chart::{Anchor, Axis, Chart, Place, WIDTH};
 
 const LEFT: f64 = 52.0;
@@ -15,28 +16,26 @@ impl Accuracy {
     /// The errors of Delta-delta d over the gap; the same record always makes the same picture.
     pub fn gap_to_svg(&self) -> String {
         let names = ["paper: divides by d", "robust: along the normal", "chosen by the library"];
-        picture("Second variation of d over the gap", "gap / length of a beam", names, &self.gaps, |row| {
-            row.d
-        })
+        picture(
+            "Second variation of d over the gap",
+            "gap / length of a beam",
+            names,
+            &self.found.gaps,
+            |row| row.d,
+        )
     }
 
     /// The errors of Delta-delta xi over the angle; the same record always makes the same picture.
     pub fn angle_to_svg(&self) -> String {
         let names = ["paper: determinants", "robust: cross products", "chosen by the library"];
         let title = "Second variation of xi over the angle, straight beams";
-        picture(title, "angle between the beams in rad", names, &self.angles, |row| row.xi)
+        picture(title, "angle between the beams in rad", names, &self.found.angles, |row| row.xi)
     }
 }
 
-fn picture(
-    title: &str,
-    across: &str,
-    names: [&str; 3],
-    rows: &[AccuracyRow],
-    of: fn(&AccuracyRow) -> Losses,
-) -> String {
-    let parts = |row: &AccuracyRow| {
-        let Losses { paper, robust, chosen } = of(row);
+fn picture(title: &str, across: &str, names: [&str; 3], rows: &[Level], of: fn(&Level) -> Errors) -> String {
+    let parts = |row: &Level| {
+        let Errors { paper, robust, chosen } = of(row);
         [paper, robust, chosen]
     };
     let x = errors(Axis::decades(rows.iter().map(|row| row.at)), [LEFT, RIGHT], across, 7);
@@ -46,9 +45,8 @@ fn picture(
     chart.frame(&x, &y);
     let mut curves: Vec<Vec<Place>> = Vec::new();
     for (k, (_, class)) in LINES.iter().enumerate() {
-        let place = |row: &AccuracyRow| {
-            parts(row)[k].filter(|error| *error > 0.0).map(|error| [x.at(row.at), y.at(error)])
-        };
+        let place =
+            |row: &Level| parts(row)[k].filter(|error| *error > 0.0).map(|error| [x.at(row.at), y.at(error)]);
         let mut places: Vec<Place> = rows.iter().filter_map(place).collect();
         places.sort_by(|a, b| a[0].total_cmp(&b[0]));
         if !places.is_empty() {
