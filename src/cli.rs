@@ -19,10 +19,11 @@ mod human;
 mod json;
 mod output;
 mod panics;
+mod progress;
 mod proof;
 mod prove;
 mod report;
-mod table;
+mod terminal;
 mod verify;
 
 use clap::{Parser, Subcommand};

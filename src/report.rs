@@ -1,18 +1,18 @@
 //! The reports, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`EquationTable`], [`Derivation`] and [`Benchmark`] are the records: what the gate found,
+//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`], [`Derivation`] and [`Benchmark`] are the records: what the gate found,
 //! how sharp its tolerances are, how many digits each form keeps, what it made of planted faults, what became of each
 //! equation, and what criterion measured. Markdown, HTML and SVG are pure functions of what
 //! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
 
 mod accuracy;
 mod accuracy_page;
-mod accuracy_plot;
 mod benchmark;
 mod benchmark_method;
 mod benchmark_page;
 mod bounds;
 mod bounds_page;
+mod chart;
 mod claims;
 mod criterion;
 mod crosscheck;
@@ -26,38 +26,42 @@ mod explain;
 mod explain_page;
 mod faults;
 mod faults_page;
+mod figures;
 mod instructions;
 mod interval;
+mod methods;
 mod number;
 mod page;
 mod peers;
 mod picture;
-mod plot;
 mod record;
 mod roof;
 mod rounds;
+mod symbols;
 mod task;
 
-pub use accuracy::{Accuracy, AccuracyRow, Losses};
+pub use accuracy::Accuracy;
 pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 pub use bounds::{Bounds, BoundsRow, BrokenBound, Quantiles, RegimePoints};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_rounds};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
 pub use derivation::{ByHand, Derivation, DifferenceRow, NewtonRun};
 pub use environment::Environment;
+pub use equations::Equations;
 pub use error::ReportError;
 pub use explain::{Explain, ExplainProgram, NamingCount, NotFirst, explain};
 pub use faults::{DetectionRow, Faults, OperationsRow, UndetectedOperations, UndetectedRow};
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
+pub use page::{Page, Table};
 pub use peers::{AtGap, LeftOut, Peer, Peers};
 pub use picture::picture;
 pub use record::Record;
 pub use rounds::Rounds;
+pub use symbols::symbols;
 pub use task::Task;
 
 use crate::check::{self, CheckConfig, Regime, Selection};
-use crate::equations::EquationTable;
 use std::fs;
 use std::path::Path;
 
@@ -87,22 +91,28 @@ pub fn crosscheck(
     let json = Crosscheck::new(&summary, seed, cases, Environment::here(command)).to_json()?;
     let record = Crosscheck::from_json(&json)?;
     write(to, "crosscheck.json", &json)?;
-    write(to, "crosscheck.md", &record.to_markdown())?;
+    write(to, "crosscheck.md", &record.page().to_markdown())?;
     Ok(record)
 }
 
-/// Measures how sharp the tolerances are over `cases` cases of each regime and writes `bounds.json` and `bounds.md`
-/// into the directory `to`.
+/// Measures how far above the error the tolerances are, over `cases` cases of each regime, and writes `bounds.json` and
+/// `bounds.md` into the directory `to`; `done` is called after each case.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn bounds(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Bounds, ReportError> {
+pub fn bounds(
+    to: &Path,
+    seed: u64,
+    cases: u64,
+    command: &str,
+    done: impl Fn() + Sync,
+) -> Result<Bounds, ReportError> {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
-    let found = check::bounds(seed, &selection);
+    let found = check::bounds(seed, &selection, done);
     let json = Bounds::new(&found, seed, cases, Environment::here(command)).to_json()?;
     let record = Bounds::from_json(&json)?;
     write(to, "bounds.json", &json)?;
-    write(to, "bounds.md", &record.to_markdown())?;
+    write(to, "bounds.md", &record.page().to_markdown())?;
     Ok(record)
 }
 
@@ -110,17 +120,25 @@ pub fn bounds(to: &Path, seed: u64, cases: u64, command: &str) -> Result<Bounds,
 /// `to`.
 ///
 /// # Errors
-/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Draw`] if a picture cannot be drawn.
+/// [`ReportError::Write`] if a file cannot be written.
 pub fn accuracy(to: &Path, seed: u64, command: &str) -> Result<Accuracy, ReportError> {
     let pairs = ACCURACY_PAIRS as usize;
     let found = check::accuracy(seed, pairs);
-    let json = Accuracy::new(&found, seed, pairs, Environment::here(command)).to_json()?;
+    let json = Accuracy::new(found, seed, pairs, Environment::here(command)).to_json()?;
     let record = Accuracy::from_json(&json)?;
     write(to, "accuracy.json", &json)?;
-    write(to, "accuracy.md", &record.to_markdown())?;
-    write(to, "accuracy-gap.svg", &record.gap_to_svg()?)?;
-    write(to, "accuracy-angle.svg", &record.angle_to_svg()?)?;
+    write(to, "accuracy.md", &record.page().to_markdown())?;
+    write(to, "accuracy-gap.svg", &record.gap_to_svg())?;
+    write(to, "accuracy-angle.svg", &record.angle_to_svg())?;
     Ok(record)
+}
+
+/// Writes `symbols.md`, which the other pages refer to, into the directory `to`.
+///
+/// # Errors
+/// [`ReportError::Write`] if the file cannot be written.
+pub fn write_symbols(to: &Path) -> Result<(), ReportError> {
+    write(to, "symbols.md", &symbols().to_markdown())
 }
 
 /// Writes `faults.json` and `faults.md` into the directory `to`.
@@ -130,31 +148,32 @@ pub fn accuracy(to: &Path, seed: u64, command: &str) -> Result<Accuracy, ReportE
 pub fn faults(to: &Path, record: &Faults) -> Result<(), ReportError> {
     let json = record.to_json()?;
     write(to, "faults.json", &json)?;
-    write(to, "faults.md", &Faults::from_json(&json)?.to_markdown())
+    write(to, "faults.md", &Faults::from_json(&json)?.page().to_markdown())
 }
 
 /// Writes `equations.json` and `equations.md` into the directory `to`.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn equations(to: &Path, record: &EquationTable) -> Result<(), ReportError> {
+pub fn equations(to: &Path, record: &Equations) -> Result<(), ReportError> {
     let json = record.to_json()?;
     write(to, "equations.json", &json)?;
-    write(to, "equations.md", &EquationTable::from_json(&json)?.to_markdown())
+    write(to, "equations.md", &Equations::from_json(&json)?.page().to_markdown())
 }
 
 /// Writes `derivation.json` and `derivation.html` into the directory `to`; with the digits that are lost at small gaps, if
 /// `accuracy.json` is there.
 ///
 /// # Errors
-/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Draw`] if the page cannot be put together.
-pub fn derivation(to: &Path, table: &EquationTable) -> Result<(), ReportError> {
-    let record = Derivation::compute(&table.command).map_err(|error| ReportError::Draw(error.to_string()))?;
+/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Derivation`] if the page cannot be put together.
+pub fn derivation(to: &Path, equations: &Equations) -> Result<(), ReportError> {
+    let record = Derivation::compute(&equations.environment.command)
+        .map_err(|error| ReportError::Derivation { what: error.to_string() })?;
     let json = record.to_json()?;
     let accuracy = fs::read_to_string(to.join("accuracy.json")).ok();
     let accuracy = accuracy.map(|json| Accuracy::from_json(&json)).transpose()?;
     write(to, "derivation.json", &json)?;
-    write(to, "derivation.html", &Derivation::from_json(&json)?.to_html(table, accuracy.as_ref())?)
+    write(to, "derivation.html", &Derivation::from_json(&json)?.to_html(&equations.table, accuracy.as_ref())?)
 }
 
 /// Reads what criterion left in `from`, and the counts of instructions and the peers if `to` has them, and writes
@@ -170,7 +189,7 @@ pub fn benchmark(to: &Path, from: &Path) -> Result<Benchmark, ReportError> {
     let json = Benchmark { instructions, peers, ..Benchmark::read(from)? }.to_json()?;
     let record = Benchmark::from_json(&json)?;
     write(to, "benchmark.json", &json)?;
-    for (name, text) in record.pages()? {
+    for (name, text) in record.pages() {
         write(to, &name, &text)?;
     }
     Ok(record)

@@ -16,6 +16,7 @@ use crate::test_beam::{AnyBeam, Family, TestBeam};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize, Serializer};
 
 /// Gaps, in lengths of a beam, are 1, 0.1, .. down to this power of ten.
 const GAPS: i32 = 12;
@@ -25,20 +26,20 @@ const ANGLES: i32 = 8;
 const STEPS: usize = 8;
 
 /// What was measured.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
-    /// Over the gap.
+    /// Over the gap, in lengths of a beam: pairs of all families.
     pub gaps: Vec<Level>,
-    /// Over the angle.
+    /// Over the angle, in radians: pairs of straight beams.
     pub angles: Vec<Level>,
 }
 
 /// What was measured at one gap or angle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Level {
     /// The gap or the angle.
     pub at: f64,
-    /// How many pairs.
+    /// How many pairs have a closest point near where they were to cross.
     pub pairs: usize,
     /// For how many the choice is the distance along the normal.
     pub normal: usize,
@@ -50,15 +51,41 @@ pub struct Level {
     pub xi: Errors,
 }
 
-/// Medians of relative errors.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Medians of relative errors; none if nothing was measured, or if it is not finite. Records have two digits of them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
     /// Of the paper's form.
-    pub paper: f64,
+    #[serde(serialize_with = "two_digits")]
+    pub paper: Option<f64>,
     /// Of the form along the normal and by cross products.
-    pub robust: f64,
+    #[serde(serialize_with = "two_digits")]
+    pub robust: Option<f64>,
     /// Of the form that is chosen.
-    pub chosen: f64,
+    #[serde(serialize_with = "two_digits")]
+    pub chosen: Option<f64>,
+}
+
+#[expect(clippy::ref_option, clippy::trivially_copy_pass_by_ref, reason = "the signature is serde's")]
+fn two_digits<S: Serializer>(error: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
+    error.map(|error| format!("{error:.1e}").parse().unwrap_or(error)).serialize(to)
+}
+
+impl Errors {
+    /// What the choice loses over what the better form loses, which is a rounding unit at least.
+    fn of_choice(&self) -> f64 {
+        let [paper, robust, chosen] =
+            [self.paper, self.robust, self.chosen].map(|x| x.unwrap_or(f64::INFINITY));
+        chosen / paper.min(robust).max(0.5 * f64::EPSILON)
+    }
+}
+
+impl Accuracy {
+    /// The largest ratio of what the choice loses to what the better form loses, over all rows and both quantities;
+    /// infinite if something was not measured.
+    pub fn worst_choice(&self) -> f64 {
+        let rows = self.gaps.iter().chain(&self.angles);
+        rows.flat_map(|row| [row.d, row.xi]).map(|errors| errors.of_choice()).fold(0.0, f64::max)
+    }
 }
 
 /// Measures both forms, and the choice between them, with so many pairs at each level.
@@ -164,7 +191,7 @@ fn refined([beam, bar]: [&dyn AnyBeam; 2], near: [f64; 2]) -> Option<[DoubleDoub
     (last < 1e-20).then_some(at)
 }
 
-fn median(mut of: Vec<f64>) -> f64 {
+fn median(mut of: Vec<f64>) -> Option<f64> {
     of.sort_by(f64::total_cmp);
-    of.get(of.len() / 2).copied().unwrap_or(f64::NAN)
+    of.get(of.len() / 2).copied().filter(|median| median.is_finite())
 }

@@ -13,6 +13,7 @@ use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::{DoubleDouble, RunningError, RunningErrorBy};
 use crate::variant::Variant;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Errors below this part of the closed form's bound are noise of double-double: there is no error.
@@ -56,7 +57,7 @@ pub struct Measured {
 }
 
 /// The closest points of one regime.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Points {
     /// Closest points measured.
     pub measured: u64,
@@ -94,10 +95,11 @@ pub struct Bounds {
 
 /// Measures all cases of a selection.
 ///
-/// The result depends on the seed and the selection, not on the number of threads.
-pub fn bounds(seed: u64, selection: &Selection) -> Bounds {
+/// `done` is called after each. The result depends on the seed and the selection, not on the number of threads.
+pub fn bounds(seed: u64, selection: &Selection, done: impl Fn() + Sync) -> Bounds {
     let add = |mut all: Bounds, number: u64| {
         all.add(&Case::draw(seed, number));
+        done();
         all
     };
     let numbers = selection.numbers().into_par_iter();

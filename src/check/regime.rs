@@ -80,6 +80,24 @@ impl Regime {
         }
     }
 
+    /// The pairs of beams that it draws, in words.
+    pub fn what(self) -> &'static str {
+        match self {
+            Self::Generic => "lengths near 1, moderate bending, crossing at a wide angle",
+            Self::Slender => "a gap of 1e-4 to 1e-2 of the length",
+            Self::NearlyStraight => "bent by 1e-6 to 1e-3 radians only",
+            Self::StronglyCurved => "bent by 2 to 5 radians",
+            Self::NearlyParallel => "crossing at an angle of 1e-4 to 1e-1 radians",
+            Self::NearlyCrossing => "a gap of 1e-8 to 1e-3 of the length",
+            Self::NearEnd => "the crossing within 1e-6 to 1e-1 of an end of one beam or both, or beyond it",
+            Self::Metres => "a fibre measured in metres: lengths near 1e-6",
+            Self::Millimetres => "measured in millimetres: lengths near 1e3",
+            Self::BadlyScaled => {
+                "up to three dofs and direction entries times 1e-8 to 1e8, or parameters within 1e-9 of an end"
+            }
+        }
+    }
+
     /// Draws the numbers of a case.
     pub(super) fn draw(self, rng: &mut ChaCha8Rng) -> Draw {
         let length = rng.random_range(0.7..1.4);

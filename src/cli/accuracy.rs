@@ -2,11 +2,11 @@
 
 use super::arguments::{Format, seed};
 use super::exit::Exit;
-use super::human::error;
 use super::output::Output;
-use super::table::Table;
+use super::progress::Progress;
+use super::terminal;
 use beamgap::check::accuracy;
-use beamgap::report::{ACCURACY_PAIRS, Accuracy, AccuracyRow, Environment, Record};
+use beamgap::report::{ACCURACY_PAIRS, Accuracy, Environment, Record};
 use clap::{Args, value_parser};
 use std::path::PathBuf;
 
@@ -38,11 +38,13 @@ impl Accurate {
         let output = Output::open(self.output.as_deref())?;
         let pairs = usize::try_from(self.pairs)?;
         let command = format!("beamgap accuracy --seed {:#x} --pairs {pairs}", self.seed);
+        let progress = Progress::of("measuring errors by double-double");
         let found = accuracy(self.seed, pairs);
-        let record = Accuracy::new(&found, self.seed, pairs, Environment::here(&command));
+        progress.end();
+        let record = Accuracy::new(found, self.seed, pairs, Environment::here(&command));
         let (exit, words) = verdict(&record);
         let document = match self.format {
-            Format::Human => human(&record) + "\n" + &words + "\n",
+            Format::Human => terminal::page(&record.page(), &words),
             Format::Json => record.to_json()?,
         };
         output.write(&document, &(words + "\n"))?;
@@ -52,33 +54,12 @@ impl Accurate {
 
 /// What is made of a record.
 pub(super) fn verdict(record: &Accuracy) -> (Exit, String) {
-    match record.worst_choice() {
+    match record.found.worst_choice() {
         ratio if ratio <= LOSS => {
             (Exit::Agree, format!("WELL CHOSEN: at most {ratio:.1} times what the better form loses."))
         }
         ratio => (Exit::Disagree, format!("BADLY CHOSEN: {ratio:.1e} times what the better form loses.")),
     }
-}
-
-fn human(record: &Accuracy) -> String {
-    format!(
-        "Median errors of second variations, by double-double\nseed {:#x}, {} pairs at each gap and angle\n\n\
-         All families, over the gap in lengths of a beam\n{}\nStraight beams, over the angle\n{}",
-        record.seed,
-        record.pairs,
-        table("gap", &record.gaps),
-        table("angle", &record.angles)
-    )
-}
-
-fn table(at: &str, rows: &[AccuracyRow]) -> Table {
-    let mut table = Table::new(&[at, "Ddd paper", "normal", "chosen", "Ddxi paper", "crossprod.", "chosen"]);
-    for AccuracyRow { at, d, xi, .. } in rows {
-        let numbers = [d.paper, d.robust, d.chosen, xi.paper, xi.robust, xi.chosen]
-            .map(|x| x.map_or_else(|| "-".into(), error));
-        table.row([format!("{at:e}")].into_iter().chain(numbers).collect());
-    }
-    table
 }
 
 #[cfg(test)]
@@ -89,12 +70,12 @@ mod tests {
     #[test]
     fn a_bad_choice_is_told() {
         let found = accuracy(1, 3);
-        let record = |found| Accuracy::new(found, 1, 3, Environment::here("none"));
-        let mut bad = record(&found);
-        bad.gaps[3].d.chosen = bad.gaps[3].d.paper;
+        let record = || Accuracy::new(found.clone(), 1, 3, Environment::here("none"));
+        let mut bad = record();
+        bad.found.gaps[3].d.chosen = bad.found.gaps[3].d.paper;
         assert_eq!(verdict(&bad).0, Exit::Disagree);
-        let mut none = record(&found);
-        none.angles[0].xi.chosen = None;
+        let mut none = record();
+        none.found.angles[0].xi.chosen = None;
         assert_eq!(verdict(&none).0, Exit::Disagree);
     }
 }

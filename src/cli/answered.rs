@@ -3,13 +3,13 @@
 use super::exit::Exit;
 use super::human::error;
 use super::json;
-use super::table::Table;
 use super::verify::Verified;
 use beamgap::check::external::{
     Cause, Explanation, Judged, Location, Report, explain, locate, other_conventions,
 };
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
+use beamgap::report::Table;
 use serde_json::{Value, json};
 use std::fmt::Write;
 

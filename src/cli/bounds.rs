@@ -2,11 +2,11 @@
 
 use super::arguments::{Format, families, regimes, seed};
 use super::exit::Exit;
-use super::human::{error, repeat};
 use super::output::Output;
-use super::table::Table;
+use super::progress::Progress;
+use super::terminal;
 use beamgap::check::{Family, Regime, Selection, bounds};
-use beamgap::report::{BOUNDS_CASES, Bounds, BoundsRow, Environment, Record};
+use beamgap::report::{BOUNDS_CASES, Bounds, Environment, Record};
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -43,7 +43,9 @@ impl MeasureBounds {
         let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
         let regimes = Regime::ALL.into_iter().filter(asked).collect();
         let selection = Selection { regimes, family: self.family, cases: self.cases };
-        let found = bounds(self.seed, &selection);
+        let progress = Progress::bar("cases", selection.cases * selection.regimes.len() as u64);
+        let found = bounds(self.seed, &selection, || progress.step());
+        progress.end();
         let mut command = format!("beamgap bounds --seed {:#x} --cases {}", self.seed, self.cases);
         let named = selection
             .regimes
@@ -56,7 +58,7 @@ impl MeasureBounds {
         let record = Bounds::new(&found, self.seed, self.cases, Environment::here(&command));
         let (exit, words) = verdict(&record);
         let document = match self.format {
-            Format::Human => human(&record) + "\n" + &words + "\n",
+            Format::Human => terminal::page(&record.page(), &words),
             Format::Json => record.to_json()?,
         };
         output.write(&document, &(words + "\n"))?;
@@ -65,7 +67,7 @@ impl MeasureBounds {
 }
 
 fn verdict(record: &Bounds) -> (Exit, String) {
-    let points: u64 = record.regimes.iter().map(|regime| regime.measured).sum();
+    let points: u64 = record.regimes.iter().map(|regime| regime.points.measured).sum();
     match (points, record.violations.len()) {
         (0, _) => (Exit::Nothing, "NOTHING MEASURED: no closest point could be.".into()),
         (_, 0) => {
@@ -75,60 +77,9 @@ fn verdict(record: &Bounds) -> (Exit, String) {
     }
 }
 
-fn human(record: &Bounds) -> String {
-    let mut text = format!(
-        "Bounds on rounding against the rounding that there is, by double-double\n\
-         seed {:#x}, {} cases of each regime\n",
-        record.seed, record.cases_per_regime
-    );
-    for side in ["closed form", "AD"] {
-        let _ = write!(text, "\n{side}: bound over error, and error over scale\n{}", rows(record, side));
-    }
-    let mut points = Table::new(&["regime", "points", "beyond 1e-3", "left out"]);
-    for regime in &record.regimes {
-        let counts = [regime.measured, regime.not_meaningful, regime.left_out].map(|count| count.to_string());
-        points.row([regime.regime.clone()].into_iter().chain(counts).collect());
-    }
-    let _ = write!(text, "\nPoints where some tolerance exceeds a thousandth of its scale\n{points}");
-    for broken in record.violations.iter().take(5) {
-        let number = |x: Option<f64>| x.map_or_else(|| "not finite".into(), |x| format!("{x:.3e}"));
-        let _ = write!(
-            text,
-            "\n  {} of {}, {}: error {}, bound {}\n    {}\n",
-            broken.part,
-            broken.quantity,
-            broken.side,
-            number(broken.error),
-            number(broken.bound),
-            repeat(record.seed, broken.case)
-        );
-    }
-    text
-}
-
-fn rows(record: &Bounds, side: &str) -> Table {
-    let titles = ["regime", "order", "5 %", "median", "95 %", "max", "error", "95 %", "max"];
-    let mut table = Table::new(&titles).left(&[1]);
-    for row in record.rows.iter().filter(|row| row.side == side) {
-        let BoundsRow { regime, order, overestimation, error: scaled, .. } = row;
-        let numbers = [
-            overestimation.low,
-            overestimation.median,
-            overestimation.high,
-            overestimation.max,
-            scaled.median,
-            scaled.high,
-            scaled.max,
-        ]
-        .map(|x| x.map_or_else(|| "-".into(), error));
-        table.row([regime.clone(), order.clone()].into_iter().chain(numbers).collect());
-    }
-    table
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{human, verdict};
+    use super::verdict;
     use crate::cli::exit::Exit;
     use beamgap::check::{Selection, bounds};
     use beamgap::report::{Bounds, BrokenBound, Environment};
@@ -136,13 +87,11 @@ mod tests {
     #[test]
     fn a_broken_bound_is_told_with_the_command_that_shows_it() {
         let none = Selection { regimes: Vec::new(), family: None, cases: 1 };
-        let mut record = Bounds::new(&bounds(1, &none), 0xabc, 1, Environment::here("none"));
+        let mut record = Bounds::new(&bounds(1, &none, || ()), 0xabc, 1, Environment::here("none"));
         assert_eq!(verdict(&record).0, Exit::Nothing);
         let regime = beamgap::report::RegimePoints {
             regime: "generic".into(),
-            measured: 3,
-            not_meaningful: 0,
-            left_out: 0,
+            points: beamgap::check::Points { measured: 3, ..Default::default() },
         };
         record.regimes.push(regime);
         assert_eq!(verdict(&record).0, Exit::Agree);
@@ -155,9 +104,8 @@ mod tests {
             error: None,
         });
         assert_eq!(verdict(&record).0, Exit::Untrusted);
-        let text = human(&record);
-        let told = "  Delta of xi, AD: error not finite, bound 1.000e-16\n    ";
-        let (_, command) = text.split_once(told).unwrap();
-        assert!(command.ends_with(" check --seed 0xabc --case 17\n"), "{text}");
+        let text = record.page().to_text(80);
+        let told = "check --seed 0xabc --case 17";
+        assert!(text.contains(told) && text.contains("none"), "{text}");
     }
 }

@@ -3,13 +3,13 @@
 use super::arguments::{Format, families, planting, regimes, seed, variant, work_with};
 use super::exit::Exit;
 use super::output::Output;
+use super::progress::Progress;
 use super::{case, case_file, human, json};
 use beamgap::check::{
     Arbitration, Case, CaseData, CheckConfig, Compared, Family, Oracles, Regime, Selection, Shrunk, Summary,
     Verdict as Found, run, shrink_mismatches,
 };
 use clap::{Args, ValueEnum, value_parser};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -146,19 +146,15 @@ impl Check {
     }
 }
 
-/// Runs the cases, with a bar on stderr if someone is watching.
+/// Runs the cases; stderr has the time that they took, if someone is watching.
 fn with_progress(config: &CheckConfig, seed: u64, selection: &Selection) -> Summary {
-    if !std::io::stderr().is_terminal() {
-        return run(config, seed, selection, || ());
+    let (start, count) = (Instant::now(), selection.cases * selection.regimes.len() as u64);
+    let progress = Progress::bar("cases", count);
+    let summary = run(config, seed, selection, || progress.step());
+    progress.end();
+    if std::io::stderr().is_terminal() {
+        eprintln!("{count} cases in {:.1} s", start.elapsed().as_secs_f64());
     }
-    let start = Instant::now();
-    let bar = ProgressBar::new(selection.cases * selection.regimes.len() as u64);
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} cases, {eta} left") {
-        bar.set_style(style);
-    }
-    let summary = run(config, seed, selection, || bar.inc(1));
-    bar.finish_and_clear();
-    eprintln!("{} cases in {:.1} s", bar.position(), start.elapsed().as_secs_f64());
     summary
 }
 

@@ -4,18 +4,17 @@ use super::arguments::{Format, seed};
 use super::exit::Exit;
 use super::formula;
 use super::output::Output;
-use super::table::Table;
+use super::progress::Progress;
 use beamgap::equations::{
     self as record, CASES, Counts, DRAWS, EquationRow, Order, Reading, Run, Score, Verdict,
 };
-use beamgap::report;
-use beamgap::report::Record;
+use beamgap::report::{self, Environment, Equations, Record, Table};
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
 
 /// What makes the record, and the page that is made of it.
-pub(super) const EQUATIONS: &str = "cargo run --release -- equations --to reports";
+const EQUATIONS: &str = "cargo run --release -- equations --to reports";
 
 /// The arguments.
 #[derive(Args)]
@@ -42,6 +41,9 @@ pub(crate) struct ListEquations {
     /// into this directory
     #[arg(long, value_name = "DIR", conflicts_with = "equation")]
     to: Option<PathBuf>,
+    /// Write the report although the source has changes that are not committed
+    #[arg(long, requires = "to")]
+    allow_dirty: bool,
     /// Write the result to this file, and only the verdict to standard output
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
@@ -51,22 +53,29 @@ impl ListEquations {
     /// Runs the equations and writes what became of them.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let output = Output::open(self.output.as_deref())?;
-        let mut paper = record::equation_table(self.seed, self.draws, CASES, &self.command());
-        if let Some(directory) = &self.to {
-            report::equations(directory, &paper)?;
-            report::derivation(directory, &paper)?;
+        if self.to.is_some() {
+            Environment::is_clean(self.allow_dirty)?;
         }
-        let (mut holds, mut verdict) = (paper.holds(), words(&paper));
+        let progress = Progress::of("evaluating equations");
+        let found = record::equation_table(self.seed, self.draws, CASES);
+        progress.end();
+        let mut record = Equations::new(found, Environment::here(&self.command()));
+        if let Some(directory) = &self.to {
+            report::equations(directory, &record)?;
+            report::derivation(directory, &record)?;
+        }
+        let paper = &mut record.table;
+        let (mut holds, mut verdict) = (paper.holds(), words(paper));
         if let Some(number) = self.equation {
             paper.equations.retain(|entry| entry.number == number);
             paper.claims.clear();
             holds = paper.equations.iter().all(|entry| entry.verdict != Verdict::Refuted);
             verdict = paper.equations.iter().map(|entry| told(entry.number, entry.verdict)).collect();
         }
-        let document = match (self.format, paper.equations.as_slice()) {
-            (Format::Json, _) => paper.to_json()?,
+        let document = match (self.format, record.table.equations.as_slice()) {
+            (Format::Json, _) => record.to_json()?,
             (Format::Human, [entry]) => format!("{}\n{verdict}\n", whole(entry, self.latex)),
-            (Format::Human, _) => format!("{}\n{verdict}\n", table(&paper)),
+            (Format::Human, _) => format!("{}\n{verdict}\n", table(&record.table)),
         };
         output.write(&document, &format!("{verdict}\n"))?;
         Ok(if holds { Exit::Agree } else { Exit::Disagree })

@@ -3,7 +3,8 @@
 use super::arguments::{Format, regimes, seed, work_with};
 use super::exit::Exit;
 use super::output::Output;
-use super::table::Table;
+use super::progress::Progress;
+use super::terminal;
 use beamgap::check::Regime;
 use beamgap::faults::{all_operations, inject, limits, sampled};
 use beamgap::report::{self, Environment, Faults, Record};
@@ -31,6 +32,9 @@ pub(crate) struct InjectFaults {
     /// Also write faults.json and faults.md into this directory
     #[arg(long, value_name = "DIRECTORY")]
     to: Option<PathBuf>,
+    /// Write the report although the source has changes that are not committed
+    #[arg(long, requires = "to")]
+    allow_dirty: bool,
     /// Write the result to this file, and only the verdict to standard output
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
@@ -50,13 +54,16 @@ impl InjectFaults {
             output.write(&(names.join("\n") + "\n"), "")?;
             return Ok(Exit::Agree);
         }
+        if self.to.is_some() {
+            Environment::is_clean(self.allow_dirty)?;
+        }
         let record = record(self.seed, &self.regime, &self.command());
         if let Some(to) = &self.to {
             report::faults(to, &record)?;
         }
         let words = verdict(&record);
         let document = match self.format {
-            Format::Human => format!("{}\n{words}\n", human(&record)),
+            Format::Human => terminal::page(&record.page(), &words),
             Format::Json => record.to_json()?,
         };
         output.write(&document, &format!("{words}\n"))?;
@@ -82,10 +89,14 @@ impl InjectFaults {
 pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     let asked = |regime: &Regime| named.is_empty() || named.contains(regime);
     let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
+    let progress = Progress::of("injecting faults into terms");
     let found = inject(seed, &regimes);
+    progress.now("injecting faults into single operations over a prime field");
     // Single operations know no regime.
     let operations = if named.is_empty() { all_operations(seed) } else { Vec::new() };
+    progress.now("injecting faults into single operations in f64");
     let (limits, sampled) = (limits(seed, &regimes), sampled(seed, &regimes));
+    progress.end();
     Faults::new(&found, &limits, &operations, &sampled, seed, Environment::here(command))
 }
 
@@ -105,86 +116,4 @@ fn verdict(record: &Faults) -> String {
         return of_terms;
     }
     format!("{of_terms}\nOf {count} faults of single operations, each is detected or has a reason.")
-}
-
-/// What became of the operations of each code.
-fn operations(record: &Faults) -> String {
-    if record.operations.is_empty() {
-        return String::new();
-    }
-    let mut table = Table::new(&["place", "operations", "faults", "detected", "not"]);
-    let mut code = "";
-    for row in &record.operations {
-        if row.code != code {
-            code = &row.code;
-            table.row(vec![code.to_owned(), String::new(), String::new(), String::new(), String::new()]);
-        }
-        let counts =
-            [row.operations, row.faults, row.detected, row.faults - row.detected].map(|n| n.to_string());
-        table.row([format!("  {}", row.place)].into_iter().chain(counts).collect());
-    }
-    let mut text = format!(
-        "\nSingle operations over a prime field: the sign changed, zero, doubled, one too\n\
-         large, or the result of a run with other operands\n\n{table}"
-    );
-    for row in &record.operations {
-        for undetected in row.undetected.iter().filter(|undetected| undetected.reason.is_none()) {
-            let _ = write!(
-                text,
-                "\n  not covered: {} in {}, {}: {}",
-                row.code, row.place, undetected.wrong, undetected.at
-            );
-        }
-    }
-    text
-}
-
-/// What became of a sample of operations in `f64`.
-fn sampled_operations(record: &Faults) -> String {
-    let mut table = Table::new(&["regime", "code", "operations", "faults", "detected"]).left(&[1]);
-    for row in &record.sampled {
-        let counts = [row.operations, row.faults, row.detected].map(|n| n.to_string());
-        table.row([row.regime.clone(), row.code.clone()].into_iter().chain(counts).collect());
-    }
-    format!(
-        "\nA sample of operations in f64, each multiplied by -1, 0 and 2: faults that\n\
-         change a number, and faults that exceed a tolerance\n\n{table}"
-    )
-}
-
-fn human(record: &Faults) -> String {
-    let mut table =
-        Table::new(&["check", "regime", "detected", "of", "pairs", "of", "rejected", "of", "false"])
-            .left(&[1]);
-    for row in &record.rows {
-        let counts = [
-            row.detected,
-            row.planted,
-            row.pairs_detected,
-            row.pairs,
-            row.rejected,
-            row.points,
-            row.false_positives.len(),
-        ];
-        table.row(
-            [row.check.clone(), row.regime.clone()]
-                .into_iter()
-                .chain(counts.map(|n| n.to_string()))
-                .collect(),
-        );
-    }
-    let mut text = format!(
-        "Fault injection: which faults each check detects\nseed {:#x}\n\n\
-         pairs: two faults at once; rejected: points at which the check rejects the\n\
-         unmodified closed form; false: equivalent formulas that it rejects\n\n{table}",
-        record.seed
-    );
-    text.push_str(&operations(record));
-    text.push_str(&sampled_operations(record));
-    for row in record.rows.iter().filter(|row| row.check == "exact" || row.check == "gate") {
-        for fault in record.undetected_by(row).chain(row.false_positives.iter().map(String::as_str)) {
-            let _ = write!(text, "\n  {} in {}: {fault}", row.check, row.regime);
-        }
-    }
-    text
 }

@@ -290,7 +290,7 @@ mod tests {
 
     #[test]
     fn every_equation_of_the_paper_fits_the_terminal() {
-        let table = equation_table(1, DRAWS.min(1), 1, "");
+        let table = equation_table(1, DRAWS.min(1), 1);
         assert_eq!(table.equations.len(), 59);
         for row in &table.equations {
             for latex in [Some(&row.printed), row.corrected.as_ref()].into_iter().flatten() {

@@ -3,9 +3,9 @@
 use super::arguments::{planted, program};
 use super::check::{Checked, Verdict};
 use super::disagreements;
-use super::table::Table;
 use beamgap::check::{Cell, Comparison, Differences, Family, Inconclusive, Order};
 use beamgap::linearization::Quantity;
+use beamgap::report::Table;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 

@@ -3,10 +3,10 @@
 use super::arguments::{planted, planting, program};
 use super::json;
 use super::prove::Proved;
-use super::table::Table;
 use beamgap::linearization::Quantity;
 use beamgap::number::PrimeField;
 use beamgap::prove::{Draw, Entry, Layer, Proof, Row};
+use beamgap::report::Table;
 use serde_json::{Value, json};
 use std::fmt::Write;
 

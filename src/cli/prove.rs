@@ -3,6 +3,7 @@
 use super::arguments::{Format, families, seed, variant, work_with};
 use super::exit::Exit;
 use super::output::Output;
+use super::progress::Progress;
 use super::proof;
 use beamgap::prove::{Proof, prove};
 use beamgap::test_beam::Family;
@@ -57,7 +58,10 @@ impl Prove {
         let named = |family: &Family| self.family.is_empty() || self.family.contains(family);
         let families: Vec<_> = Family::ALL.into_iter().filter(named).collect();
         let start = Instant::now();
-        let proof = prove(&variant(&self.plant)?, self.seed, &families, self.draws);
+        let variant = variant(&self.plant)?;
+        let progress = Progress::of("comparing over a prime field");
+        let proof = prove(&variant, self.seed, &families, self.draws);
+        progress.end();
         let draws = proof.pairs as u64 * self.draws;
         // A closed stderr is no reason to lose the result.
         let _ = writeln!(std::io::stderr(), "{draws} draws in {:.1} s", start.elapsed().as_secs_f64());

@@ -1,12 +1,14 @@
 //! `beamgap report`: the reports, written anew.
 
 use super::accuracy::verdict;
-use super::equations::EQUATIONS;
 use super::exit::Exit;
 use super::faults;
+use super::progress::Progress;
+use beamgap::check::Regime;
 use beamgap::equations;
 use beamgap::report::{
-    self, BOUNDS_CASES, CASES, SEED, accuracy, benchmark, bounds, criterion_directory, crosscheck,
+    self, BOUNDS_CASES, Benchmark, CASES, Environment, Equations, ReportError, SEED, accuracy, benchmark,
+    bounds, criterion_directory, crosscheck,
 };
 use clap::{Args, value_parser};
 use std::path::PathBuf;
@@ -26,41 +28,68 @@ pub(crate) struct Report {
     /// The directory to write to
     #[arg(long, value_name = "DIR", default_value = "reports")]
     to: PathBuf,
+    /// Write the reports although the source has changes that are not committed
+    #[arg(long)]
+    allow_dirty: bool,
 }
 
 impl Report {
-    /// Writes the pages and records of crosscheck, bounds, accuracy, equations and faults, then those of the benchmark.
+    /// Writes the benchmark, which is there or not, then what takes minutes: the reports of the checks.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
+        Environment::is_clean(self.allow_dirty)?;
+        let measured = self.measured();
         if self.benchmark {
-            let record = benchmark(&self.to, &criterion_directory())?;
+            let record = measured?;
             println!("Wrote benchmark to {}. What the front page is to say of it:", self.to.display());
             record.claims().iter().for_each(|claim| println!("- {claim}"));
             return Ok(Exit::Agree);
         }
+        // What is missing is said first: the rest takes minutes.
+        if let Err(missing) = &measured {
+            eprintln!("Left out: benchmark: {missing}.");
+        }
+        let exit = self.checks()?;
+        let benchmark = measured.is_ok().then_some("benchmark");
+        let written = ["crosscheck", "bounds", "accuracy", "equations", "faults", "symbols"];
+        let written: Vec<&str> = written.into_iter().chain(benchmark).collect();
+        println!("Wrote to {}: {}.", self.to.display(), written.join(", "));
+        // That nothing was measured is no failure; that something was measured in part is one.
+        match measured {
+            Err(error) if !matches!(error, ReportError::NoMeasurements { .. }) && exit == Exit::Agree => {
+                Ok(Exit::Input)
+            }
+            _ => Ok(exit),
+        }
+    }
+
+    fn measured(&self) -> Result<Benchmark, ReportError> {
+        benchmark(&self.to, &criterion_directory())
+    }
+
+    fn checks(&self) -> anyhow::Result<Exit> {
         let (command, bounds_cases) = match self.cases {
             CASES => ("cargo run --release -- report".into(), BOUNDS_CASES),
             cases => (format!("cargo run --release -- report --cases {cases}"), cases),
         };
-        // What is missing is said first: the rest takes minutes.
-        let is_measured = criterion_directory().is_dir();
-        if !is_measured {
-            eprintln!("Left out: benchmark, as nothing is measured. `cargo bench` measures it.");
-        }
-        let found = crosscheck(&self.to, SEED, self.cases, &command, || ())?;
-        let bounds = bounds(&self.to, SEED, bounds_cases, &command)?;
+        report::write_symbols(&self.to)?;
+        let regimes = Regime::ALL.len() as u64;
+        let progress = Progress::bar("cases compared", self.cases * regimes);
+        let found = crosscheck(&self.to, SEED, self.cases, &command, || progress.step())?;
+        progress.end();
+        let progress = Progress::bar("cases with bounds", bounds_cases * regimes);
+        let bounds = bounds(&self.to, SEED, bounds_cases, &command, || progress.step())?;
+        progress.end();
+        let progress = Progress::of("measuring errors by double-double");
         let chosen = verdict(&accuracy(&self.to, SEED, &command)?).0 == Exit::Agree;
-        let equations = equations::equation_table(SEED, equations::DRAWS, equations::CASES, EQUATIONS);
+        progress.now("evaluating equations");
+        let table = equations::equation_table(SEED, equations::DRAWS, equations::CASES);
+        let equations = Equations::new(table, Environment::here(&command));
         report::equations(&self.to, &equations)?;
         report::derivation(&self.to, &equations)?;
+        progress.end();
         let faults = faults::record(SEED, &[], &command);
         report::faults(&self.to, &faults)?;
-        let mut written = vec!["crosscheck", "bounds", "accuracy", "equations", "derivation", "faults"];
-        if is_measured {
-            benchmark(&self.to, &criterion_directory())?;
-            written.push("benchmark");
-        }
-        println!("Wrote to {}: {}.", self.to.display(), written.join(", "));
-        let agrees = found.mismatches.is_empty() && chosen && equations.holds();
+        let agrees = found.mismatches.is_empty() && chosen && equations.table.holds();
         Ok(match (bounds.violations.is_empty() && faults.holds, agrees) {
             (false, _) => Exit::Untrusted,
             (true, false) => Exit::Disagree,

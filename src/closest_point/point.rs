@@ -23,12 +23,12 @@ const FOURTH_ORDER: f64 = 1.7e-4;
 pub struct ClosestPoint {
     /// xi, the parameter on the first curve.
     pub xi: f64,
-    /// xi_bar, the parameter on the barred curve.
+    /// xi_bar, the parameter on the bar beam.
     #[doc(alias = "eta")]
     pub xi_bar: f64,
     /// The end of the first beam that holds xi, if one does.
     pub end: Option<End>,
-    /// The end of the barred beam that holds xi_bar, if one does.
+    /// The end of the bar beam that holds xi_bar, if one does.
     pub end_bar: Option<End>,
     /// What kind of stationary point it is within the square.
     pub kind: Kind,

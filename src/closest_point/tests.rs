@@ -132,6 +132,6 @@ fn an_end_in_the_way_is_named() {
     }
     assert_eq!(
         ProjectionError::AtEnd { which: Which::Bar, side: Side::Lower }.to_string(),
-        "Newton's method leads out of the barred beam at xi = -1"
+        "Newton's method leads out of the bar beam at xi = -1"
     );
 }

@@ -1,4 +1,4 @@
-//! The record, `beamgap-equations/2`: all that was found out about each equation.
+//! All that was found out about each equation.
 
 use super::arc::Arc;
 use super::claim::Claim;
@@ -10,10 +10,6 @@ use serde::{Deserialize, Serialize};
 /// All equations of the paper.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EquationTable {
-    /// `beamgap-equations/2`.
-    pub schema: String,
-    /// What was run.
-    pub command: String,
     /// The seed of draws and cases.
     pub seed: u64,
     /// The draws for each ordered pair of families, over the prime field.
@@ -105,9 +101,6 @@ pub struct Counts {
 }
 
 impl EquationTable {
-    /// The schema of this version.
-    pub const SCHEMA: &str = "beamgap-equations/2";
-
     /// Whether every equation is there and none is refuted as corrected.
     pub fn holds(&self) -> bool {
         self.equations.iter().map(|entry| entry.number).eq(1..=59)

@@ -20,7 +20,7 @@ pub const CASES: u64 = 121;
 /// regime.
 ///
 /// The result depends on the arguments only, but for the last digits of errors in `f64`.
-pub fn equation_table(seed: u64, draws: u64, cases: u64, command: &str) -> EquationTable {
+pub fn equation_table(seed: u64, draws: u64, cases: u64) -> EquationTable {
     let pairs: Vec<[Family; 2]> =
         Family::ALL.into_iter().flat_map(|one| Family::ALL.map(|other| [one, other])).collect();
     let exact: Vec<Tally> = pairs
@@ -43,8 +43,6 @@ pub fn equation_table(seed: u64, draws: u64, cases: u64, command: &str) -> Equat
     // (1) is run in every draw.
     let linear = equations.first().map_or(0, |entry| entry.as_printed.linear.total()) / draws.max(1);
     EquationTable {
-        schema: EquationTable::SCHEMA.to_owned(),
-        command: command.to_owned(),
         seed,
         draws,
         pairs: [linear, pairs.len() as u64 - linear],

@@ -1,79 +1,100 @@
-//! The digits that each formulation keeps, as Markdown, from the record alone.
+//! The digits that each formulation keeps, as a page, from the record alone.
 
-use super::accuracy::{Accuracy, AccuracyRow, Losses};
+use super::Accuracy;
 use super::number::{count, error, plain};
-use std::fmt::Write;
+use super::page::{Block, Page};
+use crate::check::{Errors, Level};
 
 impl Accuracy {
     /// The page; the same record always makes the same page.
-    pub fn to_markdown(&self) -> String {
-        let mut page = String::from("# Accuracy\n\n");
-        let at = |rows: &[AccuracyRow], at: f64, of: fn(&AccuracyRow) -> Losses| {
+    pub fn page(&self) -> Page {
+        let at = |rows: &[Level], at: f64, of: fn(&Level) -> Errors| {
             let row = rows.iter().find(|row| (row.at / at - 1.0).abs() < 1e-6).map(of);
             row.map_or_else(
                 || "nothing".to_owned(),
-                |losses| format!("{} instead of {}", error(losses.chosen), error(losses.paper)),
+                |losses| format!("{} (paper: {})", error(losses.chosen), error(losses.paper)),
             )
         };
-        let _ = writeln!(
-            page,
-            "Two formulas of the closed form exist in two formulations that are equal in exact arithmetic: the paper's, and a \
-             robust one that keeps its digits where the paper's terms cancel. The library chooses one of them at each closest \
-             point. At a gap of 1e-6 lengths the median error of Delta-delta d is {}; at an angle of 1e-5 that of Delta-delta \
-             xi is {}. The error of the choice is at most {} times that of the better formulation.\n",
-            at(&self.gaps, 1e-6, |row| row.d),
-            at(&self.angles, 1e-5, |row| row.xi),
-            plain(self.worst_choice()),
+        let conclusion = format!(
+            "**The library keeps its digits where the paper's formulas lose theirs.** At a gap of 1e-6 lengths the median \
+             relative error of Delta-delta d, the second variation of the distance, is {}. At an angle of 1e-5 between straight \
+             beams that of Delta-delta xi, the second variation of the parameter, is {}. At each closest point the library \
+             chooses between two formulations that are equal in exact arithmetic. The error of its choice is at most {} times \
+             that of the better one.",
+            at(&self.found.gaps, 1e-6, |row| row.d),
+            at(&self.found.angles, 1e-5, |row| row.xi),
+            plain(self.found.worst_choice()),
         );
-        page.push_str(
-            "Relative errors in `f64`, at the closest point rounded to it, against double-double at the closest point \
-             refined there: medians over random pairs and directions.\n",
+        let formulations = Block::table(
+            &["formulation", "Delta-delta d", "Delta-delta xi"],
+            [
+                ["paper", "divides by d, Eq. (40)", "solves the 2x2 system by determinants, Eq. (59)"],
+                [
+                    "robust",
+                    "along the common normal, no division by d",
+                    "solves it by cross products of the tangents",
+                ],
+            ]
+            .map(|row| row.map(str::to_owned).to_vec())
+            .to_vec(),
         );
-        page.push_str(&table(
-            "Over the gap",
-            "Beams of all families, bent moderately, that cross at a wide angle. The gap is in lengths of a beam.",
-            "accuracy-gap.svg",
-            "gap",
-            &self.gaps,
-        ));
-        page.push_str(&table(
-            "Over the angle",
-            "Straight beams, at a gap of a few hundredths to tenths of the length. The angle is in radians.",
-            "accuracy-angle.svg",
-            "angle",
-            &self.angles,
-        ));
-        let _ = write!(
-            page,
-            "\n## What the numbers do not say\n\n\
-             The curvature of nearly parallel curved beams is known to rounding only. All formulations lose the digits that \
-             depend on it. The closest point is rounded to `f64`. Where it is ill-conditioned, all formulations are \
-             evaluated at a wrong point.\n\
-             \n## How it was made\n\n{}| seed | {:#x} |\n| pairs at each gap and angle | {} |\n\n\
-             All numbers are in `accuracy.json`, from which alone this page and its pictures are made.\n",
-            self.environment.rows(),
-            self.seed,
-            count(self.pairs as u64),
-        );
-        page
+        let picture = |file: &str, caption: &str, svg| Block::Picture {
+            file: file.to_owned(),
+            caption: caption.to_owned(),
+            svg,
+        };
+        let gaps = "Pairs of all curve families, moderately bent, that cross at a wide angle. The gap is the distance of the \
+                    centroids over the length of a beam.";
+        let angles = "Straight beams at a gap of a few hundredths to tenths of their length.";
+        let (seed, pairs) = (format!("{:#x}", self.seed), count(self.pairs as u64));
+        let blocks = vec![
+            Block::text(&conclusion),
+            formulations,
+            Block::heading("Over the gap"),
+            picture("accuracy-gap.svg", gaps, self.gap_to_svg()),
+            Block::details("The numbers of this figure", vec![table("gap", &self.found.gaps)]),
+            Block::heading("Over the angle"),
+            picture("accuracy-angle.svg", angles, self.angle_to_svg()),
+            Block::details("The numbers of this figure", vec![table("angle", &self.found.angles)]),
+            Block::heading("What the numbers do not say"),
+            Block::list(&[
+                "The curvature of nearly parallel curved beams is known to rounding only. All formulations lose the digits that \
+                 depend on it.",
+                "The closest point is rounded to `f64`. Where it is ill-conditioned, all formulations are evaluated at a wrong \
+                 point.",
+            ]),
+            Block::heading("How it was made"),
+            Block::text(
+                "An error is relative, in `f64`, at the closest point rounded to `f64`. It is measured against double-double \
+                 numbers at the closest point refined there. Each number is a median over random pairs and directions. All \
+                 numbers are in `accuracy.json`, from which alone this page and its figures are made. [Symbols](symbols.md).",
+            ),
+            self.environment.table(vec![("seed", seed), ("pairs at each gap and angle", pairs)]),
+        ];
+        Page::new("Accuracy", blocks)
     }
 }
 
-fn table(title: &str, what: &str, picture: &str, at: &str, rows: &[AccuracyRow]) -> String {
-    let mut text = format!(
-        "\n## {title}\n\n{what}\n\n![{title}]({picture})\n\n\
-         | {at} | Delta-delta d: paper | along the normal | chosen | Delta-delta xi: paper | by cross products | chosen \
-         | normal chosen | cross products chosen |\n\
-         |---:|---:|---:|---:|---:|---:|---:|---:|---:|\n"
-    );
-    for row in rows {
-        let AccuracyRow { at, pairs, normal, cross_products, d, xi } = row;
-        let _ = write!(text, "| {at:e} |");
-        for losses in [d, xi] {
-            let [paper, robust, chosen] = [losses.paper, losses.robust, losses.chosen].map(error);
-            let _ = write!(text, " {paper} | {robust} | {chosen} |");
-        }
-        let _ = writeln!(text, " {normal} of {pairs} | {cross_products} of {pairs} |");
-    }
-    text
+/// Both quantities at every gap or angle, from small to large.
+fn table(at: &str, rows: &[Level]) -> Block {
+    let head = [
+        &format!("#{at}"),
+        "#Delta-delta d: paper",
+        "#robust",
+        "#chosen",
+        "#Delta-delta xi: paper",
+        "#robust",
+        "#chosen",
+        "#d: robust chosen",
+        "#xi: robust chosen",
+    ];
+    let row = |row: &Level| {
+        let Level { at, pairs, normal, cross_products, d, xi } = row;
+        let errors = [d, xi].into_iter().flat_map(|of| [of.paper, of.robust, of.chosen].map(error));
+        let chosen = [normal, cross_products].map(|count| format!("{count} of {pairs}"));
+        std::iter::once(format!("{at:e}")).chain(errors).chain(chosen).collect()
+    };
+    let mut rows: Vec<&Level> = rows.iter().collect();
+    rows.sort_by(|a, b| a.at.total_cmp(&b.at));
+    Block::table(&head, rows.into_iter().map(row).collect())
 }

@@ -10,7 +10,7 @@ impl Benchmark {
         let samples = self.scenarios.iter().map(|measured| measured.samples.len()).min().unwrap_or(0);
         vec![
             Block::heading("How it was measured"),
-            Block::table(&["", ""], self.environment.pairs()),
+            self.environment.table(Vec::new()),
             Block::List(vec![
                 "One thread and one pair, the same each time, unless something else is said; the closest point is given, unless \
                  it is what is timed. Dofs in, all results out."

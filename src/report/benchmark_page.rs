@@ -1,121 +1,164 @@
-//! The benchmarks as pages, from the record alone.
+//! The benchmarks as a page, from the record alone.
 
 use super::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
+use super::methods::GIVEN;
 use super::number::{count, error, number, plain, time};
-use super::page::{Block, html, markdown};
-use super::{Instructions, ReportError, Task};
+use super::page::{Block, Page};
+use super::{Instructions, Task};
 
-/// The title of the page.
-const TITLE: &str = "Benchmark";
 /// The family that stands for all where there is room for one only.
 const STANDARD: &str = "hermite";
 
 impl Benchmark {
     /// The pages and the pictures by the names of their files; the same record always makes the same.
-    ///
-    /// # Errors
-    /// [`ReportError::Draw`].
-    pub fn pages(&self) -> Result<Vec<(String, String)>, ReportError> {
-        let blocks = self.blocks()?;
-        let mut pages = vec![
-            ("benchmark.md".to_owned(), markdown(TITLE, &blocks)),
-            ("benchmark.html".to_owned(), html(TITLE, &blocks)),
-        ];
-        for block in blocks {
-            if let Block::Picture { file, svg, .. } = block {
-                pages.push((file, svg));
-            }
-        }
-        Ok(pages)
+    pub fn pages(&self) -> Vec<(String, String)> {
+        let page = self.page();
+        let pages = [("benchmark.md", page.to_markdown()), ("benchmark.html", page.to_html())];
+        pages.map(|(name, text)| (name.to_owned(), text)).into_iter().chain(page.pictures()).collect()
     }
 
-    fn blocks(&self) -> Result<Vec<Block>, ReportError> {
-        let mut blocks = vec![
-            Block::text(&self.conclusion()),
-            picture("benchmark.svg", "Ratios to the closed form", self.ratios_to_svg()?),
-        ];
+    /// The page.
+    pub fn page(&self) -> Page {
+        let mut blocks = vec![Block::text(&self.conclusion())];
+        blocks.extend(picture("benchmark.svg", METHODS, self.methods_to_svg()));
+        blocks.extend([
+            Block::text("The methods differ in what they were given:"),
+            Block::List(GIVEN.map(str::to_owned).to_vec()),
+        ]);
+        let trade = picture("benchmark-accuracy.svg", TRADE, self.trade_to_svg());
+        blocks.extend(trade.into_iter().flat_map(|picture| [Block::heading("Accuracy over time"), picture]));
+        blocks.extend(self.closest_points());
+        blocks.extend(self.sizes());
+        blocks.extend(self.roofline());
+        blocks.extend(self.many());
+        blocks.push(Block::heading("All measurements"));
         for task in [Task::Distance, Task::All, Task::Directions] {
-            blocks.extend([
-                Block::heading(task.name()),
+            let tables = [
                 Block::text(task.description()),
                 self.standard(task),
-            ]);
-            blocks.push(Block::text("All families, with the ratio to the closed form of the same family:"));
-            blocks.push(self.by_family(task));
+                Block::text("The time for every family:"),
+                self.by_family(task, |of| Some(time(of.median))),
+                Block::text("The ratio to the closed form of the same family, in interleaved rounds:"),
+                self.by_family(task, |of| of.ratio_to_closed_form.map(|ratio| plain(ratio.value))),
+            ];
+            blocks.push(Block::details(&format!("Every method: {}", task.name()), tables.to_vec()));
         }
-        for task in [Task::WithSlips, Task::GradientOfDistance, Task::Gradients, Task::ClosestPoint] {
-            blocks.extend([
-                Block::heading(task.name()),
-                Block::text(task.description()),
-                self.by_family(task),
-            ]);
+        for task in [Task::WithSlips, Task::GradientOfDistance, Task::Gradients] {
+            let table = self.by_family(task, |of| Some(time(of.median)));
+            let tables = vec![Block::text(task.description()), table];
+            blocks.push(Block::details(&format!("Closed form: {}", task.name()), tables));
         }
-        blocks.extend(self.sizes()?);
-        blocks.extend(self.many());
-        blocks.push(Block::heading("Accuracy"));
-        blocks.push(Block::text(
-            "Each method with the pair of Hermite beams: the largest error against double-double, over the time.",
-        ));
-        blocks.push(picture("benchmark-accuracy.svg", "Error over time", self.accuracy_to_svg()?));
-        blocks.extend(self.roofline()?);
-        blocks.extend(self.instructions.iter().flat_map(instructions));
         blocks.extend(self.peers.iter().flat_map(super::Peers::blocks));
+        blocks.extend(self.instructions.as_ref().map(instructions));
         blocks.extend(self.method());
-        Ok(blocks)
+        Page::new("Benchmark", blocks)
     }
 
     /// All methods of a task for the standard pair.
     fn standard(&self, task: Task) -> Block {
         let rows = self.of(task).filter(|measured| measured.family == STANDARD).map(|measured| {
             let [low, high] = measured.interval.map(time);
-            let times = measured.ratio_to_closed_form.map_or_else(String::new, Ratio::in_words);
-            let times = if measured.method == CLOSED_FORM { "1".to_owned() } else { times };
+            let [own, of_closed_form] =
+                measured.times_of_rounds().map_or_else(Default::default, |of| of.map(time));
             vec![
                 measured.method.clone(),
                 time(measured.median),
                 format!("{low} to {high}"),
-                times,
+                own,
+                of_closed_form,
+                measured.ratio_to_closed_form.map_or_else(String::new, Ratio::in_words),
                 error(Some(measured.error)),
                 verdict(measured.share),
             ]
         });
         let methods = format!("{STANDARD}, 24 dofs");
-        let head =
-            [&methods, "#median", "#95 % interval", "#times the closed form", "#largest error", VERDICT];
-        Block::table(&head.map(|name: &str| name), rows.collect())
+        let head = [
+            &methods,
+            "#median, alone",
+            "#95 % interval",
+            "#in rounds",
+            "#closed form in these rounds",
+            "#ratio in rounds",
+            "#largest error",
+            VERDICT,
+        ];
+        Block::table(&head, rows.collect())
     }
 
     /// Methods and families, whichever there are more of down and the others across.
-    fn by_family(&self, task: Task) -> Block {
+    fn by_family(&self, task: Task, cell: impl Fn(&Measured) -> Option<String>) -> Block {
         let (mut methods, mut families): (Vec<&str>, Vec<(&str, usize)>) = (Vec::new(), Vec::new());
-        for Measured { method, family, dofs, .. } in self.of(task) {
-            if !methods.contains(&method.as_str()) {
-                methods.push(method);
+        for of in self.of(task).filter(|of| cell(of).is_some()) {
+            if !methods.contains(&of.method.as_str()) {
+                methods.push(&of.method);
             }
-            if !families.contains(&(family, *dofs)) {
-                families.push((family, *dofs));
+            if !families.contains(&(&of.family, of.dofs)) {
+                families.push((&of.family, of.dofs));
             }
         }
         let find = |method: &str, (family, dofs): (&str, usize)| {
-            self.of(task).find(|of| of.method == method && of.family == family && of.dofs == dofs)
+            let is_it = |of: &&Measured| of.method == method && of.family == family && of.dofs == dofs;
+            self.of(task).find(is_it).and_then(&cell).unwrap_or_default()
         };
-        let of_method = |method: &&str| families.iter().map(|&family| find(method, family)).collect();
-        let mut cells: Vec<Vec<Option<&Measured>>> = methods.iter().map(of_method).collect();
-        let mut down: Vec<String> = methods.iter().map(|&method| method.to_owned()).collect();
-        let mut across: Vec<String> =
-            families.iter().map(|(family, dofs)| format!("{family}, {dofs}")).collect();
-        if across.len() > down.len() {
-            cells = (0..across.len()).map(|i| cells.iter().map(|row| row[i]).collect()).collect();
-            std::mem::swap(&mut down, &mut across);
-        }
-        let rows =
-            down.into_iter().zip(cells).map(|(name, of)| std::iter::once(name).chain(row(of)).collect());
-        let head = across.iter().map(|name| format!("#{name}")).chain([format!("{VERDICT} at most")]);
-        let head: Vec<String> = std::iter::once("beams, dofs".to_owned()).chain(head).collect();
-        Block::table(&head.iter().map(String::as_str).collect::<Vec<_>>(), rows.collect())
+        let name = |(family, dofs): (&str, usize)| format!("{family}, {dofs}");
+        let (mut across, rows): (Vec<String>, Vec<Vec<String>>) = if families.len() > methods.len() {
+            let row = |&family: &(&str, usize)| {
+                let cells = methods.iter().map(|method| find(method, family));
+                std::iter::once(name(family)).chain(cells).collect()
+            };
+            (methods.iter().map(ToString::to_string).collect(), families.iter().map(row).collect())
+        } else {
+            let row = |method: &&str| {
+                let cells = families.iter().map(|&family| find(method, family));
+                std::iter::once((*method).to_owned()).chain(cells).collect()
+            };
+            (families.iter().map(|&family| name(family)).collect(), methods.iter().map(row).collect())
+        };
+        across.iter_mut().for_each(|name| name.insert(0, '#'));
+        across.insert(0, "beams, dofs".to_owned());
+        Block::table(&across, rows)
     }
 
-    fn sizes(&self) -> Result<Vec<Block>, ReportError> {
+    /// What it takes to find a closest point, next to what it takes to linearize there.
+    fn closest_points(&self) -> Vec<Block> {
+        let closed = |task: Task, family: &str| {
+            let is_it = |of: &&Measured| of.family == family && of.method == CLOSED_FORM;
+            self.of(task).find(is_it).map_or_else(String::new, |of| time(of.median))
+        };
+        let mut families: Vec<(&str, usize)> = Vec::new();
+        for of in self.of(Task::ClosestPoint) {
+            if !families.contains(&(&of.family, of.dofs)) {
+                families.push((&of.family, of.dofs));
+            }
+        }
+        let row = |&(family, dofs): &(&str, usize)| {
+            let find = |method: &str| {
+                let is_it = |of: &&Measured| of.family == family && of.method.starts_with(method);
+                self.of(Task::ClosestPoint).find(is_it).map_or_else(String::new, |of| time(of.median))
+            };
+            let linearized = [closed(Task::Distance, family), closed(Task::All, family)];
+            let found = [format!("{family}, {dofs}"), find("search"), find("Newton")];
+            found.into_iter().chain(linearized).collect()
+        };
+        let head = [
+            "beams, dofs",
+            "#search for all closest points",
+            "#Newton's method from 0.05 away",
+            "#closed form, d",
+            "#closed form, all",
+        ];
+        vec![
+            Block::heading("Finding the closest point"),
+            Block::text(
+                "All methods above are given the closest point. Finding it takes longer than linearizing d there. Newton's method \
+                 starts 0.05 away in both parameters, as from the last load step. The search finds all closest points, and \
+                 needs no start.",
+            ),
+            Block::table(&head, families.iter().map(row).collect()),
+        ]
+    }
+
+    fn sizes(&self) -> Vec<Block> {
         let by_size = [(Task::DistanceBySize, 1), (Task::AllBySize, 5)];
         let rows = by_size.into_iter().flat_map(|(task, hessians)| {
             self.of(task).map(move |of| {
@@ -124,69 +167,76 @@ impl Benchmark {
                     of.task.replace(" by size", ""),
                     of.family.clone(),
                     count(of.dofs as u64),
-                    of.method.clone(),
                     time(of.median),
                     format!("{} ns", plain(of.median / entries)),
                     verdict(of.share),
                 ]
             })
         });
-        let head = ["task", "family", "#dofs", "method", "#median", "#an entry of a Hessian", VERDICT];
-        Ok(vec![
-            Block::heading("Cost over the number of dofs"),
-            Block::text(
-                "A cost proportional to the size of the result is a constant time for each entry of a Hessian that is stored. What is \
-                 spent on the shape functions and on the gradients is spread over few entries when there are few dofs, and \
-                 Hessians that overflow the first cache cost more again.",
-            ),
-            picture("benchmark-sizes.svg", "Time over the number of dofs", self.sizes_to_svg()?),
-            Block::table(&head, rows.collect()),
-        ])
+        let head = ["task", "family", "#dofs", "#median", "#an entry of a Hessian", VERDICT];
+        let rows = Block::table(&head, rows.collect());
+        let picture = picture("benchmark-sizes.svg", SIZES, self.sizes_to_svg());
+        let text = "The time grows more slowly than the number of entries of a Hessian, which is the square of the dofs: few dofs \
+                    share the cost of the shape functions and gradients among few entries.";
+        let blocks = [Block::heading("Cost over dofs"), Block::text(text)];
+        blocks
+            .into_iter()
+            .chain(picture)
+            .chain([Block::details("The numbers of this figure", vec![rows])])
+            .collect()
     }
 
     fn many(&self) -> Vec<Block> {
+        let tasks = [Task::DistanceOfMany, Task::AllOfMany];
         let pairs = |task| self.of(task).map(|of| of.pairs as u64);
-        let numbers = |of_d: Option<u64>, of_all: Option<u64>| {
-            format!("{} for d and {} for all", count(of_d.unwrap_or(0)), count(of_all.unwrap_or(0)))
+        let numbers = |[of_d, of_all]: [Option<u64>; 2]| {
+            format!("{} pairs for d and {} for all", count(of_d.unwrap_or(0)), count(of_all.unwrap_or(0)))
         };
-        let in_cache = numbers(pairs(Task::DistanceOfMany).max(), pairs(Task::AllOfMany).max());
-        let to_memory = numbers(pairs(Task::DistanceOfMany).min(), pairs(Task::AllOfMany).min());
-        let rows =
-            [Task::DistanceOfMany, Task::AllOfMany].into_iter().flat_map(|task| self.of(task)).map(|of| {
-                let [low, high] = of.interval.map(time);
-                let (interval, rate) = (format!("{low} to {high}"), plain(1e9 / of.median));
-                let [speed_up, of_arithmetic] = [of.speed_up(), of.speed_up_of_arithmetic()]
-                    .map(|ratio| ratio.map_or_else(String::new, Ratio::in_words));
-                let task = of.task.replace(" of many pairs", "");
-                let method = of.method.replace("closed form, ", "");
-                let median = time(of.median);
-                vec![task, method, median, interval, rate, speed_up, of_arithmetic, verdict(of.share)]
-            });
-        let head = [
-            "task",
-            "method",
-            "#time of a pair",
-            "#95 % interval",
-            "#pairs in a second",
-            "#times one thread",
-            "#multiply-adds alone",
-            VERDICT,
-        ];
+        let in_cache = numbers(tasks.map(|task| pairs(task).max()));
+        let to_memory = numbers(tasks.map(|task| pairs(task).min()));
+        let all = || tasks.into_iter().flat_map(|task| self.of(task));
+        let name = |of: &Measured| {
+            let method =
+                of.method.replace("closed form, ", "").replace(", 2 threads", "").replace(", 1 thread", "");
+            vec![of.task.replace(" of many pairs", ""), method]
+        };
+        let one = all().filter(|of| of.speed_up().is_none()).map(|of| {
+            let [low, high] = of.interval.map(time);
+            let cells =
+                [time(of.median), format!("{low} to {high}"), plain(1e9 / of.median), verdict(of.share)];
+            name(of).into_iter().chain(cells).collect()
+        });
+        let two = all().filter_map(|of| {
+            let [by_all, by_one] = of.times_of_threads()?.map(time);
+            let [speed_up, of_arithmetic] =
+                [of.speed_up()?, of.speed_up_of_arithmetic()?].map(Ratio::in_words);
+            Some(name(of).into_iter().chain([by_one, by_all, speed_up, of_arithmetic]).collect())
+        });
+        let head = ["task", "method", "#time of a pair", "#95 % interval", "#pairs in a second", VERDICT];
+        let heads =
+            ["task", "method", "#one thread", "#two threads", "#times as many pairs", "#multiply-adds alone"];
         vec![
             Block::heading("Many pairs"),
+            Block::text("Pairs of Hermite beams on one thread, one by one or four in the lanes of a vector."),
+            Block::table(&head, one.collect()),
             Block::text(&format!(
-                "Pairs of Hermite beams, {in_cache}, one by one or four in the lanes of a vector, each result written where \
-                 the last one was, as an assembly does that takes it from there; or by one call, {to_memory}, each result in \
-                 memory of its own, which then waits for memory. How many times as many pairs two threads do as one was \
-                 measured with both in interleaved rounds, on {} cores; and in the same rounds how many times as many multiply-adds in \
-                 registers, with no memory and nothing else to do, each thread for a whole round.",
+                "Two threads against one, on {} cores. Each row was measured with both in interleaved rounds; its times are \
+                 those of these rounds. The last column is what two threads gain that only multiply and add in registers: no \
+                 program gains more.",
                 self.environment.cores
             )),
-            Block::table(&head, rows.collect()),
+            Block::table(&heads, two.collect()),
+            Block::list(&[
+                &format!(
+                    "One by one, and four at once: each result is written where the last one was, for an assembly that takes it \
+                     from there; {in_cache}."
+                ),
+                &format!("To memory: each result has memory of its own, and waits for memory; {to_memory}."),
+            ]),
         ]
     }
 
-    fn roofline(&self) -> Result<Vec<Block>, ReportError> {
+    fn roofline(&self) -> Vec<Block> {
         let rows = self.below_the_roof().map(|below| {
             let [of_arithmetic, of_stores] = below.roofline.map(time);
             let [multiply_adds, bytes] = [below.multiply_adds, below.bytes].map(|n| count(n as u64));
@@ -196,40 +246,42 @@ impl Benchmark {
         let head = [
             "a pair, 24 dofs",
             "#multiply-adds",
-            "#roofline bound",
+            "#they take",
             "#bytes stored",
-            "#roofline bound",
-            "#a pair",
+            "#they take",
+            "#a pair, in these rounds",
             "#times the roofline bound",
         ];
+        let rows = Block::table(&head, rows.collect());
         let [multiply_adds, bytes] = self.roof();
-        Ok(vec![
-            Block::heading("The roofline"),
-            Block::text(&format!(
-                "One core of this machine does {} multiply-adds in a nanosecond at best, and stores {} bytes into its first \
-                 cache: measured by two small kernels, in interleaved rounds with the methods of this table, so that both meet the machine at \
-                 the same speed. The multiply-adds of a method are counted by evaluating \
-                 the same source over a number that counts: a product with the sum that takes it, any other sum or product, \
-                 a quotient and a root are one each. So the roofline is that of a machine that only computes, never waits, \
-                 and always has four numbers to compute with, which one pair at a time has not.",
-                plain(multiply_adds),
-                plain(bytes)
-            )),
-            picture("benchmark-roofline.svg", "The roofline", self.roofline_to_svg()?),
-            Block::table(&head, rows.collect()),
-        ])
+        let text = format!(
+            "The roofline bound is the time that the multiply-adds of a method take, or its stores, whichever is longer, if the \
+             machine does nothing else. One core does {} multiply-adds in a nanosecond and stores {} bytes into its first \
+             cache. A number at a point is its time over the bound.",
+            plain(multiply_adds),
+            plain(bytes)
+        );
+        let method = Block::list(&[
+            "Two small kernels measure the bounds, in interleaved rounds with the methods, so that both meet the machine at the \
+             same speed.",
+            "Multiply-adds are counted by evaluating the same source over a number that counts. A product with the sum that \
+             takes it, any other sum or product, a quotient and a root are one each.",
+            "The bound assumes four numbers in every instruction and no waiting, which one pair at a time cannot have.",
+        ]);
+        let picture = picture("benchmark-roofline.svg", ROOFLINE, self.roofline_to_svg());
+        let blocks = [Block::heading("Roofline"), Block::text(&text)];
+        let details = Block::details("The numbers of this figure", vec![method, rows]);
+        blocks.into_iter().chain(picture).chain([details]).collect()
     }
 }
 
-/// The times of a row with their ratios, and the worst verdict of them.
-fn row(of: Vec<Option<&Measured>>) -> Vec<String> {
-    let cell = |of: &Measured| match &of.ratio_to_closed_form {
-        Some(ratio) => format!("{} ({})", time(of.median), plain(ratio.value)),
-        None => time(of.median),
-    };
-    let share = of.iter().flatten().map(|of| of.share).fold(0.0, f64::max);
-    of.into_iter().map(|of| of.map_or_else(String::new, cell)).chain([verdict(share)]).collect()
-}
+const METHODS: &str = "The median time of a pair of cubic Hermite beams, one core, in one run. Bars reach from the lower to the \
+                       upper quartile of the rounds; for the closest point they are 95 % intervals. Errors are the largest \
+                       in a gradient or Hessian, relative to its largest entry, against double-double.";
+const TRADE: &str =
+    "d, xi, xi_bar, t and t_bar with gradients and Hessians. Lower is more accurate; left is faster.";
+const SIZES: &str = "Gradients and Hessians in all dofs of two Lagrange or cubic B-spline beams.";
+const ROOFLINE: &str = "Points below the line, each with its layout and its time over the roofline bound.";
 
 /// The head of a column of verdicts.
 const VERDICT: &str = "#error / tolerance";
@@ -239,20 +291,16 @@ fn verdict(share: f64) -> String {
     format!("{} ({})", error(Some(share)), if share <= 1.0 { "pass" } else { "fail" })
 }
 
-fn picture(file: &str, caption: &str, svg: String) -> Block {
-    Block::Picture { file: file.to_owned(), caption: caption.to_owned(), svg }
+fn picture(file: &str, caption: &str, svg: Option<String>) -> Option<Block> {
+    Some(Block::Picture { file: file.to_owned(), caption: caption.to_owned(), svg: svg? })
 }
 
-fn instructions(of: &Instructions) -> [Block; 3] {
+fn instructions(of: &Instructions) -> Block {
     let rows = of.rows.iter().map(|row| vec![row.scenario.clone(), count(row.instructions)]);
-    [
-        Block::heading("Instructions"),
-        Block::text(&format!(
-            "Counted by callgrind, for one run each: {}, {}. `{}`",
-            of.rustc, of.target, of.command
-        )),
-        Block::table(&["scenario", "#instructions"], rows.collect()),
-    ]
+    let text =
+        format!("Counted by callgrind, for one run each: {}, {}. `{}`", of.rustc, of.target, of.command);
+    let table = Block::table(&["scenario", "#instructions"], rows.collect());
+    Block::details("Instructions", vec![Block::text(&text), table])
 }
 
 impl Ratio {

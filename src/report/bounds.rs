@@ -29,12 +29,9 @@ pub struct Bounds {
 pub struct RegimePoints {
     /// The regime.
     pub regime: String,
-    /// Closest points measured.
-    pub measured: u64,
-    /// Of these, those where a tolerance exceeds a thousandth of its scale.
-    pub not_meaningful: u64,
-    /// Closest points that have no derivatives to be compared, or could not be refined.
-    pub left_out: u64,
+    /// Their counts.
+    #[serde(flatten)]
+    pub points: check::Points,
 }
 
 /// One side and one order in one regime.
@@ -110,12 +107,9 @@ impl Bounds {
                 rows.extend(Regime::ALL.iter().filter_map(of_regime));
             }
         }
-        let regimes = found.points.iter().map(|(regime, points)| RegimePoints {
-            regime: regime.name().to_owned(),
-            measured: points.measured,
-            not_meaningful: points.not_meaningful,
-            left_out: points.left_out,
-        });
+        let regimes = found.points.iter();
+        let regimes =
+            regimes.map(|(regime, &points)| RegimePoints { regime: regime.name().to_owned(), points });
         let violations = found.violations.iter().map(|(&case, violation)| BrokenBound {
             case,
             side: violation.side.name().to_owned(),

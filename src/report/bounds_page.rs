@@ -1,122 +1,131 @@
-//! The overestimation of the tolerances as Markdown, from the record alone.
+//! The overestimation of the tolerances as a page, from the record alone.
 
 use super::bounds::{Bounds, BoundsRow};
 use super::number::{count, error, plain};
-use std::fmt::Write;
+use super::page::{Block, Page};
 
 impl Bounds {
     /// The page; the same record always makes the same page.
-    pub fn to_markdown(&self) -> String {
-        let mut page = String::from("# Bounds\n\n");
-        let points: u64 = self.regimes.iter().map(|regime| regime.measured).sum();
+    pub fn page(&self) -> Page {
+        let points: u64 = self.regimes.iter().map(|regime| regime.points.measured).sum();
         let entries: u64 = self.rows_of("all").map(|row| row.entries).sum();
-        let _ = writeln!(
-            page,
-            "The tolerances of the check are bounds on rounding error. This report measures whether errors exceed them, and \
-             their overestimation factor. At {} closest points it compares every number of the closed form and of automatic \
-             differentiation with the closed form in double-double, at the closest point refined there. Of {} numbers with \
-             an error, **{}**.\n",
+        let found = match self.violations.len() {
+            0 => "No error exceeds its bound".to_owned(),
+            n => format!("In {n} cases an error exceeds its bound"),
+        };
+        let conclusion = format!(
+            "**{found}: {} closest points, {} numbers with an error.** The check compares two numbers within a tolerance, the \
+             sum of their bounds on rounding error. This report asks two questions. Does an error ever exceed its bound? How \
+             far above the error is the bound?",
             count(points),
             count(entries),
-            match self.violations.len() {
-                0 => "none has an error beyond its bound".to_owned(),
-                n => format!("some, in {n} cases, have an error beyond their bound"),
-            }
         );
-        page.push_str(&self.violations_listed());
-        page.push_str("## Overestimation factor (bound / error), and error / scale\n\nOver all regimes.\n\n");
-        page.push_str(&table(self.rows_of("all"), |row| format!("{} | {}", row.side, row.order)));
+        let mut blocks = vec![Block::text(&conclusion)];
+        blocks.extend(self.violations_listed());
+        blocks.extend([
+            Block::heading("Overestimation factor"),
+            Block::text(
+                "The overestimation factor is the bound over the true error: at least 1 if the bound holds, and a fault smaller \
+                 than this many errors is not seen. The true error is the difference from the closed form in double-double \
+                 numbers, at the closest point refined there. *First*: delta and Delta, the first variations; *second*: \
+                 Delta-delta. The scale of a number is the sum of the absolute values of its terms.",
+            ),
+            table(["side", "order"], self.rows_of("all"), |row| [&row.side, &row.order]),
+            counts(self.rows_of("all")),
+        ]);
         for side in ["closed form", "AD"] {
-            let _ = write!(page, "\n## By regime: {side}\n\n");
             let rows = self.rows.iter().filter(|row| row.side == side && row.regime != "all");
-            page.push_str(&table(rows, |row| format!("{} | {}", row.regime, row.order)));
+            let table = table(["regime", "order"], rows, |row| [&row.regime, &row.order]);
+            blocks.push(Block::details(&format!("By regime: {side}"), vec![table]));
         }
-        page.push_str(&self.by_regime());
-        let _ = write!(
-            page,
-            "\n## How it was made\n\n{}| seed | {:#x} |\n| cases of each regime | {} |\n\n\
-             Quantiles are good to 1.2 %. All numbers are in `bounds.json`, from which alone this page is made.\n",
-            self.environment.rows(),
-            self.seed,
-            count(self.cases_per_regime),
-        );
-        page
+        blocks.extend(self.by_regime());
+        let (seed, cases) = (format!("{:#x}", self.seed), count(self.cases_per_regime));
+        blocks.extend([
+            Block::heading("How it was made"),
+            Block::text(
+                "Quantiles are good to 1.2 %. All numbers are in `bounds.json`, from which alone this page is made. \
+                 [Symbols and regimes](symbols.md).",
+            ),
+            self.environment.table(vec![("seed", seed), ("cases of each regime", cases)]),
+        ]);
+        Page::new("Bounds", blocks)
     }
 
     fn rows_of<'a>(&'a self, regime: &'a str) -> impl Iterator<Item = &'a BoundsRow> {
         self.rows.iter().filter(move |row| row.regime == regime)
     }
 
-    fn violations_listed(&self) -> String {
+    fn violations_listed(&self) -> Vec<Block> {
         if self.violations.is_empty() {
-            return String::new();
+            return Vec::new();
         }
-        let mut rows = String::from(
-            "## Broken bounds\n\n| case | side | quantity | part | bound | error |\n|---:|---|---|---|---:|---:|\n",
-        );
-        for broken in &self.violations {
-            let _ = writeln!(
-                rows,
-                "| {} | {} | {} | {} | {} | {} |",
-                broken.case,
-                broken.side,
-                broken.quantity,
-                broken.part,
-                error(broken.bound),
-                error(broken.error),
-            );
-        }
-        rows + "\n"
+        let row = |broken: &super::BrokenBound| {
+            let names = [&broken.side, &broken.quantity, &broken.part].map(Clone::clone);
+            let numbers = [error(broken.bound), error(broken.error)];
+            let command = format!("`beamgap check --seed {:#x} --case {}`", self.seed, broken.case);
+            names.into_iter().chain(numbers).chain([command]).collect()
+        };
+        let head = ["side", "quantity", "part", "#bound", "#error", "shown by"];
+        let rows = self.violations.iter().map(row).collect();
+        vec![Block::heading("Broken bounds"), Block::table(&head, rows)]
     }
 
-    fn by_regime(&self) -> String {
-        let mut rows = String::from(
-            "\n## What the tolerance cannot judge\n\n\
-             Points where the sum of both bounds exceeds a thousandth of a scale, for some number: the gate does not count \
-             them as compared.\n\n| regime | points | beyond a thousandth | share | left out |\n|---|---:|---:|---:|---:|\n",
-        );
-        for regime in &self.regimes {
+    fn by_regime(&self) -> Vec<Block> {
+        let row = |regime: &super::RegimePoints| {
             #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
-            let share = 100.0 * regime.not_meaningful as f64 / regime.measured.max(1) as f64;
-            let _ = writeln!(
-                rows,
-                "| {} | {} | {} | {share:.2} % | {} |",
-                regime.regime,
-                count(regime.measured),
-                count(regime.not_meaningful),
-                count(regime.left_out),
-            );
-        }
-        rows
+            let share = 100.0 * regime.points.not_meaningful as f64 / regime.points.measured.max(1) as f64;
+            let counts = [regime.points.measured, regime.points.not_meaningful].map(count);
+            let rest = [format!("{share:.2} %"), count(regime.points.left_out)];
+            std::iter::once(regime.regime.clone()).chain(counts).chain(rest).collect()
+        };
+        let head = ["regime", "#closest points", "#tolerance too wide", "#share", "#left out"];
+        vec![
+            Block::heading("Where the tolerance says nothing"),
+            Block::text(
+                "A tolerance is too wide if it exceeds a thousandth of the scale, for some number of the point. The check does \
+                 not count such a point as compared. A point is left out if it has no derivatives to compare, or cannot be \
+                 refined.",
+            ),
+            Block::table(&head, self.regimes.iter().map(row).collect()),
+        ]
     }
 }
 
-fn table<'a>(of: impl Iterator<Item = &'a BoundsRow>, name: impl Fn(&BoundsRow) -> String) -> String {
-    let mut rows = String::from(
-        "| | order | numbers | without error | bound/error: 5 % | median | 95 % | max | error/scale: median | 95 % | max |\n\
-         |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
-    );
+fn table<'a>(
+    names: [&str; 2],
+    of: impl Iterator<Item = &'a BoundsRow>,
+    name: impl Fn(&BoundsRow) -> [&String; 2],
+) -> Block {
     let ratio = |x: Option<f64>| match x {
         None => "none".to_owned(),
         Some(x) if x < 1e5 => plain(x),
         x => error(x),
     };
-    for row in of {
-        let (overestimation, scaled) = (&row.overestimation, &row.error);
-        let _ = writeln!(
-            rows,
-            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
-            name(row),
-            count(row.entries),
-            count(row.exact),
-            ratio(overestimation.low),
-            ratio(overestimation.median),
-            ratio(overestimation.high),
-            ratio(overestimation.max),
-            error(scaled.median),
-            error(scaled.high),
-            error(scaled.max),
-        );
-    }
-    rows
+    let row = |row: &BoundsRow| {
+        let (factor, scaled) = (&row.overestimation, &row.error);
+        let factors = [factor.low, factor.median, factor.high, factor.max].map(ratio);
+        let errors = [scaled.median, scaled.high, scaled.max].map(error);
+        name(row).map(Clone::clone).into_iter().chain(factors).chain(errors).collect()
+    };
+    let head = [
+        names[0],
+        names[1],
+        "#factor: 5 %",
+        "#median",
+        "#95 %",
+        "#max",
+        "#error / scale: median",
+        "#95 %",
+        "#max",
+    ];
+    Block::table(&head, of.map(row).collect())
+}
+
+fn counts<'a>(of: impl Iterator<Item = &'a BoundsRow>) -> Block {
+    let row = |row: &BoundsRow| {
+        let counts = [row.entries, row.exact, row.unbounded].map(count);
+        [&row.side, &row.order].map(Clone::clone).into_iter().chain(counts).collect()
+    };
+    let head = ["side", "order", "#numbers with an error", "#without an error", "#without a finite bound"];
+    Block::table(&head, of.map(row).collect())
 }

@@ -1,79 +1,102 @@
-//! The comparison of the check as Markdown, from the record alone.
+//! The comparison of the check as a page, from the record alone.
 
-use super::crosscheck::{Crosscheck, RegimeRow};
+use super::crosscheck::{Crosscheck, NotCompared, RegimeRow};
 use super::number::{count, error};
+use super::page::{Block, Page};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 impl Crosscheck {
     /// The page; the same record always makes the same page.
-    pub fn to_markdown(&self) -> String {
-        let mut page = String::from("# Crosscheck\n\n");
+    pub fn page(&self) -> Page {
         let mismatches: u64 = self.regimes.iter().map(|regime| regime.mismatches).sum();
         let entries: u64 = self.quantities.iter().map(|worst| worst.entries).sum();
         let cases: u64 = self.regimes.iter().map(|regime| regime.cases).sum();
-        let not_compared: u64 =
+        let left: u64 =
             self.regimes.iter().flat_map(|regime| &regime.not_compared).map(|what| what.count).sum();
-        let _ = writeln!(
-            page,
-            "This report compares the closed form with automatic differentiation. Of {} random pairs of beams, {} closest \
-             points were compared in {} numbers: **{}**. Points or cases that could not be compared: {}.\n",
-            count(cases),
+        let found = match mismatches {
+            0 => "Closed form and automatic differentiation agree".to_owned(),
+            n => format!("Closed form and automatic differentiation differ at {} closest points", count(n)),
+        };
+        let conclusion = format!(
+            "**{found}: {} closest points of {} random pairs of beams, {} numbers, {} mismatches.** {} points or cases could not \
+             be compared; they count neither as agreeing nor as differing. A mismatch is a difference that exceeds a bound on \
+             the rounding of both sides.",
             count(self.points),
+            count(cases),
             count(entries),
-            match mismatches {
-                0 => "no mismatch".to_owned(),
-                1 => "1 point does not agree".to_owned(),
-                n => format!("{} points do not agree", count(n)),
-            },
-            count(not_compared),
+            count(mismatches),
+            count(left),
         );
-        page.push_str(&self.mismatches_listed());
-        page.push_str(&self.by_quantity());
-        page.push_str(&self.by_regime());
-        page.push_str(&self.by_reason());
-        page.push_str(&self.by_family());
-        let _ = write!(
-            page,
-            "\n## How it was made\n\n{}| seed | {:#x} |\n| cases of each regime | {} |\n\n\
-             A case is drawn from the seed and its number alone. All numbers are in `crosscheck.json`, from which alone this \
-             page is made.\n",
-            self.environment.rows(),
-            self.seed,
-            count(self.cases_per_regime),
-        );
-        page.push_str(SILENCE);
-        page
+        let mut blocks = vec![Block::text(&conclusion)];
+        blocks.extend(self.mismatches_listed());
+        blocks.extend(self.by_regime());
+        blocks.extend(self.by_quantity());
+        blocks.push(Block::heading("Details"));
+        blocks.push(self.by_reason());
+        blocks.push(self.by_family());
+        let (seed, of_each) = (format!("{:#x}", self.seed), count(self.cases_per_regime));
+        blocks.extend([
+            Block::heading("What these numbers do not say"),
+            Block::list(&SILENCE),
+            Block::heading("How it was made"),
+            Block::text(
+                "A case is drawn from the seed and its number alone. `beamgap check --case N` shows case N. All numbers are in \
+                 `crosscheck.json`, from which alone this page is made. [Symbols and regimes](symbols.md).",
+            ),
+            self.environment.table(vec![("seed", seed), ("cases of each regime", of_each)]),
+        ]);
+        Page::new("Crosscheck", blocks)
     }
 
-    fn mismatches_listed(&self) -> String {
+    fn mismatches_listed(&self) -> Vec<Block> {
         if self.mismatches.is_empty() {
-            return String::new();
+            return Vec::new();
         }
-        let mut rows = String::from(
-            "## Mismatches\n\n| case | quantity | order | against | closed form | other | tolerance |\n\
-             |---:|---|---|---|---:|---:|---:|\n",
-        );
         let number = |x: Option<f64>| x.map_or_else(|| "not finite".to_owned(), |x| format!("{x:e}"));
-        for entry in &self.mismatches {
-            let _ = writeln!(
-                rows,
-                "| {} | {} | {} | {} | {} | {} | {} |",
-                entry.case,
-                entry.quantity,
-                entry.order,
-                entry.against,
-                number(entry.closed),
-                number(entry.other),
-                error(entry.tolerance),
-            );
-        }
-        rows + "\n"
+        let row = |entry: &super::Mismatch| {
+            let names = [&entry.quantity, &entry.order, &entry.against].map(Clone::clone);
+            let numbers = [number(entry.closed), number(entry.other), error(entry.tolerance)];
+            std::iter::once(entry.case.to_string()).chain(names).chain(numbers).collect()
+        };
+        let head = ["#case", "quantity", "order", "against", "#closed form", "#other", "#tolerance"];
+        vec![Block::heading("Mismatches"), Block::table(&head, self.mismatches.iter().map(row).collect())]
     }
 
-    /// Quantities down, orders across.
-    fn by_quantity(&self) -> String {
-        let (mut quantities, mut orders): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
+    fn by_regime(&self) -> Vec<Block> {
+        let row = |regime: &RegimeRow| {
+            let left = regime.not_compared.iter().map(|what| what.count).sum();
+            let counts = [regime.cases, regime.interior, regime.at_end, regime.mismatches, left].map(count);
+            let share =
+                regime.over_tolerance.map_or_else(|| "not finite".to_owned(), |over| format!("{over:.2}"));
+            let worst = [error(regime.scaled_error), regime.case.to_string(), share];
+            std::iter::once(regime.regime.clone()).chain(counts).chain(worst).collect()
+        };
+        let head = [
+            "regime",
+            "#cases",
+            "#points inside",
+            "#at ends",
+            "#mismatches",
+            "#not compared",
+            "#worst error",
+            "#its case",
+            "#worst error / tolerance",
+        ];
+        vec![
+            Block::heading("Regimes"),
+            Block::text(
+                "A regime is a way to draw pairs of beams; [symbols](symbols.md) describes each. A closest point lies inside both \
+                 beams, or at an end of one or both. The error is |closed form - other| over the sum of the absolute values of \
+                 the terms. *Error / tolerance* above 1 is a mismatch.",
+            ),
+            Block::table(&head, self.regimes.iter().map(row).collect()),
+        ]
+    }
+
+    /// Quantities down, orders across, with the cases folded away.
+    fn by_quantity(&self) -> [Block; 4] {
+        let mut orders: Vec<&str> = Vec::new();
+        let mut quantities: Vec<&str> = Vec::new();
         for worst in &self.quantities {
             for (known, name) in [(&mut quantities, &worst.quantity), (&mut orders, &worst.order)] {
                 if !known.contains(&name.as_str()) {
@@ -81,103 +104,71 @@ impl Crosscheck {
                 }
             }
         }
-        let mut rows = String::from(
-            "## Worst errors by quantity\n\n\
-             The largest |closed form − other| over its scale, the sum of the absolute values of the terms; in brackets the \
-             case that shows it. *value*: the quantity; *first*: delta and Delta; *second*: Delta-delta; *symmetry*: \
-             Delta-delta with the directions exchanged; *matrix*: gradient and Hessian, contracted with the directions.\n\n",
-        );
-        let _ =
-            writeln!(rows, "| quantity | {} |\n|---|{}", orders.join(" | "), "---:|".repeat(orders.len()));
-        for quantity in quantities {
-            let _ = write!(rows, "| {quantity} |");
-            for order in &orders {
-                let at =
-                    self.quantities.iter().find(|worst| worst.quantity == quantity && worst.order == *order);
-                let text = at.map(|worst| format!("{} ({})", error(worst.scaled_error), worst.case));
-                let _ = write!(rows, " {} |", text.unwrap_or_default());
-            }
-            rows.push('\n');
-        }
-        rows
+        let table = |cell: fn(&super::Worst) -> String| {
+            let row = |quantity: &&str| {
+                let cells = orders.iter().map(|order| {
+                    let is_it = |of: &&super::Worst| of.quantity == *quantity && of.order == *order;
+                    self.quantities.iter().find(is_it).map(cell).unwrap_or_default()
+                });
+                std::iter::once((*quantity).to_owned()).chain(cells).collect()
+            };
+            let head: Vec<String> = std::iter::once("quantity".to_owned())
+                .chain(orders.iter().map(|order| format!("#{order}")))
+                .collect();
+            Block::table(&head, quantities.iter().map(row).collect())
+        };
+        [
+            Block::heading("Worst errors by quantity"),
+            Block::text(
+                "*Value*: the quantity itself. *First*: its first variations delta and Delta. *Second*: its second variation \
+                 Delta-delta. *Symmetry*: Delta-delta against itself with the directions exchanged. *Matrix*: gradient and \
+                 Hessian times the directions, against the variations.",
+            ),
+            table(|worst| error(worst.scaled_error)),
+            Block::details("The cases with these errors", vec![table(|worst| worst.case.to_string())]),
+        ]
     }
 
-    fn by_regime(&self) -> String {
-        let mut rows = String::from(
-            "\n## Regimes\n\n\
-             The tolerance is a bound on the rounding of both sides, entry by entry: above 1 they disagree.\n\n\
-             | regime | cases | points inside | points at ends | mismatches | not compared | worst error (case) | \
-             worst over tolerance |\n|---|---:|---:|---:|---:|---:|---:|---:|\n",
-        );
-        for regime in &self.regimes {
-            let RegimeRow { regime: name, not_compared, .. } = regime;
-            let _ = writeln!(
-                rows,
-                "| {name} | {} | {} | {} | {} | {} | {} ({}) | {} |",
-                count(regime.cases),
-                count(regime.interior),
-                count(regime.at_end),
-                count(regime.mismatches),
-                count(not_compared.iter().map(|what| what.count).sum()),
-                error(regime.scaled_error),
-                regime.case,
-                regime.over_tolerance.map_or_else(|| "not finite".to_owned(), |over| format!("{over:.2}")),
-            );
-        }
-        rows
-    }
-
-    fn by_reason(&self) -> String {
-        let mut rows = String::from("\n## Not compared\n\n");
-        if self.regimes.iter().all(|regime| regime.not_compared.is_empty()) {
-            return rows + "Nothing was left out.\n";
-        }
-        rows.push_str(
-            "What is here was neither passed nor failed.\n\n| reason | regime | count | first case |\n",
-        );
-        rows.push_str("|---|---|---:|---:|\n");
-        for regime in &self.regimes {
-            for what in &regime.not_compared {
-                let (name, count) = (&regime.regime, count(what.count));
-                let _ = writeln!(rows, "| {} | {name} | {count} | {} |", what.reason, what.first_case);
-            }
-        }
-        rows
+    fn by_reason(&self) -> Block {
+        let row = |regime: &RegimeRow, what: &NotCompared| {
+            vec![what.reason.clone(), regime.regime.clone(), count(what.count), what.first_case.to_string()]
+        };
+        let of_regime = |regime| move |what| row(regime, what);
+        let rows: Vec<_> = self
+            .regimes
+            .iter()
+            .flat_map(|regime| regime.not_compared.iter().map(of_regime(regime)))
+            .collect();
+        let body = match rows.is_empty() {
+            true => Block::text("Nothing was left out."),
+            false => Block::table(&["reason", "regime", "#count", "#first case"], rows),
+        };
+        Block::details("Points and cases that were not compared", vec![body])
     }
 
     /// Families of the beam down, of the bar beam across.
-    fn by_family(&self) -> String {
-        let mut rows =
-            String::from("\n## Coverage\n\nClosest points compared, by families of beam and bar beam.\n\n");
+    fn by_family(&self) -> Block {
         let met: BTreeMap<_, _> =
             self.pairs.iter().map(|pair| ((pair.beam.as_str(), pair.bar.as_str()), pair.points)).collect();
         let names: Vec<&str> = self.families.iter().map(|(name, _)| name.as_str()).collect();
-        let _ = writeln!(
-            rows,
-            "| beam \\ bar beam | {} |\n|---|{}",
-            names.join(" | "),
-            "---:|".repeat(names.len())
-        );
-        for beam in &names {
-            let _ = write!(rows, "| {beam} |");
-            for bar in &names {
-                let _ = write!(rows, " {} |", count(met.get(&(*beam, *bar)).copied().unwrap_or(0)));
-            }
-            rows.push('\n');
-        }
-        rows
+        let row = |beam: &&str| {
+            let counts = names.iter().map(|bar| count(met.get(&(*beam, *bar)).copied().unwrap_or(0)));
+            std::iter::once((*beam).to_owned()).chain(counts).collect()
+        };
+        let head: Vec<String> = std::iter::once("beam \\ bar beam".to_owned())
+            .chain(names.iter().map(|name| format!("#{name}")))
+            .collect();
+        let table = Block::table(&head, names.iter().map(row).collect());
+        Block::details("Closest points compared, by curve families of beam and bar beam", vec![table])
     }
 }
 
-const SILENCE: &str = "
-## What these numbers do not say
-
-- That two methods agree does not prove either right: they share the curves' positions, the closest points and the
-  definitions of the quantities. What they do not share is every derivative.
-- The errors are relative to the terms that are summed, not to the result. Where terms cancel, the result has fewer
-  digits than the table suggests; the tolerance knows of that, the error does not.
-- Random pairs, however many, visit no configuration that has probability zero, and the regimes are those that were
-  thought of.
-- What could not be compared was not compared. Its counts are above, and are no success.
-- Nothing is said about families of curves that are not in the coverage table.
-";
+const SILENCE: [&str; 5] = [
+    "Agreement of two methods proves neither right. They share the curves' positions, the closest points and the definitions of \
+     the quantities. They share no derivative.",
+    "The errors are relative to the terms that are summed, not to the result. Where terms cancel, the result has fewer digits \
+     than the table suggests. The tolerance accounts for that, the error does not.",
+    "Random pairs visit no configuration that has probability zero. The regimes are those that were thought of.",
+    "What could not be compared is no success.",
+    "Curve families that are not in the table of families were not tested.",
+];

@@ -1,5 +1,7 @@
 //! Where and with what numbers were made.
 
+use super::ReportError;
+use super::page::Block;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::process::Command;
@@ -63,8 +65,17 @@ impl Environment {
         }
     }
 
-    /// Each thing with its name.
-    pub(super) fn pairs(&self) -> Vec<Vec<String>> {
+    /// Refuses to make a report of source that no commit has, unless that is allowed.
+    ///
+    /// # Errors
+    /// [`ReportError::Dirty`]. Where there is no repository nothing is refused.
+    pub fn is_clean(allow_dirty: bool) -> Result<(), ReportError> {
+        let is_dirty = !allow_dirty && Self::here("").commit.ends_with("-dirty");
+        if is_dirty { Err(ReportError::Dirty) } else { Ok(()) }
+    }
+
+    /// A table of it, with further rows.
+    pub(super) fn table(&self, more: Vec<(&str, String)>) -> Block {
         let pairs = [
             ("CPU", format!("{}, {} cores", self.cpu, self.cores)),
             ("kernel", self.kernel.clone()),
@@ -74,13 +85,8 @@ impl Environment {
             ("date", self.date.clone()),
             ("command", format!("`{}`", self.command)),
         ];
-        pairs.map(|(name, value)| vec![name.to_owned(), value]).to_vec()
-    }
-
-    /// The rows of a table.
-    pub(super) fn rows(&self) -> String {
-        let rows = self.pairs().into_iter().map(|pair| format!("| {} |\n", pair.join(" | ")));
-        format!("| | |\n|---|---|\n{}", rows.collect::<String>())
+        let rows = pairs.into_iter().chain(more).map(|(name, value)| vec![name.to_owned(), value]);
+        Block::table(&["", ""], rows.collect())
     }
 }
 

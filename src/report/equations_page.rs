@@ -1,186 +1,202 @@
-//! The table as Markdown, from the record alone.
+//! The table of the equations as a page, from the record alone.
 
+use super::Equations;
 use super::number::{count, error};
-use crate::equations::{Counts, EquationRow, EquationTable, Reading, Run, Symmetry, Verdict};
-use std::fmt::Write;
+use super::page::{Block, Page};
+use crate::equations::{Claim, Counts, EquationRow, EquationTable, Reading, Run, Symmetry, Verdict};
 
-impl EquationTable {
+impl Equations {
     /// The page; the same record always makes the same page.
-    pub fn to_markdown(&self) -> String {
-        let mut page = String::from("# Equations\n\n");
-        let of = |verdict| self.equations.iter().filter(|entry| entry.verdict == verdict).count();
-        let [linear, nonlinear] = self.pairs.map(|pairs| pairs * self.draws);
-        let _ = writeln!(
-            page,
-            "This report evaluates every numbered equation of the paper, as printed and as corrected, and compares it with \
-             hyper-dual numbers. Over the field of 2^61 - 1 elements two sides are equal or not: {} draws have curves that are \
-             linear in their dofs, {} have one that is not. In `f64` the equations are evaluated at {} closest points. Of {} \
-             equations **{} are misprinted**; {} as corrected.\n",
-            count(linear),
-            count(nonlinear),
-            count(self.points.iter().sum()),
-            self.equations.len(),
+    pub fn page(&self) -> Page {
+        let table = &self.table;
+        let of = |verdict| table.equations.iter().filter(|entry| entry.verdict == verdict).count();
+        let conclusion = format!(
+            "**Of the {} equations of the paper {} are misprinted; {} as corrected.** This report evaluates every numbered equation, as \
+             printed and as corrected, and compares it with automatic differentiation by hyper-dual numbers.",
+            table.equations.len(),
             of(Verdict::Misprint),
             match of(Verdict::Refuted) {
                 0 => "none is refuted".to_owned(),
-                n => format!("**{n} are refuted**"),
+                n => format!("{n} are refuted"),
             },
         );
-        page.push_str("| verdict | equations |\n|---|---|\n");
-        for (verdict, meaning) in VERDICTS {
-            let numbers: Vec<String> = (self.equations.iter().filter(|entry| entry.verdict == verdict))
+        let verdicts = VERDICTS.iter().filter_map(|(verdict, meaning)| {
+            let numbers: Vec<String> = (table.equations.iter().filter(|entry| entry.verdict == *verdict))
                 .map(|entry| format!("({})", entry.number))
                 .collect();
-            if !numbers.is_empty() {
-                let _ = writeln!(page, "| **{}**: {meaning} | {} |", verdict.words(), numbers.join(", "));
-            }
-        }
-        page.push_str(&self.all());
-        page.push_str(&self.misprints());
-        page.push_str(&self.dropped());
-        page.push_str(&self.slip());
-        page.push_str(&self.symmetry());
-        let _ = write!(
-            page,
-            "\n## How it was made\n\n| | |\n|---|---|\n| command | `{}` |\n| seed | {:#x} |\n| draws for each ordered pair \
-             of families | {} |\n| pairs linear in their dofs, and others | {}, {} |\n| closest points in `f64`, likewise \
-             | {}, {} |\n\nAll numbers are in `equations.json`, from which alone this page is made; `beamgap equations --equation \
-             N` shows one equation whole.\n",
-            self.command,
-            self.seed,
-            self.draws,
-            self.pairs[0],
-            self.pairs[1],
-            count(self.points[0]),
-            count(self.points[1]),
-        );
-        page.push_str(SILENCE);
-        page
+            let names = [format!("**{}**", verdict.words()), (*meaning).to_owned(), numbers.join(", ")];
+            (!numbers.is_empty()).then(|| names.to_vec())
+        });
+        let [linear, nonlinear] = table.pairs.map(|pairs| count(pairs * table.draws));
+        let mut blocks = vec![
+            Block::text(&conclusion),
+            Block::table(&["verdict", "meaning", "equations"], verdicts.collect()),
+            Block::heading("How an equation is tested"),
+            Block::list(&[
+                &format!(
+                    "Exactly: over the field of 2^61 - 1 elements, where nothing is rounded, two sides are equal or they are not. A \
+                     draw is a random pair of curves at a stationary point. {linear} draws have curves that are linear in their \
+                     dofs; {nonlinear} draws have one that is not, as a helix with its pitch as a dof."
+                ),
+                &format!(
+                    "In `f64`: at {} closest points. The error is the difference of both sides over the larger sum of the absolute \
+                     values of their terms.",
+                    count(table.points.iter().sum())
+                ),
+                "A misprint may be read in several ways. An equation is refuted as printed if every reading is refuted.",
+                "As corrected, an equation holds for curves that are linear in their dofs. As completed, it holds for all curves.",
+            ]),
+        ];
+        blocks.extend(table.misprints());
+        blocks.extend(table.dropped());
+        blocks.extend(table.slip());
+        blocks.extend(table.symmetry());
+        blocks.push(table.all());
+        blocks.extend([
+            Block::heading("What this does not say"),
+            Block::list(&SILENCE),
+            Block::heading("How it was made"),
+            Block::text(
+                "All numbers are in `equations.json`, from which alone this page is made. `beamgap equations --equation N` shows \
+                 one equation whole. [Symbols](symbols.md).",
+            ),
+            self.environment.table(table.made()),
+        ]);
+        Page::new("Equations", blocks)
+    }
+}
+
+impl EquationTable {
+    fn made(&self) -> Vec<(&'static str, String)> {
+        let two = |[linear, other]: [u64; 2]| format!("{}, {}", count(linear), count(other));
+        vec![
+            ("seed", format!("{:#x}", self.seed)),
+            ("draws for each ordered pair of families", count(self.draws)),
+            ("pairs linear in their dofs, and others", two(self.pairs)),
+            ("closest points in `f64`, likewise", two(self.points)),
+        ]
     }
 
     /// One row for each equation.
-    fn all(&self) -> String {
-        let mut rows = String::from(
-            "\n## All equations\n\n\
-             *Refuted*: draws in which a part of the equation is not equal in any reading of the print, for pairs linear in \
-             their dofs and others. *Error*: of the print in `f64`, the difference of both sides over the larger sum of the \
-             absolute values of their terms; of (14), over the arc length. *Where*: below `src`, when this was made.\n\n\
-             | eq | what | as printed | verdict | refuted as printed | as corrected | error | where |\n\
-             |---:|---|---|---|---:|---:|---:|---|\n",
-        );
-        for entry in &self.equations {
+    fn all(&self) -> Block {
+        let row = |entry: &EquationRow| {
             let latex =
                 if entry.printed.is_empty() { "not there".to_owned() } else { inline(&entry.printed) };
             let place = entry.places.first();
             let place = place.map(|place| format!("`{}`, {}:{}", place.item, place.file, place.line));
             let run = entry.as_printed.linear.total() + entry.as_printed.nonlinear.total() > 0;
-            let _ = writeln!(
-                rows,
-                "| {} | {} | {latex} | {} | {} | {} | {} | {} |",
-                entry.number,
-                entry.says,
-                entry.verdict.words(),
+            vec![
+                entry.number.to_string(),
+                entry.says.clone(),
+                latex,
+                entry.verdict.words().to_owned(),
                 refuted([entry.as_printed.linear, entry.as_printed.nonlinear]),
                 refuted([entry.as_corrected.linear, entry.as_corrected.nonlinear]),
                 if run { error(entry.error()) } else { String::new() },
                 place.unwrap_or_default(),
-            );
-        }
-        rows
+            ]
+        };
+        let head = [
+            "#eq",
+            "what",
+            "as printed",
+            "verdict",
+            "#refuted as printed",
+            "#as corrected",
+            "#error of the print",
+            "code",
+        ];
+        let words = "*Refuted*: draws in which a part of the equation is not equal in any reading, for pairs linear in their dofs \
+                     and for others. *Error*: in `f64`; that of (14) is relative to the arc length. *Code*: the item and the line \
+                     below `src` that computes it, when this was made.";
+        Block::details(
+            "All equations",
+            vec![Block::text(words), Block::table(&head, self.equations.iter().map(row).collect())],
+        )
     }
 
-    fn misprints(&self) -> String {
-        let mut text = String::from("\n## Misprints\n");
+    fn misprints(&self) -> Vec<Block> {
+        let mut blocks = vec![Block::heading("Misprints")];
         for entry in self.equations.iter().filter(|entry| entry.verdict >= Verdict::Misprint) {
-            let _ = write!(
-                text,
-                "\n### ({}) {}\n\nAs printed:\n\n{}",
-                entry.number,
-                entry.says,
-                fenced(&entry.printed)
-            );
+            blocks.push(Block::Subheading(format!("({}) {}", entry.number, entry.says)));
+            blocks.extend([Block::text("As printed:"), Block::Formula(entry.printed.clone())]);
             if let Some(corrected) = &entry.corrected {
-                let _ = write!(text, "\nAs corrected:\n\n{}", fenced(corrected));
+                blocks.extend([Block::text("As corrected:"), Block::Formula(corrected.clone())]);
             }
             if !entry.remark.is_empty() {
-                let _ = writeln!(text, "\n{}", entry.remark);
+                blocks.push(Block::text(&entry.remark));
             }
             if !entry.omitted.is_empty() {
                 let left_out: Vec<String> = entry.omitted.iter().map(|term| inline(term)).collect();
-                let _ = writeln!(text, "\nLeft out: {}.", left_out.join(", "));
+                blocks.push(Block::text(&format!("Left out: {}.", left_out.join(", "))));
             }
             if !entry.parts.is_empty() {
-                let _ = write!(text, "\n{READINGS}{}", readings(entry, |_| true));
+                blocks.push(Block::details("Every reading, tested", vec![readings(entry, |_| true)]));
             }
         }
-        text
+        blocks
     }
 
     /// What is exact for curves that are linear in their dofs only.
-    fn dropped(&self) -> String {
-        let mut text = format!(
-            "\n## Terms dropped\n\nThe paper drops {} as of higher order. It is of the order of what is kept: zero for curves \
-             that are linear in their dofs, and missing for all others.\n",
-            inline(r"\Delta_u\delta_u\mathbf{u}")
-        );
+    fn dropped(&self) -> Vec<Block> {
+        let mut blocks = vec![
+            Block::heading("Terms dropped"),
+            Block::text(&format!(
+                "The paper drops {} as of higher order. It is of the order of what is kept. It is zero for curves that are \
+                 linear in their dofs, and missing for all others.",
+                inline(r"\Delta_u\delta_u\mathbf{u}")
+            )),
+        ];
         for entry in self.equations.iter().filter(|entry| entry.verdict == Verdict::ExactIfLinear) {
-            let remark =
-                if entry.remark.is_empty() { String::new() } else { format!("{}\n\n", entry.remark) };
-            let several = |run: &Run| run.reading != Reading::Other;
-            let _ = write!(
-                text,
-                "\n### ({}) {}\n\n{remark}{READINGS}{}",
-                entry.number,
-                entry.says,
-                readings(entry, several)
-            );
+            let remark = (!entry.remark.is_empty()).then(|| Block::text(&entry.remark));
+            let readings = readings(entry, |run| run.reading != Reading::Other);
+            let name = format!("({}) {}", entry.number, entry.says);
+            blocks.push(Block::details(&name, remark.into_iter().chain([readings]).collect()));
         }
-        text
+        blocks
     }
 
-    fn slip(&self) -> String {
-        let mut text = String::from(
-            "\n## Slip along the tangent\n\n\
-             The slip (14) against the arc length (12), by quadrature, at closest points of the gate. Where the length of \
-             the tangent is constant along the curve the two are the same; elsewhere they differ by a term that is quadratic \
-             in the slip, so that half the slip leaves about a quarter of it.\n\n\
-             | family | slip in the parameter | largest difference over arc length | less for half the slip, median |\n\
-             |---|---:|---:|---:|\n",
-        );
-        for arc in self.equations.iter().flat_map(|entry| &entry.arcs) {
+    fn slip(&self) -> [Block; 3] {
+        let rows = self.equations.iter().flat_map(|entry| &entry.arcs).map(|arc| {
             let ratio = arc.ratio.map_or_else(|| "rounding".to_owned(), |ratio| format!("{ratio:.1} times"));
-            let _ =
-                writeln!(text, "| {} | {} | {} | {ratio} |", arc.family, arc.slip, error(Some(arc.error)));
-        }
-        text
+            vec![arc.family.clone(), arc.slip.to_string(), error(Some(arc.error)), ratio]
+        });
+        let head =
+            ["family", "#slip in xi", "#largest difference / arc length", "#less for half the slip, median"];
+        [
+            Block::heading("Slip along the tangent"),
+            Block::text(
+                "Equation (14) approximates the arc length (12), the true slip. Both are equal where the tangent has constant \
+                 length along the curve. Elsewhere they differ by a term quadratic in the slip: half the slip leaves about a \
+                 quarter of the difference.",
+            ),
+            Block::table(&head, rows.collect()),
+        ]
     }
 
-    fn symmetry(&self) -> String {
-        let mut text = String::from(
-            "\n## Symmetry\n\n\
-             Formulas of second order, run once more with δ and Δ exchanged: *by form*, the same with random numbers for \
-             all operands; *by orthogonality*, the same at stationary points; *not*.\n\n\
-             | the paper says, or implies | where | by form | by orthogonality | not | so it |\n|---|---|---:|---:|---:|---|\n",
-        );
-        for claim in &self.claims {
+    fn symmetry(&self) -> Vec<Block> {
+        let row = |claim: &Claim| {
             let broken: Vec<String> = claim.broken_by.iter().map(|number| format!("({number})")).collect();
-            let so = if claim.holds() { "holds".to_owned() } else { format!("fails: {}", broken.join(", ")) };
-            let [form, orthogonality, not] = claim.found;
-            let _ = writeln!(
-                text,
-                "| {} | {} | {form} | {orthogonality} | {not} | {so} |",
-                claim.says, claim.made
-            );
-        }
+            let holds = if claim.holds() { "yes".to_owned() } else { format!("no: {}", broken.join(", ")) };
+            let counts = claim.found.map(|number| number.to_string());
+            [claim.says.clone(), claim.made.clone()].into_iter().chain(counts).chain([holds]).collect()
+        };
         let by_orthogonality = self.equations.iter().filter(|entry| {
-            entry
-                .parts
-                .iter()
-                .any(|part| part.corrected().and_then(Run::symmetry) == Some(Symmetry::ByOrthogonality))
+            let is_so = |run: &Run| run.symmetry() == Some(Symmetry::ByOrthogonality);
+            entry.parts.iter().any(|part| part.corrected().is_some_and(is_so))
         });
         let numbers: Vec<String> = by_orthogonality.map(|entry| format!("({})", entry.number)).collect();
-        let _ = writeln!(text, "\nSymmetric as corrected, though not by form: {}.", numbers.join(", "));
-        text
+        let head = ["the paper says, or implies", "where", "#by form", "#by orthogonality", "#not", "holds"];
+        vec![
+            Block::heading("Symmetry"),
+            Block::text(
+                "A second variation must not change if delta and Delta are exchanged. A formula can show this *by form*: for random \
+                 numbers in place of all operands. Or only *by orthogonality*: at stationary points, where d is normal to both \
+                 tangents. The numbers count formulas.",
+            ),
+            Block::table(&head, self.claims.iter().map(row).collect()),
+            Block::text(&format!("Symmetric as corrected, though not by form: {}.", numbers.join(", "))),
+        ]
     }
 }
 
@@ -198,12 +214,9 @@ const VERDICTS: [(Verdict, &str); 10] = [
     (Verdict::Refuted, "refuted as corrected, too"),
 ];
 
-const READINGS: &str = "| part | reading | equal, refuted: dofs linear | nonlinear | error: dofs linear | nonlinear | symmetric |\n\
-                        |---|---|---:|---:|---:|---:|---|\n";
-
 /// The rows of an equation's readings.
-fn readings(entry: &EquationRow, shown: impl Fn(&Run) -> bool) -> String {
-    let mut rows = String::new();
+fn readings(entry: &EquationRow, shown: impl Fn(&Run) -> bool) -> Block {
+    let mut rows = Vec::new();
     for part in &entry.parts {
         for run in part.runs.iter().filter(|run| shown(run)) {
             let reading = match run.reading {
@@ -213,19 +226,32 @@ fn readings(entry: &EquationRow, shown: impl Fn(&Run) -> bool) -> String {
                 Reading::Complete => "complete",
             };
             let words = if run.words.is_empty() { String::new() } else { format!(": {}", run.words) };
-            let counts = |counts: Counts| format!("{}, {}", count(counts.equal), count(counts.refuted));
-            let [linear, nonlinear] = run.score.errors.map(error);
-            let _ = writeln!(
-                rows,
-                "| {} | {reading}{words} | {} | {} | {linear} | {nonlinear} | {} |",
-                part.name,
-                counts(run.score.linear),
-                counts(run.score.nonlinear),
-                run.symmetry().map_or("", Symmetry::words),
+            let counts = |counts: Counts| [count(counts.equal), count(counts.refuted)];
+            let names = [part.name.clone(), format!("{reading}{words}")];
+            let draws = [counts(run.score.linear), counts(run.score.nonlinear)].into_iter().flatten();
+            let symmetric = run.symmetry().map_or("", Symmetry::words).to_owned();
+            rows.push(
+                names
+                    .into_iter()
+                    .chain(draws)
+                    .chain(run.score.errors.map(error))
+                    .chain([symmetric])
+                    .collect(),
             );
         }
     }
-    rows
+    let head = [
+        "part",
+        "reading",
+        "#dofs linear: equal",
+        "#refuted",
+        "#nonlinear: equal",
+        "#refuted",
+        "#error: dofs linear",
+        "#nonlinear",
+        "symmetric",
+    ];
+    Block::table(&head, rows)
 }
 
 /// Refuted draws of all draws.
@@ -241,17 +267,11 @@ fn inline(latex: &str) -> String {
     format!("$`{}`$", latex.replace('\n', " "))
 }
 
-fn fenced(latex: &str) -> String {
-    format!("```math\n{latex}\n```\n")
-}
-
-const SILENCE: &str = "
-## What this does not say
-
-- A draw overlooks a wrong formula with a small probability, as `beamgap prove` explains; a refuted one is refuted.
-- The print is read from a scan: what is called a misprint may be the scan's.
-- Truth is what hyper-dual numbers make of the definitions and of the curves' positions. A wrong definition would make
-  both sides wrong.
-- Closest points lie inside both beams, as in the paper; what holds at ends is for `beamgap prove`.
-- The errors in `f64` are the largest of those that were drawn, not bounds.
-";
+const SILENCE: [&str; 5] = [
+    "A draw overlooks a wrong formula with a small probability, as `beamgap prove` explains. A refuted one is refuted.",
+    "The print is read from a scan: what is called a misprint may be the scan's.",
+    "Truth is what hyper-dual numbers make of the definitions and of the curves' positions. A wrong definition would make both \
+     sides wrong.",
+    "Closest points lie inside both beams, as in the paper. `beamgap prove` treats ends.",
+    "The errors in `f64` are the largest of those that were drawn, not bounds.",
+];

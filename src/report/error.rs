@@ -32,6 +32,17 @@ pub enum ReportError {
         /// The largest error over what is allowed.
         share: f64,
     },
+    /// The source is not that of a commit.
+    #[error(
+        "the source has changes that are not committed: commit them, as a report names its commit, or pass --allow-dirty"
+    )]
+    Dirty,
+    /// The text, a formula or the source of the page of the derivation is not as expected.
+    #[error("the page of the derivation cannot be put together: {what}")]
+    Derivation {
+        /// What is wrong.
+        what: String,
+    },
     /// A file is not what it should be.
     #[error("{what} cannot be read")]
     Format {
@@ -56,7 +67,4 @@ pub enum ReportError {
         /// Why.
         source: std::io::Error,
     },
-    /// The picture cannot be drawn.
-    #[error("the picture cannot be drawn: {0}")]
-    Draw(String),
 }

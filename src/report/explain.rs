@@ -125,6 +125,6 @@ pub fn explain(to: &Path, seed: u64, command: &str) -> Result<Explain, ReportErr
     let json = Explain::new(seed, command).to_json()?;
     let record = Explain::from_json(&json)?;
     super::write(to, "explain.json", &json)?;
-    super::write(to, "explain.md", &record.to_markdown())?;
+    super::write(to, "explain.md", &record.page().to_markdown())?;
     Ok(record)
 }

@@ -1,178 +1,236 @@
-//! Fault injection as Markdown, from the record alone.
+//! The detection of faults as a page, from the record alone.
 
-use super::faults::{Faults, OperationsRow, SampledRow, UndetectedOperations};
-use super::number::error;
+use super::faults::{DetectionRow, Faults, SampledRow, UndetectedOperations};
+use super::number::{count, error};
+use super::page::{Block, Page};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write;
 
 impl Faults {
     /// The page; the same record always makes the same page.
-    pub fn to_markdown(&self) -> String {
+    pub fn page(&self) -> Page {
         let faults: usize = self.kinds.iter().map(|(_, count)| count).sum();
-        let verdict = if self.holds { "detects all of them" } else { "DOES NOT DETECT ALL OF THEM" };
-        let mut page = format!(
-            "# Faults\n\nThis report measures which checks detect wrong formulas. {faults} faults are injected into the terms \
-             of the closed form, one at a time, in the library's own code. The gate **{verdict}**, in every regime. It \
-             rejects none of {} formulas that are written in another way and are right.\n\n",
+        let verdict = if self.holds { "The check detects every fault" } else { "THE CHECK MISSES SOMETHING" };
+        let conclusion = format!(
+            "**{verdict}: {} faults in the terms of the closed form, one at a time, in every regime.** It rejects none of {} \
+             equivalent formulas. Other checks are measured on the same faults and the same closest points.",
+            count(faults as u64),
             self.rewrites.len()
         );
-        page.push_str("| kind of fault | faults |\n|---|---:|\n");
-        for (kind, count) in &self.kinds {
-            let _ = writeln!(page, "| {kind} | {count} |");
-        }
-        page.push_str("\n## Detection rate of each check\n\n| check | what it does |\n|---|---|\n");
-        for (check, what) in &self.checks {
-            let _ = writeln!(page, "| {check} | {what} |");
-        }
-        page.push_str(
-            "\nAll checks evaluate the same closest points. *Points rejected*: points at which the check rejects the \
-             unmodified closed form; the check is not asked there again. *False positives*: equivalent formulas that the \
-             check rejects at some point. The exact check and the gate compare matrices as well. The other checks compare \
-             variations only, so no fault of the matrices is injected for them.\n\n\
-             | check | regime | faults detected | pairs of faults detected | points rejected | false positives |\n\
-             |---|---|---:|---:|---:|---:|\n",
-        );
-        for row in &self.rows {
-            let _ = writeln!(
-                page,
-                "| {} | {} | {} of {} | {} of {} | {} of {} | {} of {} |",
-                row.check,
-                row.regime,
-                row.detected,
-                row.planted,
-                row.pairs_detected,
-                row.pairs,
-                row.rejected,
-                row.points,
-                row.false_positives.len(),
-                self.rewrites.len()
-            );
-        }
-        page.push_str(&self.missed());
-        page.push_str(&self.single_operations());
-        page.push_str(&self.sampled_operations());
-        page.push_str(&self.detection_limits());
-        let _ = write!(
-            page,
-            "\n## How it was made\n\n{}| seed | {:#x} |\n\n`faults.json` lists the faults that each check does \
-             not detect in each regime, and the detection limits of all terms. This page is made from it alone. \
-             `beamgap faults --list` lists the names of the faults. `beamgap check --plant NAME` injects one.\n",
-            self.environment.rows(),
-            self.seed
-        );
-        page
+        let mut blocks = vec![Block::text(&conclusion), self.best_regimes()];
+        blocks.push(Block::details("What each check does", vec![self.what_checks_do()]));
+        blocks.push(Block::details("Detection in every regime", self.detections()));
+        let kinds = self.kinds.iter().map(|(kind, number)| {
+            let what = KINDS.iter().find(|(name, _)| name == kind).map_or("", |(_, what)| what);
+            vec![kind.clone(), what.to_owned(), count(*number as u64)]
+        });
+        blocks.extend([
+            Block::heading("Faults injected"),
+            Block::text(
+                "A fault changes one term of one formula in the library's own code. `beamgap faults --list` lists all. \
+                 `beamgap check --plant NAME` injects one. [Symbols](symbols.md) explains their names.",
+            ),
+            Block::table(&["kind", "the term", "#faults"], kinds.collect()),
+        ]);
+        blocks.extend(self.missed());
+        blocks.extend(self.single_operations());
+        blocks.extend(self.detection_limits());
+        blocks.extend([
+            Block::heading("How it was made"),
+            Block::text(
+                "`faults.json` lists the faults that each check does not detect in each regime, and the detection limits of all \
+                 terms. This page is made from it alone.",
+            ),
+            self.environment.table(vec![("seed", format!("{:#x}", self.seed))]),
+        ]);
+        Page::new("Faults", blocks)
     }
 
-    /// What other checks would have missed, in the regime that suits them best.
-    fn missed(&self) -> String {
-        let mut text = String::from(
-            "\n## Undetected faults\n\nFor each check the regime in which it detects the most faults, and the formulas of \
-             the faults that it does not detect there.\n\n| check | regime | undetected | of the formulas |\n\
-             |---|---|---:|---|\n",
-        );
-        for (check, _) in &self.checks {
-            let of_check = self.rows.iter().filter(|row| row.check == *check);
-            let Some(row) = of_check.min_by_key(|row| row.planted - row.detected) else { continue };
-            if row.detected == row.planted {
-                continue;
-            }
+    /// Each check in the regime in which it detects the most faults, of those in which it accepts the most points.
+    fn best_regimes(&self) -> Block {
+        let rows = self.checks.iter().filter_map(|(check, _)| {
+            let row = self.best(check)?;
+            let cells = [
+                check.clone(),
+                row.regime.clone(),
+                format!("{} of {}", count(row.detected as u64), count(row.planted as u64)),
+                format!("{} of {}", row.false_positives.len(), self.rewrites.len()),
+            ];
+            Some(cells.to_vec())
+        });
+        let head = ["check", "its best regime", "#faults detected", "#equivalent formulas rejected"];
+        Block::table(&head, rows.collect())
+    }
+
+    fn best(&self, check: &str) -> Option<&DetectionRow> {
+        self.rows.iter().filter(|row| row.check == check).min_by_key(|row| row.planted - row.detected)
+    }
+
+    fn what_checks_do(&self) -> Block {
+        let rows = self.checks.iter().map(|(check, what)| vec![check.clone(), what.clone()]);
+        Block::table(&["check", "what it does"], rows.collect())
+    }
+
+    fn detections(&self) -> Vec<Block> {
+        let head = [
+            "check",
+            "regime",
+            "#faults detected",
+            "#pairs of faults detected",
+            "#points rejected",
+            "#false positives",
+        ];
+        vec![
+            Block::list(&[
+                "Points rejected: points at which the check rejects the unmodified closed form. It is not asked there again.",
+                "False positives: equivalent formulas that the check rejects at some point.",
+                "The exact check and the gate compare matrices too. The other checks compare variations only, so no fault of \
+                 the matrices is injected for them.",
+            ]),
+            Block::table(&head, self.rows.iter().map(|row| self.detection(row)).collect()),
+        ]
+    }
+
+    /// A row of the table of detections.
+    pub(super) fn detection(&self, row: &DetectionRow) -> Vec<String> {
+        let of = |part: usize, all: usize| format!("{part} of {all}");
+        vec![
+            row.check.clone(),
+            row.regime.clone(),
+            of(row.detected, row.planted),
+            of(row.pairs_detected, row.pairs),
+            of(row.rejected, row.points),
+            of(row.false_positives.len(), self.rewrites.len()),
+        ]
+    }
+
+    /// What other checks miss, in the regime that suits them best.
+    fn missed(&self) -> Vec<Block> {
+        let rows = self.checks.iter().filter_map(|(check, _)| {
+            let row = self.best(check).filter(|row| row.detected < row.planted)?;
             let mut formulas: BTreeMap<&str, usize> = BTreeMap::new();
             for fault in self.undetected_by(row) {
                 *formulas.entry(fault.split(':').next().unwrap_or(fault)).or_default() += 1;
             }
             let mut formulas: Vec<_> = formulas.into_iter().collect();
             formulas.sort_by_key(|&(name, count)| (usize::MAX - count, name));
-            let listed: Vec<_> = formulas
-                .iter()
-                .map(|(name, count)| format!("{} ({count})", name.replace('|', "\\|")))
-                .collect();
-            let _ = writeln!(
-                text,
-                "| {} | {} | {} of {} | {} |",
-                row.check,
-                row.regime,
-                row.planted - row.detected,
-                row.planted,
-                listed.join(", ")
-            );
-        }
-        text
+            let listed: Vec<_> =
+                formulas.iter().map(|(name, count)| format!("{count} in `{name}`")).collect();
+            let missed = format!("{} of {}", row.planted - row.detected, row.planted);
+            Some(vec![check.clone(), row.regime.clone(), missed, listed.join(", ")])
+        });
+        let head = ["check", "regime", "#undetected", "in the formulas"];
+        let table = Block::table(&head, rows.collect());
+        vec![Block::details("Undetected faults of the other checks, in their best regimes", vec![table])]
     }
 
     /// What became of single operations.
-    fn single_operations(&self) -> String {
-        let mut text = String::from(
-            "\n## Single operations\n\nThe code runs over a prime field. One operation is made wrong: its sign is changed, its \
-             result is zero, doubled or one too large, or it is the result of another run. The other runs have the \
-             directions exchanged, the beams exchanged, the beam in place of the bar beam, or other parameters. A fault is \
-             detected if a result changes, as the proof compares results by `==`.\n\n\
-             | code | place | operations | faults | detected | reason of those not detected |\n|---|---|---:|---:|---:|---|\n",
-        );
-        for row in &self.operations {
+    fn single_operations(&self) -> Vec<Block> {
+        let (faults, detected) = self
+            .operations
+            .iter()
+            .fold((0, 0), |(faults, detected), row| (faults + row.faults, detected + row.detected));
+        let row = |row: &super::OperationsRow| {
             let reason = |undetected: &UndetectedOperations| {
                 undetected.reason.clone().unwrap_or("NOT COVERED".to_owned())
             };
             let reasons: BTreeSet<String> = row.undetected.iter().map(reason).collect();
             let why = reasons.into_iter().collect::<Vec<_>>().join("; ");
-            let OperationsRow { code, place, operations, faults, detected, .. } = row;
-            let _ = writeln!(text, "| {code} | {place} | {operations} | {faults} | {detected} | {why} |");
-        }
-        text
+            let counts = [row.operations, row.faults, row.detected].map(|number| count(number as u64));
+            [row.code.clone(), row.place.clone()].into_iter().chain(counts).chain([why]).collect()
+        };
+        let head = ["code", "place", "#operations", "#faults", "#detected", "reason of those not detected"];
+        let sampled = self.sampled.iter().map(|row| {
+            let counts = [row.operations, row.faults, row.detected].map(|number| count(number as u64));
+            [row.regime.clone(), row.code.clone()].into_iter().chain(counts).collect()
+        });
+        let sampled =
+            Block::table(&["regime", "code", "#operations", "#faults", "#detected"], sampled.collect());
+        vec![
+            Block::heading("Faults of single operations"),
+            Block::text(&format!(
+                "Not only terms: {} faults of single operations over a prime field, {} of them detected. Each of the others has \
+                 a reason why it changes no result. An operation gets the opposite sign, or its result is zero, doubled or \
+                 one too large, or it is the result of another run: with directions exchanged, beams exchanged, the beam in \
+                 place of the bar beam, or other parameters.",
+                count(faults as u64),
+                count(detected as u64)
+            )),
+            Block::details(
+                "By code and place",
+                vec![
+                    Block::text(
+                        "The place is the formulation and which ends hold a parameter. *Length* divides by d, *normal* uses the \
+                     common normal; *determinants* and *cross* solve the 2x2 system.",
+                    ),
+                    Block::table(&head, self.operations.iter().map(row).collect()),
+                ],
+            ),
+            Block::details(
+                "A sample in f64",
+                vec![
+                    Block::text(
+                        "Operations spread evenly over the code and the points of each regime, their results multiplied by -1, 0 \
+                     and 2. A fault is detected if a number exceeds its tolerance. A fault that is not detected changes all \
+                     numbers by less than rounding does.",
+                    ),
+                    sampled,
+                ],
+            ),
+        ]
     }
 
-    /// What became of a sample of operations in `f64`.
-    fn sampled_operations(&self) -> String {
-        let mut text = String::from(
-            "\n## Single operations in f64\n\nA sample of the operations, spread evenly over the code and the points of each \
-             regime. The result of an operation is multiplied by -1, 0 and 2. A fault is detected if a number exceeds its \
-             tolerance. A fault that is not detected changes all numbers by less than rounding does. The second table shows \
-             detection limits: the smallest relative error of an operation that exceeds a tolerance. It is the median over \
-             the operations that a quantity depends on.\n\n\
-             | regime | code | operations | faults | detected |\n|---|---|---:|---:|---:|\n",
-        );
-        for SampledRow { regime, code, operations, faults, detected, .. } in &self.sampled {
-            let _ = writeln!(text, "| {regime} | {code} | {operations} | {faults} | {detected} |");
-        }
+    fn detection_limits(&self) -> Vec<Block> {
+        let rows = self.regimes.iter().enumerate().filter_map(|(i, regime)| {
+            let of_term =
+                |(term, limits): &'_ (String, Vec<Option<f64>>)| Some(((*limits.get(i)?)?, term.clone()));
+            let mut limits: Vec<(f64, String)> = self.limits.iter().filter_map(of_term).collect();
+            limits.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let (middle, (last, term)) = (limits.get(limits.len() / 2)?.0, limits.last()?);
+            Some(vec![regime.clone(), error(Some(middle)), error(Some(*last)), format!("`{term}`")])
+        });
+        let head = ["regime", "#median of all terms", "#largest", "of the term"];
+        vec![
+            Block::heading("Detection limits of the check"),
+            Block::text(
+                "The smallest relative error of a term that the check detects, at the point where it is smallest. \
+                 [Symbols](symbols.md) explains the names of terms.",
+            ),
+            Block::table(&head, rows.collect()),
+            Block::details(
+                "Detection limits of single operations, by quantity",
+                vec![self.limits_by_quantity()],
+            ),
+        ]
+    }
+
+    fn limits_by_quantity(&self) -> Block {
         let mut quantities: Vec<&str> = Vec::new();
         for (name, ..) in self.sampled.iter().flat_map(|row| &row.limits) {
             if !quantities.contains(&name.as_str()) {
                 quantities.push(name);
             }
         }
-        let _ = writeln!(text, "\n| regime | code | {} |", quantities.join(" | "));
-        let _ = writeln!(text, "|---|---|{}", "---:|".repeat(quantities.len()));
-        for row in &self.sampled {
+        let row = |row: &SampledRow| {
             let median = |quantity: &&str| {
                 let of = row.limits.iter().find(|(name, ..)| name == quantity);
                 of.map_or_else(|| "-".to_owned(), |(_, _, [median, _])| error(Some(*median)))
             };
-            let medians: Vec<_> = quantities.iter().map(median).collect();
-            let _ = writeln!(text, "| {} | {} | {} |", row.regime, row.code, medians.join(" | "));
-        }
-        text
-    }
-
-    fn detection_limits(&self) -> String {
-        let mut text = String::from(
-            "\n## Detection limits of the gate\n\nThe smallest relative error of a term that exceeds a tolerance, at the \
-             point where it is smallest.\n\n| regime | median of all terms | largest | of the term |\n|---|---:|---:|---|\n",
-        );
-        for (i, regime) in self.regimes.iter().enumerate() {
-            let mut limits: Vec<(f64, &str)> = self
-                .limits
-                .iter()
-                .filter_map(|(term, limits)| Some(((*limits.get(i)?)?, term.as_str())))
-                .collect();
-            limits.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let (Some(middle), Some(last)) = (limits.get(limits.len() / 2), limits.last()) else { continue };
-            let _ = writeln!(
-                text,
-                "| {regime} | {} | {} | {} |",
-                error(Some(middle.0)),
-                error(Some(last.0)),
-                last.1.replace('|', "\\|")
-            );
-        }
-        text
+            [row.regime.clone(), row.code.clone()].into_iter().chain(quantities.iter().map(median)).collect()
+        };
+        let names = quantities.iter().map(|name| format!("#{name}"));
+        let head: Vec<String> = ["regime", "code"].map(str::to_owned).into_iter().chain(names).collect();
+        Block::table(&head, self.sampled.iter().map(row).collect())
     }
 }
+
+/// What each kind of fault does to a term.
+const KINDS: [(&str, &str); 8] = [
+    ("sign", "has the opposite sign"),
+    ("dropped", "is missing"),
+    ("doubled", "is doubled"),
+    ("halved", "is halved"),
+    ("transposed", "is transposed: its two directions are exchanged"),
+    ("swapped", "has the beams exchanged"),
+    ("bar-forgotten", "takes the beam where the bar beam belongs"),
+    ("stale", "is evaluated at the parameters of the step before"),
+];

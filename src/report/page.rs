@@ -1,12 +1,26 @@
-//! A page as a list of blocks, which Markdown and HTML are both made of.
+//! A page as a list of blocks, which Markdown, HTML and the text of a terminal are made of.
 
-use std::fmt::Write;
+mod html;
+mod markdown;
+mod text;
 
-/// A piece of a page; texts may hold `**strong**` and `` `code` `` and nothing else.
+pub(super) use html::escaped;
+pub use text::Table;
+
+/// A page: a title and what stands below it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Page {
+    pub(super) title: String,
+    pub(super) blocks: Vec<Block>,
+}
+
+/// A piece of a page; texts may hold `**strong**`, `*emphasis*`, `` `code` `` and `[links](file)` and nothing else.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Block {
     /// A heading below the page's title.
     Heading(String),
+    /// A heading below a heading.
+    Subheading(String),
     /// A paragraph.
     Text(String),
     /// Points.
@@ -18,6 +32,8 @@ pub(super) enum Block {
         /// The cells, row by row.
         rows: Vec<Vec<String>>,
     },
+    /// A formula in LaTeX.
+    Formula(String),
     /// A picture, which Markdown refers to and HTML holds.
     Picture {
         /// The name of its file.
@@ -26,6 +42,13 @@ pub(super) enum Block {
         caption: String,
         /// The picture.
         svg: String,
+    },
+    /// Blocks that are folded away until the reader opens them; a terminal shows them.
+    Details {
+        /// What is folded away.
+        summary: String,
+        /// The blocks.
+        blocks: Vec<Block>,
     },
 }
 
@@ -38,128 +61,118 @@ impl Block {
         Self::Text(text.to_owned())
     }
 
+    pub(super) fn list(points: &[&str]) -> Self {
+        Self::List(points.iter().map(ToString::to_string).collect())
+    }
+
+    pub(super) fn details(summary: &str, blocks: Vec<Self>) -> Self {
+        Self::Details { summary: summary.to_owned(), blocks }
+    }
+
     /// A table; the names of columns of numbers start with a `#`, which is not shown.
-    pub(super) fn table(head: &[&str], rows: Vec<Vec<String>>) -> Self {
+    pub(super) fn table<S: AsRef<str>>(head: &[S], rows: Vec<Vec<String>>) -> Self {
         let name = |name: &str| match name.strip_prefix('#') {
             Some(name) => (name.to_owned(), true),
             None => (name.to_owned(), false),
         };
-        let head = head.iter().map(|text| name(text)).collect();
+        let head = head.iter().map(|text| name(text.as_ref())).collect();
         Self::Table { head, rows }
     }
-}
 
-/// The page as Markdown.
-pub(super) fn markdown(title: &str, blocks: &[Block]) -> String {
-    let mut page = format!("# {title}\n");
-    for block in blocks {
-        page.push('\n');
-        // A String never refuses to be written to.
-        let _ = match block {
-            Block::Heading(text) => writeln!(page, "## {text}"),
-            Block::Text(text) => writeln!(page, "{text}"),
-            Block::List(points) => points.iter().try_for_each(|point| writeln!(page, "- {point}")),
-            Block::Table { head, rows } => {
-                let names: Vec<&str> = head.iter().map(|(name, _)| name.as_str()).collect();
-                let rule: Vec<&str> =
-                    head.iter().map(|&(_, right)| if right { "---:" } else { "---" }).collect();
-                let _ = writeln!(page, "| {} |\n|{}|", names.join(" | "), rule.join("|"));
-                rows.iter().try_for_each(|row| writeln!(page, "| {} |", row.join(" | ")))
-            }
-            Block::Picture { file, caption, .. } => writeln!(page, "![{caption}]({file})"),
+    /// The pictures among these blocks, by the names of their files.
+    fn pictures(blocks: Vec<Self>) -> Vec<(String, String)> {
+        let of_one = |block| match block {
+            Self::Picture { file, svg, .. } => vec![(file, svg)],
+            Self::Details { blocks, .. } => Self::pictures(blocks),
+            _ => Vec::new(),
         };
+        blocks.into_iter().flat_map(of_one).collect()
     }
-    page
 }
 
-/// The page as HTML that needs no other file.
-pub(super) fn html(title: &str, blocks: &[Block]) -> String {
-    let mut page = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
-    );
-    for block in blocks {
-        let _ = match block {
-            Block::Heading(text) => writeln!(page, "<h2>{}</h2>", inline(text)),
-            Block::Text(text) => writeln!(page, "<p>{}</p>", inline(text)),
-            Block::List(points) => {
-                let _ = writeln!(page, "<ul>");
-                let _ = points.iter().try_for_each(|point| writeln!(page, "<li>{}</li>", inline(point)));
-                writeln!(page, "</ul>")
-            }
-            Block::Table { head, rows } => {
-                let names = head.iter().map(|(name, right)| cell("th", *right, name)).collect::<String>();
-                let _ = writeln!(page, "<div class=\"wide\"><table>\n<tr>{names}</tr>");
-                for row in rows {
-                    let cells = head.iter().zip(row).map(|((_, right), text)| cell("td", *right, text));
-                    let _ = writeln!(page, "<tr>{}</tr>", cells.collect::<String>());
-                }
-                writeln!(page, "</table></div>")
-            }
-            Block::Picture { caption, svg, .. } => {
-                let _ = writeln!(page, "<figure role=\"img\" aria-label=\"{}\">", escaped(caption));
-                writeln!(page, "{}<figcaption>{}</figcaption>\n</figure>", svg, inline(caption))
-            }
-        };
+impl Page {
+    pub(super) fn new(title: &str, blocks: Vec<Block>) -> Self {
+        Self { title: title.to_owned(), blocks }
     }
-    page + "</body>\n</html>\n"
+
+    /// The pictures by the names of their files.
+    pub fn pictures(self) -> Vec<(String, String)> {
+        Block::pictures(self.blocks)
+    }
 }
 
-const STYLE: &str = "
-body { font: 16px/1.5 sans-serif; max-width: 78rem; margin: 2rem auto; padding: 0 1rem; color: #111; background: #fff; }
-p, ul, figure { max-width: 60rem; }
-.wide { overflow-x: auto; margin: 1rem 0; }
-table { border-collapse: collapse; font-size: 0.9rem; }
-th, td { text-align: left; padding: 0.15rem 0.7rem; border-bottom: 1px solid #ddd; vertical-align: top; }
-th { vertical-align: bottom; }
-td:not(:last-child) { white-space: nowrap; }
-.number { text-align: right; font-variant-numeric: tabular-nums; }
-figure { margin: 1rem 0; }
-svg { max-width: 100%; height: auto; }
-";
-
-fn cell(tag: &str, right: bool, text: &str) -> String {
-    let class = if right { " class=\"number\"" } else { "" };
-    format!("<{tag}{class}>{}</{tag}>", inline(text))
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
-/// Text with its marks as elements: every second part between two marks is marked.
-fn inline(text: &str) -> String {
-    let marked = |text: &str, mark: &str, tag: &str| -> String {
-        let part = |(i, part): (usize, &str)| match i % 2 {
-            0 => part.to_owned(),
-            _ => format!("<{tag}>{part}</{tag}>"),
+/// A text with its marks made into something else: by turns what is not marked, and what is marked as what.
+fn inline(text: &str, of_marked: impl Fn(Inline) -> String) -> String {
+    let (mut rest, mut made) = (text, String::new());
+    while let Some(at) = rest.find(['*', '`', '[']) {
+        made += &rest[..at];
+        rest = &rest[at..];
+        let marked = |open: &'static str, close: &'static str| {
+            let inner = rest.strip_prefix(open)?;
+            let end = inner.find(close)?;
+            (end > 0).then(|| (&inner[..end], &inner[end + close.len()..]))
         };
-        text.split(mark).enumerate().map(part).collect()
-    };
-    marked(&marked(&escaped(text), "**", "strong"), "`", "code")
+        let found = (marked("**", "**").map(|(text, rest)| (Inline::Strong(text), rest)))
+            .or_else(|| marked("*", "*").map(|(text, rest)| (Inline::Emphasis(text), rest)))
+            .or_else(|| marked("`", "`").map(|(text, rest)| (Inline::Code(text), rest)))
+            .or_else(|| {
+                let (text, rest) = marked("[", "](")?;
+                let (to, rest) = rest.split_once(')')?;
+                Some((Inline::Link(text, to), rest))
+            });
+        if let Some((mark, after)) = found {
+            made += &of_marked(mark);
+            rest = after;
+        } else {
+            made += &rest[..1];
+            rest = &rest[1..];
+        }
+    }
+    made + rest
+}
+
+/// A marked part of a text.
+enum Inline<'a> {
+    Strong(&'a str),
+    Emphasis(&'a str),
+    Code(&'a str),
+    /// The words, and where they lead.
+    Link(&'a str, &'a str),
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Block, html, markdown};
+    use super::{Block, Page};
+
+    fn page() -> Page {
+        let table = Block::table(&["method", "#time"], vec![vec!["one".into(), "1 ns".into()]]);
+        let blocks = vec![
+            Block::heading("A < B"),
+            Block::text("It is **so** by `x & y`, 2 * 3; *see* [there](t.md)."),
+            table.clone(),
+            Block::details("More", vec![Block::list(&["point"]), table]),
+        ];
+        Page::new("T", blocks)
+    }
 
     #[test]
-    fn both_pages_say_the_same() {
-        let blocks = [
-            Block::heading("A < B"),
-            Block::text("It is **so** by `x & y`."),
-            Block::table(&["method", "#time"], vec![vec!["one".into(), "1 ns".into()]]),
-        ];
+    fn all_pages_say_the_same() {
         assert_eq!(
-            markdown("T", &blocks),
-            "# T\n\n## A < B\n\nIt is **so** by `x & y`.\n\n| method | time |\n|---|---:|\n| one | 1 ns |\n"
+            page().to_markdown(),
+            "# T\n\n## A < B\n\nIt is **so** by `x & y`, 2 * 3; *see* [there](t.md).\n\n| method | time |\n|---|---:|\n| one | 1 ns |\n\n\
+             <details><summary>More</summary>\n\n- point\n\n| method | time |\n|---|---:|\n| one | 1 ns |\n\n</details>\n"
         );
-        let html = html("T", &blocks);
-        assert!(
-            html.contains("<h2>A &lt; B</h2>\n<p>It is <strong>so</strong> by <code>x &amp; y</code>.</p>")
-        );
-        assert!(html.contains("<tr><td>one</td><td class=\"number\">1 ns</td></tr>"));
+        let html = page().to_html();
+        assert!(html.contains(
+            "<h2>A &lt; B</h2>\n<p>It is <strong>so</strong> by <code>x &amp; y</code>, 2 * 3; <em>see</em> \
+                 <a href=\"t.md\">there</a>.</p>"
+        ));
+        assert_eq!(html.matches("<tr><td>one</td><td class=\"number\">1 ns</td></tr>").count(), 2);
+        assert!(html.contains("<details><summary>More</summary>\n<ul>\n<li>point</li>\n</ul>"));
         assert!(!html.contains("http"), "nothing is fetched");
+        assert_eq!(
+            page().to_text(80),
+            "T\n\nA < B\n\nIt is so by x & y, 2 * 3; see there.\n\n  method  time\n  one     1 ns\n"
+        );
     }
 }

@@ -1,6 +1,7 @@
 //! What other programs take for the same work, `beamgap-peers/2`, as the script that runs them writes it.
 
 use super::Record;
+use super::methods::reader_name;
 use super::number::{count, error, plain, time};
 use super::page::Block;
 use serde::{Deserialize, Serialize};
@@ -113,28 +114,34 @@ impl Peers {
         Some(fastest(program)? / fastest(OURS)?)
     }
 
-    /// What the page says of them.
+    /// What the page says of them, folded away.
     pub(super) fn blocks(&self) -> Vec<Block> {
-        let mut blocks = vec![
-            Block::heading("Other programs"),
-            Block::text(&format!(
-                "The same {} pairs of Hermite beams through other programs, on one machine in one run of {} rounds: {}.",
-                count(self.pairs),
-                count(self.rounds),
-                self.what
-            )),
-        ];
+        let mut blocks = vec![Block::text(&format!(
+            "The same {} pairs of Hermite beams through other programs, on one machine in one run of {} rounds: {}.",
+            count(self.pairs),
+            count(self.rounds),
+            self.what
+        ))];
         for (task, name) in TASKS {
             let rows = self.rows.iter().filter(|row| row.task == task).map(Peer::cells).collect();
-            let head = [name, "version", "layout", "#median", "#quartiles", "#ratio", "#error", "how, note"];
+            let head = [
+                name,
+                "version",
+                "layout",
+                "#median",
+                "#quartiles",
+                "#times the reference",
+                "#error",
+                "how, note",
+            ];
             blocks.push(Block::table(&head, rows));
         }
         let run = format!("{}; {}; commit {}; `{}`.", self.machine, self.date, self.commit, self.command);
         let left_out = self.left_out.iter();
         let left_out = left_out.map(|LeftOut { method, reason }| format!("Left out: {method}: {reason}."));
         blocks.push(Block::List(std::iter::once(run).chain(left_out).collect()));
-        blocks.extend(self.cost_over_gaps());
-        blocks
+        let gaps = self.cost_over_gaps();
+        std::iter::once(Block::details("Other programs", blocks)).chain(gaps).collect()
     }
 
     /// A table with the ways down and the gaps across; nothing if none was measured.
@@ -151,15 +158,15 @@ impl Peers {
         let row = |way: [&str; 3]| {
             let [method, layout, task] = way;
             let task = TASKS.into_iter().find(|&(letter, _)| letter == task).map_or(task, |(_, name)| name);
-            let names = [method, layout, task].into_iter().map(str::to_owned);
+            let names = [reader_name(method), layout.to_owned(), task.to_owned()].into_iter();
             names.chain(gaps.iter().map(|&gap| cell(way, gap))).collect()
         };
         let rows = ways.into_iter().map(row).collect();
         let name = |gap: &Option<f64>| format!("#{}", gap.map_or_else(|| "mixture".to_owned(), short));
         let names: Vec<String> = gaps.iter().map(name).collect();
         let head: Vec<&str> =
-            ["way", "layout", "task"].into_iter().chain(names.iter().map(String::as_str)).collect();
-        vec![Block::heading("Cost over the gap"), Block::text(OF_GAPS), Block::table(&head, rows)]
+            ["method", "layout", "task"].into_iter().chain(names.iter().map(String::as_str)).collect();
+        vec![Block::details("Cost over the gap", vec![Block::text(OF_GAPS), Block::table(&head, rows)])]
     }
 }
 
@@ -197,7 +204,7 @@ impl Peer {
         let Self { method, version, how, layout, ns_median, ns_low, ns_high, ratio, note, .. } = self;
         let note = if note.is_empty() { how.clone() } else { format!("{how}; {note}") };
         vec![
-            method.clone(),
+            reader_name(method),
             version.clone(),
             layout.clone(),
             time(*ns_median),
@@ -245,9 +252,10 @@ mod tests {
         let of_upper = [at("upper", None, 0.5), at("upper", low, 0.75)];
         let record = peers([&of_full[..], &of_upper].concat());
         let blocks = record.blocks();
+        let Some(Block::Details { blocks, .. }) = blocks.last() else { panic!("{blocks:?}") };
         let Some(Block::Table { head, rows }) = blocks.last() else { panic!("{blocks:?}") };
         let names: Vec<&str> = head.iter().map(|(name, _)| name.as_str()).collect();
-        assert_eq!(names, ["way", "layout", "task", "1e-4", "0.02", "mixture"]);
+        assert_eq!(names, ["method", "layout", "task", "1e-4", "0.02", "mixture"]);
         assert!(head.iter().skip(3).all(|&(_, is_number)| is_number));
         assert_eq!(rows[0], ["blocks", "full", "d", "1.25", "1.50", "2.00"]);
         assert_eq!(rows[1], ["blocks", "upper", "d", "0.750", "", "0.500"]);
@@ -256,9 +264,8 @@ mod tests {
 
     #[test]
     fn without_gaps_there_is_no_table_of_them() {
-        let heading = Block::heading("Cost over the gap");
-        assert!(peers(vec![at("full", None, 1.0)]).blocks().contains(&heading));
-        assert!(!peers(Vec::new()).blocks().contains(&heading));
+        assert_eq!(peers(vec![at("full", None, 1.0)]).blocks().len(), 2);
+        assert_eq!(peers(Vec::new()).blocks().len(), 1);
     }
 
     #[test]

@@ -64,6 +64,19 @@ impl Measured {
         })
     }
 
+    /// Its time and that of the closed form in the rounds in which both ran: medians.
+    pub(super) fn times_of_rounds(&self) -> Option<[f64; 2]> {
+        self.rounds.iter().find_map(|rounds| {
+            let Rounds::ClosedForm { samples } = rounds else { return None };
+            Some([median(samples, |round| round[0])?.value, median(samples, |round| round[1])?.value])
+        })
+    }
+
+    /// Its time by all threads and by one in the rounds in which both ran: medians.
+    pub(super) fn times_of_threads(&self) -> Option<[f64; 2]> {
+        Some([self.over_one_thread(|round| round[0])?.value, self.over_one_thread(|round| round[1])?.value])
+    }
+
     /// How many times as many pairs as one thread it does.
     pub(super) fn speed_up(&self) -> Option<Ratio> {
         self.over_one_thread(|&[by_all, by_one, ..]| by_one / by_all)
@@ -82,7 +95,7 @@ impl Measured {
     }
 }
 
-/// The median of the ratios of each round.
+/// The median of what is made of each round.
 fn median<const K: usize>(samples: &[[f64; K]], ratio: impl Fn(&[f64; K]) -> f64) -> Option<Ratio> {
     let ratios: Vec<f64> = samples.iter().map(ratio).collect();
     spread(&ratios).map(|spread| Ratio { value: spread.median, interval: spread.interval })
@@ -98,6 +111,7 @@ mod tests {
         let samples = vec![[600.0, 150.0], [1500.0, 300.0], [630.0, 150.0]];
         let of = measured("hyper-dual", vec![Rounds::ClosedForm { samples }]);
         assert_eq!(of.over_closed_form().unwrap().value.to_bits(), 4.2_f64.to_bits());
+        assert_eq!(of.times_of_rounds().unwrap().map(f64::to_bits), [630.0_f64, 150.0].map(f64::to_bits));
         assert!(of.speed_up().is_none() && of.with_floors(1.0).is_none());
     }
 
@@ -107,6 +121,7 @@ mod tests {
         let of_pairs = [[50.0, 95.0], [100.0, 190.0], [50.0, 80.0], [100.0, 195.0], [50.0, 95.0]];
         let samples = of_pairs.map(|[by_all, by_one]| [by_all, by_one, 0.5 * by_all, by_all]).to_vec();
         let of = measured("closed form, 2 threads", vec![Rounds::OneThread { samples }]);
+        assert_eq!(of.times_of_threads().unwrap().map(f64::to_bits), [50.0_f64, 95.0].map(f64::to_bits));
         let Ratio { value, interval: [low, high] } = of.speed_up().unwrap();
         assert_eq!([value, low, high].map(f64::to_bits), [1.9, 1.6, 1.95].map(f64::to_bits));
         assert_eq!(

@@ -5,7 +5,7 @@ use crate::closest_point::{ClosestPoint, Held};
 use crate::curve::{Geometry, Hermite, Jet, Shapes};
 use crate::linearization::BlockHessian;
 use crate::linearization::closed_form::{Matrices, jets};
-use crate::number::{Faulty, Label, TermChange, with_terms};
+use crate::number::{Faulty, Label, TermChange, Which, with_terms};
 use crate::pair::{DofVector, Pair};
 
 /// How the tangent of the contact force is computed; the force itself is always right.
@@ -40,7 +40,7 @@ impl Tangent {
 
     /// The terms that are multiplied.
     fn terms(self) -> Vec<(Label, f64)> {
-        let term = |name, factor| (Label { name, bar: false }, factor);
+        let term = |name, factor| (Label { name, which: Which::Beam }, factor);
         match self {
             Self::Exact | Self::FrozenProjection => Vec::new(),
             Self::NoCurvature => vec![term("a: d.t,xi", 0.0), term("a_bar: d.t_bar,xi", 0.0)],
@@ -77,7 +77,7 @@ pub fn contact(
     let half = d.gradient.times(0.5 * penalty);
     let mut stiffness = BlockHessian::zeros();
     let hessian = hessian(tangent, &d.hessian, [&jet, &jet_bar], point.held());
-    stiffness.set_sum([(penalty * gap, &hessian)], [(&d.gradient, &half)]);
+    stiffness.set_sum(&[(penalty * gap, &hessian)], &[[&d.gradient, &half]]);
     // end: contact
     Contribution { force, stiffness, gap }
 }

@@ -6,7 +6,7 @@ use crate::curve::{Curve, Hermite};
 use crate::equations::StandardCase;
 use crate::linearization::closed_form::{Formulation, PartialVariations, variations_in};
 use crate::linearization::{Quantities, Varied};
-use crate::number::{Faulty, Label, TermChange, with_terms};
+use crate::number::{Faulty, Label, TermChange, Which, with_terms};
 use serde::{Deserialize, Serialize};
 
 /// A fault of the self-checks: a term and the factor that it is multiplied by.
@@ -63,7 +63,7 @@ impl SelfCheck {
         let exchanged = self.seconds(&exchanged, true)?;
         let relative = |i: usize, other: [f64; 4]| ((wrong[i] - other[i]) / right[i]).abs();
         let run = self.in_hessian.map(|name| {
-            let label = Label { name, bar: false };
+            let label = Label { name, which: Which::Beam };
             Problem::default().solve(Tangent::Term(label, self.factor))
         });
         let what = if self.factor == 0.0 { "missing" } else { "of the wrong sign" };
@@ -87,7 +87,7 @@ impl SelfCheck {
         };
         let beam = partial(&q.beam, &dq.beam, &linear_dq.beam, point.xi);
         let bar = partial(&q.bar, &dq.bar, &linear_dq.bar, point.xi_bar);
-        let label = Label { name: self.term, bar: false };
+        let label = Label { name: self.term, which: Which::Beam };
         let factor = if with_fault { self.factor } else { 1.0 };
         let all: Quantities<Varied<Faulty<f64>>> =
             with_terms(vec![(label, TermChange::Times(factor))], || {

@@ -5,7 +5,7 @@
 use beamgap::check::{Bounds, Order, Regime, Selection, Side, bounds};
 
 fn measured(seed: u64) -> Bounds {
-    bounds(seed, &Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1000 })
+    bounds(seed, &Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1000 }, || ())
 }
 
 /// Against the closed form in double-double, for both sides, in every order and every regime.
@@ -35,7 +35,7 @@ fn bounds_do_not_depend_on_threads() {
     let of = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 5 };
-        pool.install(|| bounds(1, &selection))
+        pool.install(|| bounds(1, &selection, || ()))
     };
     assert_eq!(of(1), of(2));
 }

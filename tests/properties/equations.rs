@@ -4,7 +4,7 @@ use beamgap::equations::{
     CASES, Counts, DRAWS, EquationRow, EquationTable, Reading, SOURCES, Symmetry, Verdict, equation_table,
     named, places,
 };
-use beamgap::report::Record;
+use beamgap::report::{Equations, Record};
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 /// The table of now, run once for all tests.
 static NOW: LazyLock<EquationTable> = LazyLock::new(|| {
     let committed = committed();
-    equation_table(committed.seed, committed.draws, CASES, &committed.command)
+    equation_table(committed.seed, committed.draws, CASES)
 });
 
 fn file(name: &str) -> String {
@@ -21,7 +21,7 @@ fn file(name: &str) -> String {
 }
 
 fn committed() -> EquationTable {
-    EquationTable::from_json(&file("reports/equations.json")).unwrap()
+    Equations::from_json(&file("reports/equations.json")).unwrap().table
 }
 
 fn numbers(wanted: impl Fn(&EquationRow) -> bool) -> Vec<u8> {
@@ -50,19 +50,23 @@ fn same(one: &Value, other: &Value, key: &str) -> bool {
 #[test]
 fn the_committed_equations_are_what_a_run_finds_now() {
     assert_eq!((committed().seed, committed().draws), (0x5eed, DRAWS));
-    let value = |json: &str| serde_json::from_str::<Value>(json).unwrap();
-    let (now, then) = (NOW.to_json().unwrap(), file("reports/equations.json"));
+    let value = |table: &EquationTable| serde_json::to_value(table).unwrap();
     for (now, then) in NOW.equations.iter().zip(&committed().equations) {
         let json = |entry: &EquationRow| serde_json::to_value(entry).unwrap();
         assert!(same(&json(now), &json(then), ""), "stale at ({}), now {now:#?}", then.number);
     }
-    assert!(same(&value(&now), &value(&then), ""), "stale: `{}` writes it again", NOW.command);
+    assert!(
+        same(&value(&NOW), &value(&committed()), ""),
+        "stale: `cargo run --release -- report` writes it again"
+    );
 }
 
 #[test]
 fn the_committed_page_is_what_the_committed_record_renders_to() {
-    assert!(committed().to_markdown() == file("reports/equations.md"), "equations.md is stale");
-    assert!(committed().to_json().unwrap() == file("reports/equations.json"));
+    let record = Equations::from_json(&file("reports/equations.json")).unwrap();
+    assert!(record.page().to_markdown() == file("reports/equations.md"), "equations.md is stale");
+    assert!(record.to_json().unwrap() == file("reports/equations.json"));
+    assert_eq!(record.environment.command, "cargo run --release -- report");
 }
 
 #[test]
@@ -220,22 +224,25 @@ fn the_command_prints_all_or_one() {
     }
 
     let json = run(&["--draws", "1", "--equation", "42", "--format", "json"]);
-    let record = EquationTable::from_json(&String::from_utf8(json.stdout).unwrap()).unwrap();
+    let record = Equations::from_json(&String::from_utf8(json.stdout).unwrap()).unwrap().table;
     assert_eq!((record.equations.len(), record.equations[0].number), (1, 42));
 }
 
 #[test]
 fn the_recorded_command_makes_the_record() {
-    assert_eq!(committed().command, "cargo run --release -- equations --to reports");
-    let json = |output: Output| serde_json::from_slice::<Value>(&output.stdout).unwrap();
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("equations");
-    let written = run(&["--to", directory.to_str().unwrap(), "--format", "json"]);
-    let record = std::fs::read_to_string(directory.join("equations.json")).unwrap();
-    assert_eq!(record, String::from_utf8(written.stdout).unwrap());
-    assert_eq!(record, NOW.to_json().unwrap());
-    assert_eq!(std::fs::read_to_string(directory.join("equations.md")).unwrap(), NOW.to_markdown());
-    let other = json(run(&["--format", "json", "--seed", "7", "--draws", "1"]));
-    assert_eq!(other["command"], "cargo run --release -- equations --to reports --seed 0x7 --draws 1");
+    let written = run(&["--to", directory.to_str().unwrap(), "--allow-dirty", "--format", "json"]);
+    let json = std::fs::read_to_string(directory.join("equations.json")).unwrap();
+    assert_eq!(json, String::from_utf8(written.stdout).unwrap());
+    let record = Equations::from_json(&json).unwrap();
+    assert_eq!(record.table, *NOW);
+    assert_eq!(record.environment.command, "cargo run --release -- equations --to reports");
+    let page = std::fs::read_to_string(directory.join("equations.md")).unwrap();
+    assert_eq!(page, record.page().to_markdown());
+    let other = run(&["--format", "json", "--seed", "7", "--draws", "1"]);
+    let other = serde_json::from_slice::<Value>(&other.stdout).unwrap();
+    let command = "cargo run --release -- equations --to reports --seed 0x7 --draws 1";
+    assert_eq!(other["environment"]["command"], command);
 }
 
 #[test]

@@ -1,12 +1,12 @@
 //! The reports say what was found and measured, and nothing else.
 
 use beamgap::check::{self, CheckConfig, Regime, Selection};
-use beamgap::equations::{self, EquationTable};
+use beamgap::equations;
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, AccuracyRow, Benchmark, Bounds, Count, Crosscheck, Derivation, Difference, Environment, Faults,
+    Accuracy, Benchmark, Bounds, Count, Crosscheck, Derivation, Difference, Environment, Equations, Faults,
     Instructions, Measured, Record, ReportError, Rounds, Spread, Task, VERDICTS, Verdict, Verdicts,
-    median_interval, picture, spread, write_rounds,
+    median_interval, picture, spread, symbols, write_rounds,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::Variant;
@@ -29,22 +29,23 @@ pub(crate) fn is_committed(name: &str, text: &str) {
 #[test]
 fn committed_pages_are_what_the_committed_records_render_to() {
     let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
-    is_committed("crosscheck.md", &crosscheck.to_markdown());
+    is_committed("crosscheck.md", &crosscheck.page().to_markdown());
     let bounds = Bounds::from_json(&committed("bounds.json")).unwrap();
-    is_committed("bounds.md", &bounds.to_markdown());
+    is_committed("bounds.md", &bounds.page().to_markdown());
     let accuracy = Accuracy::from_json(&committed("accuracy.json")).unwrap();
-    is_committed("accuracy.md", &accuracy.to_markdown());
-    is_committed("accuracy-gap.svg", &accuracy.gap_to_svg().unwrap());
-    is_committed("accuracy-angle.svg", &accuracy.angle_to_svg().unwrap());
+    is_committed("accuracy.md", &accuracy.page().to_markdown());
+    is_committed("accuracy-gap.svg", &accuracy.gap_to_svg());
+    is_committed("accuracy-angle.svg", &accuracy.angle_to_svg());
     let faults = Faults::from_json(&committed("faults.json")).unwrap();
-    is_committed("faults.md", &faults.to_markdown());
-    let equations = EquationTable::from_json(&committed("equations.json")).unwrap();
-    is_committed("equations.md", &equations.to_markdown());
+    is_committed("faults.md", &faults.page().to_markdown());
+    let equations = Equations::from_json(&committed("equations.json")).unwrap();
+    is_committed("equations.md", &equations.page().to_markdown());
     let derivation = Derivation::from_json(&committed("derivation.json")).unwrap();
-    is_committed("derivation.html", &derivation.to_html(&equations, Some(&accuracy)).unwrap());
+    is_committed("derivation.html", &derivation.to_html(&equations.table, Some(&accuracy)).unwrap());
+    is_committed("symbols.md", &symbols().to_markdown());
     is_committed("beams.svg", &picture().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
-    for (name, text) in benchmark.pages().unwrap() {
+    for (name, text) in benchmark.pages() {
         is_committed(&name, &text);
     }
 }
@@ -98,11 +99,11 @@ fn claims_of_the_table() -> [String; 7] {
     let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
     let bounds = Bounds::from_json(&committed("bounds.json")).unwrap();
     let faults = Faults::from_json(&committed("faults.json")).unwrap();
-    let equations = EquationTable::from_json(&committed("equations.json")).unwrap();
+    let equations = Equations::from_json(&committed("equations.json")).unwrap();
     let accuracy = Accuracy::from_json(&committed("accuracy.json")).unwrap();
     let at =
-        |rows: &[AccuracyRow], at: f64| *rows.iter().find(|row| (row.at / at - 1.0).abs() < 1e-9).unwrap();
-    let (gap, angle) = (at(&accuracy.gaps, 1e-6), at(&accuracy.angles, 1e-5));
+        |rows: &[check::Level], at: f64| *rows.iter().find(|row| (row.at / at - 1.0).abs() < 1e-9).unwrap();
+    let (gap, angle) = (at(&accuracy.found.gaps, 1e-6), at(&accuracy.found.angles, 1e-5));
     let error = |error: Option<f64>| format!("{:.1e}", error.unwrap());
     let numbers: u64 = crosscheck.quantities.iter().map(|worst| worst.entries).sum();
     let left = crosscheck.regimes.iter().flat_map(|regime| &regime.not_compared).map(|what| what.count);
@@ -113,7 +114,7 @@ fn claims_of_the_table() -> [String; 7] {
         faults.rows.iter().filter(|row| row.check == "symmetry").max_by_key(|row| row.detected).unwrap();
     let operations: usize = faults.operations.iter().map(|row| row.faults).sum();
     let misprints =
-        equations.equations.iter().filter(|row| row.verdict == equations::Verdict::Misprint).count();
+        equations.table.equations.iter().filter(|row| row.verdict == equations::Verdict::Misprint).count();
     [
         format!(
             "| Closed form and automatic differentiation agree. | {} closest points, {} numbers, {} regimes, {} pairs of \
@@ -128,7 +129,7 @@ fn claims_of_the_table() -> [String; 7] {
         ),
         format!(
             "| The tolerances are bounds. | {} closest points: {} errors exceed their bound. | [bounds](reports/bounds.md) |",
-            count(bounds.regimes.iter().map(|regime| regime.measured).sum()),
+            count(bounds.regimes.iter().map(|regime| regime.points.measured).sum()),
             bounds.violations.len()
         ),
         format!(
@@ -149,7 +150,7 @@ fn claims_of_the_table() -> [String; 7] {
         format!(
             "| The paper is verified equation by equation. | {} equations: {misprints} are misprinted. | \
              [equations](reports/equations.md) |",
-            equations.equations.len()
+            equations.table.equations.len()
         ),
         format!("AGREE: at {} closest points nothing differs beyond rounding.", crosscheck.points),
         format!(

@@ -6,6 +6,7 @@ use super::record::Derivation;
 use super::source::marked;
 use super::symbols;
 use super::text::{escaped, html, inline, sections};
+use crate::check;
 use crate::equations::EquationTable;
 use crate::report::{Accuracy, ReportError};
 use std::fmt::Write;
@@ -29,9 +30,9 @@ impl Derivation {
     /// Without `accuracy` the figure of the digits that are lost at small gaps is left out.
     ///
     /// # Errors
-    /// [`ReportError::Draw`] if the text, a formula or the source is not as expected, with what is wrong.
+    /// [`ReportError::Derivation`] if the text, a formula or the source is not as expected, with what is wrong.
     pub fn to_html(&self, table: &EquationTable, accuracy: Option<&Accuracy>) -> Result<String, ReportError> {
-        self.page(table, accuracy).map_err(ReportError::Draw)
+        self.page(table, accuracy).map_err(|what| ReportError::Derivation { what })
     }
 
     fn page(&self, table: &EquationTable, accuracy: Option<&Accuracy>) -> Result<String, String> {
@@ -262,8 +263,8 @@ impl Derivation {
 
 /// The digits that are lost at small gaps.
 fn digits_figure(accuracy: &Accuracy) -> String {
-    let of = |pick: fn(&crate::report::Losses) -> Option<f64>| {
-        accuracy.gaps.iter().filter_map(|row| Some((row.at, pick(&row.d)?))).collect()
+    let of = |pick: fn(&check::Errors) -> Option<f64>| {
+        accuracy.found.gaps.iter().filter_map(|row| Some((row.at, pick(&row.d)?))).collect()
     };
     let series = vec![
         Series { name: "the form with 1/d, (40)".into(), class: "d dots", points: of(|losses| losses.paper) },

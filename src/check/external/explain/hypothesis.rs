@@ -5,7 +5,7 @@ use crate::check::evaluation_point::Structure;
 use crate::check::external::conventions::{Conventions, ENERGY};
 use crate::check::verdict::Order;
 use crate::linearization::{Quantity, Varied};
-use crate::number::Label;
+use crate::number::{Label, Which};
 use crate::variant::{Fault, Kind, Variant};
 
 /// What is changed in the closed form.
@@ -149,7 +149,7 @@ impl Change {
 
 fn of_label(label: &Label) -> String {
     let (formula, term) = label.name.split_once(": ").unwrap_or(("", label.name));
-    let of = if label.bar { ", for the bar beam" } else { "" };
+    let of = if label.which == Which::Bar { ", for the bar beam" } else { "" };
     let formula = match formula {
         "" => String::new(),
         formula => format!(" of {formula}"),

@@ -1,0 +1,69 @@
+//! The roofline: how near the closed form is to what the machine can do.
+
+use crate::report::benchmark::Benchmark;
+use crate::report::chart::{Anchor, Axis, Chart, INK, Mark, WIDTH, apart};
+use crate::report::number::plain;
+use crate::report::roof::Below;
+
+const LEFT: f64 = 52.0;
+const RIGHT: f64 = WIDTH - 12.0;
+const TOP: f64 = 56.0;
+const BOTTOM: f64 = 360.0;
+/// How far labels stand from the points: those of d to the left, those of all quantities to the right.
+const BESIDE: f64 = 16.0;
+
+impl Benchmark {
+    /// Multiply-adds in a nanosecond over multiply-adds for a byte stored; nothing if they were not counted.
+    pub(in super::super) fn roofline_to_svg(&self) -> Option<String> {
+        let rows: Vec<_> = self.below_the_roof().collect();
+        let [most, bytes] = self.roof();
+        if rows.is_empty() {
+            return None;
+        }
+        let label = |value: f64| plain(value).trim_end_matches('0').trim_end_matches('.').to_owned();
+        let ridge = most / bytes;
+        let marked = [0.1, 0.2, 0.5, 1.0, 2.0];
+        // Room for labels on both sides of the points.
+        let [least, most_dense] = Axis::ends(rows.iter().map(Below::density).chain([ridge]));
+        let across = [0.5 * least, 3.2 * most_dense];
+        let densities: Vec<f64> =
+            marked.into_iter().filter(|x| (across[0]..=across[1]).contains(x)).collect();
+        let rates = Axis::steps(rows.iter().map(Below::rate).chain([1.2 * most]));
+        let (name, room) = ("multiply-adds for a byte stored", 9);
+        let x = Axis { range: across, pixels: [LEFT, RIGHT], name, room, given: &densities, label };
+        let name = "multiply-adds in a nanosecond";
+        let label = |value: f64| format!("{value:.0}");
+        let y = Axis {
+            range: [rates[0], rates[rates.len() - 1]],
+            pixels: [BOTTOM, TOP],
+            name,
+            room,
+            given: &rates,
+            label,
+        };
+        let mut chart = Chart::new("Roofline: closed form, 24 dofs", BOTTOM + 46.0);
+        chart.frame(&x, &y);
+        let roof = |density: f64| [x.at(density), y.at((density * bytes).min(most))];
+        chart.curve(&[roof(x.range[0]), roof(ridge), roof(x.range[1])], "thick");
+        let words =
+            [format!("arithmetic: {} per ns", plain(most)), format!("stores: {} bytes per ns", plain(bytes))];
+        chart.text([RIGHT - 4.0, y.at(most) - 8.0], Anchor::End, INK, &words[0]);
+        chart.text([LEFT + 6.0, TOP + 16.0], Anchor::Start, INK, &words[1]);
+        let sides = Axis::ends(rows.iter().map(Below::density)).map(|density| x.at(density));
+        for (k, task) in ["d, ", "all"].into_iter().enumerate() {
+            let of: Vec<_> = rows.iter().filter(|row| row.name().starts_with(task)).collect();
+            let heights =
+                apart(&of.iter().map(|row| y.at(row.rate())).collect::<Vec<_>>(), 16.0, [TOP, BOTTOM]);
+            let (label, anchor) =
+                if k == 0 { (sides[0] - BESIDE, Anchor::End) } else { (sides[1] + BESIDE, Anchor::Start) };
+            for (row, height) in of.iter().zip(heights) {
+                let at = [x.at(row.density()), y.at(row.rate())];
+                chart.line(at, [label.midpoint(sides[k]), height], &format!("s{k}"));
+                chart.mark(at, [Mark::Dot, Mark::Diamond][k], k);
+                let name = row.name().replace("all but the slips", "all");
+                chart.text([label, height + 4.0], anchor, k, &format!("{name} {} x", plain(row.times)));
+            }
+        }
+        Some(chart.svg())
+    }
+}

@@ -1,0 +1,176 @@
+//! The methods of differentiation in plain words: each is named for what it was given.
+
+use super::peers::{Peer, Peers};
+
+/// What a method does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    ClosedForm,
+    Generated,
+    Automatic,
+    Differences,
+}
+
+impl Kind {
+    pub(super) const ALL: [Self; 4] = [Self::ClosedForm, Self::Generated, Self::Automatic, Self::Differences];
+
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "Closed form, derived by hand",
+            Self::Generated => "Generated code",
+            Self::Automatic => "Automatic differentiation at run time",
+            Self::Differences => "Central differences",
+        }
+    }
+}
+
+/// A method of the record of the peers.
+pub(super) struct Method {
+    /// Its name in the record.
+    record: &'static str,
+    pub(super) kind: Kind,
+    /// Its name for a reader.
+    pub(super) name: &'static str,
+    /// A name for a label.
+    pub(super) short: &'static str,
+}
+
+const fn method(kind: Kind, record: &'static str, name: &'static str, short: &'static str) -> Method {
+    Method { record, kind, name, short }
+}
+
+use Kind::{Automatic, ClosedForm, Differences, Generated};
+
+/// All methods that compute something.
+const METHODS: [Method; 23] = [
+    method(ClosedForm, "beamgap, blocks", "beamgap", "beamgap"),
+    method(ClosedForm, "beamgap, four pairs in lanes", "beamgap, four pairs at once", "four pairs at once"),
+    method(
+        ClosedForm,
+        "beamgap, linearize into the caller's memory",
+        "beamgap, linearize_into, with slips",
+        "linearize_into",
+    ),
+    method(ClosedForm, "beamgap, linearize", "beamgap, linearize, with slips", "linearize"),
+    method(ClosedForm, "beamgap, Matrices", "beamgap, term by term (all: with slips)", "term by term"),
+    method(ClosedForm, "C++ with AVX2, by hand", "C++ with AVX2", "C++ with AVX2"),
+    method(
+        ClosedForm,
+        "C++ with AVX2, by hand, four pairs in lanes",
+        "C++ with AVX2, four pairs at once",
+        "C++, four pairs",
+    ),
+    method(ClosedForm, "plain C, textbook form", "C, textbook formulas", "C, textbook"),
+    method(Generated, "CasADi, envelope theorem", "CasADi, given the envelope theorem", "CasADi, envelope"),
+    method(
+        Generated,
+        "CasADi, envelope theorem, four pairs in lanes",
+        "CasADi, envelope theorem, four pairs at once",
+        "four pairs",
+    ),
+    method(
+        Generated,
+        "CasADi, implicit function theorem",
+        "CasADi, given the implicit function theorem",
+        "CasADi, implicit",
+    ),
+    method(
+        Generated,
+        "CasADi, implicit function theorem, four pairs in lanes",
+        "CasADi, implicit function theorem, four at once",
+        "four pairs",
+    ),
+    method(Generated, "SymPy with cse", "SymPy, given the envelope theorem", "SymPy"),
+    method(Automatic, "JAX, jit(vmap)", "JAX, given the envelope theorem", "JAX"),
+    method(
+        Automatic,
+        "beamgap, rows of hyper-duals, by orders",
+        "beamgap's hyper-duals, given the implicit theorem",
+        "beamgap's hyper-duals",
+    ),
+    method(Automatic, "Sacado, SFad, nested", "Sacado, given chord steps", "Sacado"),
+    method(Automatic, "Eigen, AutoDiffScalar, nested", "Eigen, given chord steps", "Eigen"),
+    method(
+        Automatic,
+        "num-dual 0.15.1, hyper-dual sweep, chord",
+        "num-dual, HyperDual, given chord steps",
+        "num-dual, chord steps",
+    ),
+    method(
+        Automatic,
+        "num-dual 0.15.1, Dual2SVec64<24>, chord",
+        "num-dual, Dual2SVec, given chord steps",
+        "num-dual, Dual2SVec",
+    ),
+    method(
+        Automatic,
+        "num-dual 0.15.1, hyper-dual sweep, stationary",
+        "num-dual, implicit_derivative_sp",
+        "num-dual, _sp",
+    ),
+    method(
+        Automatic,
+        "num-dual 0.15.1, hyper-dual sweep, Newton",
+        "num-dual, implicit_derivative_binary",
+        "num-dual, _binary",
+    ),
+    method(
+        Differences,
+        "central differences of gradients, 48 closest points",
+        "of gradients, 48 closest points",
+        "differences of gradients",
+    ),
+    method(
+        Differences,
+        "central differences of values, 1153 closest points",
+        "of values, 1,153 closest points",
+        "differences of values",
+    ),
+];
+
+/// What the methods were given, in words.
+pub(super) const GIVEN: [&str; 5] = [
+    "**Envelope theorem**: at the closest point d does not change with xi and xi_bar, to first order. The Hessian of d \
+     therefore needs first derivatives of xi and xi_bar only. Somebody has to see this; no program does. Quantities other \
+     than d use the implicit function theorem.",
+    "**Implicit function theorem**: the conditions d.t = 0 and d.t_bar = 0 are differentiated once and twice, and solved for \
+     the derivatives of xi and xi_bar.",
+    "**Chord steps**: the program differentiates Newton's method with a fixed matrix, started at the closest point: one step \
+     for d, two steps for all quantities.",
+    "**implicit_derivative_sp**, **implicit_derivative_binary**: functions of num-dual that lift the closest point \
+     themselves, from d^2 or from both conditions.",
+    "**Closed form**: the equations of the paper, completed to gradients and Hessians.",
+];
+
+/// The name of a method for a reader; that of the record if it is not known.
+pub(super) fn reader_name(record: &str) -> String {
+    let known = METHODS.iter().find(|method| method.record == record);
+    known.map_or_else(|| record.to_owned(), |method| method.name.to_owned())
+}
+
+/// One method with its rows for d and for all quantities; of several layouts the full matrices.
+pub(super) struct Timed<'a> {
+    pub(super) method: &'static Method,
+    pub(super) tasks: [Option<&'a Peer>; 2],
+}
+
+impl Timed<'_> {
+    fn least(&self) -> f64 {
+        self.tasks.iter().flatten().map(|of| of.ns_median).fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl Peers {
+    /// The methods by kind, each kind from fast to slow.
+    pub(super) fn timed(&self) -> Vec<Timed<'_>> {
+        let of = |method: &Method, task: &str| {
+            let is_it = |row: &&Peer| row.method == method.record && row.task == task;
+            self.rows.iter().filter(is_it).min_by_key(|row| row.layout != "full")
+        };
+        let timed =
+            METHODS.iter().map(|method| Timed { method, tasks: ["A", "B"].map(|task| of(method, task)) });
+        let mut timed: Vec<_> = timed.filter(|timed| timed.tasks.iter().any(Option::is_some)).collect();
+        timed.sort_by(|a, b| a.method.kind.cmp(&b.method.kind).then(a.least().total_cmp(&b.least())));
+        timed
+    }
+}

@@ -1,0 +1,40 @@
+//! A page as Markdown.
+
+use super::{Block, Page};
+
+impl Page {
+    /// The page as Markdown.
+    pub fn to_markdown(&self) -> String {
+        format!("# {}\n{}", self.title, blocks(&self.blocks))
+    }
+}
+
+fn blocks(all: &[Block]) -> String {
+    all.iter().map(|block| format!("\n{}", one(block))).collect()
+}
+
+fn one(block: &Block) -> String {
+    match block {
+        Block::Heading(text) => format!("## {text}\n"),
+        Block::Subheading(text) => format!("### {text}\n"),
+        Block::Text(text) => format!("{text}\n"),
+        Block::List(points) => points.iter().map(|point| format!("- {point}\n")).collect(),
+        Block::Table { head, rows } => {
+            let names: Vec<_> = head.iter().map(|(name, _)| name.clone()).collect();
+            let rule: Vec<_> = head.iter().map(|&(_, right)| if right { "---:" } else { "---" }).collect();
+            let rows: String = rows.iter().map(|cells| row(cells)).collect();
+            format!("{}|{}|\n{rows}", row(&names), rule.join("|"))
+        }
+        Block::Formula(latex) => format!("```math\n{latex}\n```\n"),
+        Block::Picture { file, caption, .. } => format!("![{caption}]({file})\n"),
+        Block::Details { summary, blocks: inner } => {
+            format!("<details><summary>{summary}</summary>\n{}\n</details>\n", blocks(inner))
+        }
+    }
+}
+
+/// A bar in a cell would end it.
+fn row(cells: &[String]) -> String {
+    let cells: Vec<_> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
+    format!("| {} |\n", cells.join(" | "))
+}
