@@ -54,9 +54,12 @@ fn below(lines: &[&str], number: u8) -> String {
             break;
         }
     }
-    let shown = &lines[..end.min(LINES)];
     let cut = |line: &&str| line[own.min(indent(line))..].trim_end().to_owned();
-    shown.iter().map(cut).collect::<Vec<_>>().join("\n")
+    let mut shown: Vec<String> = lines[..end.min(LINES)].iter().map(cut).collect();
+    if end > LINES {
+        shown.push("// ..".to_owned());
+    }
+    shown.join("\n")
 }
 
 /// The lines between `// mark: name` and `// end: name`.
