@@ -2,6 +2,34 @@
 //!
 //! `examples/newton.rs` prints what happens if a term of the tangent is missing or wrong. The page of the derivation draws
 //! it.
+//!
+//! # The tangent of a contact element in five minutes
+//! A penalty gives the energy eps g_N²/2 of a stiff spring in the gap. Its gradient is the force, its Hessian the tangent:
+//!
+//! ```text
+//! f = eps g_N ∇g_N        K = eps (∇g_N ∇g_Nᵀ + g_N Hess g_N)        g_N = d − (r + r̄)
+//! ```
+//!
+//! The closest points slide along the beams as the dofs Q vary. Their parameters p = (ξ, ξ̄) are functions of Q, and
+//! d(Q) = f(p(Q), Q) with f,p = 0. The envelope theorem follows by the chain rule:
+//!
+//! ```text
+//! ∇d = f,Q        Hess d = f,QQ + f,Qp ∇p        f,pp ∇p = −f,pQ
+//! ```
+//!
+//! The gradient needs no derivative of the parameters, the Hessian needs the first ones. The slip g_T = t (ξ − ξ₀) of
+//! friction holds ξ itself, so its Hessian needs Hess ξ. That is why the paper derives second variations of ξ, and why normal
+//! contact does without them.
+//!
+//! ```
+//! use beamgap::teaching::{Problem, Tangent};
+//!
+//! let problem = Problem::default();
+//! let iterations = |tangent| problem.solve(tangent).iterations();
+//! assert!(iterations(Tangent::Exact) < 6);
+//! assert!(iterations(Tangent::NoCurvature) > 10);
+//! assert!(!problem.solve(Tangent::FrozenProjection).converged());
+//! ```
 
 mod contact;
 mod effect;

@@ -138,7 +138,12 @@ impl<'a> Parser<'a> {
         Ok(match name {
             "mathbf" => Area::text(&self.argument()?.line()?.chars().map(bold).collect::<String>()),
             "mathrm" => self.argument()?,
-            "bar" => Area::text(&format!("{}\u{304}", self.argument()?.line()?)),
+            "bar" => Area::text(&match self.argument()?.line()?.as_str() {
+                // Where there is a letter with the bar, terminals draw it better.
+                "a" => "ā".to_owned(),
+                "g" => "ḡ".to_owned(),
+                letter => format!("{letter}\u{304}"),
+            }),
             "hat" => Area::text(&format!("{}\u{302}", self.argument()?.line()?)),
             "frac" => {
                 let [above, below] =

@@ -86,6 +86,17 @@ fn every_equation_agrees_in_the_standard_case() {
     assert!(right > 60 && refuted >= 15, "{right} {refuted}");
 }
 
+/// A fault of the self-checks that no term has the name of would change nothing.
+#[test]
+fn every_fault_of_the_self_checks_does_something() {
+    for effect in Derivation::compute("").unwrap().effects {
+        assert!(effect.deviations.iter().any(|&deviation| deviation > 1e-3), "{effect:?}");
+        let is_slower = effect.iterations.is_none_or(|iterations| iterations > 4);
+        assert!(!effect.in_hessian || is_slower, "{effect:?}");
+        assert_eq!(effect.stopped.is_some(), effect.in_hessian && effect.iterations.is_none());
+    }
+}
+
 #[test]
 fn the_page_needs_no_other_file_and_its_links_lead_somewhere() {
     let page = committed("derivation.html");

@@ -214,7 +214,7 @@ fn the_command_prints_all_or_one() {
     );
     let text = String::from_utf8(one.stdout).unwrap();
     for part in [
-        r"\frac{1}{t^3}",
+        "1/t³ (𝐭,ξ Δξ + Δᵤ𝐮_C,ξ)·𝐭·(𝐭,ξ δξ + δᵤ𝐮_C,ξ)",
         "+ outside [..]; t (Δt·δt)",
         "As corrected",
         "variations.rs:",
@@ -222,6 +222,10 @@ fn the_command_prints_all_or_one() {
     ] {
         assert!(text.contains(part), "{part} is missing in {text}");
     }
+
+    assert!(!text.contains('\\'), "{text}");
+    let latex = run(&["--draws", "1", "--equation", "42", "--latex"]);
+    assert!(String::from_utf8(latex.stdout).unwrap().contains(r"\frac{1}{t^3}"));
 
     let json = run(&["--draws", "1", "--equation", "42", "--format", "json"]);
     let record = Equations::from_json(&String::from_utf8(json.stdout).unwrap()).unwrap().table;

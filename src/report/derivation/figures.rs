@@ -14,7 +14,9 @@ use std::fmt::Write;
 
 /// The frame of a figure.
 pub(super) fn svg(width: f64, height: f64, title: &str, body: &str) -> String {
-    format!("<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{title}\">\n{body}</svg>\n")
+    format!(
+        "<svg viewBox=\"0 0 {width} {height}\" style=\"max-width:{width}px\" role=\"img\" aria-label=\"{title}\">\n{body}</svg>\n"
+    )
 }
 
 /// A text in a figure.

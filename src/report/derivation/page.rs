@@ -7,7 +7,7 @@ use super::source::marked;
 use super::symbols;
 use super::text::{escaped, html, inline, sections};
 use crate::check;
-use crate::equations::EquationTable;
+use crate::equations::{EquationTable, Verdict};
 use crate::report::{Accuracy, ReportError};
 use std::fmt::Write;
 
@@ -73,7 +73,10 @@ impl Derivation {
         for (id, title) in sections(STORY) {
             let _ = writeln!(page, "<li><a href=\"#{id}\">{}</a></li>", inline(title)?);
         }
-        let _ = write!(page, "</ol></nav>\n<main id=\"main\">\n{body}</main>\n</body>\n</html>\n");
+        let misprints = table.equations.iter().filter(|row| row.verdict == Verdict::Misprint);
+        let misprints: Vec<String> = misprints.map(|row| format!("({})", row.number)).collect();
+        let _ = writeln!(page, "</ol>\n<p>Misprints: {}</p></nav>", inline(&misprints.join(", "))?);
+        let _ = write!(page, "\n<main id=\"main\">\n{body}</main>\n</body>\n</html>\n");
         Ok(page)
     }
 

@@ -35,23 +35,31 @@ pub(super) fn of_equation(number: u8) -> Result<Snippet, String> {
     let first = lines[place.line - 1];
     let is_tag = first.trim_start().starts_with("#[doc(alias");
     let owner = named(first).first().copied().unwrap_or(number);
-    let code = if is_tag { String::new() } else { below(&lines[place.line - 1..]) };
+    let code = if is_tag { String::new() } else { below(&lines[place.line - 1..], number) };
     Ok(Snippet { file, item: place.item, owner, code })
 }
 
-/// A comment and the code below it: to the next comment, the next blank line, or the end of the block.
-fn below(lines: &[&str]) -> String {
+/// A comment and the code below it: to a comment that does not name the equation, a blank line, or the end of the block.
+fn below(lines: &[&str], number: u8) -> String {
     let indent = |line: &str| line.len() - line.trim_start().len();
     let own = indent(lines[0]);
     let is_comment = |line: &str| line.trim_start().starts_with("//");
-    let comments = lines.iter().take_while(|line| is_comment(line)).count();
-    let more = lines[comments..]
-        .iter()
-        .take_while(|line| !line.trim().is_empty() && !is_comment(line) && indent(line) >= own)
-        .count();
-    let shown = &lines[..(comments + more).min(LINES)];
+    let mut end = 0;
+    loop {
+        end += lines[end..].iter().take_while(|line| is_comment(line)).count();
+        let is_code = |line: &&&str| !line.trim().is_empty() && !is_comment(line) && indent(line) >= own;
+        end += lines[end..].iter().take_while(is_code).count();
+        let goes_on = lines.get(end).is_some_and(|line| indent(line) == own && named(line).contains(&number));
+        if !goes_on {
+            break;
+        }
+    }
     let cut = |line: &&str| line[own.min(indent(line))..].trim_end().to_owned();
-    shown.iter().map(cut).collect::<Vec<_>>().join("\n")
+    let mut shown: Vec<String> = lines[..end.min(LINES)].iter().map(cut).collect();
+    if end > LINES {
+        shown.push("// ..".to_owned());
+    }
+    shown.join("\n")
 }
 
 /// The lines between `// mark: name` and `// end: name`.
@@ -90,10 +98,17 @@ mod tests {
 
     #[test]
     fn a_comment_is_cut_with_the_code_below_it() {
-        let lines =
-            ["    // Eq. (1): a", "    // more", "    let a =", "        1;", "    let b = 2;", "", "    c"];
-        assert_eq!(below(&lines), "// Eq. (1): a\n// more\nlet a =\n    1;\nlet b = 2;");
-        assert_eq!(below(&["  // Eq.", "  a;", "}"]), "// Eq.\na;");
+        // Put together here, so that this file is not taken for one that computes equations.
+        let names = |numbers: &str| format!("// {}. {numbers}", "Eq");
+        let first = format!("    {}", names("(1): a"));
+        let lines = [&first, "    // more", "    let a =", "        1;", "    let b = 2;", "", "    c"]
+            .map(str::to_owned);
+        let cut = |lines: &[String]| below(&lines.iter().map(String::as_str).collect::<Vec<_>>(), 1);
+        assert_eq!(cut(&lines), names("(1): a\n// more\nlet a =\n    1;\nlet b = 2;"));
+        let [one, two, three] = ["(1)", "(2), (1)", "(3)"].map(names);
+        let (a, b, c) = ("a;".to_owned(), "b;".to_owned(), "}".to_owned());
+        let lines = [one.clone(), a, two.clone(), b, three, c];
+        assert_eq!(cut(&lines), format!("{one}\na;\n{two}\nb;"));
     }
 
     #[test]
