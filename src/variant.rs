@@ -191,6 +191,7 @@ impl Variant {
 }
 
 /// Gradients and Hessians of the scalars, of beams filled up.
+#[expect(clippy::unnecessary_box_returns, reason = "a hundred thousand bytes")]
 pub(crate) fn linearized<T: Real, const D: usize>(
     [(jet, _), (jet_bar, _)]: &[PaddedBeam<T, D>; 2],
     at: (T, T),

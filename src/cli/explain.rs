@@ -9,6 +9,7 @@ use super::verify::Verified;
 use beamgap::check::external::{AnswerReader, Demands, Matching, VectorReader, explain, other_conventions};
 use beamgap::report;
 use clap::{Args, value_parser};
+use std::fmt::Write;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -78,7 +79,7 @@ impl Explain {
         for program in &record.programs {
             let counts: Vec<_> =
                 program.counts.iter().map(|of| format!("{} {}", of.naming, of.faults)).collect();
-            text += &format!("{}\n  {}\n", program.answers, counts.join(", "));
+            let _ = writeln!(text, "{}\n  {}", program.answers, counts.join(", "));
         }
         let holds = record.programs.iter().all(report::ExplainProgram::holds);
         let words = if holds {

@@ -260,24 +260,30 @@ fn other_conventions_are_converted_if_they_are_stated_and_named_if_not() {
     let unit = changed(&text, |line| {
         for name in ["xi", "xi_bar"] {
             map(&mut line[name]["value"], &|xi| 0.5 * (xi + 1.0));
-            parts.iter().for_each(|part| map(&mut line[name][part], &|x| 0.5 * x));
+            for part in &parts {
+                map(&mut line[name][part], &|x| 0.5 * x);
+            }
         }
         for name in ["t", "t_bar"] {
             map(&mut line[name]["value"], &|x| 2.0 * x);
-            parts.iter().for_each(|part| map(&mut line[name][part], &|x| 2.0 * x));
+            for part in &parts {
+                map(&mut line[name][part], &|x| 2.0 * x);
+            }
         }
         for name in
             ["t_vector", "t_bar_vector"].iter().flat_map(|v| ["x", "y", "z"].map(|c| format!("{v}.{c}")))
         {
             map(&mut line[&name]["value"], &|x| 2.0 * x);
-            parts[..3].iter().for_each(|part| map(&mut line[&name][part], &|x| 2.0 * x));
+            for part in &parts[..3] {
+                map(&mut line[&name][part], &|x| 2.0 * x);
+            }
         }
     });
     let negative = changed(&text, |line| {
         for name in ["x", "y", "z"].map(|c| format!("d_vector.{c}")) {
-            ["value", "delta", "Delta", "Delta-delta"]
-                .iter()
-                .for_each(|part| map(&mut line[&name][part], &|x| -x));
+            for part in ["value", "delta", "Delta", "Delta-delta"] {
+                map(&mut line[&name][part], &|x| -x);
+            }
         }
     });
     let square = changed(&text, |line| {

@@ -66,7 +66,7 @@ impl Structure {
 
     fn of_padded<T: Real, const D: usize>(self, (mut jet, vectors): PaddedBeam<T, D>) -> PaddedBeam<T, D> {
         match (self, &mut jet.dofs) {
-            (Self::FixedParameters, _) => {}
+            (Self::FixedParameters, _) | (Self::LinearInDofs, Padded::Linear(_)) => {}
             (Self::Straight, dofs) => {
                 (jet.geometry.t_xi, jet.geometry.t_xixi) = (Vector3::zeros(), Vector3::zeros());
                 match dofs {
@@ -75,9 +75,10 @@ impl Structure {
                 }
             }
             (Self::LinearInDofs, Padded::Nonlinear(_, second)) => {
-                second.iter_mut().for_each(|second| second.fill(T::zero()));
+                for second in second {
+                    second.fill(T::zero());
+                }
             }
-            (Self::LinearInDofs, Padded::Linear(_)) => {}
         }
         (jet, vectors)
     }

@@ -136,9 +136,9 @@ impl Converted {
             if conventions.penalty.is_none() {
                 return Err("residual, tangent: penalty_stiffness expected in the head of the answers".into());
             }
-            let tangent = answers.tangent.as_ref().map(|tangent| match conventions.column_major {
-                true => transposed(tangent, directions[0].len()),
-                false => tangent.clone(),
+            let tangent = answers.tangent.as_ref().map(|tangent| {
+                let size = directions[0].len();
+                if conventions.column_major { transposed(tangent, size) } else { tangent.clone() }
             });
             // Just at the closing of the gap the element has two tangents.
             let gap = &self.sides.textbook[20].value;

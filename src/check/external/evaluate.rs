@@ -36,7 +36,7 @@ pub enum Formulas {
 }
 
 impl Formulas {
-    pub(in crate::check) fn at<'a>(self, evaluation: EvaluationPoint<'a>) -> EvaluationPoint<'a> {
+    pub(in crate::check) fn at(self, evaluation: EvaluationPoint<'_>) -> EvaluationPoint<'_> {
         let form = match self {
             Self::Chosen => return evaluation,
             Self::Paper => Formulation::paper(evaluation.held),
@@ -61,13 +61,13 @@ impl Evaluator {
     /// The line that answers a case, without its end.
     pub fn line(&self, vector: &Vector) -> String {
         let id = quoted(&vector.id);
-        match vector.evaluated(|evaluation| self.answers(self.formulas.at(evaluation))) {
+        match vector.evaluated(|evaluation| self.answers(&self.formulas.at(evaluation))) {
             Ok(answers) => format!("{{\"id\":{id},\"result\":\"valid\"{answers}}}"),
             Err(outcome) => format!("{{\"id\":{id},\"result\":\"{}\"}}", outcome.name()),
         }
     }
 
-    fn answers(&self, evaluation: EvaluationPoint<'_>) -> String {
+    fn answers(&self, evaluation: &EvaluationPoint<'_>) -> String {
         let plain = evaluation.plain(&self.variant);
         let dense = evaluation.dense(&self.variant);
         let number = |x: f64| self.writer.number(self.rounded(x));

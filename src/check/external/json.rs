@@ -237,7 +237,7 @@ impl<'a> Reader<'a> {
         let rest = &self.text[self.at..];
         let ends =
             |byte: &u8| matches!(byte, b',' | b']' | b'}' | b':' | b'"' | b' ' | b'\t' | b'\r' | b'\n');
-        let length = rest.as_bytes().iter().position(|byte| ends(byte)).unwrap_or(rest.len());
+        let length = rest.as_bytes().iter().position(ends).unwrap_or(rest.len());
         let word = &rest[..length];
         let value = match word {
             "null" => Value::Null,

@@ -10,7 +10,7 @@ const LONGEST: u64 = 1 << 28;
 /// The lines of a text.
 ///
 /// A byte-order mark and carriage returns at line ends are dropped.
-pub struct Lines<R> {
+pub(super) struct Lines<R> {
     from: R,
     name: Arc<str>,
     number: usize,
@@ -28,12 +28,12 @@ impl<R> std::fmt::Debug for Lines<R> {
 
 impl<R: BufRead> Lines<R> {
     /// The lines of a text; `name` is that of the file, for messages.
-    pub fn new(from: R, name: &str) -> Self {
+    pub(super) fn new(from: R, name: &str) -> Self {
         Self { from, name: name.into(), number: 0, buffer: Vec::new() }
     }
 
     /// The place of the line read last.
-    pub fn place(&self) -> Place {
+    pub(super) fn place(&self) -> Place {
         Place { file: self.name.to_string(), line: self.number, column: 0 }
     }
 
@@ -41,7 +41,7 @@ impl<R: BufRead> Lines<R> {
     ///
     /// # Errors
     /// If the text cannot be read, is no UTF-8, or has a line that is too long.
-    pub fn next_line(&mut self) -> Result<Option<&str>, ExternalError> {
+    pub(super) fn next_line(&mut self) -> Result<Option<&str>, ExternalError> {
         loop {
             self.buffer.clear();
             let read = self.from.by_ref().take(LONGEST).read_until(b'\n', &mut self.buffer);

@@ -95,10 +95,10 @@ fn expected(
             let stiffness = if gap < 0.0 || penalty.always { penalty.stiffness } else { 0.0 };
             let (mut residual, mut tangent) = square(stiffness, gap);
             if conventions.residual_is_negative {
-                residual.iter_mut().for_each(|number| *number = -*number);
+                residual = residual.into_iter().map(|number| -number).collect();
             }
             if conventions.tangent_is_negative {
-                tangent.iter_mut().for_each(|number| *number = -*number);
+                tangent = tangent.into_iter().map(|number| -number).collect();
             }
             (residual, tangent)
         }

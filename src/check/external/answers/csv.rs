@@ -29,7 +29,7 @@ pub(super) fn head<R: BufRead>(
             "program" | "version" | "comment" => {}
             _ => conventions.set(key, value).map_err(error)?,
         }
-        line = lines.next_line()?.unwrap_or_default().to_owned();
+        lines.next_line()?.unwrap_or_default().clone_into(&mut line);
     }
     let place = Place { column: 1, ..lines.place() };
     let shown: String = line.chars().take(60).collect();
@@ -74,12 +74,11 @@ impl Rows {
         let mut arrays = Arrays::new();
         let mut answers: Option<Answers> = None;
         loop {
-            let (row, place) = match self.next.take() {
-                Some(next) => next,
-                None => {
-                    let Some(line) = lines.next_line()?.map(ToOwned::to_owned) else { break };
-                    (Row::read(&line, first_index, &lines.place())?, lines.place())
-                }
+            let (row, place) = if let Some(next) = self.next.take() {
+                next
+            } else {
+                let Some(line) = lines.next_line()?.map(ToOwned::to_owned) else { break };
+                (Row::read(&line, first_index, &lines.place())?, lines.place())
             };
             if answers.as_ref().is_some_and(|answers| answers.id != row.id) {
                 self.next = Some((row, place));
@@ -90,7 +89,7 @@ impl Rows {
                 return Err(Place { column: 1, ..place }.error(expected));
             }
             let answers = answers.get_or_insert_with(|| Answers::new(row.id.clone(), place.clone()));
-            row.add(answers, &mut arrays, place)?;
+            row.add(answers, &mut arrays, &place)?;
         }
         let Some(mut answers) = answers else { return Ok(None) };
         self.ended.insert(answers.id.clone());
@@ -105,8 +104,7 @@ impl Row {
     fn read(line: &str, first_index: usize, place: &Place) -> Result<Self, ExternalError> {
         let error = |column: usize, expected: String| Place { column, ..place.clone() }.error(expected);
         let mut cells = line.splitn(3, ',');
-        let [id, item, word] =
-            [cells.next(), cells.next(), cells.next()].map(|cell| cell.unwrap_or_default());
+        let [id, item, word] = [cells.next(), cells.next(), cells.next()].map(Option::unwrap_or_default);
         let columns = [id.len() + 2, id.len() + item.len() + 3];
         if line.matches(',').count() != 2 {
             return Err(error(1, format!("three cells, {TITLES}, expected")));
@@ -145,7 +143,7 @@ impl Row {
         Ok(Self { id, item: name, part, indices, word: bare(word), columns })
     }
 
-    fn add(self, answers: &mut Answers, arrays: &mut Arrays, place: Place) -> Result<(), ExternalError> {
+    fn add(self, answers: &mut Answers, arrays: &mut Arrays, place: &Place) -> Result<(), ExternalError> {
         let error = |column: usize, expected: String| Place { column, ..place.clone() }.error(expected);
         if self.part == "result" {
             answers.declined = match self.word.as_str() {

@@ -8,6 +8,7 @@ use crate::linearization::Quantity;
 use crate::number::Label;
 use crate::variant::{Fault, Kind, Variant, terms};
 use rayon::prelude::*;
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 /// Cases that every fault is tried at.
@@ -326,7 +327,7 @@ fn pairs(sites: &[&Site]) -> Vec<Fit> {
         .collect();
     let mut farthest: Vec<_> =
         firsts.iter().filter_map(|&fault| Some((first_wrong(&of_faults(&[fault]))?, fault))).collect();
-    farthest.sort_by(|one, two| two.0.cmp(&one.0));
+    farthest.sort_by_key(|(end, _)| Reverse(*end));
     farthest.truncate(FIRST_OF_PAIR);
     let seconds = |&(end, first): &((Order, usize), Fault)| {
         let both = |&second: &Fault| {

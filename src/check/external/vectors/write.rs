@@ -34,7 +34,7 @@ pub struct VectorWriter {
 
 impl VectorWriter {
     /// The head of the file.
-    pub fn head(&self, drawing: &Drawing) -> String {
+    pub fn head(self, drawing: &Drawing) -> String {
         format!(
             "{{\"schema\":\"{VECTORS}\",\"version\":\"{}\",\"seed\":\"{:#x}\",\"count\":{},\"parameter\":\"[-1,1]\",\
              \"d\":\"x - x_bar\",\"dofs\":\"node-major\",\"beams\":\"beam first\",\"matrix\":\"row-major\"}}",
@@ -45,7 +45,7 @@ impl VectorWriter {
     }
 
     /// The line of a case, without its end.
-    pub fn line(&self, vector: &Vector) -> String {
+    pub fn line(self, vector: &Vector) -> String {
         let (regime, id) = (quoted(&vector.regime), quoted(&vector.id));
         let mut line = format!("{{\"id\":{id},\"regime\":{regime}");
         for (name, beam) in ["beam", "bar"].into_iter().zip(&vector.case.test_beams) {
@@ -63,7 +63,9 @@ impl VectorWriter {
             let _ = write!(line, ",\"point\":{}", self.numbers(&[("xi", xi), ("xi_bar", xi_bar)]));
         }
         match expected {
-            Ok((jets, expected)) => line += &format!(",\"result\":\"valid\"{jets}{expected}"),
+            Ok((jets, expected)) => {
+                let _ = write!(line, ",\"result\":\"valid\"{jets}{expected}");
+            }
             Err(outcome) => {
                 let _ = write!(line, ",\"result\":\"{}\"", outcome.name());
                 if let Outcome::Degenerate(reason) = outcome {
@@ -74,7 +76,7 @@ impl VectorWriter {
         line + "}"
     }
 
-    fn beam(&self, beam: &TestBeam) -> String {
+    fn beam(self, beam: &TestBeam) -> String {
         let curve = beam.family.parameters().iter().map(|&(name, count)| {
             let numbers = beam.parameter(name);
             let value = if count == 1 { self.number(numbers[0]) } else { self.list(numbers) };
@@ -88,7 +90,7 @@ impl VectorWriter {
     }
 
     /// Both beams at the closest point, and their variations at fixed parameters.
-    fn jets(&self, evaluation: &EvaluationPoint) -> String {
+    fn jets(self, evaluation: &EvaluationPoint) -> String {
         let beam = |partial: &crate::linearization::closed_form::PartialVariations<f64>| {
             let geometry = partial.geometry;
             let of = [
@@ -118,7 +120,7 @@ impl VectorWriter {
         format!(",\"held\":\"{held}\",\"jets\":{{\"beam\":{},\"bar\":{}}}", beam(&one), beam(&two))
     }
 
-    fn expected(&self, vector: &Vector, evaluation: EvaluationPoint<'_>) -> String {
+    fn expected(self, vector: &Vector, evaluation: EvaluationPoint<'_>) -> String {
         if self.expected == Expected::None {
             return String::new();
         }
@@ -160,13 +162,13 @@ impl VectorWriter {
         format!(",\"expected\":{{{}}}", entries.collect::<Vec<_>>().join(","))
     }
 
-    fn numbers(&self, entries: &[(&str, f64)]) -> String {
+    fn numbers(self, entries: &[(&str, f64)]) -> String {
         let entries: Vec<_> =
             entries.iter().map(|(name, number)| format!("\"{name}\":{}", self.number(*number))).collect();
         format!("{{{}}}", entries.join(","))
     }
 
-    pub(in crate::check::external) fn list(&self, numbers: &[f64]) -> String {
+    pub(in crate::check::external) fn list(self, numbers: &[f64]) -> String {
         let mut text = String::with_capacity(20 * numbers.len() + 2);
         text.push('[');
         for (i, &number) in numbers.iter().enumerate() {
@@ -179,7 +181,7 @@ impl VectorWriter {
         text
     }
 
-    pub(in crate::check::external) fn number(&self, number: f64) -> String {
+    pub(in crate::check::external) fn number(self, number: f64) -> String {
         let mut text = String::new();
         self.push(&mut text, number);
         text
