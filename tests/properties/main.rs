@@ -2,6 +2,7 @@
 
 mod allocation;
 mod batches;
+mod benchmarks;
 mod bounded;
 mod bounds;
 mod candidate;
