@@ -28,7 +28,11 @@ impl Accuracy {
         let formulations = Block::table(
             &["formulation", "Delta-delta d", "Delta-delta xi"],
             [
-                ["paper", "divides by d, Eq. (40)", "solves the 2x2 system by determinants, Eq. (59)"],
+                [
+                    "paper",
+                    "divides by d, equation (40)",
+                    "solves the 2x2 system by determinants, equation (59)",
+                ],
                 [
                     "robust",
                     "along the common normal, no division by d",

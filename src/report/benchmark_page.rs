@@ -114,7 +114,9 @@ impl Benchmark {
             };
             (families.iter().map(|&family| name(family)).collect(), methods.iter().map(row).collect())
         };
-        across.iter_mut().for_each(|name| name.insert(0, '#'));
+        for name in &mut across {
+            name.insert(0, '#');
+        }
         across.insert(0, "beams, dofs".to_owned());
         Block::table(&across, rows)
     }

@@ -175,7 +175,7 @@ mod tests {
         assert!(!html.contains("http"), "nothing is fetched");
         assert_eq!(
             page().to_text(80),
-            "T\n\nA < B\n\nIt is so by x & y, 2 * 3; see there.\n\n  method  time\n  one     1 ns\n\nMore\n\n- point\n\n  method  time\n  one     1 ns\n"
+            "T\n\nA < B\n\nIt is so by x & y, 2 * 3; see there (t.md).\n\n  method  time\n  one     1 ns\n\nMore\n\n- point\n\n  method  time\n  one     1 ns\n"
         );
     }
 }
