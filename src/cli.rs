@@ -1,6 +1,8 @@
 //! Arguments in, exit code out; each subcommand is a module.
 
 mod accuracy;
+mod adapter;
+mod answered;
 mod arguments;
 mod bounds;
 mod case;
@@ -9,7 +11,10 @@ mod check;
 mod disagreements;
 mod equations;
 mod exit;
+mod explain;
+mod export;
 mod faults;
+mod formula;
 mod human;
 mod json;
 mod output;
@@ -19,6 +24,7 @@ mod proof;
 mod prove;
 mod report;
 mod terminal;
+mod verify;
 
 use clap::{Parser, Subcommand};
 use exit::Exit;
@@ -47,6 +53,18 @@ enum Command {
     Faults(faults::InjectFaults),
     /// Evaluate every equation of the paper, as printed and as corrected.
     Equations(equations::ListEquations),
+    /// Write cases for a program in any language.
+    Export(export::Export),
+    /// Print the JSON Schema of the cases or of the answers.
+    Schema(export::Schema),
+    /// Answer cases by the closed form of this library.
+    Evaluate(export::Evaluate),
+    /// Compare the answers of a program in any language, from a file or from the program.
+    Verify(verify::Verify),
+    /// Name the term that is wrong in the answers of a program.
+    Explain(explain::Explain),
+    /// Print a program that answers cases, in your language, to put your element into.
+    Adapter(adapter::Adapter),
     /// Write all reports, and the benchmark that `cargo bench` measured last.
     Report(report::Report),
 }
@@ -72,6 +90,12 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Accuracy(accurate) => accurate.run(),
         Command::Faults(faults) => faults.run(),
         Command::Equations(equations) => equations.run(),
+        Command::Export(export) => export.run(),
+        Command::Schema(schema) => schema.run(),
+        Command::Evaluate(evaluate) => evaluate.run(),
+        Command::Verify(verify) => verify.run(),
+        Command::Explain(explain) => explain.run(),
+        Command::Adapter(adapter) => adapter.run(),
         Command::Report(report) => report.run(),
     })
 }

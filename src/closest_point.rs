@@ -27,6 +27,7 @@ pub use point::{ClosestPoint, Degeneracy, End, Held, Kind, Side};
 pub use squared_distance::SquaredDistance;
 
 use crate::curve::{Curve, Geometry};
+use crate::number::Which;
 use crate::pair::{self, DofVector};
 use ends::Rim;
 use nalgebra::SVector;
@@ -200,10 +201,10 @@ pub fn closest_points(
     options: &Search,
 ) -> Result<ClosestPoints, ProjectionError> {
     let mut pair = Pair { curves: [beam, bar], trees: [Tree::new(beam)?, Tree::new(bar)?] };
-    for (tree, bar) in pair.trees.iter().zip([false, true]) {
+    for (tree, which) in pair.trees.iter().zip([Which::Beam, Which::Bar]) {
         let root = tree.node(ROOT);
         if root.speed == 0.0 && root.turn == 0.0 {
-            return Err(ProjectionError::ZeroTangent { bar });
+            return Err(ProjectionError::ZeroTangent { which });
         }
     }
     let inside = search::inside(&mut pair, options)?;

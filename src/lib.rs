@@ -17,6 +17,8 @@ pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
 #[cfg(feature = "check")]
+pub mod teaching;
+#[cfg(feature = "check")]
 pub mod test_beam;
 #[cfg(feature = "check")]
 pub mod variant;

@@ -9,6 +9,8 @@ pub mod closed_form;
 mod derivatives;
 mod dispatch;
 mod quantities;
+mod reused;
 
 pub use derivatives::{BlockHessian, Derivatives, Linearization};
 pub use quantities::{COMPONENTS, Quantities, Quantity, Varied};
+pub use reused::Linearized;

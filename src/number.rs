@@ -33,8 +33,8 @@ pub(crate) use faulty::{
 pub use hyper_dual::HyperDual;
 pub use hyper_dual_row::HyperDualRow;
 pub use lanes::Lanes;
-pub use named::{Label, Term};
-pub(crate) use named::{Of, named, orders};
+pub use named::{Label, Term, Which};
+pub(crate) use named::{named, orders};
 pub use operation_count::OperationCount;
 pub use polynomial_degree::PolynomialDegree;
 pub use prime_field::PrimeField;

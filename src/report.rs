@@ -1,6 +1,6 @@
 //! The reports, as JSON of a stable form, and pages made of it alone.
 //!
-//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`] and [`Benchmark`] are the records: what the gate found,
+//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`], [`Derivation`] and [`Benchmark`] are the records: what the gate found,
 //! how sharp its tolerances are, how many digits each form keeps, what it made of planted faults, what became of each
 //! equation, and what criterion measured. Markdown, HTML and SVG are pure functions of what
 //! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
@@ -8,6 +8,7 @@
 mod accuracy;
 mod accuracy_page;
 mod benchmark;
+mod benchmark_machine;
 mod benchmark_method;
 mod benchmark_page;
 mod bounds;
@@ -17,10 +18,13 @@ mod claims;
 mod criterion;
 mod crosscheck;
 mod crosscheck_page;
+mod derivation;
 mod environment;
 mod equations;
 mod equations_page;
 mod error;
+mod explain;
+mod explain_page;
 mod faults;
 mod faults_page;
 mod figures;
@@ -42,9 +46,11 @@ pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 pub use bounds::{Bounds, BoundsRow, BrokenBound, Quantiles, RegimePoints};
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_rounds};
 pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
+pub use derivation::{ByHand, Derivation, DifferenceRow, NewtonRun};
 pub use environment::Environment;
 pub use equations::Equations;
 pub use error::ReportError;
+pub use explain::{Explain, ExplainProgram, NamingCount, NotFirst, explain};
 pub use faults::{DetectionRow, Faults, OperationsRow, UndetectedOperations, UndetectedRow};
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
@@ -154,6 +160,21 @@ pub fn equations(to: &Path, record: &Equations) -> Result<(), ReportError> {
     let json = record.to_json()?;
     write(to, "equations.json", &json)?;
     write(to, "equations.md", &Equations::from_json(&json)?.page().to_markdown())
+}
+
+/// Writes `derivation.json` and `derivation.html` into the directory `to`; with the digits that are lost at small gaps, if
+/// `accuracy.json` is there.
+///
+/// # Errors
+/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Derivation`] if the page cannot be put together.
+pub fn derivation(to: &Path, equations: &Equations) -> Result<(), ReportError> {
+    let record = Derivation::compute(&equations.environment.command)
+        .map_err(|error| ReportError::Derivation { what: error.to_string() })?;
+    let json = record.to_json()?;
+    let accuracy = fs::read_to_string(to.join("accuracy.json")).ok();
+    let accuracy = accuracy.map(|json| Accuracy::from_json(&json)).transpose()?;
+    write(to, "derivation.json", &json)?;
+    write(to, "derivation.html", &Derivation::from_json(&json)?.to_html(&equations.table, accuracy.as_ref())?)
 }
 
 /// Reads what criterion left in `from`, and the counts of instructions and the peers if `to` has them, and writes

@@ -13,8 +13,8 @@ mod point;
 mod rewrite;
 mod rewrites;
 
-pub(crate) use catalogue::terms;
 pub use catalogue::{catalogue, with_faults};
+pub(crate) use catalogue::{classes, terms};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
@@ -155,16 +155,51 @@ impl Variant {
         form: Formulation,
         contact: &Contact,
     ) -> Option<[[T; 3]; SCALARS]> {
-        let run = |kind: Option<Kind>| {
-            let (beams, at, contact) = mistaken(kind, &padded, (Faulty(xi), Faulty(xi_bar)), *contact);
-            contracted(&beams, at, form, &contact)
-        };
-        let rows = match self.operation(Code::Matrices) {
-            Some((number, factor)) => with_operation(number, Change::Times(factor), || run(None)),
-            None => planted::with(&self.planted(&terms()[1])?, run),
-        };
+        let rows = self.of_beams(padded, (xi, xi_bar), form, contact, contracted)?;
         Some(rows.map(|row| row.map(|Faulty(number)| number)))
     }
+
+    /// The same, not contracted.
+    pub(crate) fn linearized<T: Bits, const D: usize>(
+        &self,
+        padded: impl Fn(Step) -> [PaddedBeam<Faulty<T>, D>; 2],
+        at: (T, T),
+        form: Formulation,
+        contact: &Contact,
+    ) -> Option<Box<Linearization<Faulty<T>, D, D>>> {
+        self.of_beams(padded, at, form, contact, linearized)
+    }
+
+    /// What `of` makes of beams filled up, where terms of the matrices are wrong; nothing if they are not.
+    fn of_beams<T: Bits, R, const D: usize>(
+        &self,
+        padded: impl Fn(Step) -> [PaddedBeam<Faulty<T>, D>; 2],
+        (xi, xi_bar): (T, T),
+        form: Formulation,
+        contact: &Contact,
+        of: impl Fn(&[PaddedBeam<Faulty<T>, D>; 2], (Faulty<T>, Faulty<T>), Formulation, &Contact) -> R,
+    ) -> Option<R> {
+        let run = |kind: Option<Kind>| {
+            let (beams, at, contact) = mistaken(kind, &padded, (Faulty(xi), Faulty(xi_bar)), *contact);
+            of(&beams, at, form, &contact)
+        };
+        Some(match self.operation(Code::Matrices) {
+            Some((number, factor)) => with_operation(number, Change::Times(factor), || run(None)),
+            None => planted::with(&self.planted(&terms()[1])?, run),
+        })
+    }
+}
+
+/// Gradients and Hessians of the scalars, of beams filled up.
+pub(crate) fn linearized<T: Real, const D: usize>(
+    [(jet, _), (jet_bar, _)]: &[PaddedBeam<T, D>; 2],
+    at: (T, T),
+    form: Formulation,
+    contact: &Contact,
+) -> Box<Linearization<T, D, D>> {
+    let mut all = Box::new(Linearization::zeros());
+    Matrices::in_formulation(jet, jet_bar, form).write_all(at, contact, &mut all);
+    all
 }
 
 /// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up.

@@ -8,27 +8,22 @@
 //! control vectors only. What the contraction with the directions rounds is added.
 
 mod found;
+mod sides;
 
-use super::compare::ROUTES;
 use super::diagnosis::place;
 use super::draw::Case;
 use super::evaluation_point::EvaluationPoint;
-use super::oracle::differences;
 use super::shrink::shrink;
-use super::verdict::{Comparison, Order};
+use super::verdict::Comparison;
 use super::{CaseData, Regime};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
-use crate::curve::Geometry;
-use crate::linearization::closed_form::{Formulation, PartialVariations};
-use crate::linearization::{COMPONENTS, Quantity, Varied};
-use crate::number::RunningError;
+use crate::linearization::Quantity;
 use crate::pair::Contact;
-use crate::test_beam::{Family, RunningError2};
-use crate::variant::{Step, Variant};
-use nalgebra::Vector3;
+use crate::test_beam::Family;
 use rayon::prelude::*;
 
 pub use found::{Digits, Example, Found};
+pub(super) use sides::{Entry, Sides, is_doubted};
 
 /// How many times the rounding of the textbook formulas a careful evaluation may lose, in another order of its sums.
 pub const CAREFUL: f64 = 8.0;
@@ -183,14 +178,11 @@ fn at_closest_points(candidate: &impl Candidate, case: &CaseData) -> Vec<AtPoint
             linear_dq: &linear_dq,
         };
         let answers = candidate.answers(&at);
-        let reference = evaluation.chord();
-        let paper = evaluation.in_formulation(Formulation::paper(point.held()));
-        let sides =
-            Sides { reference, textbook: textbook(&paper, case), scales: paper.scales(&Variant::Unmodified) };
+        let (sides, paper) = Sides::new(evaluation, &case.test_beams);
         let (mut entries, mut misshapen) = (Vec::new(), None);
         for answer in &answers {
-            match entries_of(answer, &at, &sides) {
-                Ok(of_answer) => entries.extend(of_answer),
+            match sides.entries(answer, [&dq, &linear_dq]) {
+                Ok(of_answer) => entries.extend(of_answer.into_iter().map(|entry| entry.comparison)),
                 Err(wrong) => misshapen = misshapen.or(Some(wrong)),
             }
         }
@@ -199,111 +191,4 @@ fn at_closest_points(candidate: &impl Candidate, case: &CaseData) -> Vec<AtPoint
         Some(AtPoint { entries, misshapen, doubted })
     };
     closest.minima.iter().filter_map(at_point).collect()
-}
-
-/// The paper's formulas, with bounds on their rounding where shape functions are written as sums of powers.
-fn textbook(evaluation: &EvaluationPoint, case: &CaseData) -> [Varied<RunningError2>; COMPONENTS] {
-    let mut beams = evaluation.bounded(Step::Now);
-    for ((partial, test_beam), is_sum) in beams.iter_mut().zip(&case.test_beams).zip(evaluation.have_shapes())
-    {
-        if !is_sum {
-            continue;
-        }
-        let PartialVariations { geometry: Geometry { x, t, t_xi, t_xixi }, delta_u, linear_u, .. } = partial;
-        let rounded = |vectors: &mut dyn Iterator<Item = &mut Vector3<RunningError2>>, of: &[f64]| {
-            for vector in vectors {
-                for (c, number) in vector.iter_mut().enumerate() {
-                    let size: f64 = of.iter().skip(c).step_by(3).map(|dof| dof.abs()).sum();
-                    number.bound = number.bound.map(|bound| bound + f64::EPSILON / 2.0 * size);
-                }
-            }
-        };
-        rounded(&mut [x, t, t_xi, t_xixi].into_iter(), &test_beam.q);
-        rounded(&mut delta_u.iter_mut(), &test_beam.dq);
-        rounded(&mut linear_u.iter_mut(), &test_beam.linear_dq);
-    }
-    Variant::Unmodified.formulas(&beams, evaluation.at, evaluation.form, evaluation.contact).components()
-}
-
-/// What an answer is compared with.
-struct Sides {
-    reference: [Varied<RunningError2>; COMPONENTS],
-    textbook: [Varied<RunningError2>; COMPONENTS],
-    scales: [Varied<crate::number::TermScale>; COMPONENTS],
-}
-
-/// Whether the differences in double-double do not agree with the reference.
-fn is_doubted(evaluation: &EvaluationPoint, reference: &[Varied<RunningError2>; COMPONENTS]) -> bool {
-    let Some(differences) = differences(evaluation) else { return false };
-    let pairs = differences
-        .into_iter()
-        .flat_map(Varied::parts)
-        .zip(reference.iter().flat_map(|varied| varied.parts()));
-    pairs.into_iter().any(|(told, own)| {
-        let difference = (told.value.value() - own.value).abs();
-        difference > told.error + own.bound[0] + f64::EPSILON * own.value.abs()
-    })
-}
-
-/// The comparisons of one answer.
-fn entries_of(answer: &Answer, at: &Situation<'_>, sides: &Sides) -> Result<Vec<Comparison>, String> {
-    let dofs = at.dq.len();
-    let quantity = answer.quantity;
-    let is_meant =
-        |&i: &usize| (Quantity::of_component(i), Quantity::axis_of_component(i)) == (quantity, answer.axis);
-    let Some(i) = (0..COMPONENTS).find(is_meant) else {
-        let found = answer.axis.map_or_else(|| "none".into(), |axis| format!("{axis:?}"));
-        return Err(format!(
-            "{}: of a vector a component, x, y or z, and of a scalar none expected, found {found}",
-            quantity.name()
-        ));
-    };
-    let shaped = |what: &str, numbers: &Option<Vec<f64>>, expected: usize| match numbers {
-        Some(numbers) if numbers.len() != expected => Err(format!(
-            "{what} of {}: {expected} numbers expected, found {}",
-            quantity.name(),
-            numbers.len()
-        )),
-        _ => Ok(()),
-    };
-    shaped("gradient", &answer.gradient, dofs)?;
-    shaped("Hessian", &answer.hessian, dofs * dofs)?;
-    let exact = |value: f64| RunningError { value, bound: 0.0 };
-    let sum = |terms: &mut dyn Iterator<Item = RunningError>| terms.fold(exact(0.0), |sum, term| sum + term);
-    let dot = |u: &[f64], v: &[f64]| sum(&mut u.iter().zip(v).map(|(&u, &v)| exact(u) * exact(v)));
-    let along = |gradient: &Option<Vec<f64>>, dq| gradient.as_ref().map(|gradient| dot(gradient, dq));
-    let second = answer.hessian.as_ref().map(|hessian| {
-        let rows = hessian.chunks_exact(dofs.max(1)).zip(at.dq);
-        sum(&mut rows.map(|(row, &dq)| exact(dq) * dot(row, at.linear_dq)))
-    });
-    let numbers = [
-        (0, answer.value.map(exact)),
-        (1, along(&answer.gradient, at.dq)),
-        (2, along(&answer.gradient, at.linear_dq)),
-        (3, second),
-        (1, answer.variations[0].map(exact)),
-        (2, answer.variations[1].map(exact)),
-        (3, answer.variations[2].map(exact)),
-    ];
-    let orders = [Order::Value, Order::First, Order::First, Order::Second];
-    let entry = |(k, number): (usize, Option<RunningError>)| {
-        let number = number?;
-        let (other, textbook) = (sides.reference[i].parts()[k], sides.textbook[i].parts()[k]);
-        // The second bound is of those who solve for the closest point again.
-        let [near, far] = textbook.bound;
-        let bound = CAREFUL * near + far + number.bound;
-        Some(Comparison {
-            quantity,
-            axis: answer.axis,
-            order: orders[k],
-            part: Varied::<f64>::PARTS[k],
-            against: ROUTES[2],
-            closed: number.value,
-            other: other.value,
-            scale: sides.scales[i].parts()[k].scale,
-            bound,
-            tolerance: bound + other.bound[0],
-        })
-    };
-    Ok(numbers.into_iter().filter_map(entry).collect())
 }

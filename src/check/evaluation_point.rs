@@ -1,6 +1,8 @@
 //! A closest point at which both linearizations are evaluated, in every scalar that the check asks for.
 
+mod dense;
 mod refined;
+mod structure;
 
 use super::root_enclosure;
 use super::verdict::Inconclusive;
@@ -12,8 +14,10 @@ use crate::number::{DoubleDouble, Faulty, RunningError, TermScale};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
 use crate::variant::{Contracted, SCALARS, Step, Variant, contracted, every_layout, fast_kernel, terms};
+pub(super) use dense::Dense;
 use refined::Refined;
 use std::sync::OnceLock;
+pub(super) use structure::Structure;
 
 /// A closest point that has derivatives, and is known well enough.
 #[derive(Debug)]
@@ -191,7 +195,7 @@ impl<'a> EvaluationPoint<'a> {
         if let Variant::Rewritten(_) = variant { self.sized(variant) } else { self.unmodified().scales }
     }
 
-    fn sized(&self, variant: &Variant) -> [Varied<TermScale>; COMPONENTS] {
+    pub(super) fn sized(&self, variant: &Variant) -> [Varied<TermScale>; COMPONENTS] {
         let at = (TermScale::parameter(self.at.0.value), TermScale::parameter(self.at.1.value));
         // A position has the size of the curve at least: where the origin is says nothing of rounding.
         let sized = |partial: PartialVariations<f64>| {

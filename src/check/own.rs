@@ -14,14 +14,14 @@ use super::regime::Regime;
 use super::verdict::{Inconclusive, Verdict};
 use crate::curve::Curve;
 use crate::test_beam::Drawn;
-use nalgebra::SVector;
+use nalgebra::{SVector, Vector3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt;
 
-pub use jet::JetFinding;
+pub use jet::{JetFinding, jet};
 
 /// How much the dofs of a beam are varied, over the largest of them.
 const SPREAD: f64 = 0.02;
@@ -73,7 +73,8 @@ where
                 1 => 1.0,
                 _ => rng.random_range(-1.0..1.0),
             };
-            for finding in jet::findings(&drawn, xi, &mut rng) {
+            let w = Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
+            for finding in jet::findings(&drawn, &w, xi) {
                 if found.jets.iter().all(|known| known.part != finding.part) {
                     found.jets.push(finding);
                 }

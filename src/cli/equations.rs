@@ -2,6 +2,7 @@
 
 use super::arguments::{Format, seed};
 use super::exit::Exit;
+use super::formula;
 use super::output::Output;
 use super::progress::Progress;
 use beamgap::equations::{
@@ -30,10 +31,14 @@ pub(crate) struct ListEquations {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u8).range(1..=59))]
     equation: Option<u8>,
+    /// With --equation: print LaTeX instead of UTF-8
+    #[arg(long, requires = "equation")]
+    latex: bool,
     /// Tables for people, or one document for programs
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
-    /// Also write equations.json and equations.md into this directory
+    /// Also write equations.json, equations.md, derivation.json and derivation.html
+    /// into this directory
     #[arg(long, value_name = "DIR", conflicts_with = "equation")]
     to: Option<PathBuf>,
     /// Write the report although the source has changes that are not committed
@@ -57,6 +62,7 @@ impl ListEquations {
         let mut record = Equations::new(found, Environment::here(&self.command()));
         if let Some(directory) = &self.to {
             report::equations(directory, &record)?;
+            report::derivation(directory, &record)?;
         }
         let paper = &mut record.table;
         let (mut holds, mut verdict) = (paper.holds(), words(paper));
@@ -68,7 +74,7 @@ impl ListEquations {
         }
         let document = match (self.format, record.table.equations.as_slice()) {
             (Format::Json, _) => record.to_json()?,
-            (Format::Human, [entry]) => format!("{}\n{verdict}\n", whole(entry)),
+            (Format::Human, [entry]) => format!("{}\n{verdict}\n", whole(entry, self.latex)),
             (Format::Human, _) => format!("{}\n{verdict}\n", table(&record.table)),
         };
         output.write(&document, &format!("{verdict}\n"))?;
@@ -156,17 +162,18 @@ fn refuted(score: &Score) -> [String; 2] {
 }
 
 /// One equation with all its readings.
-fn whole(entry: &EquationRow) -> String {
+fn whole(entry: &EquationRow, latex: bool) -> String {
     let mut text = format!("({}) {}: {}\n", entry.number, entry.says, entry.verdict.words());
-    let mut section = |title: &str, body: &str| {
+    let mut section = |title: &str, body: String| {
         if !body.is_empty() {
-            let _ = write!(text, "\n{title}\n{}", wrapped(body));
+            let _ = write!(text, "\n{title}\n{body}");
         }
     };
-    section("As printed", &entry.printed);
-    section("As corrected", entry.corrected.as_deref().unwrap_or_default());
-    section("Remark", &entry.remark);
-    section("Left out", &entry.omitted.join(", "));
+    let formula = |source: &str| if latex { wrapped(source) } else { readable(source) };
+    section("As printed", formula(&entry.printed));
+    section("As corrected", formula(entry.corrected.as_deref().unwrap_or_default()));
+    section("Remark", wrapped(&entry.remark));
+    section("Left out", formula(&entry.omitted.join(", ")));
     for part in &entry.parts {
         let order = match part.order {
             Order::Value => "value",
@@ -224,8 +231,17 @@ fn shown(run: &Run) -> String {
     text
 }
 
+/// A formula in letters, or its LaTeX if it holds something that has none.
+fn readable(latex: &str) -> String {
+    let Ok(lines) = formula::lines(latex) else { return wrapped(latex) };
+    lines.iter().fold(String::new(), |text, line| text + "  " + line + "\n")
+}
+
 /// Words in lines of a terminal's width.
 fn wrapped(text: &str) -> String {
+    if text.is_empty() {
+        return String::new();
+    }
     let (mut lines, mut line) = (String::new(), String::new());
     for word in text.split_whitespace() {
         if !line.is_empty() && line.chars().count() + word.chars().count() > 75 {

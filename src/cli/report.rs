@@ -85,6 +85,7 @@ impl Report {
         let table = equations::equation_table(SEED, equations::DRAWS, equations::CASES);
         let equations = Equations::new(table, Environment::here(&command));
         report::equations(&self.to, &equations)?;
+        report::derivation(&self.to, &equations)?;
         progress.end();
         let faults = faults::record(SEED, &[], &command);
         report::faults(&self.to, &faults)?;

@@ -1,6 +1,7 @@
 //! The ways in which a projection of one centroid onto the other can fail. None depends on the unit of length.
 
 use super::Side;
+use crate::number::Which;
 use thiserror::Error;
 
 /// Why there is no closest point to work with.
@@ -11,10 +12,10 @@ pub enum ProjectionError {
     #[error("a curve, its bound or the start is not finite, or too large to be squared")]
     NonFinite,
     /// All points of one curve coincide, so that it has no tangent.
-    #[error("the {} curve is a single point", if *.bar { "barred" } else { "first" })]
+    #[error("the curve of the {which} is a single point")]
     ZeroTangent {
-        /// Whether it is the barred curve.
-        bar: bool,
+        /// The beam of the curve.
+        which: Which,
     },
     /// The closest point is not isolated, or not to be told from one that is not: parallel or coaxial centroids.
     #[error("the closest point is not unique: the smallest scaled eigenvalue is {conditioning:e}")]
@@ -37,10 +38,10 @@ pub enum ProjectionError {
         gradient_error: f64,
     },
     /// Newton's method leads out of a beam: a minimum may lie at this end, with the parameter held.
-    #[error("Newton's method leads out of the {} beam at xi = {}", if *.bar { "barred" } else { "first" }, side.parameter())]
+    #[error("Newton's method leads out of the {which} at xi = {}", side.parameter())]
     AtEnd {
-        /// Whether it is the barred beam.
-        bar: bool,
+        /// The beam.
+        which: Which,
         /// Its end.
         side: Side,
     },

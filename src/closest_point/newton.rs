@@ -2,6 +2,7 @@
 
 use super::{Centroid, ClosestPoint, Held, ProjectionError, Side, SquaredDistance};
 use crate::curve::Geometry;
+use crate::number::Which;
 
 /// The most steps. A simple zero takes two or three from nearby, a multiple one gains a bit a step.
 const STEPS: usize = 60;
@@ -87,7 +88,7 @@ fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoi
     let free = || free.into_iter().filter(|&(i, held, ..)| !held && !p.is_weak(i));
     let leaves = |at: f64, step: f64| (at + step).abs() > 1.0;
     if let Some((i, _, at, _)) = free().find(|&(_, _, at, step)| at.abs() >= 1.0 && leaves(at, step)) {
-        return Err(ProjectionError::AtEnd { bar: i == 1, side: Side::nearest(at) });
+        return Err(ProjectionError::AtEnd { which: [Which::Beam, Which::Bar][i], side: Side::nearest(at) });
     }
     if free().any(|(_, _, at, step)| step.is_nan() || step.abs() >= SMALL || leaves(at, step)) {
         return Err(ProjectionError::NotConverged { residual: point.residual });

@@ -1,6 +1,7 @@
 //! One closest (or otherwise stationary) point: where it is, what it is and how well it is determined.
 
 use super::SquaredDistance;
+use crate::number::Which;
 
 /// Scaled eigenvalues below this are rounding: the point is singular.
 pub(super) const SINGULAR: f64 = 1.4e-14;
@@ -22,12 +23,12 @@ const FOURTH_ORDER: f64 = 1.7e-4;
 pub struct ClosestPoint {
     /// xi, the parameter on the first curve.
     pub xi: f64,
-    /// xi_bar, the parameter on the barred curve.
+    /// xi_bar, the parameter on the bar beam.
     #[doc(alias = "eta")]
     pub xi_bar: f64,
     /// The end of the first beam that holds xi, if one does.
     pub end: Option<End>,
-    /// The end of the barred beam that holds xi_bar, if one does.
+    /// The end of the bar beam that holds xi_bar, if one does.
     pub end_bar: Option<End>,
     /// What kind of stationary point it is within the square.
     pub kind: Kind,
@@ -90,8 +91,8 @@ pub struct Held {
 pub enum Degeneracy {
     /// A tangent has no length: its norm, and slips, have no derivative.
     ZeroTangent {
-        /// Whether it is the tangent of the barred curve.
-        bar: bool,
+        /// The beam of the tangent.
+        which: Which,
     },
     /// D = 0 to rounding: the parameters have no derivative.
     Singular {
@@ -123,7 +124,7 @@ impl ClosestPoint {
         let (conditioning, smallest) = (low, low.abs().min(high.abs()));
         let still = [p.stands_still(0), p.stands_still(1)];
         let degeneracy = if still[0] || still[1] {
-            Some(Degeneracy::ZeroTangent { bar: !still[0] })
+            Some(Degeneracy::ZeroTangent { which: if still[0] { Which::Beam } else { Which::Bar } })
         } else if p.rounds_to_zero(smallest) {
             Some(Degeneracy::Singular { conditioning: smallest })
         } else if let Some(end) = [end, end_bar].into_iter().flatten().find(|end| !end.strict) {

@@ -30,7 +30,7 @@ pub struct SquaredDistance {
     pub det: f64,
     /// t·t and t_bar·t_bar.
     pub(super) squares: [f64; 2],
-    /// t,xi·t,xi and t,xixi·t,xixi, and those of the barred curve.
+    /// t,xi·t,xi and t,xixi·t,xixi, and those of the bar beam.
     bends: [f64; 2],
     twists: [f64; 2],
     /// The third derivatives: three times in xi, twice in xi and once in xi_bar, and so on.

@@ -2,6 +2,7 @@
 
 use super::{Centroid, ClosestPoints, Held, ProjectionError, Search, Side, closest_points, refine};
 use crate::curve::Geometry;
+use crate::number::Which;
 use nalgebra::Vector3;
 
 /// scale (x + t s + c s²/2), a parabola.
@@ -122,15 +123,15 @@ fn an_end_in_the_way_is_named() {
         let bar = line([0.0, y, 0.0], [0.0, 1.0, 0.0], 1.0);
         let inside = Held::default();
         let error = refine(&beam, &bar, (0.1, 0.2), inside).unwrap_err();
-        assert_eq!(error, ProjectionError::AtEnd { bar: true, side });
+        assert_eq!(error, ProjectionError::AtEnd { which: Which::Bar, side });
         let swapped = refine(&bar, &beam, (0.2, 0.1), inside).unwrap_err();
-        assert_eq!(swapped, ProjectionError::AtEnd { bar: false, side });
+        assert_eq!(swapped, ProjectionError::AtEnd { which: Which::Beam, side });
         let held = Held { xi_bar: true, ..inside };
         let at_end = refine(&beam, &bar, (0.1, side.parameter()), held).unwrap();
         assert_eq!((at_end.xi, at_end.end_bar.unwrap().side), (0.0, side));
     }
     assert_eq!(
-        ProjectionError::AtEnd { bar: true, side: Side::Lower }.to_string(),
-        "Newton's method leads out of the barred beam at xi = -1"
+        ProjectionError::AtEnd { which: Which::Bar, side: Side::Lower }.to_string(),
+        "Newton's method leads out of the bar beam at xi = -1"
     );
 }

@@ -22,10 +22,11 @@ macro_rules! sources {
 }
 // Those that compute come first.
 sources![
+    "linearization/closed_form/paper/points.rs",
+    "linearization/closed_form/paper/parameters.rs",
+    "linearization/closed_form/paper/distance.rs",
+    "linearization/closed_form/paper/lengths.rs",
     "linearization/closed_form/variations.rs",
-    "linearization/closed_form/first_order.rs",
-    "linearization/closed_form/second_order.rs",
-    "linearization/closed_form/norms.rs",
     "linearization/closed_form/projection.rs",
     "linearization/closed_form/matrices.rs",
     "linearization/closed_form/matrices/distance.rs",

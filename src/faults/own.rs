@@ -94,14 +94,14 @@ impl fmt::Display for Operations {
 mod tests {
     use super::{Formula, operations_of, operations_of_curve};
     use crate::curve::Hermite;
-    use crate::number::{Label, Real};
+    use crate::number::{Label, Real, Which};
 
     /// The square of a length, with a product that nothing uses.
     struct Square;
 
     impl Formula for Square {
         fn numbers<T: Real>(&self, v: &[T]) -> Vec<T> {
-            let label = Label { name: "v.v", bar: false };
+            let label = Label { name: "v.v", which: Which::Beam };
             let _ = v[0] * v[1];
             vec![(v[0] * v[0] + v[1] * v[1]).named(label)]
         }

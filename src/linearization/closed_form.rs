@@ -1,30 +1,28 @@
-//! The linearization by hand: the formulas of the paper, corrected where its print is wrong and completed where it
-//! stops.
+//! The linearization by hand: the formulas of the paper, corrected where its print is wrong and completed where it stops.
 //!
-//! G. Zavarise, "A generalized formulation for contact between beams: geometrical preliminaries", 2007. Equation
-//! numbers are the paper's. Two things are added throughout: the terms Delta_u delta_u u, which the paper drops as of
-//! higher order although they are of the same order as those it keeps (they vanish for curves linear in their dofs,
-//! and for no other), and closest points at an end of a beam, where the parameter is held.
+//! The [`derivation`] has them all. [`paper`] has one function for each of the paper's equations; [`variations`] evaluates
+//! them in two directions. [`Matrices`] has gradients and Hessians in all dofs, for every curve. The [`kernel`] has the same
+//! numbers in vector arithmetic: [`Pair::linearize`] is the kernel. Contracting a matrix with directions gives the
+//! variation; the kernel gives the matrices; each checks the others.
 //!
-//! [`variations`] is the framework of sections 2-5 of the paper, in two directions; [`Matrices`] is the step its
-//! section 6 leaves to the reader, gradients and Hessians in all dofs. Contracting the one gives the other. Both have the
-//! variations of d and the solution of the two-by-two system in two forms, the paper's and one that keeps its digits at
-//! small gaps and angles: see [`Formulation`].
+//! Two things are added throughout: the terms Delta_u delta_u u, which the paper drops, and closest points at an end of a
+//! beam, where the parameter is held. The variations of d and the solution of the two-by-two system have two forms, the
+//! paper's and one that keeps its digits at small gaps and angles: see [`Formulation`].
 
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet};
-use crate::linearization::{Linearization, Quantities, Varied};
+use crate::linearization::{Linearization, Linearized, Quantities, Varied};
 use crate::number::Real;
 use crate::pair::{DofVector, Pair};
 
-mod first_order;
+#[doc = include_str!("closed_form/derivation.md")]
+pub mod derivation {}
 pub mod formulation;
 pub mod kernel;
 mod matrices;
-mod norms;
+pub mod paper;
 mod partial_variations;
 mod projection;
-mod second_order;
 mod sums;
 mod variations;
 
@@ -45,13 +43,11 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
     /// # Example
     /// See the crate's front page.
     #[must_use]
-    pub fn linearize(&self, q: &DofVector<f64, N, M>, point: &ClosestPoint) -> Linearization<f64, N, M> {
-        let mut all = Linearization::ZEROS;
-        kernel::write_linearization(self, q, point, &mut all);
-        all
+    pub fn linearize(&self, q: &DofVector<f64, N, M>, point: &ClosestPoint) -> Linearized<N, M> {
+        Linearized::written(|to| kernel::write_linearization(self, q, point, to))
     }
 
-    /// The same, written over `to`: half the time, as [`Pair::linearize`] clears and copies its result.
+    /// The same, written over `to`.
     pub fn linearize_into(
         &self,
         q: &DofVector<f64, N, M>,

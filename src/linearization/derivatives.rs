@@ -28,26 +28,13 @@ impl<T: Real, const N: usize, const M: usize> BlockHessian<T, N, M> {
 
     /// Becomes the sum of factor * matrix over all `matrices` and of u v^T + v u^T over all `pairs` (u, v), in one pass.
     #[inline]
-    pub fn set_sum<const L: usize, const K: usize>(
-        &mut self,
-        matrices: [(T, &Self); L],
-        pairs: [(&DofVector<T, N, M>, &DofVector<T, N, M>); K],
-    ) {
-        set_block(
-            &mut self.beam,
-            matrices.map(|(factor, m)| (factor, &m.beam)),
-            pairs.map(|(u, v)| [(&u.beam, &v.beam), (&v.beam, &u.beam)]),
-        );
-        set_block(
-            &mut self.mixed,
-            matrices.map(|(factor, m)| (factor, &m.mixed)),
-            pairs.map(|(u, v)| [(&u.beam, &v.bar), (&v.beam, &u.bar)]),
-        );
-        set_block(
-            &mut self.bar,
-            matrices.map(|(factor, m)| (factor, &m.bar)),
-            pairs.map(|(u, v)| [(&u.bar, &v.bar), (&v.bar, &u.bar)]),
-        );
+    pub fn set_sum(&mut self, matrices: &[(T, &Self)], pairs: &[[&DofVector<T, N, M>; 2]]) {
+        let Self { beam, mixed, bar } = self;
+        dispatch_simd!({
+            set_block(beam, (matrices, |m| &m.beam), pairs, (|v| &v.beam, |v| &v.beam));
+            set_block(mixed, (matrices, |m| &m.mixed), pairs, (|v| &v.beam, |v| &v.bar));
+            set_block(bar, (matrices, |m| &m.bar), pairs, (|v| &v.bar, |v| &v.bar));
+        });
     }
 
     /// dq^T self Dq: the second variation in two directions.
@@ -136,31 +123,31 @@ fn bilinear<T: Real, const N: usize, const M: usize>(
     })
 }
 
-/// A block of [`BlockHessian::set_sum`]: factor * matrix over all `matrices` and u v^T over all `products` (u, v).
+/// A block of [`BlockHessian::set_sum`], which the functions take from the matrices, and its rows and columns from the
+/// vectors.
 ///
 /// Along the columns, as the entries lie in memory, and term by term: loops in which the compiler takes several entries at
 /// once.
-#[inline]
-fn set_block<T: Real, const N: usize, const M: usize, const L: usize, const K: usize>(
+#[inline(always)]
+fn set_block<T: Real, H, D, const N: usize, const M: usize>(
     block: &mut SMatrix<T, N, M>,
-    matrices: [(T, &SMatrix<T, N, M>); L],
-    products: [[(&SVector<T, N>, &SVector<T, M>); 2]; K],
+    (matrices, block_of): (&[(T, &H)], impl Fn(&H) -> &SMatrix<T, N, M>),
+    pairs: &[[&D; 2]],
+    (rows, columns): (impl Fn(&D) -> &SVector<T, N>, impl Fn(&D) -> &SVector<T, M>),
 ) {
-    dispatch_simd!({
-        for (j, column) in block.data.0.iter_mut().enumerate() {
-            let mut sums = [T::zero(); N];
-            for (factor, matrix) in matrices {
-                add_multiple(&mut sums, &matrix.data.0[j], factor);
-            }
-            for [(u, v), (y, z)] in products {
-                let (v, z) = (v[j], z[j]);
-                for (sum, (&u, &y)) in sums.iter_mut().zip(u.data.0[0].iter().zip(&y.data.0[0])) {
-                    *sum += u * v + y * z;
-                }
-            }
-            *column = sums;
+    for (j, column) in block.data.0.iter_mut().enumerate() {
+        let mut sums = [T::zero(); N];
+        for (factor, matrix) in matrices {
+            add_multiple(&mut sums, &block_of(matrix).data.0[j], *factor);
         }
-    });
+        for [u, v] in pairs {
+            let (of_u, of_v) = (columns(u)[j], columns(v)[j]);
+            for (sum, (&u, &v)) in sums.iter_mut().zip(rows(u).data.0[0].iter().zip(&rows(v).data.0[0])) {
+                *sum += u * of_v + v * of_u;
+            }
+        }
+        *column = sums;
+    }
 }
 
 /// Adds a multiple of a column.

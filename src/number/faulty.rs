@@ -123,9 +123,9 @@ impl<T: Bits> Real for Faulty<T> {
 #[cfg(test)]
 mod tests {
     use super::{Change, Faulty, TermChange, counted, operations, terms, with_operation, with_terms};
-    use crate::number::{Label, Real, named, orders};
+    use crate::number::{Label, Real, Which, named, orders};
 
-    const LABEL: Label = Label { name: "ab", bar: false };
+    const LABEL: Label = Label { name: "ab", which: Which::Beam };
 
     fn formula([a, b]: [f64; 2]) -> f64 {
         let [a, b] = [a, b].map(Faulty);

@@ -9,14 +9,14 @@ use std::fmt;
 pub struct Label {
     /// Formula and term, such as `a: d.t,xi`; delta is written d, and Delta D.
     pub name: &'static str,
-    /// Whether the formula serves both beams and this is its use for the bar beam.
-    pub bar: bool,
+    /// The beam that it is used for, if the formula serves both.
+    pub which: Which,
 }
 
 impl fmt::Display for Label {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)?;
-        f.write_str(if self.bar { " (bar)" } else { "" })
+        f.write_str(if self.which == Which::Bar { " (bar)" } else { "" })
     }
 }
 
@@ -44,31 +44,37 @@ impl<T: Real, const R: usize, const C: usize> Term<T> for SMatrix<T, R, C> {
 /// A term by its name: the term itself, but for scalars that make terms wrong on purpose.
 #[inline(always)]
 pub(crate) fn named<T, V: Term<T>>(name: &'static str, term: V) -> V {
-    term.with_name(Label { name, bar: false })
+    Which::Beam.named(name, term)
 }
 
-/// The beam that a formula serving both is used for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Of {
-    /// The bar beam, and not the beam.
-    pub(crate) bar: bool,
-}
-
-impl Of {
+/// One of the two beams.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Which {
     /// The beam.
-    pub(crate) const BEAM: Self = Self { bar: false };
+    Beam,
     /// The bar beam.
-    pub(crate) const BAR: Self = Self { bar: true };
+    Bar,
+}
 
+impl fmt::Display for Which {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Beam => "beam",
+            Self::Bar => "bar beam",
+        })
+    }
+}
+
+impl Which {
     /// A term by its name, in the formula of this beam.
     #[inline(always)]
     pub(crate) fn named<T, V: Term<T>>(self, name: &'static str, term: V) -> V {
-        term.with_name(Label { name, bar: self.bar })
+        term.with_name(Label { name, which: self })
     }
 }
 
 /// The orders of the two Jacobians in a product, by the name of the product.
 #[inline(always)]
 pub(crate) fn orders<T: Real>(name: &'static str, orders: [usize; 2]) -> [usize; 2] {
-    T::orders(Label { name, bar: false }, orders)
+    T::orders(Label { name, which: Which::Beam }, orders)
 }

@@ -37,6 +37,12 @@ pub enum ReportError {
         "the source has changes that are not committed: commit them, as a report names its commit, or pass --allow-dirty"
     )]
     Dirty,
+    /// The text, a formula or the source of the page of the derivation is not as expected.
+    #[error("the page of the derivation cannot be put together: {what}")]
+    Derivation {
+        /// What is wrong.
+        what: String,
+    },
     /// A file is not what it should be.
     #[error("{what} cannot be read")]
     Format {

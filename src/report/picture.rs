@@ -2,7 +2,8 @@
 
 use crate::closest_point::ProjectionError;
 use crate::curve::{Curve, Hermite};
-use crate::pair::Pair;
+use crate::equations::StandardCase;
+use crate::pair::DofVector;
 use nalgebra::{SVector, Vector3};
 use std::fmt::Write;
 
@@ -30,11 +31,9 @@ const ARROW: &str = "<marker id=\"arrow\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"
 /// # Errors
 /// None, as long as the beams of the picture have one closest point inside both.
 pub fn picture() -> Result<String, ProjectionError> {
-    let beam = SVector::from([-1.4, 0.0, 0.35, 1.2, 0.1, 0.35, 1.4, 0.0, 0.35, 1.2, -0.1, -0.35]);
-    let bar = SVector::from([-0.7, -1.2, -0.45, 0.5, 1.1, -0.1, 0.7, 1.2, -0.45, 0.5, 1.1, 0.1]);
-    let pair = Pair::new(Hermite::new(), Hermite::new());
-    let found = pair.closest_points(&crate::pair::DofVector { beam, bar })?;
-    let point = found.interior()?;
+    let case = StandardCase::default();
+    let DofVector { beam, bar } = case.q;
+    let point = case.closest_point()?;
     let at = |q: &SVector<f64, 12>, xi: f64| Hermite::new().jet(q, xi).geometry;
     let (x, x_bar) = (at(&beam, point.xi), at(&bar, point.xi_bar));
     let n = (x.x - x_bar.x).normalize();

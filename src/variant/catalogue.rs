@@ -4,10 +4,12 @@
 //! decided over the prime field. A change after which every result is the same number is none, and two changes of one
 //! term with the same results are one fault.
 
-use super::point::Point;
+use super::point::{Point, Results};
 use super::{Fault, Kind, UnknownFault, Variant};
 use crate::number::Label;
 use rayon::prelude::*;
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 /// All faults, in the order in which their terms are evaluated.
@@ -35,18 +37,49 @@ pub fn with_faults(names: &[String]) -> Result<Variant, UnknownFault> {
 
 /// The faults of a term.
 fn of_term(&label: &Label) -> Vec<Fault> {
-    let results = |variant: &Variant| points().iter().map(|point| point.results(variant)).collect::<Vec<_>>();
-    let mut known = vec![results(&Variant::Unmodified)];
+    let mut known = vec![Outcome::new(Variant::Unmodified)];
     let mut faults = Vec::new();
     for kind in Kind::ALL {
         let fault = Fault { label, kind };
-        let results = results(&Variant::Faulty(vec![fault]));
-        if !known.contains(&results) {
-            known.push(results);
+        let outcome = Outcome::new(Variant::Faulty(vec![fault]));
+        if !known.contains(&outcome) {
+            known.push(outcome);
             faults.push(fault);
         }
     }
     faults
+}
+
+/// What a variant yields at all points; it is evaluated only at those that a comparison needs.
+struct Outcome {
+    variant: Variant,
+    results: Vec<OnceCell<Results>>,
+}
+
+impl Outcome {
+    fn new(variant: Variant) -> Self {
+        Self { variant, results: points().iter().map(|_| OnceCell::new()).collect() }
+    }
+}
+
+impl PartialEq for Outcome {
+    fn eq(&self, other: &Self) -> bool {
+        points().iter().enumerate().all(|(i, point)| {
+            let [one, two] = [self, other].map(|of| of.results[i].get_or_init(|| point.results(&of.variant)));
+            one == two
+        })
+    }
+}
+
+/// Faults by name, each with a number: those of one number have the same results for all beams.
+pub(crate) fn classes(faults: &[Fault]) -> BTreeMap<String, usize> {
+    let results = |fault: &Fault| {
+        let variant = Variant::Faulty(vec![*fault]);
+        points().iter().map(|point| point.results(&variant)).collect::<Vec<_>>()
+    };
+    let all: Vec<_> = faults.par_iter().map(results).collect();
+    let first = |i: usize| (0..i).find(|&j| all[j] == all[i]).unwrap_or(i);
+    faults.iter().enumerate().map(|(i, fault)| (fault.to_string(), first(i))).collect()
 }
 
 fn points() -> &'static [Point] {

@@ -13,7 +13,6 @@ use crate::number::{Lanes, Real};
 use crate::pair::{Contact, DofVector, Pair};
 use crate::test_beam::{DOFS, Padded, PaddedBeam};
 use nalgebra::{SVector, Vector3};
-use std::num::NonZeroUsize;
 
 /// Value, gradient along both directions, and Hessian along both, of each scalar; nothing for what there is not.
 pub(crate) type Contracted<T> = [[Option<T>; 4]; SCALARS];
@@ -200,7 +199,7 @@ impl<'a> Four<'a> {
 
     fn d(&self, memory: fn() -> Second<Lanes>) -> Contracted<f64> {
         let mut to = [memory()];
-        write_d_batch(&self.pairs_at_points(), &mut to, NonZeroUsize::MIN);
+        write_d_batch(&self.pairs_at_points(), &mut to);
         let [d] = to.map(|memory| memory.contracted(&self.directions));
         alone(length(d, 0))
     }
@@ -208,7 +207,7 @@ impl<'a> Four<'a> {
     fn all(&self, memory: fn() -> Second<Lanes>) -> Contracted<f64> {
         let pairs_at_points = self.pairs_at_points();
         let mut to = [std::array::from_fn(|_| memory())];
-        write_all_batch(&pairs_at_points, &mut to, NonZeroUsize::MIN);
+        write_all_batch(&pairs_at_points, &mut to);
         let [[d, xi, xi_bar, t, t_bar]] = to.map(|of| of.map(|memory| memory.contracted(&self.directions)));
         let none = [None; 4];
         [length(d, 0), length(t, 1), length(t_bar, 2), number(xi, 3), number(xi_bar, 0), none, none]

@@ -15,18 +15,16 @@ use beamgap::number::Lanes;
 use beamgap::pair::{DofVector, Pair};
 use nalgebra::SVector;
 use proptest::prelude::*;
-use std::num::NonZeroUsize;
 
 /// Each of at most eight pairs is the same in its lane as alone.
 fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>]) {
     let pairs_at_points: Vec<_> =
         cases.iter().map(|Contacting { pair, q, point, .. }| PairAtPoint { pair, q, point }).collect();
-    let one = NonZeroUsize::MIN;
     let zeros = Packed::<Lanes, 24, 300>::zeros();
     let (mut d, mut all) = ([zeros; 2], [[zeros; 5]; 2]);
-    assert_eq!(write_d_batch(&pairs_at_points, &mut d, one), cases.len());
-    assert_eq!(write_all_batch(&pairs_at_points, &mut all, one), cases.len());
-    assert_eq!(write_d_batch(&pairs_at_points, &mut d[..1], one), cases.len().min(4));
+    assert_eq!(write_d_batch(&pairs_at_points, &mut d), cases.len());
+    assert_eq!(write_all_batch(&pairs_at_points, &mut all), cases.len());
+    assert_eq!(write_d_batch(&pairs_at_points, &mut d[..1]), cases.len().min(4));
     for (i, case) in cases.iter().enumerate() {
         let Contacting { pair, q, point, .. } = case;
         let mut one_by_one = [Packed::<f64, 24, 300>::zeros(); 5];
@@ -105,7 +103,7 @@ proptest! {
         let cases = bent.each_ref().map(long_and_short);
         let pairs_at_points = cases.each_ref().map(|Contacting { pair, q, point, .. }| PairAtPoint { pair, q, point });
         let mut four = [Packed::<Lanes, 24, 300>::zeros()];
-        write_d_batch(&pairs_at_points, &mut four, NonZeroUsize::MIN);
+        write_d_batch(&pairs_at_points, &mut four);
         for (i, case) in cases.iter().enumerate() {
             let Contacting { pair, q, point, .. } = case;
             let mut one = Packed::<f64, 24, 300>::zeros();
@@ -120,13 +118,12 @@ proptest! {
         equal_in_lanes(&cases);
     }
 
-    /// However many threads there are, and whether or not the memory is for all pairs, each is done as in a batch of four.
+    /// Whether or not the memory is for all pairs, each is done as in a batch of four.
     #[test]
-    fn batches_by_threads(
+    fn batches_of_any_length(
         cases in proptest::collection::vec(contacting(hermite(), hermite()), 5),
-        count in 1..=300_usize,
-        memory in 1..=80_usize,
-        threads in 1..=5_usize,
+        count in 1..=40_usize,
+        memory in 1..=12_usize,
     ) {
         let pairs_at_points: Vec<_> = cases
             .iter()
@@ -137,13 +134,12 @@ proptest! {
         let zeros = Gradient::<Lanes, 24>::zeros();
         let (mut d, mut all) = (vec![zeros; memory], vec![[zeros; 5]; memory]);
         let (mut d_of_four, mut all_of_four) = (d.clone(), all.clone());
-        let threads = NonZeroUsize::new(threads).unwrap();
         let written = count.min(4 * memory);
-        prop_assert_eq!(write_d_batch(&pairs_at_points, &mut d, threads), written);
-        prop_assert_eq!(write_all_batch(&pairs_at_points, &mut all, threads), written);
+        prop_assert_eq!(write_d_batch(&pairs_at_points, &mut d), written);
+        prop_assert_eq!(write_all_batch(&pairs_at_points, &mut all), written);
         for (i, four) in pairs_at_points[..written].chunks(4).enumerate() {
-            write_d_batch(four, &mut d_of_four[i..=i], NonZeroUsize::MIN);
-            write_all_batch(four, &mut all_of_four[i..=i], NonZeroUsize::MIN);
+            write_d_batch(four, &mut d_of_four[i..=i]);
+            write_all_batch(four, &mut all_of_four[i..=i]);
         }
         prop_assert!(d == d_of_four && all == all_of_four);
     }

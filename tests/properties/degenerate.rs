@@ -6,6 +6,7 @@ use beamgap::closest_point::{
 };
 use beamgap::curve::{Geometry, Segment};
 use beamgap::linearization::ad::{Perturbed, Route, hyper_dual, seeded};
+use beamgap::number::Which;
 use beamgap::pair::Contact;
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
@@ -249,9 +250,9 @@ fn input_that_is_not_finite() {
 fn tangents_of_zero_length() {
     let x = line([0.0, 0.0, 1.0], [1.0, 0.0, 0.0], -1.0, 1.0);
     let point = line([0.5, 0.0, 0.0], [0.0; 3], -1.0, 1.0);
-    let collapsed = |bar| Err(ProjectionError::ZeroTangent { bar });
-    assert_eq!(closest_points(&point, &x, &Search::default()), collapsed(false));
-    assert_eq!(closest_points(&x, &point, &Search::default()), collapsed(true));
+    let collapsed = |which| Err(ProjectionError::ZeroTangent { which });
+    assert_eq!(closest_points(&point, &x, &Search::default()), collapsed(Which::Beam));
+    assert_eq!(closest_points(&x, &point, &Search::default()), collapsed(Which::Bar));
 
     // A cusp that points at the line.
     let zero = Vector3::zeros();
@@ -259,7 +260,7 @@ fn tangents_of_zero_length() {
     let found = closest_points(&x, &cusp, &Search::default()).unwrap();
     let point = found.minima.iter().find(|point| point.is_interior()).unwrap();
     assert!((point.xi - 0.25).abs() < 1e-15 && point.xi_bar.abs() < 1e-15);
-    assert_eq!(point.degeneracy(), Some(Degeneracy::ZeroTangent { bar: true }));
+    assert_eq!(point.degeneracy(), Some(Degeneracy::ZeroTangent { which: Which::Bar }));
 }
 
 #[test]
@@ -272,7 +273,7 @@ fn newton_says_what_it_found() {
     assert!(held.end.unwrap().multiplier < 0.0);
     let away = line([3.0, 9.0, 0.25], [0.0, 1.0, 0.0], -1.0, 1.0);
     let failure = refine(&x, &away, (0.1, 0.1), Held::default());
-    assert_eq!(failure, Err(ProjectionError::AtEnd { bar: true, side: Side::Lower }));
+    assert_eq!(failure, Err(ProjectionError::AtEnd { which: Which::Bar, side: Side::Lower }));
 }
 
 proptest! {

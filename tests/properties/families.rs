@@ -1,10 +1,12 @@
 //! What each family of curves is known for: its ends, its circles, its limits and what it refuses.
 
-use crate::jets::TOLERANCE;
 use crate::strategies::{arc, helix, knots, parameter, vector, weighted_points, weights};
 use beamgap::curve::{Arc, BSpline, Bezier, Cubic, Curve, CurveError, Helix, Hermite, Nurbs, NurbsWeighted};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
+
+/// Rounding, relative to the size of the dofs.
+const TOLERANCE: f64 = 1e-13;
 
 proptest! {
     #[test]

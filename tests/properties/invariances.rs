@@ -18,7 +18,7 @@ type HermitePair = Contacting<Hermite, Hermite, 12, 12>;
 type Dofs<const N: usize, const M: usize> = DofVector<RunningError, N, M>;
 
 fn linearized_in_f64(case: &HermitePair) -> Linearization<f64, 12, 12> {
-    case.pair.linearize(&case.q, &case.point)
+    *case.pair.linearize(&case.q, &case.point)
 }
 
 fn all_derivatives<const N: usize, const M: usize>(

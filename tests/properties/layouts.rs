@@ -5,9 +5,12 @@
 
 use crate::kernel::{flat, flat_expansion, targets, tolerances};
 use crate::pairs::{Contacting, any_arc, any_helix, contacting, hermite, quadratic};
+use beamgap::curve::Curve;
 use beamgap::linearization::closed_form::kernel::{Full, Gradient, Packed, write_all, write_d};
 use beamgap::linearization::closed_form::{Formulation, Matrices, Points, jets};
 use beamgap::linearization::{Derivatives, Linearization};
+use beamgap::pair::DofVector;
+use nalgebra::SVector;
 use proptest::prelude::*;
 
 proptest! {
@@ -43,6 +46,33 @@ proptest! {
         let mut d = Full::<f64, 21>::zeros();
         write_d(pair, q, point, &mut d);
         prop_assert!(d == full[0], "d alone is d");
+    }
+
+    /// What stood in the memory before is nowhere in the result.
+    #[test]
+    fn linearizations_write_every_number(
+        case in contacting(quadratic(), hermite()),
+        other in contacting(hermite(), any_arc()),
+    ) {
+        fn written<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+            Contacting { pair, q, point, .. }: &Contacting<A, B, N, M>,
+        ) -> bool {
+            let mut number = Derivatives::<f64, N, M>::zero();
+            number.value = f64::NAN;
+            number.gradient = DofVector { beam: SVector::repeat(f64::NAN), bar: SVector::repeat(f64::NAN) };
+            number.hessian.beam.fill(f64::NAN);
+            number.hessian.mixed.fill(f64::NAN);
+            number.hessian.bar.fill(f64::NAN);
+            let mut to = Linearization::zeros();
+            [to.d, to.t, to.t_bar, to.xi, to.xi_bar, to.g_t, to.g_t_bar] = [number; 7];
+            to.radii = f64::NAN;
+            pair.linearize_into(q, point, &mut to);
+            let mut clear = Linearization::zeros();
+            pair.linearize_into(q, point, &mut clear);
+            // A NaN equals nothing.
+            to == clear && *pair.linearize(q, point) == clear
+        }
+        prop_assert!(written(&case) && written(&other));
     }
 
     /// Curves without shape functions are linearized all the same.

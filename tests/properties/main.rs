@@ -1,5 +1,6 @@
 //! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
 
+mod adapters;
 mod allocation;
 mod batches;
 mod benchmarks;
@@ -14,15 +15,18 @@ mod command_line;
 mod conditioning;
 mod costs;
 mod degenerate;
+mod derivation;
 mod equations;
 mod errors;
 mod every_minimum;
+mod external;
 mod families;
 mod faults;
 mod invariances;
 mod jets;
 mod kernel;
 mod layouts;
+mod newton;
 mod numbers;
 mod oracles;
 mod own_curve;
@@ -31,6 +35,7 @@ mod pasted;
 mod proof;
 mod reports;
 mod scalars;
+mod schemas;
 mod shrinking;
 mod strategies;
 mod symmetry;

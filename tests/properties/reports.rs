@@ -4,7 +4,8 @@ use beamgap::check::{self, CheckConfig, Regime, Selection};
 use beamgap::equations;
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, Benchmark, Bounds, Crosscheck, Environment, Equations, Faults, Record, picture, symbols,
+    Accuracy, Benchmark, Bounds, Crosscheck, Derivation, Environment, Equations, Faults, Record, picture,
+    symbols,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::Variant;
@@ -17,7 +18,7 @@ pub(crate) fn committed(name: &str) -> String {
 }
 
 /// Compares a page with the committed one; `BEAMGAP_BLESS=1` writes it instead.
-fn is_committed(name: &str, text: &str) {
+pub(crate) fn is_committed(name: &str, text: &str) {
     if std::env::var_os("BEAMGAP_BLESS").is_some() {
         fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("reports").join(name), text).unwrap();
     }
@@ -38,6 +39,8 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     is_committed("faults.md", &faults.page().to_markdown());
     let equations = Equations::from_json(&committed("equations.json")).unwrap();
     is_committed("equations.md", &equations.page().to_markdown());
+    let derivation = Derivation::from_json(&committed("derivation.json")).unwrap();
+    is_committed("derivation.html", &derivation.to_html(&equations.table, Some(&accuracy)).unwrap());
     is_committed("symbols.md", &symbols().to_markdown());
     is_committed("beams.svg", &picture().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();

@@ -4,9 +4,9 @@ use super::error::Rows;
 use super::input::{Input, TimedCurve};
 use super::work::{Judge, rows, scenario, written};
 use super::{Scenario, Task};
+use beamgap::linearization::Derivatives;
 use beamgap::linearization::closed_form::kernel::{self, Full, Gradient, Packed, Targets};
 use beamgap::linearization::closed_form::{Matrices, jets};
-use beamgap::linearization::{Derivatives, Linearization};
 use beamgap::report::CLOSED_FORM;
 
 pub(super) const IN_FULL: &str = "closed form, in full";
@@ -35,9 +35,7 @@ pub(super) fn scenarios<
             (Task::WithSlips, BY_TERMS),
             input,
             |p| p.pair.linearize(&p.q, &p.point),
-            |Linearization { d, xi, xi_bar, t, t_bar, g_t, g_t_bar, .. }| {
-                rows(&[d, xi, xi_bar, t, t_bar, g_t, g_t_bar])
-            },
+            |of| rows(&[&of.d, &of.xi, &of.xi_bar, &of.t, &of.t_bar, &of.g_t, &of.g_t_bar]),
             judge.of_first(21),
         ),
         written(

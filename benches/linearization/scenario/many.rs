@@ -13,7 +13,6 @@ use beamgap::test_beam::Family;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::hint::black_box;
-use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 /// So many pairs of different shape, over and over.
@@ -35,14 +34,14 @@ type AllDerivatives<const K: usize> = [Derivatives<f64, 12, 12>; K];
 /// `K` quantities of four pairs, halves of the Hessians.
 type Four<const K: usize> = [Packed<Lanes, 24, 300>; K];
 
-/// `K` quantities of many pairs, by so many threads.
-type Batch<const K: usize> = fn(&[Met], &mut [Four<K>], NonZeroUsize);
+/// `K` quantities of many pairs.
+type Batch<const K: usize> = fn(&[Met], &mut [Four<K>]);
 
-const D: Batch<1> = |of, to, threads| {
-    kernel::write_d_batch(of, to.as_flattened_mut(), threads);
+const D: Batch<1> = |of, to| {
+    kernel::write_d_batch(of, to.as_flattened_mut());
 };
-const ALL: Batch<5> = |of, to, threads| {
-    kernel::write_all_batch(of, to, threads);
+const ALL: Batch<5> = |of, to| {
+    kernel::write_all_batch(of, to);
 };
 
 /// By one thread and by two.
@@ -116,25 +115,31 @@ impl Many {
                     pairs[..IN_CACHE / K].par_chunks(CHUNK).for_each(|chunk| {
                         let mut to = [[Packed::zeros(); K]];
                         for four in chunk.chunks(4) {
-                            batch(black_box(four), black_box(&mut to), NonZeroUsize::MIN);
+                            batch(black_box(four), black_box(&mut to));
                         }
                     });
                 });
             })
         };
-        let rows = self.rows_of_four(batch, NonZeroUsize::MIN);
+        let rows = self.rows_of_four(batch);
         self.scenario::<K>((task, "closed form, four at once", threads), runner, rows)
     }
 
-    /// The whole batch by one call, each result in memory of its own.
+    /// Each result in memory of its own.
     fn to_memory<const K: usize>(&self, task: Task, threads: usize, batch: Batch<K>) -> Scenario {
-        let (pairs, count) = (self.pairs.clone(), NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN));
+        let pairs = self.pairs.clone();
         let many = TO_MEMORY / K;
         let runner = move || -> Runner {
-            let (pairs, mut to) = (pairs.clone(), vec![[Packed::zeros(); K]; many / 4]);
-            Box::new(move || batch(black_box(&pairs[..many]), black_box(&mut to), count))
+            let (pool, pairs) = (pool(threads), pairs.clone());
+            let mut to = vec![[Packed::zeros(); K]; many / 4];
+            Box::new(move || {
+                pool.install(|| {
+                    let chunks = pairs[..many].par_chunks(CHUNK).zip(to.par_chunks_mut(CHUNK / 4));
+                    chunks.for_each(|(of, to)| batch(black_box(of), black_box(to)));
+                });
+            })
         };
-        let rows = self.rows_of_four(batch, count);
+        let rows = self.rows_of_four(batch);
         let scenario = self.scenario::<K>((task, "closed form, to memory", threads), runner, rows);
         Scenario { pairs: many, ..scenario }
     }
@@ -143,12 +148,11 @@ impl Many {
     fn rows_of_four<const K: usize>(
         &self,
         batch: Batch<K>,
-        threads: NonZeroUsize,
     ) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
         let pairs = self.pairs.clone();
         move |i| {
             let mut to = [[Packed::zeros(); K]; DIFFERENT / 4];
-            batch(&pairs[..DIFFERENT], &mut to, threads);
+            batch(&pairs[..DIFFERENT], &mut to);
             to[i / 4].iter().flat_map(|of| lane(of, i % 4)).collect()
         }
     }

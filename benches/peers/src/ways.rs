@@ -13,7 +13,6 @@ use beamgap::linearization::closed_form::{Matrices, Projection, jets};
 use beamgap::linearization::{Derivatives, Linearization, Quantities};
 use beamgap::number::Lanes;
 use beamgap::pair::DofVector;
-use std::num::NonZeroUsize;
 
 /// Numbers in a block of the full layout.
 pub(crate) const FULL: usize = 608;
@@ -71,7 +70,7 @@ way!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(linearize_all, linearize_all_read: Linearization<f64, 12, 12>, |case, to| {
-    *to = PAIR.linearize(&case.q, &case.point);
+    *to = *PAIR.linearize(&case.q, &case.point);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 way!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to| {
@@ -138,11 +137,11 @@ fn write_lane(of: &Four, lane: usize, block: &mut [f64]) {
 }
 
 four!(four_d, four_d_read: [Four; 1], |cases, to| {
-    kernel::write_d_batch(cases, to, NonZeroUsize::MIN);
+    kernel::write_d_batch(cases, to);
 });
 
 four!(four_all, four_all_read: [Four; 5], |cases, to| {
-    kernel::write_all_batch(cases, std::slice::from_mut(to), NonZeroUsize::MIN);
+    kernel::write_all_batch(cases, std::slice::from_mut(to));
 });
 
 /// The quantities of task A.

@@ -6,8 +6,6 @@ use crate::linearization::closed_form::PartialVariations;
 use crate::number::{Dual, HyperDual};
 use crate::test_beam::{AnyBeam, Drawn, RunningError2};
 use nalgebra::{SVector, Vector3};
-use rand::RngExt;
-use rand_chacha::ChaCha8Rng;
 use std::fmt;
 
 type Lifted = Dual<HyperDual<RunningError2>>;
@@ -47,12 +45,26 @@ impl fmt::Display for JetFinding {
     }
 }
 
-/// What is wrong with the jet of a beam at a parameter.
-pub(super) fn findings<C, const N: usize>(
-    beam: &Drawn<C, N>,
+/// What of the jet of a curve is not the derivative of its position, beyond rounding: nothing, if the jet is right.
+///
+/// At the parameter `xi` of a beam with the dofs `q`, varied along the two `directions`; Jacobians, gradients and Hessians
+/// are compared with the variations, the last two for the vector `w`. [`curve`](super::curve) does this at many points.
+pub fn jet<C, const N: usize>(
+    curve: &C,
+    q: &SVector<f64, N>,
+    directions: [&SVector<f64, N>; 2],
+    w: &Vector3<f64>,
     xi: f64,
-    rng: &mut ChaCha8Rng,
 ) -> Vec<JetFinding>
+where
+    C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
+{
+    let [dq, linear_dq] = directions.map(|direction| *direction);
+    findings(&Drawn { curve: curve.clone(), q: *q, dq, linear_dq, points: Vec::new() }, w, xi)
+}
+
+/// What is wrong with the jet of a beam at a parameter.
+pub(super) fn findings<C, const N: usize>(beam: &Drawn<C, N>, w: &Vector3<f64>, xi: f64) -> Vec<JetFinding>
 where
     C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
 {
@@ -91,7 +103,7 @@ where
         second_u[1],
         of_t,
     ));
-    pairs.extend(consistent(beam, at, rng));
+    pairs.extend(consistent(beam, &w.map(RunningError2::from), at));
     let wrong = |(part, jet, other): (&'static str, Vector, Vector)| {
         let finding = |(jet, other): (&RunningError2, &RunningError2)| {
             let tolerance = jet.bound[0] + other.bound[0];
@@ -109,23 +121,22 @@ where
 /// functions, if there are any, against the points.
 fn consistent<C: Curve<N>, const N: usize>(
     beam: &Drawn<C, N>,
+    w: &Vector,
     at: RunningError2,
-    rng: &mut ChaCha8Rng,
 ) -> Vec<(&'static str, Vector, Vector)> {
     let [q, dq, linear_dq] = [beam.q, beam.dq, beam.linear_dq].map(|v| v.map(RunningError2::from));
     let jet = beam.curve.jet(&q, at);
-    let w = Vector::from_fn(|_, _| RunningError2::from(rng.random_range(-1.0..1.0)));
     let alone =
         |number: RunningError2| Vector::new(number, RunningError2::from(0.0), RunningError2::from(0.0));
     let mut pairs = Vec::new();
     for k in 0..3 {
         let variation = jet.dofs.variation(k, &dq);
         pairs.push(("jacobian, against the variation", jet.dofs.jacobian(k) * dq, variation));
-        let gradient = jet.dofs.gradient(k, &w).dot(&dq);
+        let gradient = jet.dofs.gradient(k, w).dot(&dq);
         pairs.push(("gradient, against the variation", alone(gradient), alone(w.dot(&variation))));
     }
     for k in 0..2 {
-        let hessian = dq.dot(&(jet.dofs.hessian(k, &w) * linear_dq));
+        let hessian = dq.dot(&(jet.dofs.hessian(k, w) * linear_dq));
         let second = w.dot(&jet.dofs.second_variation(k, &dq, &linear_dq));
         pairs.push(("hessian, against the second_variation", alone(hessian), alone(second)));
     }

@@ -1,39 +1,7 @@
 //! Which of two equal formulas is evaluated at a point: the paper's, or one that keeps its digits where the paper's
 //! cancel.
 //!
-//! # The distance along the normal
-//! At a closest point inside both beams d is normal to both tangents, and so is t × t_bar. With n = ± t × t_bar/|t × t_bar|
-//! the distance and its variations need no division by d, and hold through d = 0 as those of a signed distance:
-//!
-//! ```text
-//! d = n·d      δd = n·δᵤû      H_d = S_x(n) − S_x̄(n) + d [J_tᵀn, J_t̄ᵀn] Γ [J_tᵀn, J_t̄ᵀn]ᵀ
-//! Γ = [[t̄·t̄, −b], [−b, t·t]]/|t × t̄|²
-//! ```
-//!
-//! The first two terms are n·Δδd of the vector, as n is normal to what Δδξ and Δδξ̄ multiply; the last is what n itself
-//! varies by. In (40) a bracket of size d, made of numbers of size 1, is divided by d instead.
-//!
-//! # The system by cross products
-//! Near parallel tangents D = a a_bar + b² loses what t²t_bar² − (t·t_bar)² cancels, and so do the numerators of (59). With
-//! c = t × t_bar nothing of that size is subtracted:
-//!
-//! ```text
-//! D = −c·c + (d·t,ξ) ā + (d·t̄,ξ̄) t·t
-//! (ā R + b R̄)/D = (−ā e − b ē)/D + u·w      u = [t̄ × c − (d·t̄,ξ̄) t]/D      for R = −t·w − e,  R̄ = −t̄·w − ē
-//! (−b R + a R̄)/D = (b e − a ē)/D + ū·w      ū = [t × c − (d·t,ξ) t̄]/D
-//! ```
-//!
-//! # What is lost
-//! Relative errors in units of the rounding unit u, at the angle θ, measured against double-double:
-//!
-//! | | paper | here |
-//! |---|---|---|
-//! | H_d | (t/d)² + 1/sin²θ | 1/sin θ + k/sin²θ with k = abs(d·t,ξ)/t², the gap over the radius of curvature |
-//! | H_ξ, straight beams | 1/sin²θ | 1/sin θ, as for a change of the dofs in their last digits |
-//!
-//! So at wide angles the normal is never worse as long as abs(t,ξ)² d⁴ < t⁴ (t² + d²): at every gap below the
-//! radius of curvature. The paper's (40) is better where curvature alone keeps nearly parallel beams apart, or where a tangent is short
-//! next to its change and to d; the cross products are never worse.
+//! The formulas, and what each loses, are in section 6 of the [derivation](super::derivation).
 
 use super::Points;
 use crate::closest_point::Held;

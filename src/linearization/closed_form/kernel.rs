@@ -1,13 +1,7 @@
 //! The kernel: gradients and Hessians of d, xi, xi_bar, t, t_bar, g_T and g_T_bar, in vector arithmetic.
 //!
-//! A curve that is linear in its dofs is a sum of shape functions times control vectors. A row of a Hessian is therefore
-//!
-//! ```text
-//! row (a, i) of H = s_a K_i + s′_a L_i + s″_a M_i      i = x, y, z
-//! ```
-//!
-//! with rows K, L and M that all control vectors a share. The kernel computes K, L and M once. [`Matrices`] computes the same
-//! numbers term by term, for every curve, and is the reference of the kernel.
+//! It is for curves that are linear in their dofs: section 7 of the [derivation](super::derivation). [`Matrices`] computes the
+//! same numbers term by term, for every curve, and is the reference of the kernel.
 //!
 //! On an x86-64 with AVX2 and FMA the kernel uses them, whatever the build target is. Other x86-64 machines use the matrices.
 //! Other processors run the kernel in scalar arithmetic. The results differ by rounding only.

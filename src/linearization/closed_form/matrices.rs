@@ -1,27 +1,13 @@
 //! Gradients and Hessians in all dofs of both beams: the step from variations to matrices.
 //!
-//! # Derivation
-//! Stack the dofs of beam and bar beam. With A_k the Jacobian of the k-th xi-derivative of x (zero on the bar beam),
-//! B_k its twin, and G = A_0 - B_0, the variations are delta_u u,xi = A_1 dQ and so on. Let g and g_bar be the
-//! gradients of xi and xi_bar, and K(w) the second derivatives of w . x in the dofs. The Jacobians of d and t are
-//!
-//! ```text
-//! J_d = G + t gᵀ − t̄ ḡᵀ        J_t = A₁ + t,ξ gᵀ        J_t̄ = B₁ + t̄,ξ̄ ḡᵀ
-//! ```
-//!
-//! and Δδ(d·t) = 0, Δδ(d·t̄) = 0 (48) become
-//!
-//! ```text
-//! P = −[J_dᵀJ_t + J_tᵀJ_d + S_x(t) − S_x̄(t) + S_t(d)]     P̄ = −[J_dᵀJ_t̄ + J_t̄ᵀJ_d + S_x(t̄) − S_x̄(t̄) + S_t̄(d)]
-//! S_x(w) = (w·t,ξ) ggᵀ + g(A₁ᵀw)ᵀ + (A₁ᵀw)gᵀ + K_x(w)     S_t(w) = (w·t,ξξ) ggᵀ + g(A₂ᵀw)ᵀ + (A₂ᵀw)gᵀ + K_x,ξ(w)
-//! ```
+//! The formulas are in section 5 of the [derivation](super::derivation).
 
 use super::sums::{add_product, write_length, write_slip};
 use super::{Formulation, Points, Projection};
 use crate::closest_point::Held;
 use crate::curve::{DofDerivatives, Jet};
 use crate::linearization::{Derivatives, Linearization};
-use crate::number::{Of, Real, named};
+use crate::number::{Real, Which, named};
 use crate::pair::{Contact, DofVector};
 use nalgebra::Vector3;
 
@@ -107,8 +93,8 @@ where
         self.write_parameters([&mut xi.hessian, &mut xi_bar.hessian]);
         self.write_t(xi, t);
         self.write_t_bar(xi_bar, t_bar);
-        write_slip(Of::BEAM, t, xi, contact.xi_0, g_t);
-        write_slip(Of::BAR, t_bar, xi_bar, contact.xi_bar_0, g_t_bar);
+        write_slip(Which::Beam, t, xi, contact.xi_0, g_t);
+        write_slip(Which::Bar, t_bar, xi_bar, contact.xi_bar_0, g_t_bar);
     }
 
     /// t, written over `to`.
@@ -116,7 +102,7 @@ where
     fn write_t(&self, xi: &Derivatives<T, N, M>, to: &mut Derivatives<T, N, M>) {
         let Jet { geometry, dofs: a } = self.jet;
         let gradient = |k, w: &Vector3<T>| DofVector::of_beam(a.gradient(k, w));
-        let (inverse, w) = write_length(Of::BEAM, geometry, gradient, xi, to);
+        let (inverse, w) = write_length(Which::Beam, geometry, gradient, xi, to);
         add_product(&mut to.hessian.beam, named("H_t: A1'A1", inverse), (a, 1), (a, 1));
         if !U::LINEAR {
             to.hessian.beam += named("H_t: K,xi(t)", a.hessian(1, &w));
@@ -128,7 +114,7 @@ where
     fn write_t_bar(&self, xi_bar: &Derivatives<T, N, M>, to: &mut Derivatives<T, N, M>) {
         let Jet { geometry, dofs: b } = self.jet_bar;
         let gradient = |k, w: &Vector3<T>| DofVector::of_bar(b.gradient(k, w));
-        let (inverse, w) = write_length(Of::BAR, geometry, gradient, xi_bar, to);
+        let (inverse, w) = write_length(Which::Bar, geometry, gradient, xi_bar, to);
         add_product(&mut to.hessian.bar, named("H_t_bar: B1'B1", inverse), (b, 1), (b, 1));
         if !V::LINEAR {
             to.hessian.bar += named("H_t_bar: K_bar,xi(t_bar)", b.hessian(1, &w));

@@ -2,7 +2,7 @@
 
 use crate::curve::{DofDerivatives, Geometry};
 use crate::linearization::Derivatives;
-use crate::number::{Of, Real};
+use crate::number::{Real, Which};
 use crate::pair::DofVector;
 use nalgebra::{SMatrix, Vector3};
 
@@ -43,7 +43,7 @@ pub(super) fn add_product<
 /// The length of a tangent, but for A₁ᵀA₁/t + K_t(w) in its Hessian, written over `to`; returns 1/t and w = t/t.
 #[inline]
 pub(super) fn write_length<T: Real, const N: usize, const M: usize>(
-    of: Of,
+    of: Which,
     Geometry { t, t_xi, t_xixi, .. }: &Geometry<T>,
     a_transposed: impl Fn(usize, &Vector3<T>) -> DofVector<T, N, M>,
     xi: &Derivatives<T, N, M>,
@@ -65,14 +65,14 @@ pub(super) fn write_length<T: Real, const N: usize, const M: usize>(
         .plus(squares, g);
     let with_gradient = gradient.times(-of.named("H_t: grad t grad t'", half * inverse));
     let first = of.named("H_t: w.t,xi H_xi", w.dot(t_xi));
-    hessian.set_sum([(first, &xi.hessian)], [(g, &with_g), (gradient, &with_gradient)]);
+    hessian.set_sum(&[(first, &xi.hessian)], &[[g, &with_g], [gradient, &with_gradient]]);
     (inverse, w)
 }
 
 /// g_T = t (xi - xi_0), written over `to`.
 #[inline]
 pub(super) fn write_slip<T: Real, const N: usize, const M: usize>(
-    of: Of,
+    of: Which,
     t: &Derivatives<T, N, M>,
     xi: &Derivatives<T, N, M>,
     xi_0: f64,
@@ -87,7 +87,7 @@ pub(super) fn write_slip<T: Real, const N: usize, const M: usize>(
         .plus(of.named("grad g_T: t g", t.value), &xi.gradient);
     let with_g = xi.gradient.times(of.named("H_g_T: grad t g'", T::one()));
     to.hessian.set_sum(
-        [(of.named("H_g_T: slip H_t", slip), &t.hessian), (of.named("H_g_T: t H_xi", t.value), &xi.hessian)],
-        [(&t.gradient, &with_g)],
+        &[(of.named("H_g_T: slip H_t", slip), &t.hessian), (of.named("H_g_T: t H_xi", t.value), &xi.hessian)],
+        &[[&t.gradient, &with_g]],
     );
 }

@@ -1,12 +1,11 @@
 //! The variations of every quantity in two directions: sections 2 to 5 of the paper.
 
-use super::first_order::{First, FirstOfBeam};
-use super::norms::{along_normal, by_length, length, slip};
-use super::second_order::{Second, second_order};
+use super::formulation::unit_normal;
+use super::paper::{self, FirstOrder, SecondOrderOfBeam};
 use super::{Formulation, PartialVariations, Points, Projection};
 use crate::closest_point::Held;
 use crate::linearization::{Quantities, Varied};
-use crate::number::{Of, Real, named};
+use crate::number::{Real, Which, named};
 use crate::pair::Contact;
 use nalgebra::Vector3;
 
@@ -14,38 +13,9 @@ use nalgebra::Vector3;
 ///
 /// `beam` and `bar` are the two curves at the parameters `xi` and `xi_bar` of the closest point, varied in two
 /// directions; `held` says which parameters are held at an end. The result is total: at a singular projection or at
-/// d = 0 its numbers are not finite. The formulas are the paper's ([`Formulation::paper`]).
+/// d = 0 its numbers are not finite. The formulas are the paper's ([`Formulation::paper`]), each a function of [`paper`].
 ///
 /// Source: Zavarise (2007), eqs. (4)-(59), with the corrections named at each.
-#[doc(alias = "Eq. (4)")]
-#[doc(alias = "Eq. (5)")]
-#[doc(alias = "Eq. (11)")]
-#[doc(alias = "Eq. (15)")]
-#[doc(alias = "Eq. (16)")]
-#[doc(alias = "Eq. (18)")]
-#[doc(alias = "Eq. (19)")]
-#[doc(alias = "Eq. (20)")]
-#[doc(alias = "Eq. (21)")]
-#[doc(alias = "Eq. (22)")]
-#[doc(alias = "Eq. (24)")]
-#[doc(alias = "Eq. (27)")]
-#[doc(alias = "Eq. (30)")]
-#[doc(alias = "Eq. (31)")]
-#[doc(alias = "Eq. (32)")]
-#[doc(alias = "Eq. (35)")]
-#[doc(alias = "Eq. (37)")]
-#[doc(alias = "Eq. (40)")]
-#[doc(alias = "Eq. (41)")]
-#[doc(alias = "Eq. (42)")]
-#[doc(alias = "Eq. (44)")]
-#[doc(alias = "Eq. (47)")]
-#[doc(alias = "Eq. (48)")]
-#[doc(alias = "Eq. (49)")]
-#[doc(alias = "Eq. (53)")]
-#[doc(alias = "Eq. (54)")]
-#[doc(alias = "Eq. (57)")]
-#[doc(alias = "Eq. (58)")]
-#[doc(alias = "Eq. (59)")]
 pub fn variations<T: Real>(
     beam: &PartialVariations<T>,
     bar: &PartialVariations<T>,
@@ -57,6 +27,12 @@ pub fn variations<T: Real>(
 }
 
 /// The same in the form asked for.
+#[doc(alias = "Eq. (5)")]
+#[doc(alias = "Eq. (11)")]
+#[doc(alias = "Eq. (16)")]
+#[doc(alias = "Eq. (18)")]
+#[doc(alias = "Eq. (19)")]
+#[doc(alias = "Eq. (22)")]
 pub fn variations_in<T: Real>(
     form: Formulation,
     beam: &PartialVariations<T>,
@@ -69,28 +45,22 @@ pub fn variations_in<T: Real>(
     let d = named("d: x", x.x) - named("d: x_bar", y.x);
     let projection = Projection::in_formulation(&Points { beam: *x, bar: *y, d }, form);
     let beams = [beam, bar];
-    let delta = First::new(beams, [&beam.delta_u, &bar.delta_u], &d, &projection);
-    let linear = First::new(beams, [&beam.linear_u, &bar.linear_u], &d, &projection);
+    let delta = FirstOrder::new(beams, [&beam.delta_u, &bar.delta_u], &d, &projection);
+    let linear = FirstOrder::new(beams, [&beam.linear_u, &bar.linear_u], &d, &projection);
     let firsts = [&delta, &linear];
-    let [second, second_bar] = second_order(beams, firsts, &d, &projection);
-    let second_d = named("Dd d: Dd x", second.x) - named("Dd d: Dd x_bar", second_bar.x);
+    let [second, second_bar] = paper::second_order(beams, firsts, &d, &projection);
+    let second_d = paper::second_d(&second.x, &second_bar.x);
 
     let distance = match form.sign() {
         None => by_length(beams, firsts, &d),
         Some(sign) => along_normal(beams, firsts, [&second, &second_bar], &d, T::from(sign)),
     };
-    let t = length(Of::BEAM, &x.t, &delta.beam.t, &linear.beam.t, &second.t);
-    let t_bar = length(Of::BAR, &y.t, &delta.bar.t, &linear.bar.t, &second_bar.t);
+    let t = length(Which::Beam, &x.t, [&delta.beam.t, &linear.beam.t, &second.t]);
+    let t_bar = length(Which::Bar, &y.t, [&delta.bar.t, &linear.bar.t, &second_bar.t]);
     // Eq. (11), (18), (19): g_N = d − (r + r̄)
     let radii = named("g_N: r", T::from(contact.radius)) + named("g_N: r_bar", T::from(contact.radius_bar));
-    let of_xi = |value, delta: &FirstOfBeam<T>, linear: &FirstOfBeam<T>, second: &Second<T>| Varied {
-        value,
-        delta: delta.xi,
-        linear: linear.xi,
-        second: second.xi,
-    };
-    let xi = of_xi(xi, &delta.beam, &linear.beam, &second);
-    let xi_bar = of_xi(xi_bar, &delta.bar, &linear.bar, &second_bar);
+    let xi = Varied { value: xi, delta: delta.beam.xi, linear: linear.beam.xi, second: second.xi };
+    let xi_bar = Varied { value: xi_bar, delta: delta.bar.xi, linear: linear.bar.xi, second: second_bar.xi };
     Quantities {
         x: by_component(x.x, delta.beam.x, linear.beam.x, second.x),
         x_bar: by_component(y.x, delta.bar.x, linear.bar.x, second_bar.x),
@@ -103,8 +73,63 @@ pub fn variations_in<T: Real>(
         xi,
         xi_bar,
         g_n: Varied { value: distance.value - radii, ..distance },
-        g_t: slip(Of::BEAM, &t, &xi, contact.xi_0),
-        g_t_bar: slip(Of::BAR, &t_bar, &xi_bar, contact.xi_bar_0),
+        g_t: slip(Which::Beam, &t, &xi, contact.xi_0),
+        g_t_bar: slip(Which::Bar, &t_bar, &xi_bar, contact.xi_bar_0),
+    }
+}
+
+/// d as a length.
+#[inline]
+fn by_length<T: Real>(
+    beams: [&PartialVariations<T>; 2],
+    [delta, linear]: [&FirstOrder<T>; 2],
+    d: &Vector3<T>,
+) -> Varied<T> {
+    // Eq. (4): d = ‖d‖
+    let value = named("|d|: d.d", d.dot(d)).sqrt();
+    let first = [delta, linear].map(|of| paper::delta_distance(d, value, &of.u_hat));
+    let second = paper::second_distance(beams, [delta, linear], d, value, first);
+    Varied { value, delta: first[0], linear: first[1], second }
+}
+
+/// d = n . d, where n is the common normal of the tangents: no division by d.
+#[inline]
+fn along_normal<T: Real>(
+    beams: [&PartialVariations<T>; 2],
+    firsts: [&FirstOrder<T>; 2],
+    seconds: [&SecondOrderOfBeam<T>; 2],
+    d: &Vector3<T>,
+    sign: T,
+) -> Varied<T> {
+    let [t, t_bar] = beams.map(|beam| &beam.geometry.t);
+    // n = ± c/|c| with c = t × t̄
+    let c = named("n: t x t_bar", t.cross(t_bar));
+    let n = unit_normal(&(c * sign));
+    let value = named("|d|: n.d", n.dot(d));
+    let [delta, linear] = firsts.map(|of| paper::delta_distance_along_normal(&n, &of.u_hat));
+    let delta_n = firsts.map(|of| paper::delta_normal(beams, [&c, &n], of));
+    let second = paper::second_distance_along_normal(&n, value, seconds, delta_n);
+    Varied { value, delta, linear, second }
+}
+
+/// The length of a tangent, from the first variations and the second of the vector.
+#[inline]
+fn length<T: Real>(which: Which, t: &Vector3<T>, varied: [&Vector3<T>; 3]) -> Varied<T> {
+    let value = paper::length(which, t);
+    let [delta, linear] = [0, 1].map(|i| paper::delta_length(which, t, value, varied[i]));
+    let second = paper::second_length(which, t, value, [delta, linear], varied);
+    Varied { value, delta, linear, second }
+}
+
+/// g_T = t (xi_C - xi_C0).
+#[inline]
+fn slip<T: Real>(which: Which, t: &Varied<T>, xi: &Varied<T>, xi_0: f64) -> Varied<T> {
+    let slip = xi.value - T::from(xi_0);
+    Varied {
+        value: paper::slip(which, t.value, slip),
+        delta: paper::delta_slip(which, t.value, slip, [t.delta, xi.delta]),
+        linear: paper::delta_slip(which, t.value, slip, [t.linear, xi.linear]),
+        second: paper::second_slip(which, t, slip, xi),
     }
 }
 

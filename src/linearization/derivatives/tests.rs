@@ -45,7 +45,7 @@ fn a_pair_is_linearized_by_the_kernel() {
     assert_eq!((all.g_n().gradient, all.g_n().hessian), (all.d.gradient, all.d.hessian));
     let mut again = Linearization::zeros();
     pair.linearize_into(&q, point, &mut again);
-    assert_eq!(all, again);
+    assert_eq!(*all, again);
     let (mut packed, mut theirs) = ([0.0; 171], Packed::<f64, 18, 171>::zeros());
     all.d.hessian.write_packed(&mut packed).unwrap();
     write_d(&pair, &q, point, &mut theirs);

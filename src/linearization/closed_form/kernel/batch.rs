@@ -14,11 +14,6 @@ use crate::linearization::dispatch::{dispatch_simd, return_with_vectors};
 use crate::number::Lanes;
 use crate::pair::{DofVector, Pair};
 use nalgebra::SVector;
-use std::num::NonZeroUsize;
-use std::sync::{Mutex, PoisonError};
-
-/// So many times four pairs a thread takes at once: some microseconds' work, next to which taking it does not show.
-const TASK: usize = 16;
 
 /// A pair at a closest point: what a search for contacts hands on.
 #[derive(Debug)]
@@ -37,20 +32,18 @@ pub struct PairAtPoint<'a, A, B, const N: usize, const M: usize> {
 /// written too, with what is of no use. Pairs of the same curves are to stand next to one another: four of them are done
 /// at once, others one by one, as are single lanes whose points ask for another [form](super::super::Formulation).
 ///
-/// The pairs are dealt to so many threads, which each call starts anew: that is worth it for thousands of pairs. One
-/// thread allocates nothing. Results of some dozens of pairs stay in the cache for whoever assembles them; those of
-/// thousands do not, so memory of that size is best used over and over.
+/// Nothing is allocated. Results of some dozens of pairs stay in the cache for whoever assembles them; those of thousands
+/// do not, so memory of that size is best used over and over. For several threads, call it for chunks of the pairs.
 pub fn write_d_batch<A, B, W, const N: usize, const M: usize>(
     of: &[PairAtPoint<'_, A, B, N, M>],
     to: &mut [W],
-    threads: NonZeroUsize,
 ) -> usize
 where
-    A: Curve<N> + PartialEq + Sync,
-    B: Curve<M> + PartialEq + Sync,
-    W: Target<Lanes, N, M> + Send,
+    A: Curve<N> + PartialEq,
+    B: Curve<M> + PartialEq,
+    W: Target<Lanes, N, M>,
 {
-    share(of, to, threads, |of, to| {
+    each_four(of, to, |of, to| {
         one_by_one(of, in_lanes(of, &mut DistanceAlone(to)), |lane, PairAtPoint { pair, q, point }| {
             let mut one = Derivatives::zero();
             write_d(pair, q, point, &mut one);
@@ -63,14 +56,13 @@ where
 pub fn write_all_batch<A, B, W, const N: usize, const M: usize>(
     of: &[PairAtPoint<'_, A, B, N, M>],
     to: &mut [[W; 5]],
-    threads: NonZeroUsize,
 ) -> usize
 where
-    A: Curve<N> + PartialEq + Sync,
-    B: Curve<M> + PartialEq + Sync,
-    W: Target<Lanes, N, M> + Send,
+    A: Curve<N> + PartialEq,
+    B: Curve<M> + PartialEq,
+    W: Target<Lanes, N, M>,
 {
-    share(of, to, threads, |of, to| {
+    each_four(of, to, |of, to| {
         one_by_one(of, in_lanes(of, &mut targets(to)), |lane, PairAtPoint { pair, q, point }| {
             let mut one = [Derivatives::zero(); 5];
             write_all(pair, q, point, &mut targets(&mut one));
@@ -103,43 +95,14 @@ fn exceptions<E>(of: &[E], lanes: u8, mut write: impl FnMut(usize, &E)) {
     }
 }
 
-/// Calls `write` with every four pairs and the memory for them.
-///
-/// A thread that is done takes the next: neither do all pairs cost the same, nor are all cores equally fast.
-fn share<E: Sync, W: Send>(
-    of: &[E],
-    to: &mut [W],
-    threads: NonZeroUsize,
-    write: impl Fn(&[E], &mut W) + Sync,
-) -> usize {
+/// Calls `write` with every four pairs and the memory for them; returns how many pairs there are with memory.
+fn each_four<E, W>(of: &[E], to: &mut [W], mut write: impl FnMut(&[E], &mut W)) -> usize {
     // One call, so that the kernel in lanes is compiled once.
-    let write: &(dyn Fn(&[E], &mut W) + Sync) = &write;
+    let write: &mut dyn FnMut(&[E], &mut W) = &mut write;
     let count = of.len().min(4 * to.len());
-    let of = &of[..count];
-    let write_some = |of: &[E], to: &mut [W]| {
-        for (of, to) in of.chunks(4).zip(to) {
-            write(of, to);
-        }
-    };
-    let tasks = of.chunks(4 * TASK).zip(to.chunks_mut(TASK));
-    let threads = threads.get().min(tasks.len());
-    if threads < 2 {
-        write_some(of, to);
-        return count;
+    for (of, to) in of[..count].chunks(4).zip(to) {
+        write(of, to);
     }
-    let tasks = Mutex::new(tasks);
-    let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).next();
-    let work = || {
-        while let Some((of, to)) = next() {
-            write_some(of, to);
-        }
-    };
-    std::thread::scope(|scope| {
-        for _ in 1..threads {
-            scope.spawn(work);
-        }
-        work();
-    });
     count
 }
 

@@ -1,13 +1,6 @@
-//! The length of a tangent.
+//! The length of a tangent: eq. (58), sorted by g, in section 7 of the [derivation](super::super::derivation).
 //!
-//! With w = t/t, kappa = w . t,xi, and g the gradient of xi,
-//!
-//! ```text
-//! ∇t = A₁ᵀw + κ g     H_t = κ H_ξ + g mᵀ + b gᵀ + A₁ᵀ(I − wwᵀ)A₁/t
-//! b = A₂ᵀw + A₁ᵀ(t,ξ − κ w)/t     m = b + (w·t,ξξ + (t,ξ·t,ξ − κ²)/t) g
-//! ```
-//!
-//! which is eq. (58), sorted by g. What is not a multiple of g belongs to the tangent's own beam.
+//! What is not a multiple of g belongs to the tangent's own beam.
 
 use super::arithmetic::{Arithmetic, Dofs, by_axis};
 use super::side::{Point, Side, Spread};

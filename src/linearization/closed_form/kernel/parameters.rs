@@ -1,15 +1,7 @@
-//! The parameters of the closest point.
+//! The parameters of the closest point: section 7 of the [derivation](super::super::derivation).
 //!
-//! The vectors and constants are those of the matrices' derivation, sorted by what they multiply: P and P_bar enter the
-//! Hessian of xi with the factors p and q, and that of xi_bar with -q and q_bar, here x and y. With m = −(x t + y t̄) and
-//! sym(u, v) = uvᵀ + vuᵀ,
-//!
-//! ```text
-//! H = x P + y P̄ = sym(g, w) + sym(ḡ, w̄) − x C − y C̄     w = −(x α + y β̄)     w̄ = −(y ᾱ + x β)
-//! ```
-//!
-//! g, g_bar, w and w_bar are linear in the variations u_hat, u,xi, u,xixi, u_bar,xi and u_bar,xixi of the jets, and so is
-//! every row of H. The rows of these variations are found first; a dof's row is a sum of them.
+//! The Hessian of xi is x P + y P_bar with x = p and y = q, that of xi_bar with x = -q and y = q_bar. The rows of the
+//! variations are found first; a dof's row is a sum of them.
 
 use super::arithmetic::{Arithmetic, Dofs};
 use super::frame::{Frame, Gradients, Products};

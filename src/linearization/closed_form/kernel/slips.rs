@@ -1,10 +1,4 @@
-//! The slip along a beam, g_T = t (xi - xi_0).
-//!
-//! ```text
-//! ∇g_T = (ξ − ξ₀)∇t + t g     H = (ξ − ξ₀) H_t + t H_ξ + ∇t gᵀ + g∇tᵀ
-//! ```
-//!
-//! which are eqs. (20) and (21).
+//! The slip along a beam, g_T = t (xi - xi_0): eqs. (20) and (21).
 
 use super::arithmetic::{Arithmetic, Dofs};
 use super::target::Target;

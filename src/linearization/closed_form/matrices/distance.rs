@@ -79,7 +79,7 @@ where
             .times(-named("H_d: a gg'", half * projection.a * inverse))
             .plus(named("H_d: b gg_bar'", projection.b * inverse), g_bar);
         let with_g_bar = g_bar.times(named("H_d: a_bar g_bar g_bar'", half * projection.a_bar * inverse));
-        hessian.set_sum([], [(gradient, &with_n), (g, &with_g), (g_bar, &with_g_bar)]);
+        hessian.set_sum(&[], &[[gradient, &with_n], [g, &with_g], [g_bar, &with_g_bar]]);
         let (a, b) = (&self.jet.dofs, &self.jet_bar.dofs);
         add_product(&mut hessian.beam, named("H_d: A0'A0", inverse), (a, 0), (a, 0));
         add_product(&mut hessian.mixed, -named("H_d: A0'B0", inverse), (a, 0), (b, 0));
@@ -109,6 +109,6 @@ where
             .times(named("H_d: d G11 jj'", half * gram))
             .plus(named("H_d: d G12 jj_bar'", gram_mixed), &j_bar);
         let with_j_bar = j_bar.times(named("H_d: d G22 j_bar j_bar'", half * gram_bar));
-        hessian.set_sum([], [(g, &with_g), (g_bar, &with_g_bar), (&j, &with_j), (&j_bar, &with_j_bar)]);
+        hessian.set_sum(&[], &[[g, &with_g], [g_bar, &with_g_bar], [&j, &with_j], [&j_bar, &with_j_bar]]);
     }
 }

@@ -1,17 +1,6 @@
 //! The Hessians of xi and xi_bar.
 //!
-//! In the notation of the [derivation](super), P and P_bar are multiplied out: all of them but a product of two A or B is
-//! a symmetric sum of g or g_bar with some vector, which is how they are computed. With sym(u, v) = uvᵀ + vuᵀ,
-//!
-//! ```text
-//! P = −[sym(g, α) + sym(ḡ, β) + C + S_x(t) − S_x̄(t)]
-//! α = Gᵀt,ξ + A₁ᵀt + A₂ᵀd + (t·t,ξ + ½ d·t,ξξ) g − (t̄·t,ξ) ḡ     β = −A₁ᵀt̄     C = GᵀA₁ + A₁ᵀG + K_x,ξ(d)
-//! P̄ = −[sym(ḡ, ᾱ) + sym(g, β̄) + C̄ + S_x(t̄) − S_x̄(t̄)]
-//! ᾱ = Gᵀt̄,ξ̄ − B₁ᵀt̄ + B₂ᵀd + (½ d·t̄,ξ̄ξ̄ − t̄·t̄,ξ̄) ḡ + (t·t̄,ξ̄) g     β̄ = B₁ᵀt     C̄ = GᵀB₁ + B₁ᵀG + K_x̄,ξ̄(d)
-//! ```
-//!
-//! S is linear in its vector, so p P + q P_bar holds S_x(m) − S_x̄(m) with m = p t + q t_bar. Near parallel tangents the two
-//! parts of m cancel, and m = −u by cross products keeps the digits that they lose ([`Formulation`](super::super::Formulation)).
+//! The vectors are those of P and P_bar, multiplied out, in section 5 of the [derivation](super::super::derivation).
 
 use super::Matrices;
 use crate::curve::{DofDerivatives, Jet};
@@ -48,7 +37,7 @@ where
             let [of_g, of_g_bar] = self.vectors_along(&m);
             let with_g = alpha.times(-p).plus(-q, &beta_bar).plus(-T::one(), &of_g);
             let with_g_bar = alpha_bar.times(-q).plus(-p, &beta).plus(T::one(), &of_g_bar);
-            hessian.set_sum([], [(g, &with_g), (g_bar, &with_g_bar)]);
+            hessian.set_sum(&[], &[[g, &with_g], [g_bar, &with_g_bar]]);
             // C = GᵀA₁ + A₁ᵀG + K_x,ξ(d)   C̄ = GᵀB₁ + B₁ᵀG + K_x̄,ξ̄(d)
             let BlockHessian { beam, mixed, bar } = hessian;
             let [k, l] = orders::<T>("C: A0'A1", [0, 1]);
@@ -99,7 +88,7 @@ where
         ]
     }
 
-    /// The vectors alpha, beta, alpha_bar, beta_bar of the module's derivation.
+    /// The vectors alpha, beta, alpha_bar, beta_bar of the derivation.
     #[inline]
     fn vectors(&self) -> [DofVector<T, N, M>; 4] {
         let Self {

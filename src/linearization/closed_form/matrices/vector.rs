@@ -64,7 +64,7 @@ where
             let along = DofVector::of_beam(jet.dofs.gradient(k + 1, w));
             gradient = own.plus(first, &xi.gradient).times(sign);
             let with = along.plus(half * second, &xi.gradient).times(sign);
-            hessian.set_sum([(sign * first, &xi.hessian)], [(&xi.gradient, &with)]);
+            hessian.set_sum(&[(sign * first, &xi.hessian)], &[[&xi.gradient, &with]]);
         }
         if let Some(sign) = bar {
             let (first, second) = slopes(y);
@@ -74,7 +74,7 @@ where
             let with = along.plus(half * second, &xi_bar.gradient).times(sign);
             let beam = hessian;
             hessian
-                .set_sum([(T::one(), &beam), (sign * first, &xi_bar.hessian)], [(&xi_bar.gradient, &with)]);
+                .set_sum(&[(T::one(), &beam), (sign * first, &xi_bar.hessian)], &[[&xi_bar.gradient, &with]]);
         }
         if !U::LINEAR
             && let Some(sign) = beam

@@ -1,0 +1,157 @@
+// Answers the cases of `beamgap export` with an element of your own.
+//
+//     beamgap export --family segment -o vectors.jsonl
+//     c++ -O2 -std=c++17 adapter.cpp -o adapter
+//     beamgap verify vectors.jsonl --run ./adapter
+//
+// Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+using Vector = std::array<double, 3>;
+using Row = std::vector<double>;
+constexpr int dofs = 12;
+
+struct Quantity {
+    std::optional<double> value;
+    Row gradient, hessian;  // the Hessian row by row; empty if not computed
+};
+
+struct Answers {
+    Quantity d, xi, xi_bar;
+};
+
+static double dot(const Vector &u, const Vector &v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+// w . delta u for a vector w, as a gradient.
+static Row along(const std::array<double, 4> &shapes, const Vector &w) {
+    Row row(dofs);
+    for (int i = 0; i < dofs; i++) row[i] = shapes[i / 3] * w[i % 3];
+    return row;
+}
+
+// YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
+// q: both ends of the beam, then of the bar beam. xi, xi_bar: the closest point, in [-1, 1].
+// held: which of them an end of its beam holds: none, xi, xi_bar or both.
+static Answers element(const Row &q, double xi, double xi_bar, const std::string &held) {
+    // Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar.
+    const std::array<double, 4> shapes{(1 - xi) / 2, (1 + xi) / 2, -(1 - xi_bar) / 2, -(1 + xi_bar) / 2};
+    const std::array<double, 4> slopes{-0.5, 0.5, 0, 0}, slopes_bar{0, 0, -0.5, 0.5};
+    Vector d{}, t{}, t_bar{}, n{};
+    for (int i = 0; i < dofs; i++) {
+        d[i % 3] += shapes[i / 3] * q[i];
+        t[i % 3] += slopes[i / 3] * q[i];
+        t_bar[i % 3] += slopes_bar[i / 3] * q[i];
+    }
+    const double length = std::sqrt(dot(d, d));
+    for (int c = 0; c < 3; c++) n[c] = d[c] / length;
+    const Row A1d = along(slopes, d), B1d = along(slopes_bar, d);
+    const Row Gt = along(shapes, t), Gt_bar = along(shapes, t_bar);
+    const Row gradient = along(shapes, n);  // eq. (37)
+    const double a = dot(t, t), b = dot(t, t_bar), a_bar = -dot(t_bar, t_bar);
+    const double det = a * a_bar + b * b;
+    Row g(dofs), g_bar(dofs), hessian(dofs * dofs);
+    for (int i = 0; i < dofs; i++) {
+        // Eq. (50) and (52), and what is left of them where an end holds a parameter.
+        const double r = -Gt[i] - A1d[i], r_bar = -Gt_bar[i] - B1d[i];
+        if (held == "none") {
+            g[i] = (a_bar * r + b * r_bar) / det;
+            g_bar[i] = (-b * r + a * r_bar) / det;
+        } else if (held == "xi") {
+            g_bar[i] = r_bar / a_bar;
+        } else if (held == "xi_bar") {
+            g[i] = r / a;
+        }
+    }
+    for (int i = 0; i < dofs; i++)
+        for (int j = 0; j < dofs; j++) {
+            // Eq. (40).
+            const double GG = i % 3 == j % 3 ? shapes[i / 3] * shapes[j / 3] : 0;
+            const double moved = Gt[i] * g[j] - Gt_bar[i] * g_bar[j];
+            const double turned = A1d[i] * g[j] - B1d[i] * g_bar[j];
+            hessian[i * dofs + j] = (GG + moved + turned - gradient[i] * gradient[j]) / length;
+        }
+    return {{length, gradient, hessian}, {xi, g, {}}, {xi_bar, g_bar, {}}};
+}
+
+// A line of JSON, read by its keys in their order.
+class Line {
+  public:
+    explicit Line(const std::string &text) : text(text) {}
+
+    // Goes to what stands after a key; whether there is one.
+    bool to(const std::string &key) {
+        const auto found = text.find(key, at);
+        if (found == std::string::npos) return false;
+        at = found + key.size();
+        return true;
+    }
+
+    std::string word() const { return text.substr(at, text.find('"', at) - at); }
+
+    Row numbers(int count) const {
+        Row row;
+        const char *from = text.c_str() + at;
+        for (char *end; count-- > 0; from = end + 1) row.push_back(std::strtod(from, &end));
+        return row;
+    }
+
+  private:
+    const std::string &text;
+    std::size_t at = 0;
+};
+
+static void print(const char *name, const Quantity &of) {
+    std::cout << ",\"" << name << "\":{";
+    const char *comma = "";
+    if (of.value) {
+        std::cout << "\"value\":" << *of.value;
+        comma = ",";
+    }
+    const auto row = [&](const char *part, const Row &numbers) {
+        if (numbers.empty()) return;
+        std::cout << comma << '"' << part << "\":[";
+        for (std::size_t i = 0; i < numbers.size(); i++) std::cout << (i ? "," : "") << numbers[i];
+        std::cout << ']';
+        comma = ",";
+    };
+    row("gradient", of.gradient);
+    row("hessian", of.hessian);
+    std::cout << '}';
+}
+
+int main() {
+    std::string text;
+    std::getline(std::cin, text);  // the head of the cases
+    std::cout << std::setprecision(17);
+    // State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers).
+    std::cout << R"({"schema":"beamgap-answers/1","program":"adapter.cpp"})" << '\n';
+    while (std::getline(std::cin, text)) {
+        Line line(text);
+        if (!line.to("\"id\":\"")) return 1;
+        std::cout << "{\"id\":\"" << line.word() << '"';
+        bool is_known = line.to("\"beam\":{\"family\":\"") && line.word() == "segment" && line.to("\"q\":[");
+        Row q = line.numbers(6);
+        is_known = is_known && line.to("\"bar\":{\"family\":\"") && line.word() == "segment" && line.to("\"q\":[");
+        for (double number : line.numbers(6)) q.push_back(number);
+        is_known = is_known && line.to("\"point\":{\"xi\":");
+        const double xi = line.numbers(1)[0];
+        is_known = is_known && line.to("\"xi_bar\":");
+        const double xi_bar = line.numbers(1)[0];
+        if (is_known && line.to("\"held\":\"")) {
+            const Answers answers = element(q, xi, xi_bar, line.word());
+            print("d", answers.d);
+            print("xi", answers.xi);
+            print("xi_bar", answers.xi_bar);
+        } else {
+            std::cout << ",\"result\":\"degenerate\"";  // not answered
+        }
+        std::cout << '}' << std::endl;
+    }
+}

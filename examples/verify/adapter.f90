@@ -1,0 +1,158 @@
+! Answers the cases of `beamgap export` with an element of your own.
+!
+!     beamgap export --family segment -o vectors.jsonl
+!     gfortran -O2 adapter.f90 -o adapter
+!     beamgap verify vectors.jsonl --run ./adapter
+!
+! Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+program adapter
+   use, intrinsic :: iso_fortran_env, only: real64, iostat_end
+   implicit none
+   integer, parameter :: dofs = 12
+   character(:), allocatable :: line
+   real(real64) :: q(dofs), xi(1), xi_bar(1), d, gradient(dofs), hessian(dofs, dofs), g(dofs), g_bar(dofs)
+   integer :: beam, bar, point, held
+
+   if (.not. next(line)) stop 1   ! the head of the cases
+   ! State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers).
+   print '(a)', '{"schema":"beamgap-answers/1","program":"adapter.f90","matrix":"column-major"}'
+   do while (next(line))
+      write (*, '(3a)', advance='no') '{"id":"', word(after('"id":"', 1)), '"'
+      beam = after('"beam":{"family":"', 1)
+      bar = after('"bar":{"family":"', beam)
+      point = after('"point":{', bar)
+      held = after('"held":"', point)
+      if (beam > 0 .and. bar > 0 .and. held > 0) then
+         if (word(beam) == 'segment' .and. word(bar) == 'segment') then
+            call numbers(after('"q":[', beam), q(1:6))
+            call numbers(after('"q":[', bar), q(7:12))
+            call numbers(after('"xi":', point), xi)
+            call numbers(after('"xi_bar":', point), xi_bar)
+            call element(q, xi(1), xi_bar(1), word(held), d, gradient, hessian, g, g_bar)
+            write (*, '(a, es24.16, a)', advance='no') ',"d":{"value":', d, ',"gradient":['
+            call write_row(gradient)
+            write (*, '(a)', advance='no') '],"hessian":['
+            call write_row(reshape(hessian, [dofs*dofs]))   ! column by column, as the head says
+            write (*, '(a)', advance='no') ']},"xi":{"gradient":['
+            call write_row(g)
+            write (*, '(a)', advance='no') ']},"xi_bar":{"gradient":['
+            call write_row(g_bar)
+            write (*, '(a)') ']}}'
+            flush (6)
+            cycle
+         end if
+      end if
+      write (*, '(a)') ',"result":"degenerate"}'   ! not answered
+      flush (6)
+   end do
+
+contains
+
+   ! YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
+   ! q: both ends of the beam, then of the bar beam. xi, xi_bar: the closest point, in [-1, 1].
+   ! held: which of them an end of its beam holds: none, xi, xi_bar or both.
+   subroutine element(q, xi, xi_bar, held, d, gradient, hessian, g, g_bar)
+      real(real64), intent(in) :: q(dofs), xi, xi_bar
+      character(*), intent(in) :: held
+      real(real64), intent(out) :: d, gradient(dofs), hessian(dofs, dofs), g(dofs), g_bar(dofs)
+      real(real64) :: shapes(4), slopes(4), slopes_bar(4), points(3, 4), dv(3), t(3), t_bar(3)
+      real(real64), dimension(dofs) :: A1d, B1d, Gt, Gt_bar, r, r_bar
+      real(real64) :: a, b, a_bar, det, moved, turned, GG
+      integer :: i, j
+      ! Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar.
+      shapes = [1 - xi, 1 + xi, -(1 - xi_bar), -(1 + xi_bar)]/2
+      slopes = [-0.5_real64, 0.5_real64, 0.0_real64, 0.0_real64]
+      slopes_bar = [0.0_real64, 0.0_real64, -0.5_real64, 0.5_real64]
+      points = reshape(q, [3, 4])
+      dv = matmul(points, shapes)
+      t = matmul(points, slopes)
+      t_bar = matmul(points, slopes_bar)
+      d = sqrt(dot_product(dv, dv))
+      A1d = along(slopes, dv)
+      B1d = along(slopes_bar, dv)
+      Gt = along(shapes, t)
+      Gt_bar = along(shapes, t_bar)
+      gradient = along(shapes, dv/d)   ! eq. (37)
+      ! Eq. (50) and (52), and what is left of them where an end holds a parameter.
+      r = -Gt - A1d
+      r_bar = -Gt_bar - B1d
+      a = dot_product(t, t)
+      b = dot_product(t, t_bar)
+      a_bar = -dot_product(t_bar, t_bar)
+      det = a*a_bar + b*b
+      g = 0
+      g_bar = 0
+      select case (held)
+      case ('none')
+         g = (a_bar*r + b*r_bar)/det
+         g_bar = (-b*r + a*r_bar)/det
+      case ('xi')
+         g_bar = r_bar/a_bar
+      case ('xi_bar')
+         g = r/a
+      end select
+      do j = 1, dofs
+         do i = 1, dofs
+            ! Eq. (40).
+            GG = 0
+            if (mod(i, 3) == mod(j, 3)) GG = shapes((i + 2)/3)*shapes((j + 2)/3)
+            moved = Gt(i)*g(j) - Gt_bar(i)*g_bar(j)
+            turned = A1d(i)*g(j) - B1d(i)*g_bar(j)
+            hessian(i, j) = (GG + moved + turned - gradient(i)*gradient(j))/d
+         end do
+      end do
+   end subroutine
+
+   ! w . delta u for a vector w, as a gradient.
+   function along(of, w) result(row)
+      real(real64), intent(in) :: of(4), w(3)
+      real(real64) :: row(dofs)
+      integer :: i
+      row = [(of((i + 2)/3)*w(mod(i - 1, 3) + 1), i=1, dofs)]
+   end function
+
+   ! The next line, however long.
+   logical function next(line)
+      character(:), allocatable, intent(out) :: line
+      character(4096) :: part
+      integer :: length, status
+      line = ''
+      do
+         read (*, '(a)', advance='no', iostat=status, size=length) part
+         if (status == iostat_end) exit
+         line = line//part(:length)
+         if (status /= 0) exit
+      end do
+      next = len(line) > 0
+   end function
+
+   ! The place after a key, the first one from a place on; 0 if there is none.
+   integer function after(key, from)
+      character(*), intent(in) :: key
+      integer, intent(in) :: from
+      after = 0
+      if (from < 1) return
+      after = index(line(from:), key)
+      if (after > 0) after = from + after - 1 + len(key)
+   end function
+
+   function word(at)
+      integer, intent(in) :: at
+      character(:), allocatable :: word
+      word = line(at:at + index(line(at:), '"') - 2)
+   end function
+
+   subroutine numbers(at, to)
+      integer, intent(in) :: at
+      real(real64), intent(out) :: to(:)
+      integer :: end
+      end = scan(line(at:), ']}')
+      if (size(to) == 1) end = scan(line(at:), ',}')
+      read (line(at:at + end - 2), *) to
+   end subroutine
+
+   subroutine write_row(row)
+      real(real64), intent(in) :: row(:)
+      write (*, '(*(es24.16, :, ","))', advance='no') row
+   end subroutine
+end program

@@ -1,0 +1,67 @@
+# Answers the cases of `beamgap export` with an element of your own.
+#
+#     beamgap export --family segment -o vectors.jsonl
+#     beamgap verify vectors.jsonl --run "julia adapter.jl"
+#
+# Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+using LinearAlgebra
+
+"""
+YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
+
+q: both ends of the beam, then of the bar beam. xi, xi_bar: the closest point, in [-1, 1].
+held: which of them an end of its beam holds: none, xi, xi_bar or both.
+"""
+function element(q, xi, xi_bar, held)
+    # Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar.
+    shapes = [1 - xi, 1 + xi, -(1 - xi_bar), -(1 + xi_bar)] / 2
+    slopes, slopes_bar = [-0.5, 0.5, 0.0, 0.0], [0.0, 0.0, -0.5, 0.5]
+    points = reshape(q, 3, 4)
+    d, t, t_bar = points * shapes, points * slopes, points * slopes_bar
+    # w . delta u for a vector w, as a gradient.
+    along(of, w) = vec(w * of')
+    len = norm(d)
+    gradient = along(shapes, d / len)  # eq. (37)
+    A1d, B1d, Gt, Gt_bar = along(slopes, d), along(slopes_bar, d), along(shapes, t), along(shapes, t_bar)
+    # Eq. (50) and (52), and what is left of them where an end holds a parameter.
+    r, r_bar = -Gt - A1d, -Gt_bar - B1d
+    a, b, a_bar = dot(t, t), dot(t, t_bar), -dot(t_bar, t_bar)
+    det = a * a_bar + b * b
+    g, g_bar = zeros(12), zeros(12)
+    if held == "none"
+        g, g_bar = (a_bar * r + b * r_bar) / det, (-b * r + a * r_bar) / det
+    elseif held == "xi"
+        g_bar = r_bar / a_bar
+    elseif held == "xi_bar"
+        g = r / a
+    end
+    # Eq. (40).
+    moved, turned = Gt * g' - Gt_bar * g_bar', A1d * g' - B1d * g_bar'
+    hessian = (kron(shapes * shapes', I(3)) + moved + turned - gradient * gradient') / len
+    return len, gradient, hessian, g, g_bar
+end
+
+numbers(text) = parse.(Float64, split(text, ','))
+list(row) = "[" * join(row, ",") * "]"
+
+function main()
+    readline()  # the head of the cases
+    # State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers).
+    println("{\"schema\":\"beamgap-answers/1\",\"program\":\"adapter.jl\"}")
+    for line in eachline()
+        id = match(r"\"id\":\"([^\"]*)\"", line)[1]
+        beams = match(r"\"beam\":\{\"family\":\"segment\",\"q\":\[([^]]*)\].*\"bar\":\{\"family\":\"segment\",\"q\":\[([^]]*)\]", line)
+        point = match(r"\"point\":\{\"xi\":([^,]*),\"xi_bar\":([^}]*)\}.*\"held\":\"([a-z_]*)\"", line)
+        if beams === nothing || point === nothing
+            println("{\"id\":\"$id\",\"result\":\"degenerate\"}")  # not answered
+        else
+            q = vcat(numbers(beams[1]), numbers(beams[2]))
+            len, gradient, hessian, g, g_bar = element(q, parse(Float64, point[1]), parse(Float64, point[2]), point[3])
+            println("{\"id\":\"$id\",\"d\":{\"value\":$len,\"gradient\":$(list(gradient)),\"hessian\":$(list(vec(hessian')))},",
+                "\"xi\":{\"gradient\":$(list(g))},\"xi_bar\":{\"gradient\":$(list(g_bar))}}")
+        end
+        flush(stdout)
+    end
+end
+
+main()

@@ -1,0 +1,226 @@
+//! What the answers at a closest point are compared with, and the comparison of each number.
+
+use super::{Answer, CAREFUL};
+use crate::check::compare::ROUTES;
+use crate::check::evaluation_point::EvaluationPoint;
+use crate::check::oracle::differences;
+use crate::check::verdict::{Comparison, Order};
+use crate::curve::Geometry;
+use crate::linearization::closed_form::{Formulation, PartialVariations};
+use crate::linearization::{COMPONENTS, Quantity, Varied};
+use crate::number::{RunningError, TermScale};
+use crate::test_beam::{RunningError2, TestBeam};
+use crate::variant::{Step, Variant};
+use nalgebra::Vector3;
+
+/// What answers are compared with: the items are the components of the quantities, and whatever is made of them.
+#[derive(Clone, Debug)]
+pub(in crate::check) struct Sides {
+    /// Automatic differentiation.
+    pub(in crate::check) reference: Vec<Varied<RunningError2>>,
+    /// The paper's formulas.
+    pub(in crate::check) textbook: Vec<Varied<RunningError2>>,
+    /// The formulas that lose the fewest digits.
+    pub(in crate::check) best: Vec<Varied<RunningError2>>,
+    /// The size of the terms of the paper's formulas.
+    pub(in crate::check) scales: Vec<Varied<TermScale>>,
+    /// The size of the terms of the formulas that lose the fewest digits.
+    pub(in crate::check) best_scales: Vec<Varied<TermScale>>,
+}
+
+/// A number of an answer, compared.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::check) struct Entry {
+    pub(in crate::check) comparison: Comparison,
+    /// The item and the part that it is.
+    pub(in crate::check) place: [usize; 2],
+    /// Whether it is a gradient or a Hessian, contracted with the directions.
+    pub(in crate::check) is_contracted: bool,
+    /// The difference from the best formulas.
+    pub(in crate::check) loss: f64,
+    /// The difference from them that a careful evaluation of them explains.
+    pub(in crate::check) attainable: f64,
+    /// The size of their terms.
+    pub(in crate::check) best_scale: f64,
+    /// The sum of the absolute values of what was contracted.
+    pub(in crate::check) size: f64,
+}
+
+impl Sides {
+    /// At a closest point; also the point in the paper's formulation.
+    pub(in crate::check) fn new<'a>(
+        evaluation: EvaluationPoint<'a>,
+        test_beams: &[TestBeam; 2],
+    ) -> (Self, EvaluationPoint<'a>) {
+        let EvaluationPoint { at, form, contact, .. } = evaluation;
+        let best = Variant::Unmodified.formulas(&evaluation.bounded(Step::Now), at, form, contact);
+        let best_scales = evaluation.sized(&Variant::Unmodified).to_vec();
+        let reference = evaluation.chord().to_vec();
+        let paper = Formulation::paper(evaluation.held);
+        let paper = evaluation.in_formulation(paper);
+        let sides = Self {
+            reference,
+            textbook: textbook(&paper, test_beams).to_vec(),
+            best: best.components().to_vec(),
+            scales: paper.sized(&Variant::Unmodified).to_vec(),
+            best_scales,
+        };
+        (sides, paper)
+    }
+
+    /// The comparisons of one answer; `directions` are those of its dofs.
+    pub(in crate::check) fn entries(
+        &self,
+        answer: &Answer,
+        directions: [&[f64]; 2],
+    ) -> Result<Vec<Entry>, String> {
+        let quantity = answer.quantity;
+        let is_meant = |&i: &usize| {
+            (Quantity::of_component(i), Quantity::axis_of_component(i)) == (quantity, answer.axis)
+        };
+        let Some(item) = (0..COMPONENTS).find(is_meant) else {
+            let found = answer.axis.map_or_else(|| "none".into(), |axis| format!("{axis:?}"));
+            return Err(format!(
+                "{}: of a vector a component, x, y or z, and of a scalar none expected, found {found}",
+                quantity.name()
+            ));
+        };
+        let [value, delta, linear, second] = Varied::<f64>::PARTS;
+        let direct = [answer.value, answer.variations[0], answer.variations[1], answer.variations[2]];
+        let mut entries = self.of_arrays(
+            (item, quantity),
+            [delta, linear, second],
+            [answer.gradient.as_deref(), answer.hessian.as_deref()],
+            directions,
+        )?;
+        for (k, (number, part)) in direct.into_iter().zip([value, delta, linear, second]).enumerate() {
+            if let Some(number) = number {
+                let exact = RunningError { value: number, bound: 0.0 };
+                let entry = self.entry(([item, k], quantity, part), exact, number.abs());
+                entries.push(entry);
+            }
+        }
+        Ok(entries)
+    }
+
+    /// The comparisons of a gradient and a Hessian of an item, contracted with the directions.
+    pub(in crate::check) fn of_arrays(
+        &self,
+        (item, quantity): (usize, Quantity),
+        [delta, linear, second]: [&'static str; 3],
+        [gradient, hessian]: [Option<&[f64]>; 2],
+        [dq, linear_dq]: [&[f64]; 2],
+    ) -> Result<Vec<Entry>, String> {
+        let dofs = dq.len();
+        for (what, numbers, expected) in [("gradient", gradient, dofs), ("Hessian", hessian, dofs * dofs)] {
+            let found = numbers.map_or(expected, <[f64]>::len);
+            if found != expected {
+                let name = quantity.name();
+                return Err(format!("{what} of {name}: {expected} numbers expected, found {found}"));
+            }
+        }
+        let mut entries = Vec::new();
+        let mut add = |k: usize, part, (number, size)| {
+            let entry = self.entry(([item, k], quantity, part), number, size);
+            entries.push(Entry { is_contracted: true, ..entry });
+        };
+        if let Some(gradient) = gradient {
+            add(1, delta, dot(gradient, dq));
+            add(2, linear, dot(gradient, linear_dq));
+        }
+        if let Some(hessian) = hessian {
+            add(3, second, bilinear(dq, hessian, linear_dq));
+        }
+        Ok(entries)
+    }
+
+    fn entry(
+        &self,
+        ([item, k], quantity, part): ([usize; 2], Quantity, &'static str),
+        number: RunningError,
+        size: f64,
+    ) -> Entry {
+        let of = |side: &[Varied<RunningError2>]| side[item].parts()[k];
+        let (other, textbook, best) = (of(&self.reference), of(&self.textbook), of(&self.best));
+        // The second bound is of those who solve for the closest point again.
+        let [near, far] = textbook.bound;
+        let bound = CAREFUL * near + far + number.bound;
+        let [best_near, best_far] = best.bound;
+        let attainable = CAREFUL * best_near + best_far + number.bound;
+        let loss = (number.value - best.value).abs();
+        let best_scale = self.best_scales[item].parts()[k].scale;
+        let comparison = Comparison {
+            quantity,
+            axis: (item < COMPONENTS).then(|| Quantity::axis_of_component(item)).flatten(),
+            order: [Order::Value, Order::First, Order::First, Order::Second][k],
+            part,
+            against: ROUTES[2],
+            closed: number.value,
+            other: other.value,
+            scale: self.scales[item].parts()[k].scale,
+            bound,
+            tolerance: bound + other.bound[0],
+        };
+        Entry { comparison, place: [item, k], is_contracted: false, loss, attainable, best_scale, size }
+    }
+}
+
+/// A scalar product with a bound on its rounding, and the sum of the absolute values of its terms.
+fn dot(u: &[f64], v: &[f64]) -> (RunningError, f64) {
+    u.iter().zip(v).fold((exact(0.0), 0.0), |(sum, size), (&u, &v)| {
+        let product = exact(u) * exact(v);
+        (sum + product, size + product.value.abs())
+    })
+}
+
+/// dqᵀ H Dq, likewise.
+fn bilinear(dq: &[f64], hessian: &[f64], linear_dq: &[f64]) -> (RunningError, f64) {
+    let rows = hessian.chunks_exact(dq.len().max(1)).zip(dq);
+    rows.fold((exact(0.0), 0.0), |(sum, all), (row, &dq)| {
+        let (along, size) = dot(row, linear_dq);
+        (sum + exact(dq) * along, all + dq.abs() * size)
+    })
+}
+
+fn exact(value: f64) -> RunningError {
+    RunningError { value, bound: 0.0 }
+}
+
+/// The paper's formulas, with bounds on their rounding where shape functions are written as sums of powers.
+fn textbook(evaluation: &EvaluationPoint, test_beams: &[TestBeam; 2]) -> [Varied<RunningError2>; COMPONENTS] {
+    let mut beams = evaluation.bounded(Step::Now);
+    for ((partial, test_beam), is_sum) in beams.iter_mut().zip(test_beams).zip(evaluation.have_shapes()) {
+        if !is_sum {
+            continue;
+        }
+        let PartialVariations { geometry: Geometry { x, t, t_xi, t_xixi }, delta_u, linear_u, .. } = partial;
+        let rounded = |vectors: &mut dyn Iterator<Item = &mut Vector3<RunningError2>>, of: &[f64]| {
+            for vector in vectors {
+                for (c, number) in vector.iter_mut().enumerate() {
+                    let size: f64 = of.iter().skip(c).step_by(3).map(|dof| dof.abs()).sum();
+                    number.bound = number.bound.map(|bound| bound + f64::EPSILON / 2.0 * size);
+                }
+            }
+        };
+        rounded(&mut [x, t, t_xi, t_xixi].into_iter(), &test_beam.q);
+        rounded(&mut delta_u.iter_mut(), &test_beam.dq);
+        rounded(&mut linear_u.iter_mut(), &test_beam.linear_dq);
+    }
+    Variant::Unmodified.formulas(&beams, evaluation.at, evaluation.form, evaluation.contact).components()
+}
+
+/// Whether the differences in double-double do not agree with the reference.
+pub(in crate::check) fn is_doubted(
+    evaluation: &EvaluationPoint,
+    reference: &[Varied<RunningError2>],
+) -> bool {
+    let Some(differences) = differences(evaluation) else { return false };
+    let pairs = differences
+        .into_iter()
+        .flat_map(Varied::parts)
+        .zip(reference.iter().flat_map(|varied| varied.parts()));
+    pairs.into_iter().any(|(told, own)| {
+        let difference = (told.value.value() - own.value).abs();
+        difference > told.error + own.bound[0] + f64::EPSILON * own.value.abs()
+    })
+}

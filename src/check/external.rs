@@ -1,0 +1,35 @@
+//! The check for linearizations in any language: cases out, answers in, through the comparison of
+//! [`linearization`](super::linearization).
+//!
+//! [`Vector`]s are written for another program ([`VectorWriter`]). It answers some of the quantities that they allow
+//! ([`Answers`]).
+
+mod answers;
+mod compare;
+mod conventions;
+mod diagnose;
+mod error;
+mod evaluate;
+mod explain;
+mod json;
+mod lines;
+mod location;
+mod matching;
+mod number;
+mod process;
+mod report;
+mod vectors;
+
+pub use answers::{ANSWERS, AnswerReader, Answers};
+pub use compare::{CaseFound, Demands, Judged, Judgement, compare_answers};
+pub use conventions::{Conventions, Dofs, Length, Penalty, Range};
+pub use diagnose::other_conventions;
+pub use error::{ExternalError, Place};
+pub use evaluate::{Evaluator, Formulas};
+pub use explain::{Cause, ExplainedFault, Explanation, Naming, explain, explained_faults};
+pub use location::{Location, locate};
+pub use matching::Matching;
+pub use number::{NotANumber, hex, parse};
+pub use process::{ProcessError, Runner};
+pub use report::{Loss, PartFound, PartKey, RegimeFound, Report};
+pub use vectors::{Drawing, Expected, Outcome, VECTORS, Vector, VectorReader, VectorWriter};

@@ -1,0 +1,131 @@
+//! Answers of another program, of the schema `beamgap-answers/1`: JSON Lines or CSV.
+//!
+//! Both begin with a head that names the schema and the [`Conventions`]. In JSON a line answers a case:
+//! `{"id":"7","d":{"value":0.1,"gradient":[..],"hessian":[..]},"x":{"delta":[0.1,0.2,0.3]}}`. In CSV a row answers a
+//! number, `7,d:gradient:3,0.1`, and the rows of a case come one after another. What is left out is not answered.
+
+mod csv;
+mod jsonl;
+
+use super::conventions::Conventions;
+use super::error::{ExternalError, Place};
+use super::lines::Lines;
+use crate::check::Answer;
+use crate::linearization::Quantity;
+use std::io::BufRead;
+
+/// The schema.
+pub const ANSWERS: &str = "beamgap-answers/1";
+
+/// The answers to a case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answers {
+    /// The name of the case.
+    pub id: String,
+    /// Where they were read.
+    pub place: Place,
+    /// Whether the program says that there is nothing to be answered: a degenerate point, or no closest point.
+    pub declined: bool,
+    /// What it says of the quantities.
+    pub answers: Vec<Answer>,
+    /// The residual of a contact element.
+    pub residual: Option<Vec<f64>>,
+    /// The tangent of a contact element.
+    pub tangent: Option<Vec<f64>>,
+}
+
+impl Answers {
+    fn new(id: String, place: Place) -> Self {
+        Self { id, place, declined: false, answers: Vec::new(), residual: None, tangent: None }
+    }
+
+    /// The answer on a component, empty if there was none yet.
+    fn of(&mut self, quantity: Quantity, axis: Option<char>) -> &mut Answer {
+        let is_of = |answer: &Answer| answer.quantity == quantity && answer.axis == axis;
+        let known = self.answers.iter().position(is_of);
+        let at = known.unwrap_or_else(|| {
+            self.answers.push(Answer { axis, ..Answer::of(quantity) });
+            self.answers.len() - 1
+        });
+        &mut self.answers[at]
+    }
+
+    /// Whether something is answered.
+    pub fn is_empty(&self) -> bool {
+        self.answers.is_empty() && self.residual.is_none() && self.tangent.is_none()
+    }
+}
+
+/// Reads answers, case by case.
+#[derive(Debug)]
+pub struct AnswerReader<R> {
+    lines: Lines<R>,
+    conventions: Conventions,
+    rows: Option<csv::Rows>,
+}
+
+impl<R: BufRead> AnswerReader<R> {
+    /// Reads the head; `name` is that of the file, for messages. JSON begins with a brace; all else is CSV.
+    ///
+    /// # Errors
+    /// If there is no head of the schema [`ANSWERS`], or the head has an unknown entry.
+    pub fn new(from: R, name: &str) -> Result<Self, ExternalError> {
+        let mut lines = Lines::new(from, name);
+        let first = lines.next_line()?.unwrap_or_default().to_owned();
+        let mut conventions = Conventions::default();
+        let rows = if first.trim_start().starts_with('{') || first.is_empty() {
+            jsonl::head(&first, &mut conventions).map_err(|wrong| {
+                let place = lines.place();
+                Place { column: wrong.column, line: place.line.max(1), ..place }.error(wrong.expected)
+            })?;
+            None
+        } else {
+            csv::head(first, &mut lines, &mut conventions)?;
+            Some(csv::Rows::default())
+        };
+        Ok(Self { lines, conventions, rows })
+    }
+
+    /// The conventions that the head states.
+    pub fn conventions(&self) -> &Conventions {
+        &self.conventions
+    }
+
+    /// The answers to the next case; nothing at the end.
+    ///
+    /// # Errors
+    /// If a line is no answer.
+    pub fn next_answers(&mut self) -> Result<Option<Answers>, ExternalError> {
+        if let Some(rows) = &mut self.rows {
+            return rows.next_answers(&mut self.lines, self.conventions.first_index);
+        }
+        let Some(line) = self.lines.next_line()? else { return Ok(None) };
+        match jsonl::answers(line) {
+            Ok(answers) => Ok(Some(Answers { place: self.lines.place(), ..answers })),
+            Err(wrong) => Err(Place { column: wrong.column, ..self.lines.place() }.error(wrong.expected)),
+        }
+    }
+}
+
+/// The quantity of a name such as `d` or `d_vector.x`; what was expected, if there is none.
+fn quantity(name: &str) -> Result<(Quantity, Option<char>), String> {
+    let (of, axis) = name.split_once('.').map_or((name, None), |(of, axis)| (of, Some(axis)));
+    let unknown = || {
+        let names = Quantity::ALL.map(Quantity::name).join(", ");
+        format!("one of {names}, residual, tangent expected, found {name:?}")
+    };
+    let quantity = Quantity::ALL.into_iter().find(|known| known.name() == of).ok_or_else(unknown)?;
+    let axis = match axis {
+        None => None,
+        Some("x") => Some('x'),
+        Some("y") => Some('y'),
+        Some("z") => Some('z'),
+        Some(_) => return Err(unknown()),
+    };
+    if is_vector(quantity) || axis.is_none() { Ok((quantity, axis)) } else { Err(unknown()) }
+}
+
+fn is_vector(quantity: Quantity) -> bool {
+    let vectors = [Quantity::X, Quantity::XBar, Quantity::DVector, Quantity::TVector, Quantity::TBarVector];
+    vectors.contains(&quantity)
+}

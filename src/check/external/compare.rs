@@ -1,0 +1,190 @@
+//! The answers to a case against the references at its closest point.
+
+use super::answers::Answers;
+use super::conventions::{Conventions, ENERGY};
+use super::error::ExternalError;
+use super::vectors::{Outcome, Vector};
+use crate::check::Answer;
+use crate::check::candidate::{Entry, Sides, is_doubted};
+use crate::check::diagnosis::place;
+use crate::check::verdict::Comparison;
+use crate::linearization::Quantity;
+
+/// How answers are judged.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Demands {
+    /// What the program calls by which name.
+    pub conventions: Conventions,
+    /// The significant digits that are asked for, wherever they are attainable; those of a careful evaluation of the
+    /// textbook formulas if nothing is said.
+    pub digits: Option<u8>,
+}
+
+/// What a number of an answer is found to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Judgement {
+    /// Right, to the digits that can be attained.
+    Agrees,
+    /// Right, but with fewer digits than the best formulas keep there.
+    Loses,
+    /// Rounding explains more than a thousandth of its scale: it says nothing.
+    Unclear,
+    /// It differs by more than rounding.
+    Wrong,
+}
+
+/// A number of an answer with what it was compared with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    /// The comparison; its tolerance is that of the judgement.
+    pub comparison: Comparison,
+    /// What it is found to be.
+    pub judgement: Judgement,
+    /// The difference from the formulas that lose the fewest digits.
+    pub loss: f64,
+    /// The difference from them that a careful evaluation of them explains.
+    pub attainable: f64,
+    /// The size of their terms.
+    pub scale: f64,
+    /// Whether a careful evaluation of the textbook formulas explains the difference.
+    pub is_rounding: bool,
+    /// Whether it is a gradient or a Hessian, contracted with the directions.
+    pub is_contracted: bool,
+}
+
+/// What was found of the answers to a case.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CaseFound {
+    /// There is nothing to compare with at this case.
+    Degenerate(Outcome),
+    /// The program gave no number.
+    Unanswered,
+    /// All its numbers, and whether the references disagree among themselves.
+    Compared(Vec<Judged>, bool),
+}
+
+impl Entry {
+    /// The judgement under these demands, and the tolerance that it was made with.
+    pub(super) fn judged(self, digits: Option<u8>) -> Judged {
+        let Self { comparison, loss, attainable, best_scale: scale, size, is_contracted, .. } = self;
+        let (is_meaningful, is_right) = match digits {
+            None => (comparison.is_meaningful(), comparison.agrees()),
+            Some(digits) => {
+                let asked = 10.0_f64.powi(-i32::from(digits)) * scale.max(size);
+                let limit = attainable.max(asked);
+                let is_meaningful = attainable <= 1e-3 * scale.max(size).max(comparison.other.abs());
+                (
+                    is_meaningful || !comparison.closed.is_finite(),
+                    loss <= limit || comparison.difference() <= limit,
+                )
+            }
+        };
+        let judgement = match (is_meaningful, is_right) {
+            (false, _) => Judgement::Unclear,
+            (true, true) if loss > attainable => Judgement::Loses,
+            (true, true) => Judgement::Agrees,
+            (true, false) => Judgement::Wrong,
+        };
+        // What rounding may explain under the demands.
+        let tolerance = match digits {
+            None => comparison.tolerance,
+            Some(digits) => attainable.max(10.0_f64.powi(-i32::from(digits)) * scale.max(size)),
+        };
+        let is_rounding = comparison.agrees();
+        let comparison = Comparison { tolerance, ..comparison };
+        Judged { comparison, judgement, loss, attainable, scale, is_rounding, is_contracted }
+    }
+}
+
+/// The references at a case as a program with these conventions calls them, and its directions.
+pub(super) struct Converted {
+    pub(super) sides: Sides,
+    pub(super) directions: [Vec<f64>; 2],
+}
+
+impl Converted {
+    pub(super) fn new(vector: &Vector, sides: &Sides, conventions: &Conventions) -> Self {
+        // g_N, the 21st component.
+        let is_closed = sides.reference[20].value.value < 0.0;
+        let families = vector.families();
+        Self {
+            sides: Sides {
+                reference: conventions.of(&sides.reference, is_closed),
+                textbook: conventions.of(&sides.textbook, is_closed),
+                best: conventions.of(&sides.best, is_closed),
+                best_scales: conventions.of(&sides.best_scales, is_closed),
+                scales: conventions.of(&sides.scales, is_closed),
+            },
+            directions: vector.directions().map(|dq| conventions.direction(families, &dq)),
+        }
+    }
+
+    /// All numbers of the answers, compared.
+    pub(super) fn entries(&self, answers: &Answers, conventions: &Conventions) -> Result<Vec<Entry>, String> {
+        let directions = self.directions.each_ref().map(Vec::as_slice);
+        let mut entries = Vec::new();
+        for answer in &answers.answers {
+            match &answer.hessian {
+                Some(hessian) if conventions.column_major => {
+                    let hessian = Some(transposed(hessian, directions[0].len()));
+                    entries.extend(self.sides.entries(&Answer { hessian, ..answer.clone() }, directions)?);
+                }
+                _ => entries.extend(self.sides.entries(answer, directions)?),
+            }
+        }
+        if answers.residual.is_some() || answers.tangent.is_some() {
+            if conventions.penalty.is_none() {
+                return Err("residual, tangent: penalty_stiffness expected in the head of the answers".into());
+            }
+            let tangent = answers.tangent.as_ref().map(|tangent| match conventions.column_major {
+                true => transposed(tangent, directions[0].len()),
+                false => tangent.clone(),
+            });
+            // Just at the closing of the gap the element has two tangents.
+            let gap = &self.sides.textbook[20].value;
+            if gap.value.abs() > 2.0 * gap.bound[1] {
+                let arrays = [answers.residual.as_deref(), tangent.as_deref()];
+                let parts = ["residual", "residual", "tangent"];
+                entries.extend(self.sides.of_arrays((ENERGY, Quantity::GN), parts, arrays, directions)?);
+            }
+        }
+        Ok(entries)
+    }
+}
+
+fn transposed(matrix: &[f64], size: usize) -> Vec<f64> {
+    if matrix.len() != size * size {
+        return matrix.to_vec();
+    }
+    (0..size * size).map(|i| matrix[(i % size) * size + i / size]).collect()
+}
+
+/// Compares the answers to a case.
+///
+/// # Errors
+/// If an answer has the wrong number of entries.
+pub fn compare_answers(
+    vector: &Vector,
+    answers: &Answers,
+    demands: &Demands,
+) -> Result<CaseFound, ExternalError> {
+    let compared = vector.evaluated(|evaluation| {
+        if answers.is_empty() {
+            return Ok(CaseFound::Unanswered);
+        }
+        let (sides, paper) = Sides::new(evaluation, &vector.case.test_beams);
+        let converted = Converted::new(vector, &sides, &demands.conventions);
+        let entries = converted.entries(answers, &demands.conventions)?;
+        let mut judged: Vec<_> = entries.into_iter().map(|entry| entry.judged(demands.digits)).collect();
+        judged.sort_by_key(|judged| place(&judged.comparison));
+        let is_wrong = judged.iter().any(|judged| judged.judgement == Judgement::Wrong);
+        // Where the differences in double-double contradict the reference, nobody is blamed.
+        let is_doubted = is_wrong && is_doubted(&paper, &sides.reference);
+        Ok(CaseFound::Compared(judged, is_doubted))
+    });
+    match compared {
+        Ok(found) => found
+            .map_err(|wrong: String| answers.place.clone().error(format!("case {}: {wrong}", answers.id))),
+        Err(outcome) => Ok(CaseFound::Degenerate(outcome)),
+    }
+}

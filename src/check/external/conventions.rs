@@ -1,0 +1,326 @@
+//! What another program calls by the same names: its conventions, stated in the head of its answers, and the conversion.
+//!
+//! Not the answers are converted but what they are compared with, in the arithmetic that bounds rounding: a squared
+//! distance, say, keeps its own tolerance. The order and the scale of dofs are those of the directions that gradients
+//! and Hessians are contracted with.
+
+use crate::linearization::Varied;
+use crate::number::Real;
+use crate::test_beam::Family;
+
+/// The items that answers are compared with: the components of the quantities, and the energy of a penalty.
+pub(super) const ITEMS: usize = crate::linearization::COMPONENTS + 1;
+/// The item that is the energy of a penalty.
+pub(super) const ENERGY: usize = ITEMS - 1;
+
+/// The range of the parameters.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Range {
+    /// [-1, 1].
+    #[default]
+    Symmetric,
+    /// [0, 1].
+    Unit,
+}
+
+/// What is called d.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Length {
+    /// The distance.
+    #[default]
+    Distance,
+    /// Its square.
+    Square,
+    /// Half its square.
+    HalfSquare,
+}
+
+/// The order of the dofs of a beam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Dofs {
+    /// Node by node: x, y and z of each.
+    #[default]
+    NodeMajor,
+    /// All x, then all y, then all z.
+    ComponentMajor,
+}
+
+/// The conventions of a program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a choice of its own")]
+pub struct Conventions {
+    /// The range of the parameters.
+    pub parameter: Range,
+    /// Whether the vector d is x_bar - x.
+    pub d_is_negative: bool,
+    /// What is called d.
+    pub length: Length,
+    /// The order of the dofs of a beam.
+    pub dofs: Dofs,
+    /// Whether the dofs of the bar beam come first.
+    pub bar_first: bool,
+    /// Whether Hessians and tangents are written column by column.
+    pub column_major: bool,
+    /// d x/d xi of a Hermite beam over its dof: 1, or half the length where the dofs are unit tangents.
+    pub hermite_tangent: f64,
+    /// Whether the residual of a contact element has the opposite sign.
+    pub residual_is_negative: bool,
+    /// Whether its tangent has the opposite sign.
+    pub tangent_is_negative: bool,
+    /// The contact element, if there is one.
+    pub penalty: Option<Penalty>,
+    /// From which number rows and columns are counted, in answers that count them.
+    pub first_index: usize,
+}
+
+/// A contact element: its energy is stiffness g_N²/2, its residual the gradient and its tangent the Hessian of that.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Penalty {
+    /// The penalty stiffness.
+    pub stiffness: f64,
+    /// Whether it acts at an open gap too.
+    pub always: bool,
+}
+
+impl Default for Conventions {
+    fn default() -> Self {
+        Self {
+            parameter: Range::default(),
+            d_is_negative: false,
+            length: Length::default(),
+            dofs: Dofs::default(),
+            bar_first: false,
+            column_major: false,
+            hermite_tangent: 1.0,
+            residual_is_negative: false,
+            tangent_is_negative: false,
+            penalty: None,
+            first_index: 0,
+        }
+    }
+}
+
+/// The keys of the head, each with its values; the first one holds if nothing is said.
+pub(super) const KEYS: [(&str, &[&str]); 12] = [
+    ("parameter", &["[-1,1]", "[0,1]"]),
+    ("d", &["x - x_bar", "x_bar - x"]),
+    ("distance", &["d", "d^2", "d^2/2"]),
+    ("dofs", &["node-major", "component-major"]),
+    ("beams", &["beam first", "bar first"]),
+    ("matrix", &["row-major", "column-major"]),
+    ("residual_sign", &["+", "-"]),
+    ("tangent_sign", &["+", "-"]),
+    ("first_index", &["0", "1"]),
+    ("penalty_active", &["penetration", "always"]),
+    ("penalty_stiffness", &[]),
+    ("hermite_tangent", &[]),
+];
+
+impl Conventions {
+    /// Takes an entry of the head.
+    ///
+    /// # Errors
+    /// What was expected, if the key or the value is unknown.
+    pub(super) fn set(&mut self, key: &str, value: &str) -> Result<(), String> {
+        let Some((_, values)) = KEYS.iter().find(|(known, _)| *known == key) else {
+            let known: Vec<_> = KEYS.iter().map(|(key, _)| *key).collect();
+            return Err(format!("{key}: no such entry, expected {}", known.join(", ")));
+        };
+        let positive = || {
+            let number = super::number::parse(value).ok().filter(|x| x.is_finite() && *x > 0.0);
+            number.ok_or_else(|| format!("{key}: a positive number expected, found {value:?}"))
+        };
+        let plain = |text: &str| text.replace([' ', '\''], "");
+        let choice = || {
+            let chosen = values.iter().position(|known| plain(known) == plain(value));
+            chosen.ok_or_else(|| format!("{key}: one of {values:?} expected, found {value:?}"))
+        };
+        let penalty = self.penalty.unwrap_or(Penalty { stiffness: 1.0, always: false });
+        match key {
+            "parameter" => self.parameter = [Range::Symmetric, Range::Unit][choice()?],
+            "d" => self.d_is_negative = choice()? == 1,
+            "distance" => self.length = [Length::Distance, Length::Square, Length::HalfSquare][choice()?],
+            "dofs" => self.dofs = [Dofs::NodeMajor, Dofs::ComponentMajor][choice()?],
+            "beams" => self.bar_first = choice()? == 1,
+            "matrix" => self.column_major = choice()? == 1,
+            "residual_sign" => self.residual_is_negative = choice()? == 1,
+            "tangent_sign" => self.tangent_is_negative = choice()? == 1,
+            "first_index" => self.first_index = choice()?,
+            "penalty_active" => self.penalty = Some(Penalty { always: choice()? == 1, ..penalty }),
+            "penalty_stiffness" => self.penalty = Some(Penalty { stiffness: positive()?, ..penalty }),
+            _ => self.hermite_tangent = positive()?,
+        }
+        Ok(())
+    }
+
+    /// All components of the quantities, and the energy, as the program calls them.
+    pub(super) fn of<T: Real>(&self, all: &[Varied<T>], is_closed: bool) -> Vec<Varied<T>> {
+        let (half, two) = (T::from(0.5), T::from(2.0));
+        let times = |v: Varied<T>, f: T| Varied {
+            value: v.value * f,
+            delta: v.delta * f,
+            linear: v.linear * f,
+            second: v.second * f,
+        };
+        let square = |v: Varied<T>, f: T| Varied {
+            value: v.value * v.value * f,
+            delta: v.value * v.delta * two * f,
+            linear: v.value * v.linear * two * f,
+            second: (v.delta * v.linear + v.value * v.second) * two * f,
+        };
+        let mut converted = all.to_vec();
+        if self.d_is_negative {
+            converted[6..9].iter_mut().for_each(|v| *v = times(*v, -T::one()));
+        }
+        if self.parameter == Range::Unit {
+            // η = (ξ + 1)/2, so that dx/dη = 2 dx/dξ; the slips stay.
+            for i in (9..15).chain([16, 17]) {
+                converted[i] = times(converted[i], two);
+            }
+            for i in [18, 19] {
+                converted[i] = times(Varied { value: converted[i].value + T::one(), ..converted[i] }, half);
+            }
+        }
+        match self.length {
+            Length::Distance => {}
+            Length::Square => converted[15] = square(converted[15], T::one()),
+            Length::HalfSquare => converted[15] = square(converted[15], half),
+        }
+        let zero = T::zero();
+        let energy = self
+            .penalty
+            .filter(|penalty| penalty.always || is_closed)
+            .map_or(Varied { value: zero, delta: zero, linear: zero, second: zero }, |penalty| {
+                square(all[20], half * T::from(penalty.stiffness))
+            });
+        let sign = |is_negative| if is_negative { -T::one() } else { T::one() };
+        let (residual, tangent) = (sign(self.residual_is_negative), sign(self.tangent_is_negative));
+        converted.push(Varied {
+            value: energy.value,
+            delta: energy.delta * residual,
+            linear: energy.linear * residual,
+            second: energy.second * tangent,
+        });
+        converted
+    }
+
+    /// The factor and the place, among the dofs of both beams, of each dof of the program.
+    pub(super) fn dofs(&self, families: [Family; 2]) -> Vec<(usize, f64)> {
+        let of_beam = |start: usize, family: Family| {
+            let count = family.units().len();
+            let tangents = match family {
+                Family::Hermite => vec![3, 4, 5, 9, 10, 11],
+                _ => Vec::new(),
+            };
+            // Rows of three coordinates, or of four with a weight; arcs and helices have no nodes.
+            let width = match family {
+                Family::Arc | Family::Helix => count,
+                Family::NurbsWeighted => 4,
+                _ => 3,
+            };
+            let nodes = count / width;
+            let place = move |k: usize| match self.dofs {
+                Dofs::NodeMajor => k,
+                Dofs::ComponentMajor if width == count => k,
+                Dofs::ComponentMajor => (k % nodes) * width + k / nodes,
+            };
+            (0..count).map(move |k| {
+                let factor = if tangents.contains(&place(k)) { self.hermite_tangent } else { 1.0 };
+                (start + place(k), factor)
+            })
+        };
+        let [beam, bar] = families;
+        let first = of_beam(0, beam).collect::<Vec<_>>();
+        let second = of_beam(beam.units().len(), bar).collect::<Vec<_>>();
+        if self.bar_first { [second, first].concat() } else { [first, second].concat() }
+    }
+
+    /// A direction in the dofs of the program.
+    pub(super) fn direction(&self, families: [Family; 2], dq: &[f64]) -> Vec<f64> {
+        // x,ξ = f q: where q is varied by δq, x,ξ is varied by f δq.
+        self.dofs(families).into_iter().map(|(place, factor)| dq[place] / factor).collect()
+    }
+
+    /// The other conventions that a program may have, each with what to say of it; one change comes before two.
+    pub(super) fn others(&self) -> Vec<(Self, String)> {
+        let mut single: Vec<(Self, String)> = Vec::new();
+        let mut add = |other: Self, words: &str| {
+            if other != *self {
+                single.push((other, words.to_owned()));
+            }
+        };
+        add(Self { parameter: Range::Unit, ..*self }, "the parameters run over [0,1] (parameter)");
+        add(Self { parameter: Range::Symmetric, ..*self }, "the parameters run over [-1,1] (parameter)");
+        let d = if self.d_is_negative { "x - x_bar" } else { "x_bar - x" };
+        add(Self { d_is_negative: !self.d_is_negative, ..*self }, &format!("d is {d} (d)"));
+        add(Self { length: Length::Distance, ..*self }, "d is the distance (distance)");
+        add(Self { length: Length::Square, ..*self }, "d is the squared distance (distance)");
+        add(Self { length: Length::HalfSquare, ..*self }, "d is half the squared distance (distance)");
+        add(Self { dofs: Dofs::NodeMajor, ..*self }, "the dofs come node by node (dofs)");
+        add(Self { dofs: Dofs::ComponentMajor, ..*self }, "the dofs come component by component (dofs)");
+        let first = if self.bar_first { "beam" } else { "bar beam" };
+        let words = format!("the dofs of the {first} come first (beams)");
+        add(Self { bar_first: !self.bar_first, ..*self }, &words);
+        let order = if self.column_major { "row by row" } else { "column by column" };
+        let words = format!("matrices are written {order} (matrix)");
+        add(Self { column_major: !self.column_major, ..*self }, &words);
+        for (factor, words) in [(1.0, "1"), (0.5, "0.5"), (2.0, "2")] {
+            let words =
+                format!("dx/dxi is {words} times the tangent dofs of a Hermite beam (hermite_tangent)");
+            add(Self { hermite_tangent: factor, ..*self }, &words);
+        }
+        let (residual, tangent) = (!self.residual_is_negative, !self.tangent_is_negative);
+        if self.penalty.is_some() {
+            add(
+                Self { residual_is_negative: residual, ..*self },
+                "the residual has the other sign (residual_sign)",
+            );
+            add(
+                Self { tangent_is_negative: tangent, ..*self },
+                "the tangent has the other sign (tangent_sign)",
+            );
+        }
+        let mut pairs = Vec::new();
+        for (i, (one, words)) in single.iter().enumerate() {
+            for (two, more) in &single[i + 1..] {
+                let both = one.with_changes_of(two, self);
+                if both != *one && both != *two && !pairs.iter().any(|(known, _)| *known == both) {
+                    pairs.push((both, format!("{words} and {more}")));
+                }
+            }
+        }
+        single.extend(pairs);
+        single
+    }
+
+    /// These, with what `other` changes in `base`.
+    fn with_changes_of(&self, other: &Self, base: &Self) -> Self {
+        let choose = |own: bool, other: bool, base: bool| if other == base { own } else { other };
+        Self {
+            parameter: if other.parameter == base.parameter { self.parameter } else { other.parameter },
+            d_is_negative: choose(self.d_is_negative, other.d_is_negative, base.d_is_negative),
+            length: if other.length == base.length { self.length } else { other.length },
+            dofs: if other.dofs == base.dofs { self.dofs } else { other.dofs },
+            bar_first: choose(self.bar_first, other.bar_first, base.bar_first),
+            column_major: choose(self.column_major, other.column_major, base.column_major),
+            #[expect(clippy::float_cmp, reason = "a choice among constants")]
+            hermite_tangent: if other.hermite_tangent == base.hermite_tangent {
+                self.hermite_tangent
+            } else {
+                other.hermite_tangent
+            },
+            residual_is_negative: choose(
+                self.residual_is_negative,
+                other.residual_is_negative,
+                base.residual_is_negative,
+            ),
+            tangent_is_negative: choose(
+                self.tangent_is_negative,
+                other.tangent_is_negative,
+                base.tangent_is_negative,
+            ),
+            penalty: self.penalty,
+            first_index: self.first_index,
+        }
+    }
+}

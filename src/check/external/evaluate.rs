@@ -1,0 +1,114 @@
+//! The answers of the library itself, dense: to compare with by eye, and to check the check with.
+
+use super::answers::ANSWERS;
+use super::vectors::{Vector, VectorWriter, key, quoted};
+use crate::check::evaluation_point::EvaluationPoint;
+use crate::linearization::closed_form::Formulation;
+use crate::linearization::{COMPONENTS, Quantity};
+use crate::variant::Variant;
+use std::fmt::Write;
+
+/// A program that answers cases: the closed form of this library, as it is or with faults.
+#[derive(Clone, Debug, Default)]
+pub struct Evaluator {
+    /// The closed form.
+    pub variant: Variant,
+    /// By which of its formulas.
+    pub formulas: Formulas,
+    /// The stiffness of a contact element that is answered too, if there is one.
+    pub penalty: Option<f64>,
+    /// How numbers are written.
+    pub writer: VectorWriter,
+    /// How many significant digits are written, if not all.
+    pub digits: Option<usize>,
+}
+
+/// Which formulas are evaluated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Formulas {
+    /// Those that lose the fewest digits at each point.
+    #[default]
+    Chosen,
+    /// The paper's.
+    Paper,
+    /// The normal and the cross products.
+    Robust,
+}
+
+impl Formulas {
+    pub(in crate::check) fn at<'a>(self, evaluation: EvaluationPoint<'a>) -> EvaluationPoint<'a> {
+        let form = match self {
+            Self::Chosen => return evaluation,
+            Self::Paper => Formulation::paper(evaluation.held),
+            Self::Robust => Formulation::robust(&evaluation.points(), evaluation.held),
+        };
+        evaluation.in_formulation(form)
+    }
+}
+
+impl Evaluator {
+    /// The head of the answers.
+    pub fn head(&self) -> String {
+        let version = env!("CARGO_PKG_VERSION");
+        let penalty = self.penalty.map_or_else(String::new, |stiffness| {
+            format!(",\"penalty_stiffness\":{}", self.writer.number(stiffness))
+        });
+        format!(
+            "{{\"schema\":\"{ANSWERS}\",\"program\":\"beamgap evaluate\",\"version\":\"{version}\"{penalty}}}"
+        )
+    }
+
+    /// The line that answers a case, without its end.
+    pub fn line(&self, vector: &Vector) -> String {
+        let id = quoted(&vector.id);
+        match vector.evaluated(|evaluation| self.answers(self.formulas.at(evaluation))) {
+            Ok(answers) => format!("{{\"id\":{id},\"result\":\"valid\"{answers}}}"),
+            Err(outcome) => format!("{{\"id\":{id},\"result\":\"{}\"}}", outcome.name()),
+        }
+    }
+
+    fn answers(&self, evaluation: EvaluationPoint<'_>) -> String {
+        let plain = evaluation.plain(&self.variant);
+        let dense = evaluation.dense(&self.variant);
+        let number = |x: f64| self.writer.number(self.rounded(x));
+        let list = |numbers: &[f64]| {
+            let rounded: Vec<_> = numbers.iter().map(|&x| self.rounded(x)).collect();
+            self.writer.list(&rounded)
+        };
+        let mut line = String::new();
+        for (i, varied) in plain.iter().enumerate().take(COMPONENTS) {
+            let (quantity, axis) = (Quantity::of_component(i), Quantity::axis_of_component(i));
+            let [value, delta, linear, second] = varied.parts().map(number);
+            let _ = write!(
+                line,
+                ",\"{}\":{{\"value\":{value},\"delta\":{delta},\"Delta\":{linear},\"Delta-delta\":{second}",
+                key(quantity, axis)
+            );
+            let same = if quantity == Quantity::GN { Quantity::D } else { quantity };
+            if let Some(of) = dense.iter().find(|of| of.quantity == same && axis.is_none()) {
+                let (gradient, hessian) = (list(&of.gradient), list(&of.hessian));
+                let _ = write!(line, ",\"gradient\":{gradient},\"hessian\":{hessian}");
+            }
+            line.push('}');
+        }
+        if let (Some(stiffness), Some(d)) = (self.penalty, dense.first()) {
+            // r = ε g ∇g   K = ε (∇g ∇gᵀ + g H)
+            let gap = (d.value - evaluation.contact.radius - evaluation.contact.radius_bar).min(0.0);
+            let is_open = gap == 0.0;
+            let residual: Vec<_> = d.gradient.iter().map(|g| stiffness * gap * g).collect();
+            let products = d.gradient.iter().flat_map(|g| d.gradient.iter().map(move |h| g * h));
+            let entry = |(product, hessian): (f64, &f64)| {
+                if is_open { 0.0 } else { stiffness * (product + gap * hessian) }
+            };
+            let tangent: Vec<_> = products.zip(&d.hessian).map(entry).collect();
+            let _ = write!(line, ",\"residual\":{},\"tangent\":{}", list(&residual), list(&tangent));
+        }
+        line
+    }
+
+    /// The number with so many digits as are written.
+    fn rounded(&self, number: f64) -> f64 {
+        let Some(digits) = self.digits.and_then(|digits| digits.checked_sub(1)) else { return number };
+        format!("{number:.digits$e}").parse().unwrap_or(number)
+    }
+}

@@ -1,0 +1,172 @@
+//! What may be wrong with a program: a term, several, a simplification as a whole, a factor.
+
+use super::equation::equation;
+use crate::check::evaluation_point::Structure;
+use crate::check::external::conventions::{Conventions, ENERGY};
+use crate::check::verdict::Order;
+use crate::linearization::{Quantity, Varied};
+use crate::number::{Label, Which};
+use crate::variant::{Fault, Kind, Variant};
+
+/// What is changed in the closed form.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Change {
+    /// Some of its terms.
+    Variant(Variant),
+    /// It is simplified as a whole.
+    Structure(Structure),
+    /// A quantity is multiplied, in this order.
+    Factor(Quantity, Order, f64),
+    /// The tangent of the contact element lacks stiffness g_N H (or has it alone, if not).
+    Tangent {
+        /// Whether g_N H is missing, and not the product of the gradients.
+        is_geometric: bool,
+    },
+    /// Beam and bar beam are exchanged.
+    BeamsExchanged,
+}
+
+impl Change {
+    /// Applies what concerns whole items, after the conventions; `varied` is before them.
+    pub(super) fn of_items(
+        &self,
+        all: &mut [Varied<f64>],
+        varied: &[Varied<f64>],
+        conventions: &Conventions,
+    ) {
+        match *self {
+            Self::Variant(_) | Self::Structure(_) => {}
+            Self::Factor(quantity, order, factor) => {
+                let items = all.len();
+                for (i, of) in all.iter_mut().enumerate() {
+                    let is_of = if i < items - 1 { Quantity::of_component(i) == quantity } else { false };
+                    if is_of && order == Order::First {
+                        (of.delta, of.linear) = (factor * of.delta, factor * of.linear);
+                    } else if is_of && order == Order::Second {
+                        of.second *= factor;
+                    } else if is_of {
+                        of.value *= factor;
+                    }
+                }
+            }
+            Self::Tangent { is_geometric } => {
+                let Some(penalty) = conventions.penalty else { return };
+                let sign = if conventions.tangent_is_negative { -1.0 } else { 1.0 };
+                let gap = &varied[20];
+                let product = sign * penalty.stiffness * gap.delta * gap.linear;
+                let whole = all[ENERGY].second;
+                if whole != 0.0 {
+                    all[ENERGY].second = if is_geometric { product } else { whole - product };
+                }
+            }
+            Self::BeamsExchanged => {
+                for i in 0..3 {
+                    all.swap(i, 3 + i);
+                    all.swap(9 + i, 12 + i);
+                    let d = &mut all[6 + i];
+                    *d = Varied { value: -d.value, delta: -d.delta, linear: -d.linear, second: -d.second };
+                }
+                all.swap(16, 17);
+                all.swap(18, 19);
+                all.swap(21, 22);
+            }
+        }
+    }
+
+    /// How simple it is: simpler explanations come first.
+    pub(super) fn class(&self) -> usize {
+        match self {
+            Self::Variant(Variant::Faulty(faults)) if faults.len() == 1 => 0,
+            Self::Structure(_) | Self::BeamsExchanged | Self::Tangent { .. } => 1,
+            Self::Factor(..) => 2,
+            Self::Variant(Variant::Weighted(..)) => 3,
+            Self::Variant(_) => 4,
+        }
+    }
+
+    /// The name: that of the fault in the catalogue, if it is one.
+    pub(super) fn name(&self) -> String {
+        match self {
+            Self::Variant(Variant::Faulty(faults)) => {
+                faults.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and ")
+            }
+            Self::Variant(Variant::Weighted(label, factor)) => format!("{label} = times {factor:.6}"),
+            Self::Variant(_) => "unmodified".into(),
+            Self::Structure(Structure::FixedParameters) => "fixed-parameters".into(),
+            Self::Structure(Structure::Straight) => "straight".into(),
+            Self::Structure(Structure::LinearInDofs) => "linear-in-dofs".into(),
+            Self::Factor(quantity, order, factor) => {
+                format!("{} of {} = times {factor:.6}", order.name(), quantity.name())
+            }
+            Self::Tangent { is_geometric: true } => "geometric-stiffness-missing".into(),
+            Self::Tangent { is_geometric: false } => "material-stiffness-missing".into(),
+            Self::BeamsExchanged => "beams-exchanged".into(),
+        }
+    }
+
+    /// What is wrong, in a sentence without its end.
+    pub(super) fn words(&self) -> String {
+        match self {
+            Self::Variant(Variant::Faulty(faults)) => {
+                faults.iter().map(of_fault).collect::<Vec<_>>().join("; and ")
+            }
+            Self::Variant(Variant::Weighted(label, factor)) => {
+                format!("{} is multiplied by {factor:.6}", of_label(label))
+            }
+            Self::Variant(_) => "nothing is wrong".into(),
+            Self::Structure(Structure::FixedParameters) => {
+                "the parameters of the closest point are held fixed: delta xi and delta xi_bar, eq. (52), are missing"
+                    .into()
+            }
+            Self::Structure(Structure::Straight) => {
+                "the curves are taken for straight: all terms in t,xi, t,xixi and u,xixi are missing, such as d.t,xi of \
+                 eq. (50)"
+                    .into()
+            }
+            Self::Structure(Structure::LinearInDofs) => {
+                "the curves are taken for linear in their dofs: the terms Delta_u delta_u u are missing, eq. (27), (30), \
+                 (40) and (54)"
+                    .into()
+            }
+            Self::Factor(quantity, order, factor) => {
+                let of = match order {
+                    Order::Value => "the value",
+                    Order::First => "the first variation",
+                    _ => "the second variation",
+                };
+                format!("{of} of {} as a whole is multiplied by {factor:.6}", quantity.name())
+            }
+            Self::Tangent { is_geometric: true } => {
+                "in the tangent of the contact element stiffness g_N H, the geometric part, is missing".into()
+            }
+            Self::Tangent { is_geometric: false } => {
+                "in the tangent of the contact element stiffness times the product of the gradients is missing".into()
+            }
+            Self::BeamsExchanged => "beam and bar beam are exchanged".into(),
+        }
+    }
+}
+
+fn of_label(label: &Label) -> String {
+    let (formula, term) = label.name.split_once(": ").unwrap_or(("", label.name));
+    let of = if label.which == Which::Bar { ", for the bar beam" } else { "" };
+    let formula = match formula {
+        "" => String::new(),
+        formula => format!(" of {formula}"),
+    };
+    format!("the term {term}{formula}{of}, {},", equation(label))
+}
+
+fn of_fault(Fault { label, kind }: &Fault) -> String {
+    let term = of_label(label);
+    match kind {
+        Kind::Sign => format!("{term} has the wrong sign"),
+        Kind::Dropped => format!("{term} is missing"),
+        Kind::Doubled => format!("{term} counts twice"),
+        Kind::Halved => format!("{term} counts half"),
+        Kind::Transposed => format!("{term} has delta and Delta exchanged, or is transposed"),
+        Kind::Swapped => format!("{term} has the beams exchanged"),
+        Kind::BarForgotten => format!("{term} takes the beam where the bar beam belongs"),
+        Kind::Stale => format!("{term} is taken at the parameters of the step before"),
+    }
+}

@@ -1,0 +1,240 @@
+//! A case with its answers, and what the closed form with a fault would have answered.
+
+use super::hypothesis::Change;
+use crate::check::candidate::Sides;
+use crate::check::diagnosis::place;
+use crate::check::evaluation_point::EvaluationPoint;
+use crate::check::external::answers::Answers;
+use crate::check::external::compare::{Converted, Demands, Judgement};
+use crate::check::external::conventions::{Conventions, ITEMS};
+use crate::check::external::vectors::Vector;
+use crate::check::verdict::Order;
+use crate::linearization::closed_form::Formulation;
+use crate::linearization::{Quantity, Varied};
+use crate::test_beam::Family;
+use crate::variant::{SCALAR_COMPONENTS, Variant};
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+/// A number of an answer.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Datum {
+    /// Item and part.
+    pub(super) place: [usize; 2],
+    pub(super) quantity: Quantity,
+    pub(super) order: Order,
+    /// The place in the order of evaluation.
+    pub(super) rank: (Order, usize, usize),
+    /// Whether it is a gradient or a Hessian, contracted with the directions.
+    pub(super) is_contracted: bool,
+    pub(super) answer: f64,
+    pub(super) reference: f64,
+    pub(super) scale: f64,
+    pub(super) tolerance: f64,
+    pub(super) is_wrong: bool,
+}
+
+impl Datum {
+    /// How far a prediction is from the answer: over the scale, and over what rounding explains.
+    pub(super) fn misfit(&self, predicted: f64) -> [f64; 2] {
+        let off = (self.answer - predicted).abs();
+        if off.is_nan() {
+            let both = self.answer.is_nan() && predicted.is_nan();
+            return [if both { 0.0 } else { f64::INFINITY }; 2];
+        }
+        let rounding = 8.0 * self.tolerance + 1e-12 * self.scale + 1e-9 * (predicted - self.reference).abs();
+        [ratio(off, self.scale.max(predicted.abs())), ratio(off, rounding)]
+    }
+}
+
+/// What is infinite in both is no fit.
+fn ratio(one: f64, two: f64) -> f64 {
+    let ratio = if one == 0.0 { 0.0 } else { one / two };
+    if ratio.is_nan() { f64::INFINITY } else { ratio }
+}
+
+/// By which formulas a program may have made its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum By {
+    /// The paper's.
+    Paper,
+    /// Also those that keep more digits.
+    All,
+}
+
+/// All items, as a program answers them directly, and contracted.
+pub(super) type Predicted = [Vec<Varied<f64>>; 2];
+
+/// Predictions that are used again, by case and by name of the change.
+pub(super) type Memo = HashMap<String, Known>;
+/// Those at a case, each with how many are by the paper's formulas.
+pub(super) type Known = HashMap<String, (Vec<Predicted>, usize)>;
+
+/// A case that is to be explained.
+pub(super) struct Site<'a> {
+    memo: Option<&'a Known>,
+    paper: EvaluationPoint<'a>,
+    /// In other formulations, where they differ.
+    others: Vec<EvaluationPoint<'a>>,
+    conventions: Conventions,
+    families: [Family; 2],
+    is_closed: bool,
+    pub(super) data: Vec<Datum>,
+}
+
+impl<'a> Site<'a> {
+    /// All numbers of the answers to a case that can be compared; `evaluate` makes the closest point.
+    pub(super) fn new(
+        (vector, answers): &(Vector, Answers),
+        demands: &Demands,
+        evaluate: impl Fn() -> Option<EvaluationPoint<'a>>,
+    ) -> Option<Self> {
+        let (sides, paper) = Sides::new(evaluate()?, &vector.case.test_beams);
+        let converted = Converted::new(vector, &sides, &demands.conventions);
+        let entries = converted.entries(answers, &demands.conventions).ok()?;
+        let datum = |entry: crate::check::candidate::Entry| {
+            let judged = entry.judged(demands.digits);
+            let comparison = judged.comparison;
+            let digits = demands.digits.map_or(0.0, |digits| 10.0_f64.powi(-i32::from(digits)));
+            Datum {
+                place: entry.place,
+                quantity: comparison.quantity,
+                order: comparison.order,
+                rank: place(&comparison),
+                is_contracted: entry.is_contracted,
+                answer: comparison.closed,
+                reference: comparison.other,
+                scale: comparison.scale.max(comparison.other.abs()),
+                tolerance: comparison.tolerance + digits * entry.size,
+                is_wrong: judged.judgement == Judgement::Wrong,
+            }
+        };
+        let clear = |entry: &crate::check::candidate::Entry| {
+            entry.judged(demands.digits).judgement != Judgement::Unclear
+        };
+        let data = entries.into_iter().filter(clear).map(datum).collect();
+        let chosen = evaluate()?.form;
+        let robust = Formulation::robust(&paper.points(), paper.held);
+        let inside = !paper.held.xi && !paper.held.xi_bar;
+        let mut forms = vec![paper.form];
+        for form in [chosen, robust].into_iter().filter(|_| inside) {
+            if !forms.contains(&form) {
+                forms.push(form);
+            }
+        }
+        let in_form = |&form: &Formulation| Some(evaluate()?.in_formulation(form));
+        let others = forms[1..].iter().filter_map(in_form).collect();
+        let is_closed = sides.reference[20].value.value < 0.0;
+        Some(Self {
+            paper,
+            others,
+            conventions: demands.conventions,
+            families: vector.families(),
+            is_closed,
+            data,
+            memo: None,
+        })
+    }
+
+    /// With predictions that are known already.
+    pub(super) fn with_memo(self, memo: Option<&'a Known>) -> Self {
+        Self { memo, ..self }
+    }
+
+    /// The largest tolerance over its scale.
+    pub(super) fn blur(&self) -> f64 {
+        self.data.iter().map(|datum| ratio(datum.tolerance, datum.scale)).fold(0.0, f64::max)
+    }
+
+    /// How many numbers are wrong.
+    pub(super) fn wrong(&self) -> usize {
+        self.data.iter().filter(|datum| datum.is_wrong).count()
+    }
+
+    /// Which terms are at work: those of curves that are not linear in their dofs, and those of free parameters.
+    pub(super) fn kind(&self) -> [bool; 4] {
+        let linear = self.families.map(Family::is_linear);
+        [linear[0], linear[1], self.paper.held.xi, self.paper.held.xi_bar]
+    }
+
+    /// Whether some number is a gradient or a Hessian.
+    fn has_contracted(&self) -> bool {
+        self.data.iter().any(|datum| datum.is_contracted)
+    }
+
+    /// What the closed form with this change would have answered, in each way in which the program may have made its
+    /// numbers: by the paper's formulas or by those that keep more digits, gradients and Hessians by formulas of their own or from the
+    /// variations.
+    pub(super) fn predicted(&self, change: &Change, by: By) -> Cow<'_, [Predicted]> {
+        match self.memo.and_then(|memo| memo.get(&change.name())) {
+            // The paper's formulas come first.
+            Some((known, by_paper)) if by == By::Paper => Cow::Borrowed(&known[..*by_paper]),
+            Some((known, _)) => Cow::Borrowed(known),
+            None => Cow::Owned(self.computed(change, by).0),
+        }
+    }
+
+    /// All of them, and how many are by the paper's formulas.
+    pub(super) fn computed(&self, change: &Change, by: By) -> (Vec<Predicted>, usize) {
+        let (mut all, mut by_paper) = (Vec::with_capacity(4), 0);
+        let others = self.others.iter().filter(|_| by == By::All);
+        for evaluation in [&self.paper].into_iter().chain(others) {
+            let (varied, rows) = match change {
+                Change::Structure(structure) => evaluation.simplified(*structure),
+                other => {
+                    let variant =
+                        if let Change::Variant(variant) = other { variant } else { &Variant::Unmodified };
+                    let of_matrices =
+                        || evaluation.matrices(variant).map(|row| row.map(|number| number.value));
+                    let rows = if self.has_contracted() { of_matrices() } else { Default::default() };
+                    (evaluation.plain(variant), rows)
+                }
+            };
+            let converted = |varied: [Varied<f64>; ITEMS - 1]| {
+                let mut all = self.conventions.of(&varied, self.is_closed);
+                change.of_items(&mut all, &varied, &self.conventions);
+                all
+            };
+            let first = all.len();
+            let direct = converted(varied);
+            if self.has_contracted() {
+                let mut contracted = varied;
+                for (i, [delta, linear, second]) in SCALAR_COMPONENTS.into_iter().zip(rows) {
+                    contracted[i] = Varied { value: contracted[i].value, delta, linear, second };
+                }
+                contracted[20] = Varied { value: contracted[20].value, ..contracted[15] };
+                all.push([direct.clone(), converted(contracted)]);
+            }
+            all.push([direct.clone(), direct.clone()]);
+            if self.has_contracted()
+                && let Change::Variant(variant) = change
+            {
+                // A Hessian from a wrong variation is not symmetric: it may be the transpose, or the mean of both.
+                let exchanged = evaluation.exchanged(variant);
+                let with = |weight: f64| {
+                    std::array::from_fn(|i| {
+                        let second = (1.0 - weight) * varied[i].second + weight * exchanged[i].second;
+                        Varied { second, ..varied[i] }
+                    })
+                };
+                let is_symmetric = |(one, two): (&Varied<f64>, &Varied<f64>)| {
+                    (one.second - two.second).abs() <= 1e-12 * one.second.abs()
+                };
+                if !varied.iter().zip(&exchanged).all(is_symmetric) {
+                    all.extend([1.0, 0.5].map(|weight| [direct.clone(), converted(with(weight))]));
+                }
+            }
+            if first == 0 {
+                by_paper = all.len();
+            }
+        }
+        (all, by_paper)
+    }
+
+    /// The number of a prediction that stands where this one does.
+    pub(super) fn number([direct, contracted]: &Predicted, datum: &Datum) -> f64 {
+        let [item, part] = datum.place;
+        let of = if datum.is_contracted { contracted } else { direct };
+        of[item].parts()[part]
+    }
+}

@@ -1,0 +1,163 @@
+//! Where a gradient or a Hessian is wrong: the entry that differs most.
+
+use super::answers::Answers;
+use super::compare::Judged;
+use super::conventions::{Conventions, Length, Range};
+use super::vectors::Vector;
+use crate::check::evaluation_point::Dense;
+use crate::linearization::Quantity;
+use crate::linearization::closed_form::Formulation;
+use crate::variant::Variant;
+
+/// An entry of a gradient or a Hessian.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Location {
+    /// Gradient, Hessian, residual or tangent.
+    pub what: &'static str,
+    /// The row, and the column of a matrix, from 0, in the order of the program.
+    pub indices: Vec<usize>,
+    /// The beams that these dofs belong to: `beam`, `bar`.
+    pub block: Vec<&'static str>,
+    /// What the program says.
+    pub answered: f64,
+    /// What is expected.
+    pub expected: f64,
+    /// The difference over the largest entry that is expected.
+    pub scaled_error: f64,
+    /// How many entries differ by more than a thousandth of this one's difference.
+    pub differing: usize,
+    /// Whether the matrix of differences is antisymmetric, or has but few rows: what can be seen of it.
+    pub is_antisymmetric: bool,
+}
+
+/// The entry of the answers that differs most, if the wrong number is a contraction.
+pub fn locate(
+    vector: &Vector,
+    answers: &Answers,
+    wrong: &Judged,
+    conventions: &Conventions,
+) -> Option<Location> {
+    if !wrong.is_contracted {
+        return None;
+    }
+    let comparison = &wrong.comparison;
+    let is_energy = matches!(comparison.part, "residual" | "tangent");
+    let of_answer = |answer: &&crate::check::Answer| {
+        answer.quantity == comparison.quantity && answer.axis == comparison.axis
+    };
+    let answer = answers.answers.iter().find(of_answer);
+    let is_second = matches!(comparison.part, "Delta-delta" | "tangent");
+    let answered = match (is_energy, is_second) {
+        (true, false) => answers.residual.as_deref(),
+        (true, true) => answers.tangent.as_deref(),
+        (false, false) => answer?.gradient.as_deref(),
+        (false, true) => answer?.hessian.as_deref(),
+    }?;
+    let expected = vector
+        .evaluated(|evaluation| {
+            let paper = Formulation::paper(evaluation.held);
+            let dense = evaluation.in_formulation(paper).dense(&Variant::Unmodified);
+            expected(vector, dense, comparison.quantity, is_energy, conventions)
+        })
+        .ok()??;
+    let expected = if is_second { expected.1 } else { expected.0 };
+    let dofs = vector.families().map(|family| family.units().len());
+    entry(answered, &expected, dofs, conventions, (is_energy, is_second))
+}
+
+/// Gradient and Hessian as a program with these conventions has them; a Hessian row by row.
+fn expected(
+    vector: &Vector,
+    dense: Vec<Dense>,
+    quantity: Quantity,
+    is_energy: bool,
+    conventions: &Conventions,
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let same = if quantity == Quantity::GN { Quantity::D } else { quantity };
+    let Dense { value, gradient, hessian, .. } = dense.into_iter().find(|dense| dense.quantity == same)?;
+    let products = || gradient.iter().flat_map(|g| gradient.iter().map(move |h| g * h));
+    // That of f (v - c)²/2 is f ((v - c) H + ∇v ∇vᵀ).
+    let square = |f: f64, value: f64| {
+        let of_gradient: Vec<_> = gradient.iter().map(|g| f * value * g).collect();
+        let of_hessian: Vec<_> =
+            products().zip(&hessian).map(|(product, h)| f * (product + value * h)).collect();
+        (of_gradient, of_hessian)
+    };
+    let times = |f: f64| {
+        let of = |numbers: &[f64]| numbers.iter().map(|number| f * number).collect::<Vec<_>>();
+        (of(&gradient), of(&hessian))
+    };
+    let is_unit = conventions.parameter == Range::Unit;
+    let (gradient, hessian) = match quantity {
+        Quantity::GN if is_energy => {
+            let penalty = conventions.penalty?;
+            let gap = value - vector.case.contact.radius - vector.case.contact.radius_bar;
+            let stiffness = if gap < 0.0 || penalty.always { penalty.stiffness } else { 0.0 };
+            let (mut residual, mut tangent) = square(stiffness, gap);
+            if conventions.residual_is_negative {
+                residual.iter_mut().for_each(|number| *number = -*number);
+            }
+            if conventions.tangent_is_negative {
+                tangent.iter_mut().for_each(|number| *number = -*number);
+            }
+            (residual, tangent)
+        }
+        Quantity::D if conventions.length == Length::Square => square(2.0, value),
+        Quantity::D if conventions.length == Length::HalfSquare => square(1.0, value),
+        Quantity::Xi | Quantity::XiBar if is_unit => times(0.5),
+        Quantity::T | Quantity::TBar if is_unit => times(2.0),
+        _ => times(1.0),
+    };
+    let dofs = conventions.dofs(vector.families());
+    let size = dofs.len();
+    let own = dofs.iter().map(|&(place, factor)| gradient[place] * factor).collect();
+    let rows = dofs.iter().flat_map(|&(i, f)| {
+        let hessian = &hessian;
+        dofs.iter().map(move |&(j, g)| hessian[i * size + j] * f * g)
+    });
+    Some((own, rows.collect()))
+}
+
+fn entry(
+    answered: &[f64],
+    expected: &[f64],
+    [beam, bar]: [usize; 2],
+    conventions: &Conventions,
+    (is_energy, is_second): (bool, bool),
+) -> Option<Location> {
+    let size = beam + bar;
+    if answered.len() != expected.len() {
+        return None;
+    }
+    let at = |k: usize| if conventions.column_major && is_second { (k % size) * size + k / size } else { k };
+    let difference = |k: usize| {
+        let difference = (answered[at(k)] - expected[k]).abs();
+        if difference.is_nan() { f64::INFINITY } else { difference }
+    };
+    let worst = (0..expected.len()).max_by(|&i, &j| difference(i).total_cmp(&difference(j)))?;
+    let largest = expected.iter().fold(0.0_f64, |largest, number| largest.max(number.abs()));
+    let limit = 1e-3 * difference(worst);
+    let signed = |k: usize| answered[at(k)] - expected[k];
+    let antisymmetric = |k: usize| {
+        let mirror = (k % size) * size + k / size;
+        (signed(k) + signed(mirror)).abs() <= 1e-6 * difference(worst)
+    };
+    let indices = if is_second { vec![worst / size, worst % size] } else { vec![worst] };
+    let first = if conventions.bar_first { bar } else { beam };
+    let block = indices.iter().map(|&i| if (i < first) == conventions.bar_first { "bar" } else { "beam" });
+    Some(Location {
+        what: match (is_energy, is_second) {
+            (false, false) => "gradient",
+            (false, true) => "Hessian",
+            (true, false) => "residual",
+            (true, true) => "tangent",
+        },
+        block: block.collect(),
+        answered: answered[at(worst)],
+        expected: expected[worst],
+        scaled_error: difference(worst) / largest,
+        differing: (0..expected.len()).filter(|&k| difference(k) > limit).count(),
+        is_antisymmetric: is_second && (0..expected.len()).all(antisymmetric),
+        indices,
+    })
+}

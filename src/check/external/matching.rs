@@ -1,0 +1,111 @@
+//! Answers next to the cases that they belong to, while both are streamed.
+
+use super::answers::Answers;
+use super::compare::{Demands, compare_answers};
+use super::error::ExternalError;
+use super::report::Report;
+use super::vectors::Vector;
+use rayon::prelude::*;
+use std::collections::VecDeque;
+
+/// Cases that are compared at a time, by all cores.
+const AT_ONCE: usize = 64;
+
+/// Matches answers with cases, and compares them.
+///
+/// Cases may be left out, and answered in another order as long as no more than the look-ahead of them are open.
+#[derive(Debug)]
+pub struct Matching {
+    demands: Demands,
+    look_ahead: usize,
+    open: VecDeque<Vector>,
+    ready: Vec<(Vector, Answers)>,
+    report: Report,
+}
+
+impl Matching {
+    /// Nothing is matched yet.
+    pub fn new(demands: Demands, look_ahead: usize) -> Self {
+        Self { demands, look_ahead, open: VecDeque::new(), ready: Vec::new(), report: Report::default() }
+    }
+
+    /// Takes the answers to a case; `next` yields the cases that follow.
+    ///
+    /// # Errors
+    /// If there is no such case, or an answer has the wrong number of entries.
+    pub fn take<E: From<ExternalError>>(
+        &mut self,
+        answers: Answers,
+        mut next: impl FnMut() -> Result<Option<Vector>, E>,
+    ) -> Result<(), E> {
+        let vector = match self.open.iter().position(|vector| vector.id == answers.id) {
+            Some(at) => self.open.remove(at),
+            None => loop {
+                match next()? {
+                    Some(vector) if vector.id == answers.id => break Some(vector),
+                    Some(vector) => self.leave_open(vector),
+                    None => break None,
+                }
+            },
+        };
+        let Some(vector) = vector else {
+            let expected = format!(
+                "the name of a case that is still open expected, found {:?}: each case is answered once, in the order of \
+                 the cases or at most {} out of it",
+                answers.id, self.look_ahead
+            );
+            return Err(answers.place.error(expected).into());
+        };
+        self.ready.push((vector, answers));
+        if self.ready.len() >= AT_ONCE {
+            self.compare()?;
+        }
+        Ok(())
+    }
+
+    fn leave_open(&mut self, vector: Vector) {
+        self.open.push_back(vector);
+        if self.open.len() > self.look_ahead
+            && let Some(oldest) = self.open.pop_front()
+        {
+            self.report.add_missing(&oldest.id);
+        }
+    }
+
+    /// Compares what is matched.
+    ///
+    /// # Errors
+    /// If an answer has the wrong number of entries.
+    pub fn compare(&mut self) -> Result<(), ExternalError> {
+        let ready = std::mem::take(&mut self.ready);
+        let compare = |(vector, answers): &(Vector, Answers)| compare_answers(vector, answers, &self.demands);
+        let found: Vec<_> = ready.par_iter().map(compare).collect();
+        for ((vector, answers), found) in ready.into_iter().zip(found) {
+            self.report.add(vector, answers, found?);
+        }
+        Ok(())
+    }
+
+    /// What was found so far.
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// The rest of the cases has no answers.
+    ///
+    /// # Errors
+    /// If an answer has the wrong number of entries, or a case cannot be read.
+    pub fn finish<E: From<ExternalError>>(
+        mut self,
+        mut next: impl FnMut() -> Result<Option<Vector>, E>,
+    ) -> Result<Report, E> {
+        self.compare()?;
+        for vector in std::mem::take(&mut self.open) {
+            self.report.add_missing(&vector.id);
+        }
+        while let Some(vector) = next()? {
+            self.report.add_missing(&vector.id);
+        }
+        Ok(self.report)
+    }
+}

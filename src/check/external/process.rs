@@ -1,0 +1,362 @@
+//! A program that answers cases: cases on its standard input, answers on its standard output, as a stream.
+
+use super::answers::{AnswerReader, Answers};
+use super::compare::Demands;
+use super::conventions::Conventions;
+use super::error::ExternalError;
+use super::matching::Matching;
+use super::report::Report;
+use super::vectors::{Vector, VectorReader};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender, TrySendError};
+use std::thread;
+use std::time::{Duration, Instant};
+use thiserror::Error;
+
+/// How much of what a program writes to standard error is kept, from its end.
+const STDERR: usize = 4096;
+/// How long a program may take to end after its last answer.
+const GRACE: Duration = Duration::from_secs(5);
+
+/// Why a program could not be checked to the end.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ProcessError {
+    /// The command line has an open quote, or is empty.
+    #[error("a program, with its arguments, expected, found {0:?}")]
+    Command(String),
+    /// It cannot be started.
+    #[error("cannot start {program}")]
+    Start {
+        /// The program.
+        program: String,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// It did not answer in time.
+    #[error(
+        "{program}: no answer within {seconds} s, after {answered} answers to {sent} cases; a program must write each \
+         answer out (flush) before it waits for more than {look_ahead} further cases{stderr}"
+    )]
+    TimeOut {
+        /// The program.
+        program: String,
+        /// The time that it had.
+        seconds: f64,
+        /// How many cases it had answered.
+        answered: u64,
+        /// How many it had been sent.
+        sent: u64,
+        /// How many it may be sent ahead of its answers.
+        look_ahead: usize,
+        /// The end of what it wrote to standard error.
+        stderr: String,
+    },
+    /// It ended with an error.
+    #[error("{program}: {status}, after {answered} answers{stderr}")]
+    Failed {
+        /// The program.
+        program: String,
+        /// Its exit status.
+        status: ExitStatus,
+        /// How many cases it had answered.
+        answered: u64,
+        /// The end of what it wrote to standard error.
+        stderr: String,
+        /// What was found of its answers.
+        report: Box<Report>,
+    },
+    /// What it writes is no answer, or the cases cannot be read.
+    #[error("{error}{stderr}")]
+    Text {
+        /// Where and what.
+        error: ExternalError,
+        /// The end of what it wrote to standard error.
+        stderr: String,
+    },
+}
+
+impl From<ExternalError> for ProcessError {
+    fn from(error: ExternalError) -> Self {
+        Self::Text { error, stderr: String::new() }
+    }
+}
+
+/// How a program is run.
+#[derive(Clone, Debug)]
+pub struct Runner {
+    /// The program with its arguments, separated by blanks; quotes keep blanks. No shell sees it.
+    pub command: String,
+    /// How long it may take for an answer.
+    pub time_out: Duration,
+    /// How many cases it is sent ahead of its answers.
+    pub look_ahead: usize,
+    /// The digits that are asked for.
+    pub digits: Option<u8>,
+}
+
+/// What the thread that reads answers has to tell.
+enum Told {
+    Head(Box<Conventions>),
+    Answers(Box<Answers>),
+    Error(ExternalError),
+}
+
+impl Runner {
+    /// Runs the program on all cases, and compares its answers; `progress` is called after each answer.
+    ///
+    /// # Errors
+    /// [`ProcessError`].
+    pub fn run<R: BufRead + Send + 'static>(
+        &self,
+        vectors: VectorReader<R>,
+        mut progress: impl FnMut(&Report),
+    ) -> Result<(Report, Conventions), ProcessError> {
+        let words = words(&self.command).filter(|words| !words.is_empty());
+        let words = words.ok_or_else(|| ProcessError::Command(self.command.clone()))?;
+        let program = words[0].clone();
+        let mut child = Command::new(&program)
+            .args(&words[1..])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(|source| ProcessError::Start { program: program.clone(), source })?;
+        let sent = feed(&mut child, vectors, self.look_ahead);
+        let told = listen(&mut child, &program);
+        let stderr = overhear(&mut child);
+        let end =
+            |stderr: &Receiver<String>| stderr.recv_timeout(Duration::from_millis(200)).unwrap_or_default();
+        match self.matched(&program, &sent, &told, &mut progress) {
+            Ok((report, conventions, answered)) => {
+                let status = wait(&mut child);
+                match status {
+                    Some(status) if status.success() => Ok((report, conventions)),
+                    Some(status) => {
+                        let (stderr, report) = (end(&stderr), Box::new(report));
+                        Err(ProcessError::Failed { program, status, answered, stderr, report })
+                    }
+                    None => Err(self.late(program, [answered, report.vectors], end(&stderr))),
+                }
+            }
+            Err((error, counts)) => {
+                // A program that failed is to blame for what it wrote last.
+                let status = child.try_wait().ok().flatten();
+                let _ = child.kill();
+                let _ = child.wait();
+                let stderr = end(&stderr);
+                Err(match (error, status) {
+                    (None, _) => self.late(program, counts, stderr),
+                    (Some(ProcessError::Text { .. }), Some(status)) if !status.success() => {
+                        let report = Box::default();
+                        ProcessError::Failed { program, status, answered: counts[0], stderr, report }
+                    }
+                    (Some(ProcessError::Text { error, .. }), _) => ProcessError::Text { error, stderr },
+                    (Some(other), _) => other,
+                })
+            }
+        }
+    }
+
+    fn late(&self, program: String, [answered, sent]: [u64; 2], stderr: String) -> ProcessError {
+        let seconds = self.time_out.as_secs_f64();
+        let look_ahead = self.look_ahead;
+        ProcessError::TimeOut { program, seconds, answered, sent, look_ahead, stderr }
+    }
+
+    /// Matches answers with the cases sent; no error stands for a time-out.
+    #[expect(clippy::type_complexity, reason = "an error, and how many answers to how many cases there were")]
+    fn matched(
+        &self,
+        program: &str,
+        sent: &Receiver<Result<Vector, ExternalError>>,
+        told: &Receiver<Told>,
+        progress: &mut impl FnMut(&Report),
+    ) -> Result<(Report, Conventions, u64), (Option<ProcessError>, [u64; 2])> {
+        let (mut answered, mut taken) = (0, 0);
+        let mut matching: Option<(Matching, Conventions)> = None;
+        loop {
+            let result = match told.recv_timeout(self.time_out) {
+                Ok(Told::Head(conventions)) => {
+                    let demands = Demands { conventions: *conventions, digits: self.digits };
+                    matching = Some((Matching::new(demands, self.look_ahead), *conventions));
+                    Ok(())
+                }
+                Ok(Told::Answers(answers)) => {
+                    answered += 1;
+                    let (matching, _) = matching.as_mut().expect("the head comes before the answers");
+                    let next = || match sent.recv_timeout(self.time_out) {
+                        Ok(vector) => {
+                            taken += 1;
+                            vector.map(Some).map_err(|error| Some(ProcessError::from(error)))
+                        }
+                        Err(RecvTimeoutError::Disconnected) => Ok(None),
+                        Err(RecvTimeoutError::Timeout) => Err(None),
+                    };
+                    let taken = matching.take(*answers, OptionalError::wrap(next));
+                    progress(matching.report());
+                    taken.map_err(|OptionalError(error)| error)
+                }
+                Ok(Told::Error(error)) => Err(Some(error.into())),
+                Err(RecvTimeoutError::Timeout) => Err(None),
+                Err(RecvTimeoutError::Disconnected) => break,
+            };
+            result.map_err(|error| (error, [answered, taken]))?;
+        }
+        let Some((matching, conventions)) = matching else {
+            let place = super::Place { file: format!("standard output of {program}"), line: 1, column: 1 };
+            let error = place.error("a head expected, found the end of the text");
+            return Err((Some(error.into()), [answered, taken]));
+        };
+        let next = || match sent.recv_timeout(self.time_out) {
+            Ok(vector) => vector.map(Some).map_err(|error| Some(ProcessError::from(error))),
+            Err(_) => Ok(None),
+        };
+        let report = matching.finish(OptionalError::wrap(next));
+        let report = report.map_err(|OptionalError(error)| (error, [answered, taken]))?;
+        Ok((report, conventions, answered))
+    }
+}
+
+/// An error, or none for a time-out.
+struct OptionalError(Option<ProcessError>);
+
+impl OptionalError {
+    fn wrap<T>(mut next: impl FnMut() -> Result<T, Option<ProcessError>>) -> impl FnMut() -> Result<T, Self> {
+        move || next().map_err(Self)
+    }
+}
+
+impl From<ExternalError> for OptionalError {
+    fn from(error: ExternalError) -> Self {
+        Self(Some(error.into()))
+    }
+}
+
+/// Writes the cases to the program; each is told before it is written.
+fn feed<R: BufRead + Send + 'static>(
+    child: &mut Child,
+    mut vectors: VectorReader<R>,
+    look_ahead: usize,
+) -> Receiver<Result<Vector, ExternalError>> {
+    let (tell, sent) = mpsc::sync_channel(look_ahead);
+    let mut stdin = child.stdin.take();
+    thread::spawn(move || {
+        let mut write = |line: &str| {
+            let Some(to) = &mut stdin else { return };
+            // A program that has seen enough closes its input: the remaining cases are not answered.
+            if to.write_all(line.as_bytes()).and_then(|()| to.write_all(b"\n")).is_err() {
+                stdin = None;
+            }
+        };
+        write(vectors.line());
+        loop {
+            match vectors.next_vector() {
+                Ok(Some(vector)) => {
+                    if tell.send(Ok(vector)).is_err() {
+                        return;
+                    }
+                    write(vectors.line());
+                }
+                Ok(None) => return,
+                Err(error) => return drop(tell.send(Err(error))),
+            }
+        }
+    });
+    sent
+}
+
+/// Reads the answers of the program.
+fn listen(child: &mut Child, program: &str) -> Receiver<Told> {
+    let (tell, told): (SyncSender<Told>, _) = mpsc::sync_channel(64);
+    let name = format!("standard output of {program}");
+    if let Some(stdout) = child.stdout.take() {
+        thread::spawn(move || {
+            let mut answers = match AnswerReader::new(BufReader::with_capacity(1 << 16, stdout), &name) {
+                Ok(answers) => answers,
+                Err(error) => return drop(tell.send(Told::Error(error))),
+            };
+            if tell.send(Told::Head(Box::new(*answers.conventions()))).is_err() {
+                return;
+            }
+            loop {
+                let next = match answers.next_answers() {
+                    Ok(Some(answers)) => Told::Answers(Box::new(answers)),
+                    Ok(None) => return,
+                    Err(error) => return drop(tell.send(Told::Error(error))),
+                };
+                if tell.send(next).is_err() {
+                    return;
+                }
+            }
+        });
+    }
+    told
+}
+
+/// The end of what the program writes to standard error, once it has closed it.
+fn overhear(child: &mut Child) -> Receiver<String> {
+    let (tell, told) = mpsc::sync_channel(1);
+    if let Some(mut stderr) = child.stderr.take() {
+        thread::spawn(move || {
+            let (mut end, mut part) = (Vec::new(), [0; STDERR]);
+            while let Ok(read @ 1..) = stderr.read(&mut part) {
+                end.extend_from_slice(&part[..read]);
+                end.drain(..end.len().saturating_sub(STDERR));
+            }
+            let text = String::from_utf8_lossy(&end);
+            let text = text.trim_end();
+            let told =
+                if text.is_empty() { String::new() } else { format!("\nIts standard error ends:\n{text}") };
+            // Nobody may be waiting for it.
+            if let Err(TrySendError::Full(_) | TrySendError::Disconnected(_)) = tell.try_send(told) {}
+        });
+    }
+    told
+}
+
+/// The status of a program that has closed its output; nothing if it does not end.
+fn wait(child: &mut Child) -> Option<ExitStatus> {
+    let start = Instant::now();
+    while start.elapsed() < GRACE {
+        if let Ok(Some(status)) = child.try_wait() {
+            return Some(status);
+        }
+        thread::sleep(Duration::from_millis(2));
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+    None
+}
+
+/// A command line in words; nothing if a quote is open.
+fn words(command: &str) -> Option<Vec<String>> {
+    let (mut words, mut word, mut quote) = (Vec::new(), None::<String>, None);
+    for c in command.chars() {
+        match (quote, c) {
+            (Some(open), c) if c == open => quote = None,
+            (Some(_), c) => word.get_or_insert_default().push(c),
+            (None, '"' | '\'') => {
+                quote = Some(c);
+                word.get_or_insert_default();
+            }
+            (None, c) if c.is_whitespace() => words.extend(word.take()),
+            (None, c) => word.get_or_insert_default().push(c),
+        }
+    }
+    words.extend(word);
+    quote.is_none().then_some(words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::words;
+
+    #[test]
+    fn quotes_keep_blanks() {
+        assert_eq!(words("a  'b c' d\"e f\"g ''").unwrap(), ["a", "b c", "de fg", ""]);
+        assert_eq!(words("a 'b"), None);
+        assert_eq!(words("  ").unwrap(), Vec::<String>::new());
+    }
+}

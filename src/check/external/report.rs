@@ -1,0 +1,202 @@
+//! What was found of all answers.
+
+use super::answers::Answers;
+use super::compare::{CaseFound, Judged, Judgement};
+use super::vectors::{Outcome, Vector};
+use crate::check::verdict::Order;
+use crate::linearization::Quantity;
+use std::collections::BTreeMap;
+
+/// Cases with a wrong number that are kept, to be explained.
+const KEPT: usize = 40;
+/// Of these, at most so many of each kind of pair.
+const OF_A_KIND: usize = 10;
+
+/// What was found of one part of a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartFound {
+    /// How many numbers were compared.
+    pub numbers: u64,
+    /// How many of these are right, but with fewer digits than can be attained.
+    pub losing: u64,
+    /// How many are wrong.
+    pub wrong: u64,
+    /// How many say nothing, as rounding explains more than a thousandth of their scale.
+    pub unclear: u64,
+    /// The number that comes closest to its tolerance, or exceeds it most.
+    pub worst: Judged,
+    /// Its case.
+    pub case: String,
+}
+
+/// The largest loss of digits in a regime.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loss {
+    /// The number.
+    pub judged: Judged,
+    /// Its case.
+    pub case: String,
+}
+
+impl Loss {
+    /// How many digits of those that can be attained are lost.
+    pub fn digits(&self) -> f64 {
+        (self.judged.loss / self.judged.attainable).log10()
+    }
+}
+
+/// What was found in a regime.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RegimeFound {
+    /// Cases that were compared.
+    pub compared: u64,
+    /// Of these, those with a wrong number.
+    pub wrong: u64,
+    /// Of these, those with a number that is right but loses digits.
+    pub losing: u64,
+    /// The largest loss among the numbers that are right.
+    pub loss: Option<Loss>,
+}
+
+/// The key of a part: order, quantity, and the name of the order, or residual or tangent.
+pub type PartKey = (Order, Quantity, &'static str);
+
+/// What was found of all answers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Cases.
+    pub vectors: u64,
+    /// Cases that were compared.
+    pub compared: u64,
+    /// Of these, those with a wrong number.
+    pub wrong: u64,
+    /// Of these, those at which the references disagree among themselves.
+    pub doubted: u64,
+    /// Cases without an answer.
+    pub missing: u64,
+    /// The first of them.
+    pub first_missing: Option<String>,
+    /// Answers that hold no number.
+    pub unanswered: u64,
+    /// Cases at whose closest point there is nothing to compare with, by reason.
+    pub degenerate: BTreeMap<&'static str, u64>,
+    /// By part.
+    pub parts: BTreeMap<PartKey, PartFound>,
+    /// By regime.
+    pub regimes: BTreeMap<String, RegimeFound>,
+    /// The first wrong case, with its first wrong number.
+    pub first: Option<(Vector, Answers, Judged)>,
+    /// Wrong cases by the first wrong part.
+    pub beginnings: BTreeMap<PartKey, u64>,
+    /// Cases to be explained, of as many kinds as there are.
+    pub kept: Vec<(Vector, Answers)>,
+}
+
+impl Report {
+    /// Adds a case that was not answered.
+    pub fn add_missing(&mut self, id: &str) {
+        self.vectors += 1;
+        self.missing += 1;
+        self.first_missing.get_or_insert_with(|| id.to_owned());
+    }
+
+    /// Adds what was found of a case.
+    pub fn add(&mut self, vector: Vector, answers: Answers, found: CaseFound) {
+        self.vectors += 1;
+        let (judged, is_doubted) = match found {
+            CaseFound::Degenerate(outcome) => {
+                let reason = match outcome {
+                    Outcome::Degenerate(reason) => reason.reason(),
+                    Outcome::NoProjection => "no closest point is known",
+                    Outcome::Valid => "valid",
+                };
+                *self.degenerate.entry(reason).or_default() += 1;
+                return;
+            }
+            CaseFound::Unanswered => {
+                self.unanswered += 1;
+                return;
+            }
+            CaseFound::Compared(judged, is_doubted) => (judged, is_doubted),
+        };
+        for one in &judged {
+            self.add_part(one, &vector.id);
+        }
+        let is = |wanted: Judgement| move |judged: &&Judged| judged.judgement == wanted;
+        if judged.iter().all(|judged| judged.judgement == Judgement::Unclear) {
+            *self.degenerate.entry("the rounding bound exceeds 1e-3 of a scale").or_default() += 1;
+            return;
+        }
+        self.compared += 1;
+        let regime = self.regimes.entry(vector.regime.clone()).or_default();
+        regime.compared += 1;
+        regime.losing += u64::from(judged.iter().any(|judged| is(Judgement::Loses)(&judged)));
+        for one in judged.iter().filter(is(Judgement::Loses)) {
+            let loss = Loss { judged: *one, case: vector.id.clone() };
+            if regime.loss.as_ref().is_none_or(|known| known.digits() < loss.digits()) {
+                regime.loss = Some(loss);
+            }
+        }
+        let Some(&first) = judged.iter().find(is(Judgement::Wrong)) else { return };
+        regime.wrong += 1;
+        self.wrong += 1;
+        self.doubted += u64::from(is_doubted);
+        *self.beginnings.entry(key(&first)).or_default() += 1;
+        self.keep(&vector, &answers);
+        self.first.get_or_insert((vector, answers, first));
+    }
+
+    fn add_part(&mut self, one: &Judged, case: &str) {
+        let new =
+            || PartFound { numbers: 0, losing: 0, wrong: 0, unclear: 0, worst: *one, case: case.to_owned() };
+        let part = self.parts.entry(key(one)).or_insert_with(new);
+        match one.judgement {
+            Judgement::Unclear => part.unclear += 1,
+            Judgement::Agrees => part.numbers += 1,
+            Judgement::Loses => (part.numbers, part.losing) = (part.numbers + 1, part.losing + 1),
+            Judgement::Wrong => (part.numbers, part.wrong) = (part.numbers + 1, part.wrong + 1),
+        }
+        let is_worse = one.comparison.over_tolerance() > part.worst.comparison.over_tolerance();
+        let was_unclear = part.worst.judgement == Judgement::Unclear;
+        if one.judgement != Judgement::Unclear && (is_worse || was_unclear) {
+            (part.worst, part.case) = (*one, case.to_owned());
+        }
+    }
+
+    fn keep(&mut self, vector: &Vector, answers: &Answers) {
+        let kind = |vector: &Vector| {
+            let is_end = |xi: f64| xi.abs() >= 1.0 - 1e-12;
+            let held = vector.point.map(|(xi, xi_bar)| [is_end(xi), is_end(xi_bar)]);
+            (vector.families().map(crate::test_beam::Family::is_linear), held)
+        };
+        let own = kind(vector);
+        let of_kind = self.kept.iter().filter(|(other, _)| kind(other) == own).count();
+        if self.kept.len() < KEPT && of_kind < OF_A_KIND {
+            self.kept.push((vector.clone(), answers.clone()));
+        }
+    }
+
+    /// Quantities of which nothing was answered at any case.
+    pub fn never_answered(&self) -> Vec<Quantity> {
+        let is_answered = |quantity: &Quantity| self.parts.keys().any(|(_, known, _)| known == quantity);
+        Quantity::ALL.into_iter().filter(|quantity| !is_answered(quantity)).collect()
+    }
+
+    /// Whether something was compared, and nothing is wrong.
+    pub fn agrees(&self) -> bool {
+        self.compared > 0 && self.wrong == 0
+    }
+
+    /// The part that is wrong first in most wrong cases; the earliest of those in the order of evaluation.
+    pub fn beginning(&self) -> Option<(PartKey, u64)> {
+        let most = self.beginnings.values().max()?;
+        self.beginnings.iter().find(|(_, count)| *count == most).map(|(key, count)| (*key, *count))
+    }
+}
+
+fn key(judged: &Judged) -> PartKey {
+    let comparison = &judged.comparison;
+    let is_of_element = matches!(comparison.part, "residual" | "tangent");
+    let name = if is_of_element { comparison.part } else { comparison.order.name() };
+    (comparison.order, comparison.quantity, name)
+}

@@ -1,0 +1,158 @@
+//! Cases for programs in any language, of the schema `beamgap-vectors/1`: JSON Lines, one head and then a case a line.
+//!
+//! A case is two beams with their dofs, two directions of variation, radii and reference parameters, and its closest
+//! point. It has two kinds of input. *Curves* (family, parameters, dofs) test the closest point too and allow gradients
+//! and Hessians. *Jets* (x, t, t_xi, t_xixi of both beams at the closest point, and their variations along both
+//! directions) serve programs with interpolations of their own. What is expected is written beside them, with the
+//! largest difference that rounding explains; whoever checks answers computes it anew and does not read it.
+
+mod read;
+mod write;
+
+pub use read::VectorReader;
+pub(super) use read::{find, id, schema};
+pub use write::{Expected, VectorWriter};
+pub(super) use write::{key, quoted};
+
+use super::error::Place;
+use crate::check::draw::Case;
+use crate::check::evaluation_point::EvaluationPoint;
+use crate::check::verdict::Inconclusive;
+use crate::check::{CaseData, Regime};
+use crate::closest_point::{ClosestPoint, Search, closest_points};
+use crate::test_beam::Family;
+
+/// The schema.
+pub const VECTORS: &str = "beamgap-vectors/1";
+
+/// A case with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vector {
+    /// Its name: that of the answers to it.
+    pub id: String,
+    /// The regime that it was drawn in, or any other word.
+    pub regime: String,
+    /// The beams.
+    pub case: CaseData,
+    /// The parameters of its closest point, as written; they choose among several.
+    pub point: Option<(f64, f64)>,
+    /// Where it was read.
+    pub place: Option<Place>,
+}
+
+/// What became of the closest point of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It has derivatives.
+    Valid,
+    /// It has none that could be compared.
+    Degenerate(Inconclusive),
+    /// There is none.
+    NoProjection,
+}
+
+impl Outcome {
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Valid => "valid",
+            Self::Degenerate(_) => "degenerate",
+            Self::NoProjection => "no-projection",
+        }
+    }
+}
+
+/// Which cases are drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// The seed.
+    pub seed: u64,
+    /// The regimes, not empty.
+    pub regimes: Vec<Regime>,
+    /// The families; all ordered pairs of them alternate.
+    pub families: Vec<Family>,
+    /// How many cases of each regime.
+    pub cases: u64,
+    /// Whether the radii are so large that the surfaces penetrate.
+    pub penetrating: bool,
+}
+
+impl Drawing {
+    /// How many cases there are.
+    pub fn count(&self) -> u64 {
+        self.cases * self.regimes.len() as u64
+    }
+
+    /// A case, by its number: regimes alternate, and pairs of families within each.
+    pub fn vector(&self, number: u64) -> Vector {
+        let (regimes, families) = (self.regimes.len() as u64, self.families.len() as u64);
+        let of = |i: u64| usize::try_from(i).unwrap_or(0);
+        let regime = self.regimes[of(number % regimes)];
+        let turn = number / regimes;
+        let pair = [turn / families % families, turn % families].map(|i| self.families[of(i)]);
+        let mut vector = Vector {
+            id: number.to_string(),
+            regime: regime.name().to_owned(),
+            case: Case::of(self.seed, number, regime, pair).data(),
+            point: None,
+            place: None,
+        };
+        if let Some(point) = vector.closest_point() {
+            vector.point = Some((point.xi, point.xi_bar));
+            if self.penetrating {
+                let radius = 0.625 * point.distance;
+                (vector.case.contact.radius, vector.case.contact.radius_bar) = (radius, radius);
+            }
+        }
+        // As exact as the check knows them.
+        if let Ok(at) = vector.evaluated(|evaluation| (evaluation.at.0.value, evaluation.at.1.value)) {
+            vector.point = Some(at);
+        }
+        vector
+    }
+}
+
+impl Vector {
+    /// The closest point of all, or that next to the parameters that are given.
+    fn closest_point(&self) -> Option<ClosestPoint> {
+        let beams = self.case.beams().ok()?;
+        let minima = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?.minima;
+        let away = |point: &ClosestPoint| match self.point {
+            Some((xi, xi_bar)) => (point.xi - xi).abs().max((point.xi_bar - xi_bar).abs()),
+            None => point.distance,
+        };
+        let point = minima.into_iter().min_by(|one, two| away(one).total_cmp(&away(two)))?;
+        (self.point.is_none() || away(&point) <= NEAR).then_some(point)
+    }
+
+    /// What `f` makes of the closest point; or why there is nothing to be made of it.
+    pub(in crate::check) fn evaluated<R>(
+        &self,
+        f: impl FnOnce(EvaluationPoint<'_>) -> R,
+    ) -> Result<R, Outcome> {
+        let beams = self.case.beams().map_err(|_| Outcome::NoProjection)?;
+        let point = self.closest_point().ok_or(Outcome::NoProjection)?;
+        let evaluation =
+            EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.case.contact, &point);
+        evaluation.map(f).map_err(Outcome::Degenerate)
+    }
+
+    /// What became of its closest point.
+    pub fn outcome(&self) -> Outcome {
+        self.evaluated(|_| Outcome::Valid).unwrap_or_else(|outcome| outcome)
+    }
+
+    /// Both directions, over the dofs of both beams.
+    pub fn directions(&self) -> [Vec<f64>; 2] {
+        let [beam, bar] = &self.case.test_beams;
+        [[&beam.dq[..], &bar.dq].concat(), [&beam.linear_dq[..], &bar.linear_dq].concat()]
+    }
+
+    /// The families of beam and bar beam.
+    pub fn families(&self) -> [Family; 2] {
+        self.case.test_beams.each_ref().map(|beam| beam.family)
+    }
+}
+
+/// How far the parameters of a closest point may be from those that are written.
+const NEAR: f64 = 1e-5;

@@ -1,0 +1,92 @@
+//! `beamgap explain`: which term is wrong in the answers of a program; and how well such explanations are.
+
+use super::answered::{cause, verdict};
+use super::arguments::{seed, work_with};
+use super::exit::Exit;
+use super::export::source;
+use super::output::Output;
+use super::verify::Verified;
+use beamgap::check::external::{AnswerReader, Demands, Matching, VectorReader, explain, other_conventions};
+use beamgap::report;
+use clap::{Args, value_parser};
+use std::path::PathBuf;
+
+/// The arguments.
+#[derive(Args)]
+#[command(after_help = Exit::help())]
+pub(crate) struct Explain {
+    /// The cases that `beamgap export` wrote, or - for standard input
+    #[arg(value_name = "VECTORS", required_unless_present = "catalogue")]
+    vectors: Option<PathBuf>,
+    /// The answers, as JSON Lines or CSV, or - for standard input
+    #[arg(value_name = "ANSWERS", required_unless_present = "catalogue")]
+    answers: Option<PathBuf>,
+    /// The significant digits that the answers have, if these are few
+    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=15))]
+    digits: Option<u8>,
+    /// Measure instead how many faults of the catalogue are named, and write explain.json and explain.md
+    #[arg(long, conflicts_with_all = ["vectors", "answers", "digits"])]
+    catalogue: bool,
+    /// The directory to write them to
+    #[arg(long, value_name = "DIR", default_value = "reports", requires = "catalogue")]
+    to: PathBuf,
+    /// Seed of the cases of --catalogue, decimal or 0x-hexadecimal
+    #[arg(long, default_value = "0x5eed", value_parser = seed, requires = "catalogue")]
+    seed: u64,
+    /// How many threads work; the result is the same [default: all cores]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+impl Explain {
+    /// Explains, or measures explanations.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        work_with(self.threads)?;
+        let (Some(vectors), Some(answers)) = (&self.vectors, &self.answers) else {
+            return self.measure();
+        };
+        let (from, name) = source(vectors)?;
+        let mut vectors = VectorReader::new(from, &name)?;
+        let (from, command) = source(answers)?;
+        let mut answers = AnswerReader::new(from, &command)?;
+        let demands = Demands { conventions: *answers.conventions(), digits: self.digits };
+        let mut matching = Matching::new(demands, 4096);
+        while let Some(answers) = answers.next_answers()? {
+            matching.take(answers, || vectors.next_vector())?;
+        }
+        let report = matching.finish(|| vectors.next_vector())?;
+        let verified = Verified { report, demands, command };
+        let (exit, words) = verdict(&verified);
+        let mut text = String::new();
+        if exit == Exit::Disagree {
+            let kept = &verified.report.kept;
+            text = match other_conventions(kept, &demands) {
+                Some(words) => {
+                    format!("The answers agree if {words}.\nState it in the head of the answers.\n")
+                }
+                None => explain(kept, &demands).map(|explanation| cause(&explanation)).unwrap_or_default(),
+            };
+        }
+        Output::Standard.write(&(text + &words + "\n"), "")?;
+        Ok(exit)
+    }
+
+    fn measure(&self) -> anyhow::Result<Exit> {
+        let command = "cargo run --release -- explain --catalogue";
+        let record = report::explain(&self.to, self.seed, command)?;
+        let mut text = String::new();
+        for program in &record.programs {
+            let counts: Vec<_> =
+                program.counts.iter().map(|of| format!("{} {}", of.naming, of.faults)).collect();
+            text += &format!("{}\n  {}\n", program.answers, counts.join(", "));
+        }
+        let holds = record.programs.iter().all(report::ExplainProgram::holds);
+        let words = if holds {
+            "EXPLAINED: every fault that shows is named."
+        } else {
+            "NOT EXPLAINED: some faults are not named."
+        };
+        Output::Standard.write(&(text + words + "\n"), "")?;
+        Ok(if holds { Exit::Agree } else { Exit::Untrusted })
+    }
+}

@@ -1,0 +1,245 @@
+//! `beamgap export`, `beamgap schema`, `beamgap evaluate`: cases for other programs, and the library's own answers.
+
+use super::arguments::{families, regimes, seed, variant};
+use super::exit::Exit;
+use anyhow::Context;
+use beamgap::check::external::{
+    ANSWERS, Drawing, Evaluator, Expected, Formulas, VECTORS, VectorReader, VectorWriter,
+};
+use beamgap::check::{Family, Regime};
+use clap::{Args, ValueEnum, value_parser};
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// The JSON Schemas, by name.
+const SCHEMAS: [(&str, &str); 2] =
+    [(VECTORS, include_str!("schema/vectors.json")), (ANSWERS, include_str!("schema/answers.json"))];
+/// Cases that are made at a time.
+const AT_ONCE: u64 = 32;
+
+/// The arguments of `export`.
+#[derive(Args)]
+#[command(after_help = Exit::help())]
+pub(crate) struct Export {
+    /// Seed of the random pairs, decimal or 0x-hexadecimal
+    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    seed: u64,
+    /// How many cases of each regime
+    #[arg(long, value_name = "N", default_value = "11", allow_negative_numbers = true)]
+    #[arg(value_parser = value_parser!(u64).range(1..=10_000_000))]
+    cases: u64,
+    /// Only this family; may be repeated, and then all pairs of those named
+    #[arg(long, value_parser = families())]
+    family: Vec<Family>,
+    /// Only this regime; may be repeated
+    #[arg(long, value_parser = regimes())]
+    regime: Vec<Regime>,
+    /// What is written beside each case: nothing, values and variations, or gradients and Hessians too
+    #[arg(long, value_enum, default_value_t = Beside::Variations)]
+    expected: Beside,
+    /// Write numbers as hexadecimal strings, as C's %a prints them
+    #[arg(long)]
+    hex: bool,
+    /// Choose radii so large that the surfaces penetrate, for contact elements
+    #[arg(long)]
+    penetrating: bool,
+    /// Write to this file, and not to standard output
+    #[arg(long, short, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Beside {
+    None,
+    Variations,
+    All,
+}
+
+impl Export {
+    /// Draws and writes the cases.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        let named = |family: &Family| self.family.is_empty() || self.family.contains(family);
+        let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
+        let drawing = Drawing {
+            seed: self.seed,
+            regimes: Regime::ALL.into_iter().filter(asked).collect(),
+            families: Family::ALL.into_iter().filter(named).collect(),
+            cases: self.cases,
+            penetrating: self.penetrating,
+        };
+        let expected = match self.expected {
+            Beside::None => Expected::None,
+            Beside::Variations => Expected::Variations,
+            Beside::All => Expected::All,
+        };
+        let writer = VectorWriter { hex: self.hex, expected };
+        let mut sink = Sink::open(self.output.as_deref())?;
+        sink.line(&writer.head(&drawing))?;
+        let mut start = 0;
+        while start < drawing.count() && !sink.is_closed {
+            let end = drawing.count().min(start + AT_ONCE);
+            let numbers: Vec<u64> = (start..end).collect();
+            let line = |&number: &u64| writer.line(&drawing.vector(number));
+            let lines: Vec<String> = numbers.par_iter().map(line).collect();
+            lines.iter().try_for_each(|line| sink.line(line))?;
+            start = end;
+        }
+        sink.finish()?;
+        Ok(Exit::Agree)
+    }
+}
+
+/// The arguments of `schema`.
+#[derive(Args)]
+pub(crate) struct Schema {
+    /// Of the cases or of the answers
+    #[arg(value_enum, default_value_t = Of::Vectors)]
+    of: Of,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Of {
+    Vectors,
+    Answers,
+}
+
+impl Schema {
+    /// Prints the schema.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        let mut sink = Sink::open(None)?;
+        sink.line(SCHEMAS[self.of as usize].1.trim_end())?;
+        sink.finish()?;
+        Ok(Exit::Agree)
+    }
+}
+
+/// The arguments of `evaluate`.
+#[derive(Args)]
+#[command(after_help = Exit::help())]
+pub(crate) struct Evaluate {
+    /// The cases, or - for standard input
+    #[arg(value_name = "VECTORS", default_value = "-")]
+    vectors: PathBuf,
+    /// Inject this fault; may be repeated (see `beamgap faults --list`)
+    #[arg(long, value_name = "FAULT")]
+    plant: Vec<String>,
+    /// By which formulas: those that keep the most digits, the paper's, or the normal and the cross products
+    #[arg(long, value_enum, default_value_t = By::Chosen)]
+    formulas: By,
+    /// Also answer residual and tangent of a contact element with this penalty stiffness
+    #[arg(long, value_name = "STIFFNESS", value_parser = positive)]
+    penalty: Option<f64>,
+    /// Write numbers as hexadecimal strings, as C's %a prints them
+    #[arg(long, conflicts_with = "digits")]
+    hex: bool,
+    /// Write so many significant digits, and not all
+    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=17))]
+    digits: Option<u8>,
+    /// Write to this file, and not to standard output
+    #[arg(long, short, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum By {
+    Chosen,
+    Paper,
+    Robust,
+}
+
+/// A positive number.
+pub(super) fn positive(text: &str) -> Result<f64, String> {
+    let number = beamgap::check::external::parse(text).ok().filter(|x| x.is_finite() && *x > 0.0);
+    number.ok_or_else(|| "expected a positive number".into())
+}
+
+impl Evaluate {
+    /// Answers case by case, each before the next is read.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        let evaluator = Evaluator {
+            variant: variant(&self.plant)?,
+            formulas: match self.formulas {
+                By::Chosen => Formulas::Chosen,
+                By::Paper => Formulas::Paper,
+                By::Robust => Formulas::Robust,
+            },
+            penalty: self.penalty,
+            writer: VectorWriter { hex: self.hex, expected: Expected::None },
+            digits: self.digits.map(usize::from),
+        };
+        let (from, name) = source(&self.vectors)?;
+        let mut vectors = VectorReader::new(from, &name)?;
+        let mut sink = Sink::open(self.output.as_deref())?;
+        sink.line(&evaluator.head())?;
+        sink.flush()?;
+        while let Some(vector) = vectors.next_vector()? {
+            if sink.is_closed {
+                break;
+            }
+            sink.line(&evaluator.line(&vector))?;
+            if self.output.is_none() {
+                sink.flush()?;
+            }
+        }
+        sink.finish()?;
+        Ok(Exit::Agree)
+    }
+}
+
+/// A file, or standard input for `-`, with its name for messages.
+pub(super) fn source(path: &Path) -> anyhow::Result<(Box<dyn BufRead + Send>, String)> {
+    if path == Path::new("-") {
+        return Ok((Box::new(BufReader::new(io::stdin())), "standard input".into()));
+    }
+    let name = path.display().to_string();
+    let file = File::open(path).with_context(|| format!("cannot read {name}"))?;
+    Ok((Box::new(BufReader::with_capacity(1 << 16, file)), name))
+}
+
+/// Standard output or a file, line by line. A reader that has seen enough closes the pipe: no error.
+pub(super) struct Sink {
+    to: Box<dyn Write>,
+    name: String,
+    is_closed: bool,
+}
+
+impl Sink {
+    pub(super) fn open(path: Option<&Path>) -> anyhow::Result<Self> {
+        let (to, name): (Box<dyn Write>, _) = match path {
+            None => (Box::new(BufWriter::new(io::stdout())), "standard output".into()),
+            Some(path) => {
+                let name = path.display().to_string();
+                let file = File::create(path).with_context(|| format!("cannot write {name}"))?;
+                (Box::new(BufWriter::new(file)), name)
+            }
+        };
+        Ok(Self { to, name, is_closed: false })
+    }
+
+    pub(super) fn line(&mut self, line: &str) -> anyhow::Result<()> {
+        let written = self.to.write_all(line.as_bytes()).and_then(|()| self.to.write_all(b"\n"));
+        self.told(written)
+    }
+
+    fn flush(&mut self) -> anyhow::Result<()> {
+        let written = self.to.flush();
+        self.told(written)
+    }
+
+    pub(super) fn finish(mut self) -> anyhow::Result<()> {
+        self.flush()
+    }
+
+    fn told(&mut self, written: io::Result<()>) -> anyhow::Result<()> {
+        match written {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                self.is_closed = true;
+                Ok(())
+            }
+            Err(error) => Err(error).with_context(|| format!("cannot write {}", self.name)),
+            Ok(()) => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! `beamgap verify`: the answers of a program in any language, from a file or from the program itself.
+
+use super::answered;
+use super::arguments::{Format, work_with};
+use super::exit::Exit;
+use super::export::source;
+use super::output::Output;
+use anyhow::anyhow;
+use beamgap::check::external::{
+    AnswerReader, Conventions, Demands, Matching, ProcessError, Report, Runner, VectorReader,
+};
+use clap::{Args, value_parser};
+use std::io::{IsTerminal, Write};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// The arguments.
+#[derive(Args)]
+#[command(after_help = Exit::help())]
+pub(crate) struct Verify {
+    /// The cases that `beamgap export` wrote, or - for standard input
+    #[arg(value_name = "VECTORS")]
+    vectors: PathBuf,
+    /// The answers, as JSON Lines or CSV, or - for standard input
+    #[arg(value_name = "ANSWERS", required_unless_present = "run", conflicts_with = "run")]
+    answers: Option<PathBuf>,
+    /// Run this program with its arguments: it gets the cases on standard input and answers on standard output
+    #[arg(long, value_name = "COMMAND")]
+    run: Option<String>,
+    /// How long the program may take for an answer
+    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = value_parser!(u32).range(1..))]
+    #[arg(requires = "run")]
+    time_out: u32,
+    /// How many cases may be open: sent and not yet answered, or answered out of order
+    #[arg(long, value_name = "N", default_value = "4096", value_parser = value_parser!(u32).range(1..=1_000_000))]
+    look_ahead: u32,
+    /// Ask for so many significant digits, wherever they are attainable [default: those that a careful evaluation of the
+    /// textbook formulas keeps]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=15))]
+    digits: Option<u8>,
+    /// Tables for people, or one document for programs
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Write the result to this file, and only the verdict to standard output
+    #[arg(long, value_name = "PATH")]
+    output: Option<PathBuf>,
+    /// Do not look for the wrong term
+    #[arg(long)]
+    no_explanation: bool,
+    /// How many threads compare; the result is the same [default: all cores]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+/// What was found, and how it was asked for.
+pub(super) struct Verified {
+    pub(super) report: Report,
+    pub(super) demands: Demands,
+    pub(super) command: String,
+}
+
+impl Verify {
+    /// Compares and writes the result.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        let output = Output::open(self.output.as_deref())?;
+        work_with(self.threads)?;
+        let mut failed = None;
+        let verified = match self.verified() {
+            Ok(verified) => verified,
+            // What it answered before it failed is shown first.
+            Err(error) => match error.downcast::<ProcessError>()? {
+                ProcessError::Failed { program, status, answered, stderr, mut report }
+                    if report.compared > 0 =>
+                {
+                    let found = std::mem::take(&mut *report);
+                    failed =
+                        Some(anyhow!(ProcessError::Failed { program, status, answered, stderr, report }));
+                    self.of(found, Conventions::default())
+                }
+                other => return Err(other.into()),
+            },
+        };
+        let (exit, words) = answered::verdict(&verified);
+        let explain = !self.no_explanation && exit == Exit::Disagree;
+        match self.format {
+            // The tables first: an explanation takes seconds.
+            Format::Human if self.output.is_none() => {
+                Output::Standard.write(&answered::human(&verified), "")?;
+                let explanation = if explain { answered::explained(&verified) } else { String::new() };
+                Output::Standard.write(&(explanation + &words + "\n"), "")?;
+            }
+            Format::Human => {
+                let explanation = if explain { answered::explained(&verified) } else { String::new() };
+                let document = answered::human(&verified) + &explanation + &words + "\n";
+                output.write(&document, &(words + "\n"))?;
+            }
+            Format::Json => output.write(&answered::json(&verified, &words, explain)?, &(words + "\n"))?,
+        }
+        match failed {
+            Some(error) if exit == Exit::Agree => Err(error),
+            Some(error) => {
+                eprintln!("error: {error:#}");
+                Ok(exit)
+            }
+            None => Ok(exit),
+        }
+    }
+
+    fn of(&self, report: Report, conventions: Conventions) -> Verified {
+        let from = self.answers.as_ref().map(|path| path.display().to_string());
+        let from = from.or_else(|| self.run.clone()).unwrap_or_default();
+        Verified { report, demands: Demands { conventions, digits: self.digits }, command: from }
+    }
+
+    fn verified(&self) -> anyhow::Result<Verified> {
+        let (from, name) = source(&self.vectors)?;
+        let vectors = VectorReader::new(from, &name)?;
+        let look_ahead = usize::try_from(self.look_ahead)?;
+        let mut progress = Progress::new();
+        if let Some(command) = &self.run {
+            let time_out = Duration::from_secs(self.time_out.into());
+            let runner = Runner { command: command.clone(), time_out, look_ahead, digits: self.digits };
+            let (report, conventions) = runner.run(vectors, |report| progress.show(report))?;
+            progress.end();
+            return Ok(self.of(report, conventions));
+        }
+        let Some(path) = &self.answers else { return Err(anyhow!("answers expected")) };
+        let (from, name) = source(path)?;
+        let mut answers = AnswerReader::new(from, &name)?;
+        let conventions = *answers.conventions();
+        let mut vectors = vectors;
+        let mut matching = Matching::new(Demands { conventions, digits: self.digits }, look_ahead);
+        while let Some(answers) = answers.next_answers()? {
+            matching.take(answers, || vectors.next_vector())?;
+            progress.show(matching.report());
+        }
+        let report = matching.finish(|| vectors.next_vector())?;
+        progress.end();
+        Ok(self.of(report, conventions))
+    }
+}
+
+/// How many cases were compared, on a terminal, ten times a second.
+struct Progress {
+    last: Instant,
+    is_shown: bool,
+}
+
+impl Progress {
+    fn new() -> Self {
+        Self { last: Instant::now(), is_shown: false }
+    }
+
+    fn show(&mut self, report: &Report) {
+        if self.last.elapsed() < Duration::from_millis(100) || !std::io::stderr().is_terminal() {
+            return;
+        }
+        (self.last, self.is_shown) = (Instant::now(), true);
+        // A closed stderr is no reason to stop.
+        let _ = write!(std::io::stderr(), "\r{} cases compared, {} wrong", report.compared, report.wrong);
+    }
+
+    fn end(&self) {
+        if self.is_shown {
+            let _ = writeln!(std::io::stderr());
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! The variations of the parameters: the two-by-two system of the orthogonality conditions, solved twice.
+
+use super::FirstOrder;
+use crate::linearization::closed_form::{PartialVariations, Projection};
+use crate::number::{Real, named};
+use nalgebra::Vector3;
+
+/// (δξ, δξ̄), from the variations `u` at fixed parameters of the beam and of the bar beam.
+///
+/// Replace δ by Δ for (Δξ, Δξ̄).
+#[inline]
+#[doc(alias = "Eq. (44)")]
+#[doc(alias = "Eq. (48)")]
+#[doc(alias = "Eq. (49)")]
+#[doc(alias = "Eq. (52)")]
+pub fn delta_xi<T: Real>(
+    [beam, bar]: [&PartialVariations<T>; 2],
+    [u, u_bar]: [&[Vector3<T>; 3]; 2],
+    u_hat: &Vector3<T>,
+    d: &Vector3<T>,
+    projection: &Projection<T>,
+) -> (T, T) {
+    // Eq. (44), (50): R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   Eq. (49) corrected in its second row
+    let r = -named("R: du,xi.d", u[1].dot(d));
+    let r_bar = -named("R_bar: du_bar,xi.d", u_bar[1].dot(d));
+    let Some(cross_products) = projection.cross_products else {
+        let r = r - named("R: du_hat.t", u_hat.dot(&beam.geometry.t));
+        let r_bar = r_bar - named("R_bar: du_hat.t_bar", u_hat.dot(&bar.geometry.t));
+        return projection.solve(r, r_bar);
+    };
+    let (xi, xi_bar) = projection.solve(r, r_bar);
+    let [along, along_bar] = cross_products.u.map(|u| u.dot(u_hat));
+    (xi + named("dxi: u.du_hat", along), xi_bar + named("dxi_bar: u_bar.du_hat", along_bar))
+}
+
+/// (Δδξ, Δδξ̄), from the first variations along delta and Delta, and from what of Δδx and Δδt holds no Δδξ.
+#[inline]
+#[doc(alias = "Eq. (47)")]
+#[doc(alias = "Eq. (53)")]
+#[doc(alias = "Eq. (54)")]
+#[doc(alias = "Eq. (59)")]
+pub fn second_xi<T: Real>(
+    [beam, bar]: [&PartialVariations<T>; 2],
+    [delta, linear]: [&FirstOrder<T>; 2],
+    [(rest_x, rest_t), (rest_x_bar, rest_t_bar)]: [&(Vector3<T>, Vector3<T>); 2],
+    d: &Vector3<T>,
+    projection: &Projection<T>,
+) -> (T, T) {
+    // Eq. (47), (53), (54): the part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which the paper never
+    // gives: R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
+    let rest_d = named("R2: rest of Dd x", *rest_x) - named("R2: rest of Dd x_bar", *rest_x_bar);
+    let r = -(named("R2: dd.Dt", delta.d.dot(&linear.beam.t))
+        + named("R2: Dd.dt", linear.d.dot(&delta.beam.t)))
+        - named("R2: d.rest", d.dot(rest_t));
+    let r_bar = -(named("R2_bar: dd.Dt_bar", delta.d.dot(&linear.bar.t))
+        + named("R2_bar: Dd.dt_bar", linear.d.dot(&delta.bar.t)))
+        - named("R2_bar: d.rest", d.dot(rest_t_bar));
+    // Eq. (55), (59); its twin Eq. (56) lacks a bar
+    let Some(cross_products) = projection.cross_products else {
+        let r = r - named("R2: t.rest", rest_d.dot(&beam.geometry.t));
+        let r_bar = r_bar - named("R2_bar: t_bar.rest", rest_d.dot(&bar.geometry.t));
+        return projection.solve(r, r_bar);
+    };
+    let (xi, xi_bar) = projection.solve(r, r_bar);
+    let [along, along_bar] = cross_products.u.map(|u| u.dot(&rest_d));
+    (xi + named("Ddxi: u.rest", along), xi_bar + named("Ddxi_bar: u_bar.rest", along_bar))
+}

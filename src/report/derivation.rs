@@ -1,0 +1,14 @@
+//! The page of the derivation: the story, every equation with its numbers and its code, and figures.
+//!
+//! The numbers come from records, the code from the source, the prose from text files beside this one.
+
+mod equation;
+mod figures;
+mod math;
+mod page;
+mod record;
+mod source;
+mod symbols;
+mod text;
+
+pub use record::{ByHand, Derivation, DifferenceRow, NewtonRun};

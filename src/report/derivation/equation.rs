@@ -1,0 +1,238 @@
+//! One equation on the page: what it says, why, the lines that compute it, its numbers and its verdict.
+
+use super::source::{Snippet, of_equation};
+use super::symbols;
+use super::text::{escaped, formula, inline};
+use crate::equations::{EquationRow, Order, Reading, Verdict, Worked, WorkedPart, WorkedReading};
+use crate::report::number::count;
+use std::fmt::Write;
+
+/// The prose about one equation.
+pub(super) struct Note<'a> {
+    /// The whole of what is right, where the record has only what differs from the print.
+    statement: Option<&'a str>,
+    /// Why it holds.
+    why: &'a str,
+    /// What is wrong with the print.
+    wrong: Option<&'a str>,
+}
+
+impl<'a> Note<'a> {
+    /// The notes by number: `## 40`, then `= LaTeX`, prose, and `! what is wrong`, each a paragraph.
+    pub(super) fn all(text: &'a str) -> Result<Vec<(u8, Self)>, String> {
+        let mut notes = Vec::new();
+        for note in text.split("\n## ").skip(1) {
+            let (number, rest) = note.split_once('\n').ok_or("a note is empty")?;
+            let number = number.trim().parse().map_err(|_| format!("{number:?} is no number"))?;
+            let mut found = Self { statement: None, why: "", wrong: None };
+            for part in rest.split("\n\n").map(str::trim).filter(|part| !part.is_empty()) {
+                if let Some(latex) = part.strip_prefix("= ") {
+                    found.statement = Some(latex);
+                } else if let Some(wrong) = part.strip_prefix("! ") {
+                    found.wrong = Some(wrong);
+                } else {
+                    found.why = part;
+                }
+            }
+            if found.why.is_empty() {
+                return Err(format!("({number}) has no explanation"));
+            }
+            notes.push((number, found));
+        }
+        Ok(notes)
+    }
+}
+
+/// The card of one equation.
+pub(super) fn card(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Result<String, String> {
+    let number = row.number;
+    let statement = match (note.statement, row.verdict, &row.corrected) {
+        (Some(latex), _, _) => latex,
+        (None, Verdict::Misprint | Verdict::NotInTheScan, Some(latex)) => latex,
+        _ => &row.printed,
+    };
+    let mut card = format!(
+        "<section class=\"equation\" id=\"eq-{number}\">\n<h3>({number}) {} <span class=\"verdict {}\">{}</span></h3>\n",
+        inline(&row.says)?,
+        if row.verdict == Verdict::Misprint { "bad" } else { "good" },
+        row.verdict.words(),
+    );
+    card += &formula(statement)?;
+    let _ = writeln!(card, "<p class=\"letters\">Letters: {}</p>", symbols::used(statement)?);
+    let _ = writeln!(card, "<p>{}</p>", inline(note.why)?);
+    if row.verdict == Verdict::ExactIfLinear {
+        let _ = writeln!(card, "<p>{}</p>", inline(&dropped(row))?);
+    }
+    card += &code(&of_equation(number)?, number)?;
+    card += &numbers(worked);
+    card += &evidence(row)?;
+    if row.verdict == Verdict::Misprint {
+        card += &misprint(row, note, worked)?;
+    }
+    Ok(card + "</section>\n")
+}
+
+/// What is said of an equation that drops the terms of curves that are not linear in their dofs.
+fn dropped(row: &EquationRow) -> String {
+    let worst =
+        row.as_printed.errors[1].map_or_else(|| "not finite".to_owned(), |error| format!("{error:.1e}"));
+    format!(
+        "The print drops the terms $\\Delta_u\\delta_u$, which vanish if the curve is linear in its dofs. For other curves \
+         the error of the print is up to {worst} of the size of its terms; the code keeps these terms."
+    )
+}
+
+/// The lines of the source.
+fn code(snippet: &Snippet, number: u8) -> Result<String, String> {
+    let Snippet { file, item, owner, code } = snippet;
+    let place = format!(
+        "<a href=\"../src/{file}\"><code>{}</code></a>, <code>{}</code>",
+        escaped(file),
+        escaped(item)
+    );
+    if code.is_empty() {
+        return Ok(format!("<p class=\"place\">In the code: {place}.</p>\n"));
+    }
+    if *owner != number {
+        return Ok(format!(
+            "<p class=\"place\">In the code: {place}; the lines are shown at {}.</p>\n",
+            inline(&format!("({owner})"))?
+        ));
+    }
+    Ok(format!(
+        "<p class=\"place\">In the code: {place}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n",
+        escaped(code)
+    ))
+}
+
+/// The reading that is right: the last of print, correction and completion.
+fn right(part: &WorkedPart) -> Option<&WorkedReading> {
+    let of = |reading| part.readings.iter().find(|run| run.reading == reading);
+    of(Reading::Complete).or_else(|| of(Reading::Corrected)).or_else(|| of(Reading::Printed))
+}
+
+/// The largest number of a part, that zeros are compared with.
+const ORDER_ONE: f64 = 1.0;
+
+/// The table of the standard case.
+fn numbers(worked: &Worked) -> String {
+    let mut rows = String::new();
+    for part in &worked.parts {
+        let Some(reading) = right(part) else { continue };
+        let order = match part.order {
+            Order::Value => "value",
+            Order::First => "first variation",
+            Order::Second => "second variation",
+            Order::Finite => "finite increments",
+        };
+        let name = if part.name.is_empty() { order } else { &part.name };
+        let _ = writeln!(
+            rows,
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td class=\"digits\">{}</td></tr>",
+            escaped(name),
+            values(&reading.right),
+            values(&reading.left),
+            agreement(reading),
+        );
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"numbers of ({})\"><table><thead><tr><th scope=\"col\">\
+         standard case</th><th scope=\"col\">this formula</th><th scope=\"col\">hyper-dual numbers</th>\
+         <th scope=\"col\">digits</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n",
+        worked.number
+    )
+}
+
+/// How many digits agree.
+fn agreement(reading: &WorkedReading) -> String {
+    let digits = reading.digits(ORDER_ONE);
+    // Beyond this the digits depend on the machine.
+    if digits >= 13.0 { "13 or more".to_owned() } else { format!("{digits:.1}") }
+}
+
+/// Up to three numbers.
+fn values(numbers: &[f64]) -> String {
+    let shown = numbers.iter().take(3).map(|&x| number(x)).collect::<Vec<_>>().join(", ");
+    if numbers.len() > 3 { shown + ", .." } else { shown }
+}
+
+/// A number with ten decimals; rounding errors of zero are zero.
+pub(super) fn number(x: f64) -> String {
+    let text = format!("{x:.10}");
+    let text = if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { "0" } else { &text };
+    text.replace('-', "−")
+}
+
+/// What the runs over all pairs say.
+fn evidence(row: &EquationRow) -> Result<String, String> {
+    let total = row.as_corrected.linear.total() + row.as_corrected.nonlinear.total();
+    if total == 0 {
+        return Ok(format!(
+            "<p class=\"evidence\">Verdict: {}. {}</p>\n",
+            row.verdict.words(),
+            inline(&row.remark)?
+        ));
+    }
+    let equal = row.as_corrected.linear.equal + row.as_corrected.nonlinear.equal;
+    let what = if row.verdict == Verdict::Misprint || row.verdict == Verdict::ExactIfLinear {
+        "As corrected and completed, the equation"
+    } else {
+        "The equation"
+    };
+    let symmetric = row.parts.iter().filter_map(|part| part.corrected()?.symmetry()).next_back();
+    let symmetry = symmetric.map_or_else(String::new, |symmetry| {
+        format!(" With $\\delta$ and $\\Delta$ exchanged it is symmetric {}.", symmetry.words())
+    });
+    Ok(format!(
+        "<p class=\"evidence\">Verdict: {}. {what} is equal to hyper-dual numbers in {} of {} draws over a prime field, where \
+         nothing is rounded.{}</p>\n",
+        row.verdict.words(),
+        count(equal),
+        count(total),
+        inline(&symmetry)?
+    ))
+}
+
+/// What is printed, and the numbers that refute it.
+fn misprint(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Result<String, String> {
+    let wrong = note.wrong.ok_or_else(|| format!("nothing is said of the misprint of ({})", row.number))?;
+    let mut text = format!(
+        "<div class=\"misprint\">\n<h4>What is printed</h4>\n{}<p>{}</p>\n",
+        formula(&row.printed)?,
+        inline(wrong)?
+    );
+    let mut rows = String::new();
+    for (part, run_part) in worked.parts.iter().zip(&row.parts) {
+        let refuted = run_part
+            .runs
+            .iter()
+            .zip(&part.readings)
+            .filter(|(run, reading)| reading.reading == Reading::Printed && run.score.linear.refuted > 0);
+        for (run, reading) in refuted {
+            let words = [part.name.as_str(), reading.words.as_str()];
+            let words: Vec<&str> = words.into_iter().filter(|words| !words.is_empty()).collect();
+            let _ = writeln!(
+                rows,
+                "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{} of {}</td></tr>",
+                escaped(if words.is_empty() { "as printed".to_owned() } else { words.join(": ") }.as_str()),
+                values(&reading.right),
+                values(&reading.left),
+                count(run.score.linear.refuted),
+                count(run.score.linear.total()),
+            );
+        }
+    }
+    if !rows.is_empty() {
+        let _ = writeln!(
+            text,
+            "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"refutation of ({})\"><table><thead><tr><th scope=\"col\">\
+             the print, read as</th><th scope=\"col\">gives</th><th scope=\"col\">hyper-dual numbers</th><th scope=\"col\">refuted \
+             in draws</th></tr></thead><tbody>\n{rows}</tbody></table></div>",
+            row.number
+        );
+    }
+    Ok(text + "</div>\n")
+}

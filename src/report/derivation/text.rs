@@ -1,0 +1,137 @@
+//! The markup of the prose: paragraphs, headings, lists, formulas, and commands that the page carries out.
+
+use super::math::mathml;
+use std::fmt::Write;
+
+/// The HTML of a text; `carry_out` answers a line that begins with `@`.
+///
+/// # Errors
+/// What cannot be parsed, with its text.
+pub(super) fn html(
+    text: &str,
+    mut carry_out: impl FnMut(&str, &str) -> Result<String, String>,
+) -> Result<String, String> {
+    let mut page = String::new();
+    for block in text.split("\n\n").map(str::trim).filter(|block| !block.is_empty()) {
+        let piece = if let Some(line) = block.strip_prefix('@') {
+            let (command, argument) = line.split_once([' ', '\n']).unwrap_or((line, ""));
+            carry_out(command, argument)?
+        } else if let Some(heading) = block.strip_prefix("### ") {
+            heading_html(3, heading)?
+        } else if let Some(heading) = block.strip_prefix("## ") {
+            heading_html(2, heading)?
+        } else if let Some(latex) = block.strip_prefix("$$").and_then(|rest| rest.strip_suffix("$$")) {
+            formula(latex)?
+        } else if block.starts_with("- ") {
+            let items = block.replace("\n  ", " ");
+            let items =
+                items.lines().map(|item| Ok(format!("<li>{}</li>", inline(item.trim_start_matches("- "))?)));
+            format!("<ul>{}</ul>\n", items.collect::<Result<String, String>>()?)
+        } else {
+            format!("<p>{}</p>\n", inline(block)?)
+        };
+        page += &piece;
+    }
+    Ok(page)
+}
+
+/// A formula in a line of its own, which is scrolled where it is too wide.
+pub(super) fn formula(latex: &str) -> Result<String, String> {
+    Ok(format!(
+        "<div class=\"formula\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">{}</div>\n",
+        mathml(latex.trim(), true)?
+    ))
+}
+
+fn heading_html(level: u8, heading: &str) -> Result<String, String> {
+    let (id, title) =
+        heading.split_once(" | ").ok_or_else(|| format!("the heading {heading:?} has no id"))?;
+    Ok(format!("<h{level} id=\"{id}\">{}</h{level}>\n", inline(title)?))
+}
+
+/// The headings of second level: their ids and titles.
+pub(super) fn sections(text: &str) -> Vec<(&str, &str)> {
+    text.lines().filter_map(|line| line.strip_prefix("## ")?.split_once(" | ")).collect()
+}
+
+/// A line of text with `$formulas$`, `**strong**`, `` `code` `` and numbers of equations, which become links.
+pub(super) fn inline(text: &str) -> Result<String, String> {
+    let mut out = String::new();
+    for (i, part) in text.split('$').enumerate() {
+        if i % 2 == 1 {
+            out += &mathml(part, false)?;
+            continue;
+        }
+        for (i, part) in part.split('`').enumerate() {
+            if i % 2 == 1 {
+                let _ = write!(out, "<code>{}</code>", escaped(part));
+                continue;
+            }
+            for (i, part) in part.split("**").enumerate() {
+                let linked = links(&escaped(part));
+                let mark = if i % 2 == 1 { ["<strong>", "</strong>"] } else { ["", ""] };
+                out.extend([mark[0], &linked, mark[1]]);
+            }
+        }
+    }
+    if text.matches('$').count() % 2 == 1 {
+        return Err(format!("a $ is missing in {text:?}"));
+    }
+    Ok(out)
+}
+
+/// `(40)` as a link to the equation, `[words](#id)` as a link.
+fn links(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find(['(', '[']) {
+        out.push_str(&rest[..at]);
+        rest = &rest[at..];
+        let number = rest.strip_prefix('(').and_then(|rest| rest.split_once(')'));
+        let number = number.filter(|(n, _)| n.parse::<u8>().is_ok_and(|n| (1..=59).contains(&n)));
+        let words = rest.strip_prefix('[').and_then(|rest| rest.split_once("]("));
+        if let Some((number, after)) = number {
+            let _ = write!(out, "<a href=\"#eq-{number}\">({number})</a>");
+            rest = after;
+        } else if let Some((words, (target, after))) =
+            words.and_then(|(words, rest)| Some((words, rest.split_once(')')?)))
+        {
+            let _ = write!(out, "<a href=\"{target}\">{words}</a>");
+            rest = after;
+        } else {
+            out.push_str(&rest[..1]);
+            rest = &rest[1..];
+        }
+    }
+    out + rest
+}
+
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{html, inline, sections};
+
+    #[test]
+    fn the_markup_is_carried_out() {
+        let text = "## one | The *first*\n\nA **b** `c<d` (40) [e](#one), f(x).\n\n- g\n  h\n- i\n\n@figure pair now";
+        let page = html(text, |command, argument| Ok(format!("[{command}:{argument}]"))).unwrap();
+        assert_eq!(
+            page,
+            "<h2 id=\"one\">The *first*</h2>\n<p>A <strong>b</strong> <code>c&lt;d</code> \
+             <a href=\"#eq-40\">(40)</a> <a href=\"#one\">e</a>, f(x).</p>\n\
+             <ul><li>g h</li><li>i</li></ul>\n[figure:pair now]"
+        );
+        assert_eq!(sections(text), [("one", "The *first*")]);
+        assert!(inline("(60) (x) a$b$").unwrap().starts_with("(60) (x) a<math"));
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_an_error() {
+        assert!(inline("a $b").is_err());
+        assert!(html("## no id", |_, _| Ok(String::new())).is_err());
+        assert!(html("@x", |command, _| Err(command.to_owned())).is_err());
+    }
+}

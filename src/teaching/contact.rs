@@ -1,0 +1,114 @@
+//! The contribution of a contact by penalty to residual and tangent, and tangents with something missing or wrong.
+
+use super::elastic::DOFS;
+use crate::closest_point::{ClosestPoint, Held};
+use crate::curve::{Geometry, Hermite, Jet, Shapes};
+use crate::linearization::BlockHessian;
+use crate::linearization::closed_form::{Matrices, jets};
+use crate::number::{Faulty, Label, TermChange, Which, with_terms};
+use crate::pair::{DofVector, Pair};
+
+/// How the tangent of the contact force is computed; the force itself is always right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tangent {
+    /// As it is.
+    Exact,
+    /// Without the terms d.t,xi and d.t_bar,xi_bar in the system for the parameters.
+    NoCurvature,
+    /// With the parameters of the closest point held: nothing of how the point moves along the beams.
+    FrozenProjection,
+    /// With b (g g_barᵀ + g_bar gᵀ) subtracted instead of added in the Hessian of d.
+    WrongSign,
+    /// With one term of the closed form multiplied by a factor.
+    Term(Label, f64),
+}
+
+impl Tangent {
+    /// Those that are compared.
+    pub const ALL: [Self; 4] = [Self::Exact, Self::NoCurvature, Self::FrozenProjection, Self::WrongSign];
+
+    /// The name, as tables have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::NoCurvature => "without d.t,xi",
+            Self::FrozenProjection => "frozen projection",
+            Self::WrongSign => "one wrong sign",
+            Self::Term(label, _) => label.name,
+        }
+    }
+
+    /// The terms that are multiplied.
+    fn terms(self) -> Vec<(Label, f64)> {
+        let term = |name, factor| (Label { name, which: Which::Beam }, factor);
+        match self {
+            Self::Exact | Self::FrozenProjection => Vec::new(),
+            Self::NoCurvature => vec![term("a: d.t,xi", 0.0), term("a_bar: d.t_bar,xi", 0.0)],
+            Self::WrongSign => vec![term("H_d: b gg_bar'", -1.0)],
+            Self::Term(label, factor) => vec![(label, factor)],
+        }
+    }
+}
+
+/// What the contact adds to residual and tangent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contribution {
+    /// eps g_N ∇g_N.
+    pub force: DofVector<f64, DOFS, DOFS>,
+    /// eps (∇g_N ∇g_Nᵀ + g_N Hess g_N).
+    pub stiffness: BlockHessian<f64, DOFS, DOFS>,
+    /// g_N.
+    pub gap: f64,
+}
+
+/// The contribution at a closest point: of the energy eps g_N²/2 the gradient, and the Hessian or what is taken for it.
+pub fn contact(
+    pair: &Pair<Hermite, Hermite, DOFS, DOFS>,
+    q: &DofVector<f64, DOFS, DOFS>,
+    point: &ClosestPoint,
+    penalty: f64,
+    tangent: Tangent,
+) -> Contribution {
+    // mark: contact
+    let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
+    let d = Matrices::new(&jet, &jet_bar, point.held()).d();
+    let gap = d.value - pair.contact.radius - pair.contact.radius_bar;
+    let force = d.gradient.times(penalty * gap);
+    let half = d.gradient.times(0.5 * penalty);
+    let mut stiffness = BlockHessian::zeros();
+    let hessian = hessian(tangent, &d.hessian, [&jet, &jet_bar], point.held());
+    stiffness.set_sum(&[(penalty * gap, &hessian)], &[[&d.gradient, &half]]);
+    // end: contact
+    Contribution { force, stiffness, gap }
+}
+
+/// The Hessian of d by (40), or what is taken for it.
+fn hessian(
+    tangent: Tangent,
+    exact: &BlockHessian<f64, DOFS, DOFS>,
+    [jet, jet_bar]: [&Jet<f64, Shapes<f64, 4>>; 2],
+    held: Held,
+) -> BlockHessian<f64, DOFS, DOFS> {
+    match tangent {
+        Tangent::Exact => *exact,
+        Tangent::FrozenProjection => Matrices::new(jet, jet_bar, Held { xi: true, xi_bar: true }).d().hessian,
+        _ => {
+            let [jet, jet_bar] = [jet, jet_bar].map(faulty);
+            let changes = tangent.terms().into_iter();
+            let changes = changes.map(|(label, factor)| (label, TermChange::Times(factor))).collect();
+            let hessian: BlockHessian<Faulty<f64>, DOFS, DOFS> =
+                with_terms(changes, || Matrices::new(&jet, &jet_bar, held).d()).hessian;
+            let BlockHessian { beam, mixed, bar } = hessian;
+            let plain = |Faulty(number): Faulty<f64>| number;
+            BlockHessian { beam: beam.map(plain), mixed: mixed.map(plain), bar: bar.map(plain) }
+        }
+    }
+}
+
+/// The jet in numbers whose terms can be multiplied.
+fn faulty(jet: &Jet<f64, Shapes<f64, 4>>) -> Jet<Faulty<f64>, Shapes<Faulty<f64>, 4>> {
+    let Geometry { x, t, t_xi, t_xixi } = jet.geometry;
+    let [x, t, t_xi, t_xixi] = [x, t, t_xi, t_xixi].map(|v| v.map(Faulty));
+    let derivatives = jet.dofs.derivatives.map(|row| row.map(Faulty));
+    Jet { geometry: Geometry { x, t, t_xi, t_xixi }, dofs: Shapes { derivatives } }
+}

@@ -1,0 +1,99 @@
+//! What one wrong term does: to the variations of the standard case, to a test of symmetry, and to Newton's method.
+
+use super::{Problem, Tangent};
+use crate::closest_point::ProjectionError;
+use crate::curve::{Curve, Hermite};
+use crate::equations::StandardCase;
+use crate::linearization::closed_form::{Formulation, PartialVariations, variations_in};
+use crate::linearization::{Quantities, Varied};
+use crate::number::{Faulty, Label, TermChange, Which, with_terms};
+use serde::{Deserialize, Serialize};
+
+/// A fault of the self-checks: a term and the factor that it is multiplied by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SelfCheck {
+    /// The equation that the term stands in.
+    pub equation: u8,
+    /// The term in the variations.
+    pub term: &'static str,
+    /// The same in the Hessian of d, if it has a part in it.
+    pub in_hessian: Option<&'static str>,
+    /// The factor: 0 if the term is missing, -1 if its sign is wrong.
+    pub factor: f64,
+}
+
+/// What a fault does.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Effect {
+    /// The equation that the term stands in.
+    pub equation: u8,
+    /// The term and what is wrong with it.
+    pub fault: String,
+    /// The relative deviations of Delta-delta d, Delta-delta xi, Delta-delta t and Delta-delta g_T.
+    pub deviations: [f64; 4],
+    /// Whether Delta-delta of all four stays the same, up to rounding, when the directions are exchanged.
+    pub is_symmetric: bool,
+    /// The iterations of Newton's method with this fault in the Hessian of d, if it converged.
+    pub iterations: Option<usize>,
+    /// Why it did not converge.
+    pub stopped: Option<String>,
+    /// Whether the term has a part in the Hessian of d.
+    pub in_hessian: bool,
+}
+
+/// The faults of the self-checks.
+pub const SELF_CHECKS: [SelfCheck; 6] = [
+    SelfCheck { equation: 50, term: "a: d.t,xi", in_hessian: Some("a: d.t,xi"), factor: 0.0 },
+    SelfCheck { equation: 52, term: "xi: b R_bar", in_hessian: Some("xi: b R_bar"), factor: -1.0 },
+    SelfCheck { equation: 40, term: "Dd|d|: d.turned", in_hessian: None, factor: 0.0 },
+    SelfCheck { equation: 40, term: "Dd|d|: dd Dd", in_hessian: Some("H_d: G'nn'G"), factor: 0.0 },
+    SelfCheck { equation: 42, term: "Dd|t|: Dt.dt", in_hessian: None, factor: 0.0 },
+    SelfCheck { equation: 54, term: "R2: Dd.dt", in_hessian: None, factor: 0.0 },
+];
+
+impl SelfCheck {
+    /// Injects the fault.
+    ///
+    /// # Errors
+    /// None, as for [`StandardCase::closest_point`].
+    pub fn effect(&self) -> Result<Effect, ProjectionError> {
+        let case = StandardCase::default();
+        let (right, wrong) = (self.seconds(&case, false)?, self.seconds(&case, true)?);
+        let exchanged = StandardCase { dq: case.linear_dq, linear_dq: case.dq, ..case };
+        let exchanged = self.seconds(&exchanged, true)?;
+        let relative = |i: usize, other: [f64; 4]| ((wrong[i] - other[i]) / right[i]).abs();
+        let run = self.in_hessian.map(|name| {
+            let label = Label { name, which: Which::Beam };
+            Problem::default().solve(Tangent::Term(label, self.factor))
+        });
+        let what = if self.factor == 0.0 { "missing" } else { "of the wrong sign" };
+        Ok(Effect {
+            equation: self.equation,
+            fault: format!("{}, {what}", self.term),
+            deviations: [0, 1, 2, 3].map(|i| relative(i, right)),
+            is_symmetric: (0..4).all(|i| relative(i, exchanged) < 1e-12),
+            iterations: run.as_ref().filter(|run| run.converged()).map(super::Equilibrium::iterations),
+            stopped: run.and_then(|run| run.stopped),
+            in_hessian: self.in_hessian.is_some(),
+        })
+    }
+
+    /// Delta-delta of d, xi, t and g_T by the paper's formulas, with the fault or without.
+    fn seconds(&self, case: &StandardCase, with_fault: bool) -> Result<[f64; 4], ProjectionError> {
+        let point = case.closest_point()?;
+        let StandardCase { pair, q, dq, linear_dq } = case;
+        let partial = |q: &_, dq: &_, linear: &_, xi| {
+            PartialVariations::new(&Hermite::new().jet(q, xi), dq, linear).map(|v| v.map(Faulty))
+        };
+        let beam = partial(&q.beam, &dq.beam, &linear_dq.beam, point.xi);
+        let bar = partial(&q.bar, &dq.bar, &linear_dq.bar, point.xi_bar);
+        let label = Label { name: self.term, which: Which::Beam };
+        let factor = if with_fault { self.factor } else { 1.0 };
+        let all: Quantities<Varied<Faulty<f64>>> =
+            with_terms(vec![(label, TermChange::Times(factor))], || {
+                let at = (Faulty(point.xi), Faulty(point.xi_bar));
+                variations_in(Formulation::paper(point.held()), &beam, &bar, at, &pair.contact)
+            });
+        Ok([all.d, all.xi, all.t, all.g_t].map(|varied| varied.second.0))
+    }
+}

@@ -1,0 +1,124 @@
+//! The programs that `beamgap adapter` prints are right, and a wrong term in them is named.
+//!
+//! A language whose compiler is missing is left out, unless BEAMGAP_ADAPTERS is set: then it is an error.
+
+use crate::command_line::{run, stdout};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A language: the name of its file, how the program is made, and the line that is planted.
+struct Adapter {
+    language: &'static str,
+    file: &'static str,
+    compiler: &'static [&'static str],
+    /// The term du,xi.d of the right-hand side of (50).
+    term: [&'static str; 2],
+}
+
+const ADAPTERS: [Adapter; 4] = [
+    Adapter {
+        language: "fortran",
+        file: "adapter.f90",
+        compiler: &["gfortran", "-O2"],
+        term: ["r = -Gt - A1d", "r = -Gt"],
+    },
+    Adapter {
+        language: "c",
+        file: "adapter.c",
+        compiler: &["cc", "-O2"],
+        term: ["r = -Gt[i] - A1d[i],", "r = -Gt[i],"],
+    },
+    Adapter {
+        language: "cpp",
+        file: "adapter.cpp",
+        compiler: &["c++", "-O2", "-std=c++17"],
+        term: ["r = -Gt[i] - A1d[i],", "r = -Gt[i],"],
+    },
+    Adapter {
+        language: "python",
+        file: "adapter.py",
+        compiler: &["python3"],
+        term: ["for x, y in zip(along(shapes, t), A1d)]", "for x, y in zip(along(shapes, t), 12 * [0.0])]"],
+    },
+];
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("adapter-{name}"));
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// Writes and compiles a program; the command that runs it, or nothing if there is no compiler.
+fn made(adapter: &Adapter, folder: &Path, text: &str) -> Option<String> {
+    let source = folder.join(adapter.file);
+    std::fs::write(&source, text).unwrap();
+    let is_there = Command::new(adapter.compiler[0]).arg("--version").output().is_ok();
+    assert!(is_there || std::env::var_os("BEAMGAP_ADAPTERS").is_none(), "{} is missing", adapter.compiler[0]);
+    if !is_there {
+        return None;
+    }
+    if adapter.language == "python" {
+        return Some(format!("python3 '{}'", source.display()));
+    }
+    let program = folder.join(adapter.language);
+    let output = Command::new(adapter.compiler[0])
+        .args(&adapter.compiler[1..])
+        .arg(&source)
+        .arg("-o")
+        .arg(&program)
+        .arg("-lm")
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    Some(format!("'{}'", program.display()))
+}
+
+fn verified(adapter: &Adapter) {
+    let folder = folder(adapter.language);
+    let vectors = folder.join("vectors.jsonl");
+    let vectors = vectors.to_str().unwrap();
+    let families = ["--family", "segment", "--cases", "6", "--expected", "none", "-o", vectors];
+    assert!(run(&[&["export"][..], &families].concat()).status.success());
+    let text = stdout(&run(&["adapter", adapter.language]));
+    let Some(program) = made(adapter, &folder, &text) else { return };
+    let told = stdout(&run(&["verify", vectors, "--run", &program]));
+    assert!(told.ends_with("nothing differs beyond rounding.\n") && told.contains("AGREES: at "), "{told}");
+    let [right, wrong] = adapter.term;
+    assert_eq!(text.matches(right).count(), 1, "{right}");
+    let program = made(adapter, &folder, &text.replace(right, wrong)).unwrap();
+    let output = run(&["verify", vectors, "--run", &program]);
+    let told = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(
+        told.contains("Cause: the term du,xi.d of R, eq. (44) and (50), is missing (coefficient -1.000)."),
+        "{told}"
+    );
+    assert!(told.contains("In the catalogue: `R: du,xi.d = dropped`\n"), "{told}");
+}
+
+#[test]
+fn the_fortran_program_agrees_until_a_term_is_wrong() {
+    verified(&ADAPTERS[0]);
+}
+
+#[test]
+fn the_c_program_agrees_until_a_term_is_wrong() {
+    verified(&ADAPTERS[1]);
+}
+
+#[test]
+fn the_cpp_program_agrees_until_a_term_is_wrong() {
+    verified(&ADAPTERS[2]);
+}
+
+#[test]
+fn the_python_program_agrees_until_a_term_is_wrong() {
+    verified(&ADAPTERS[3]);
+}
+
+#[test]
+fn the_programs_without_a_compiler_here_are_printed_too() {
+    for (language, first) in [("julia", "# Answers"), ("matlab", "function adapter(vectors, answers)")] {
+        assert!(stdout(&run(&["adapter", language])).starts_with(first));
+    }
+}
