@@ -16,11 +16,10 @@ impl Accuracy {
             )
         };
         let conclusion = format!(
-            "**The library keeps its digits where the paper's formulas lose theirs.** At a gap of 1e-6 lengths the median \
-             relative error of Delta-delta d, the second variation of the distance, is {}. At an angle of 1e-5 between straight \
-             beams that of Delta-delta xi, the second variation of the parameter, is {}. At each closest point the library \
-             chooses between two formulations that are equal in exact arithmetic. The error of its choice is at most {} times \
-             that of the better one.",
+            "**At a gap of 1e-6 lengths the median relative error of Delta-delta d, the second variation of the distance, is {}. At \
+             an angle of 1e-5 between straight beams that of Delta-delta xi, the second variation of the parameter, is {}.** At \
+             each closest point the library chooses between two formulations that are equal in exact arithmetic. The error of \
+             its choice is at most {} times that of the better one.",
             at(&self.found.gaps, 1e-6, |row| row.d),
             at(&self.found.angles, 1e-5, |row| row.xi),
             plain(self.found.worst_choice()),

@@ -42,8 +42,8 @@ impl Benchmark {
             Block::table(&head, one.collect()),
             Block::text(&format!(
                 "Two threads against one, on {} cores. Each row was measured with both in interleaved rounds; its times are \
-                 those of these rounds. The last column is what two threads gain that only multiply and add in registers: no \
-                 program gains more.",
+                 those of these rounds. The last column is what \
+                 two threads gain that only multiply and add in registers: what the machine gives.",
                 self.environment.cores
             )),
             Block::table(&heads, two.collect()),

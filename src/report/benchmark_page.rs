@@ -152,9 +152,9 @@ impl Benchmark {
         vec![
             Block::heading("Finding the closest point"),
             Block::text(
-                "All methods above are given the closest point. Finding it takes longer than linearizing d there. Newton's method \
-                 starts 0.05 away in both parameters, as from the last load step. The search finds all closest points, and \
-                 needs no start.",
+                "All methods above are given the closest point. This table has the time to find it beside the time to linearize \
+                 there. Newton's method starts 0.05 away in both parameters, as from the last load step. The search finds all \
+                 closest points, and needs no start.",
             ),
             Block::table(&head, families.iter().map(row).collect()),
         ]
@@ -178,9 +178,12 @@ impl Benchmark {
         let head = ["task", "family", "#dofs", "#median", "#an entry of a Hessian", VERDICT];
         let rows = Block::table(&head, rows.collect());
         let picture = picture("benchmark-sizes.svg", SIZES, self.sizes_to_svg());
-        let text = "The time grows more slowly than the number of entries of a Hessian, which is the square of the dofs: few dofs \
-                    share the cost of the shape functions and gradients among few entries.";
-        let blocks = [Block::heading("Cost over dofs"), Block::text(text)];
+        let text = format!(
+            "{} The Hessian has the square of the dofs as entries. Few dofs share the cost of the shape functions and gradients \
+             among few entries.",
+            self.growth()
+        );
+        let blocks = [Block::heading("Cost over dofs"), Block::text(&text)];
         blocks
             .into_iter()
             .chain(picture)
