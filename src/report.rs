@@ -8,6 +8,7 @@
 mod accuracy;
 mod accuracy_page;
 mod benchmark;
+mod benchmark_machine;
 mod benchmark_method;
 mod benchmark_page;
 mod bounds;

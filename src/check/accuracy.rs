@@ -65,7 +65,7 @@ pub struct Errors {
     pub chosen: Option<f64>,
 }
 
-#[expect(clippy::ref_option, clippy::trivially_copy_pass_by_ref, reason = "the signature is serde's")]
+#[expect(clippy::ref_option, reason = "the signature is serde's")]
 fn two_digits<S: Serializer>(error: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
     error.map(|error| format!("{error:.1e}").parse().unwrap_or(error)).serialize(to)
 }

@@ -16,11 +16,10 @@ impl Accuracy {
             )
         };
         let conclusion = format!(
-            "**The library keeps its digits where the paper's formulas lose theirs.** At a gap of 1e-6 lengths the median \
-             relative error of Delta-delta d, the second variation of the distance, is {}. At an angle of 1e-5 between straight \
-             beams that of Delta-delta xi, the second variation of the parameter, is {}. At each closest point the library \
-             chooses between two formulations that are equal in exact arithmetic. The error of its choice is at most {} times \
-             that of the better one.",
+            "**At a gap of 1e-6 lengths the median relative error of Delta-delta d, the second variation of the distance, is {}. At \
+             an angle of 1e-5 between straight beams that of Delta-delta xi, the second variation of the parameter, is {}.** At \
+             each closest point the library chooses between two formulations that are equal in exact arithmetic. The error of \
+             its choice is at most {} times that of the better one.",
             at(&self.found.gaps, 1e-6, |row| row.d),
             at(&self.found.angles, 1e-5, |row| row.xi),
             plain(self.found.worst_choice()),
@@ -28,7 +27,11 @@ impl Accuracy {
         let formulations = Block::table(
             &["formulation", "Delta-delta d", "Delta-delta xi"],
             [
-                ["paper", "divides by d, Eq. (40)", "solves the 2x2 system by determinants, Eq. (59)"],
+                [
+                    "paper",
+                    "divides by d, equation (40)",
+                    "solves the 2x2 system by determinants, equation (59)",
+                ],
                 [
                     "robust",
                     "along the common normal, no division by d",
@@ -56,6 +59,10 @@ impl Accuracy {
             Block::heading("Over the angle"),
             picture("accuracy-angle.svg", angles, self.angle_to_svg()),
             Block::details("The numbers of this figure", vec![table("angle", &self.found.angles)]),
+            Block::text(
+                "The columns *robust for d* and *robust for xi* count the pairs for which the library chose the robust \
+                 formulation. The errors are those of Delta-delta d and Delta-delta xi.",
+            ),
             Block::heading("What the numbers do not say"),
             Block::list(&[
                 "The curvature of nearly parallel curved beams is known to rounding only. All formulations lose the digits that \
@@ -78,21 +85,22 @@ impl Accuracy {
 /// Both quantities at every gap or angle, from small to large.
 fn table(at: &str, rows: &[Level]) -> Block {
     let head = [
-        &format!("#{at}"),
-        "#Delta-delta d: paper",
+        at,
+        "#d: paper",
         "#robust",
         "#chosen",
-        "#Delta-delta xi: paper",
+        "#xi: paper",
         "#robust",
         "#chosen",
-        "#d: robust chosen",
-        "#xi: robust chosen",
+        "#pairs",
+        "#robust for d",
+        "#robust for xi",
     ];
     let row = |row: &Level| {
         let Level { at, pairs, normal, cross_products, d, xi } = row;
-        let errors = [d, xi].into_iter().flat_map(|of| [of.paper, of.robust, of.chosen].map(error));
-        let chosen = [normal, cross_products].map(|count| format!("{count} of {pairs}"));
-        std::iter::once(format!("{at:e}")).chain(errors).chain(chosen).collect()
+        let errors = [d, xi].into_iter().flat_map(|of: &Errors| [of.paper, of.robust, of.chosen].map(error));
+        let counts = [*pairs, *normal, *cross_products].map(|number| count(number as u64));
+        std::iter::once(format!("{at:e}")).chain(errors).chain(counts).collect()
     };
     let mut rows: Vec<&Level> = rows.iter().collect();
     rows.sort_by(|a, b| a.at.total_cmp(&b.at));

@@ -114,7 +114,9 @@ impl Benchmark {
             };
             (families.iter().map(|&family| name(family)).collect(), methods.iter().map(row).collect())
         };
-        across.iter_mut().for_each(|name| name.insert(0, '#'));
+        for name in &mut across {
+            name.insert(0, '#');
+        }
         across.insert(0, "beams, dofs".to_owned());
         Block::table(&across, rows)
     }
@@ -150,9 +152,9 @@ impl Benchmark {
         vec![
             Block::heading("Finding the closest point"),
             Block::text(
-                "All methods above are given the closest point. Finding it takes longer than linearizing d there. Newton's method \
-                 starts 0.05 away in both parameters, as from the last load step. The search finds all closest points, and \
-                 needs no start.",
+                "All methods above are given the closest point. This table has the time to find it beside the time to linearize \
+                 there. Newton's method starts 0.05 away in both parameters, as from the last load step. The search finds all \
+                 closest points, and needs no start.",
             ),
             Block::table(&head, families.iter().map(row).collect()),
         ]
@@ -176,102 +178,17 @@ impl Benchmark {
         let head = ["task", "family", "#dofs", "#median", "#an entry of a Hessian", VERDICT];
         let rows = Block::table(&head, rows.collect());
         let picture = picture("benchmark-sizes.svg", SIZES, self.sizes_to_svg());
-        let text = "The time grows more slowly than the number of entries of a Hessian, which is the square of the dofs: few dofs \
-                    share the cost of the shape functions and gradients among few entries.";
-        let blocks = [Block::heading("Cost over dofs"), Block::text(text)];
+        let text = format!(
+            "{} The Hessian has the square of the dofs as entries. Few dofs share the cost of the shape functions and gradients \
+             among few entries.",
+            self.growth()
+        );
+        let blocks = [Block::heading("Cost over dofs"), Block::text(&text)];
         blocks
             .into_iter()
             .chain(picture)
             .chain([Block::details("The numbers of this figure", vec![rows])])
             .collect()
-    }
-
-    fn many(&self) -> Vec<Block> {
-        let tasks = [Task::DistanceOfMany, Task::AllOfMany];
-        let pairs = |task| self.of(task).map(|of| of.pairs as u64);
-        let numbers = |[of_d, of_all]: [Option<u64>; 2]| {
-            format!("{} pairs for d and {} for all", count(of_d.unwrap_or(0)), count(of_all.unwrap_or(0)))
-        };
-        let in_cache = numbers(tasks.map(|task| pairs(task).max()));
-        let to_memory = numbers(tasks.map(|task| pairs(task).min()));
-        let all = || tasks.into_iter().flat_map(|task| self.of(task));
-        let name = |of: &Measured| {
-            let method =
-                of.method.replace("closed form, ", "").replace(", 2 threads", "").replace(", 1 thread", "");
-            vec![of.task.replace(" of many pairs", ""), method]
-        };
-        let one = all().filter(|of| of.speed_up().is_none()).map(|of| {
-            let [low, high] = of.interval.map(time);
-            let cells =
-                [time(of.median), format!("{low} to {high}"), plain(1e9 / of.median), verdict(of.share)];
-            name(of).into_iter().chain(cells).collect()
-        });
-        let two = all().filter_map(|of| {
-            let [by_all, by_one] = of.times_of_threads()?.map(time);
-            let [speed_up, of_arithmetic] =
-                [of.speed_up()?, of.speed_up_of_arithmetic()?].map(Ratio::in_words);
-            Some(name(of).into_iter().chain([by_one, by_all, speed_up, of_arithmetic]).collect())
-        });
-        let head = ["task", "method", "#time of a pair", "#95 % interval", "#pairs in a second", VERDICT];
-        let heads =
-            ["task", "method", "#one thread", "#two threads", "#times as many pairs", "#multiply-adds alone"];
-        vec![
-            Block::heading("Many pairs"),
-            Block::text("Pairs of Hermite beams on one thread, one by one or four in the lanes of a vector."),
-            Block::table(&head, one.collect()),
-            Block::text(&format!(
-                "Two threads against one, on {} cores. Each row was measured with both in interleaved rounds; its times are \
-                 those of these rounds. The last column is what two threads gain that only multiply and add in registers: no \
-                 program gains more.",
-                self.environment.cores
-            )),
-            Block::table(&heads, two.collect()),
-            Block::list(&[
-                &format!(
-                    "One by one, and four at once: each result is written where the last one was, for an assembly that takes it \
-                     from there; {in_cache}."
-                ),
-                &format!("To memory: each result has memory of its own, and waits for memory; {to_memory}."),
-            ]),
-        ]
-    }
-
-    fn roofline(&self) -> Vec<Block> {
-        let rows = self.below_the_roof().map(|below| {
-            let [of_arithmetic, of_stores] = below.roofline.map(time);
-            let [multiply_adds, bytes] = [below.multiply_adds, below.bytes].map(|n| count(n as u64));
-            let (of_pair, times) = (time(below.time), plain(below.times));
-            vec![below.name(), multiply_adds, of_arithmetic, bytes, of_stores, of_pair, times]
-        });
-        let head = [
-            "a pair, 24 dofs",
-            "#multiply-adds",
-            "#they take",
-            "#bytes stored",
-            "#they take",
-            "#a pair, in these rounds",
-            "#times the roofline bound",
-        ];
-        let rows = Block::table(&head, rows.collect());
-        let [multiply_adds, bytes] = self.roof();
-        let text = format!(
-            "The roofline bound is the time that the multiply-adds of a method take, or its stores, whichever is longer, if the \
-             machine does nothing else. One core does {} multiply-adds in a nanosecond and stores {} bytes into its first \
-             cache. A number at a point is its time over the bound.",
-            plain(multiply_adds),
-            plain(bytes)
-        );
-        let method = Block::list(&[
-            "Two small kernels measure the bounds, in interleaved rounds with the methods, so that both meet the machine at the \
-             same speed.",
-            "Multiply-adds are counted by evaluating the same source over a number that counts. A product with the sum that \
-             takes it, any other sum or product, a quotient and a root are one each.",
-            "The bound assumes four numbers in every instruction and no waiting, which one pair at a time cannot have.",
-        ]);
-        let picture = picture("benchmark-roofline.svg", ROOFLINE, self.roofline_to_svg());
-        let blocks = [Block::heading("Roofline"), Block::text(&text)];
-        let details = Block::details("The numbers of this figure", vec![method, rows]);
-        blocks.into_iter().chain(picture).chain([details]).collect()
     }
 }
 
@@ -281,17 +198,16 @@ const METHODS: &str = "The median time of a pair of cubic Hermite beams, one cor
 const TRADE: &str =
     "d, xi, xi_bar, t and t_bar with gradients and Hessians. Lower is more accurate; left is faster.";
 const SIZES: &str = "Gradients and Hessians in all dofs of two Lagrange or cubic B-spline beams.";
-const ROOFLINE: &str = "Points below the line, each with its layout and its time over the roofline bound.";
 
 /// The head of a column of verdicts.
-const VERDICT: &str = "#error / tolerance";
+pub(super) const VERDICT: &str = "#error / tolerance";
 
 /// The largest error over what is allowed for it.
-fn verdict(share: f64) -> String {
+pub(super) fn verdict(share: f64) -> String {
     format!("{} ({})", error(Some(share)), if share <= 1.0 { "pass" } else { "fail" })
 }
 
-fn picture(file: &str, caption: &str, svg: Option<String>) -> Option<Block> {
+pub(super) fn picture(file: &str, caption: &str, svg: Option<String>) -> Option<Block> {
     Some(Block::Picture { file: file.to_owned(), caption: caption.to_owned(), svg: svg? })
 }
 
@@ -305,7 +221,7 @@ fn instructions(of: &Instructions) -> Block {
 
 impl Ratio {
     /// The ratio with its interval.
-    fn in_words(self) -> String {
+    pub(super) fn in_words(self) -> String {
         let [low, high] = self.interval.map(plain);
         if self.is_different() {
             format!("**{}** ({low} to {high})", plain(self.value))

@@ -113,7 +113,7 @@ impl Benchmark {
     }
 
     /// From the second smallest to the largest Lagrange pair: the smallest has hardly a result to spread its cost over.
-    fn growth(&self) -> String {
+    pub(super) fn growth(&self) -> String {
         let rows: Vec<_> = self.of(Task::AllBySize).filter(|of| of.family == "lagrange").collect();
         let [_, first, .., last] = &rows[..] else { return String::new() };
         format!(

@@ -139,9 +139,10 @@ impl Crosscheck {
             .iter()
             .flat_map(|regime| regime.not_compared.iter().map(of_regime(regime)))
             .collect();
-        let body = match rows.is_empty() {
-            true => Block::text("Nothing was left out."),
-            false => Block::table(&["reason", "regime", "#count", "#first case"], rows),
+        let body = if rows.is_empty() {
+            Block::text("Nothing was left out.")
+        } else {
+            Block::table(&["reason", "regime", "#count", "#first case"], rows)
         };
         Block::details("Points and cases that were not compared", vec![body])
     }

@@ -91,7 +91,7 @@ impl Faults {
     }
 
     /// A row of the table of detections.
-    pub(super) fn detection(&self, row: &DetectionRow) -> Vec<String> {
+    fn detection(&self, row: &DetectionRow) -> Vec<String> {
         let of = |part: usize, all: usize| format!("{part} of {all}");
         vec![
             row.check.clone(),

@@ -113,7 +113,10 @@ fn inline(text: &str, of_marked: impl Fn(Inline) -> String) -> String {
             (end > 0).then(|| (&inner[..end], &inner[end + close.len()..]))
         };
         let found = (marked("**", "**").map(|(text, rest)| (Inline::Strong(text), rest)))
-            .or_else(|| marked("*", "*").map(|(text, rest)| (Inline::Emphasis(text), rest)))
+            .or_else(|| {
+                let (text, rest) = marked("*", "*").filter(|(text, _)| text.trim() == *text)?;
+                Some((Inline::Emphasis(text), rest))
+            })
             .or_else(|| marked("`", "`").map(|(text, rest)| (Inline::Code(text), rest)))
             .or_else(|| {
                 let (text, rest) = marked("[", "](")?;
@@ -172,7 +175,7 @@ mod tests {
         assert!(!html.contains("http"), "nothing is fetched");
         assert_eq!(
             page().to_text(80),
-            "T\n\nA < B\n\nIt is so by x & y, 2 * 3; see there.\n\n  method  time\n  one     1 ns\n"
+            "T\n\nA < B\n\nIt is so by x & y, 2 * 3; see there (t.md).\n\n  method  time\n  one     1 ns\n\nMore\n\n- point\n\n  method  time\n  one     1 ns\n"
         );
     }
 }

@@ -68,12 +68,12 @@ const VARIATIONS: [(&str, &str); 6] = [
 ];
 
 const SYSTEM: [(&str, &str); 7] = [
-    ("a", "t.t + d.t,xi, Eq. (50)"),
-    ("a_bar", "-t_bar.t_bar + d.t_bar,xi, Eq. (50)"),
-    ("b", "t.t_bar, Eq. (50)"),
-    ("D", "a a_bar + b b, Eq. (52): negative at a minimum of the distance"),
-    ("R, R_bar", "right-hand sides of the first order, Eq. (50)"),
-    ("R2, R2_bar", "right-hand sides of the second order, Eq. (55)"),
+    ("a", "t.t + d.t,xi, equation (50)"),
+    ("a_bar", "-t_bar.t_bar + d.t_bar,xi, equation (50)"),
+    ("b", "t.t_bar, equation (50)"),
+    ("D", "a a_bar + b b, equation (52): negative at a minimum of the distance"),
+    ("R, R_bar", "right-hand sides of the first order, equation (50)"),
+    ("R2, R2_bar", "right-hand sides of the second order, equation (55)"),
     (
         "u, u_bar",
         "vectors of the solution by cross products: D u = t_bar x c - (d.t_bar,xi) t; dxi contains u.du_hat",

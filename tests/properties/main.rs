@@ -3,6 +3,7 @@
 mod adapters;
 mod allocation;
 mod batches;
+mod benchmarks;
 mod bounded;
 mod bounds;
 mod candidate;

@@ -21,10 +21,13 @@ const ERRORS: [f64; 2] = [332.0, 404.0];
 /// The shapes of d and of all quantities; their colours are 0 and 1.
 const MARKS: [Mark; 2] = [Mark::Dot, Mark::Diamond];
 
+/// A median time, its interval, and the error, if there is one.
+type Point = (f64, [f64; 2], Option<f64>);
+
 /// A row: its name, and for d and for all the time, its interval and its error.
 struct Row {
     name: String,
-    points: [Option<(f64, [f64; 2], Option<f64>)>; 2],
+    points: [Option<Point>; 2],
 }
 
 impl Benchmark {

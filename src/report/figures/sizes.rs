@@ -31,7 +31,9 @@ impl Benchmark {
             let place = |of: &&Measured| -> Place { [x.at(number(of.dofs)), y.at(of.median)] };
             let places: Vec<Place> = rows.iter().map(place).collect();
             chart.curve(&places, &format!("thick s{i}"));
-            places.iter().for_each(|&at| chart.mark(at, Mark::Dot, i));
+            for &at in &places {
+                chart.mark(at, Mark::Dot, i);
+            }
             let task = if rows[0].task.starts_with("all") { "all" } else { "d" };
             let family = if rows[0].family == "bspline" { "B-spline" } else { "Lagrange" };
             ends.push((places.last().map_or(BOTTOM, |at| at[1]), format!("{task}, {family}"), i));

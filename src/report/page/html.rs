@@ -26,8 +26,9 @@ fn add(page: &mut String, blocks: &[Block]) {
             Block::Subheading(text) => writeln!(page, "<h3>{}</h3>", inline(text)),
             Block::Text(text) => writeln!(page, "<p>{}</p>", inline(text)),
             Block::List(points) => {
+                let points = points.iter().map(|point| inline(point));
                 let points: String =
-                    points.iter().map(|point| format!("<li>{}</li>\n", inline(point))).collect();
+                    points.flat_map(|point| ["<li>".to_owned(), point, "</li>\n".to_owned()]).collect();
                 writeln!(page, "<ul>\n{points}</ul>")
             }
             Block::Table { head, rows } => {

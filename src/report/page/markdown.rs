@@ -10,7 +10,7 @@ impl Page {
 }
 
 fn blocks(all: &[Block]) -> String {
-    all.iter().map(|block| format!("\n{}", one(block))).collect()
+    all.iter().flat_map(|block| ["\n".to_owned(), one(block)]).collect()
 }
 
 fn one(block: &Block) -> String {
@@ -18,7 +18,7 @@ fn one(block: &Block) -> String {
         Block::Heading(text) => format!("## {text}\n"),
         Block::Subheading(text) => format!("### {text}\n"),
         Block::Text(text) => format!("{text}\n"),
-        Block::List(points) => points.iter().map(|point| format!("- {point}\n")).collect(),
+        Block::List(points) => points.iter().flat_map(|point| ["- ", point, "\n"]).collect(),
         Block::Table { head, rows } => {
             let names: Vec<_> = head.iter().map(|(name, _)| name.clone()).collect();
             let rule: Vec<_> = head.iter().map(|&(_, right)| if right { "---:" } else { "---" }).collect();

@@ -39,9 +39,8 @@ fn one(block: &Block, columns: usize) -> String {
 /// A text without its marks.
 fn plain(text: &str) -> String {
     super::inline(text, |mark| match mark {
-        Inline::Strong(text) | Inline::Emphasis(text) | Inline::Code(text) | Inline::Link(text, _) => {
-            text.to_owned()
-        }
+        Inline::Strong(text) | Inline::Emphasis(text) | Inline::Code(text) => text.to_owned(),
+        Inline::Link(text, to) => format!("{text} ({to})"),
     })
 }
 
@@ -51,8 +50,9 @@ pub(in super::super) fn wrapped(text: &str, columns: usize, first: &str, next: &
     let mut is_empty = true;
     for word in text.split_whitespace() {
         if !is_empty && line.chars().count() + 1 + word.chars().count() > columns {
-            lines += &(line + "\n");
-            line = next.to_owned();
+            lines.push_str(&line);
+            lines.push('\n');
+            next.clone_into(&mut line);
             is_empty = true;
         }
         line += if is_empty { "" } else { " " };
@@ -163,7 +163,8 @@ fn lines(cells: &[(&str, usize, bool)], gap: usize, is_title: bool) -> String {
             let k = if is_title { (k + lines.len()).checked_sub(height) } else { Some(k) };
             let cell = k.and_then(|k| lines.get(k)).map_or("", String::as_str);
             line += &" ".repeat(gap);
-            line += &if *left { format!("{cell:<width$}") } else { format!("{cell:>width$}") };
+            let padded = if *left { format!("{cell:<width$}") } else { format!("{cell:>width$}") };
+            line.push_str(&padded);
         }
         format!("{}\n", line.trim_end())
     };
