@@ -50,7 +50,7 @@ impl Report {
         }
         let exit = self.checks()?;
         let benchmark = measured.is_ok().then_some("benchmark");
-        let written = ["crosscheck", "bounds", "accuracy", "equations", "faults", "symbols"];
+        let written = ["crosscheck", "bounds", "accuracy", "equations", "derivation", "faults", "symbols"];
         let written: Vec<&str> = written.into_iter().chain(benchmark).collect();
         println!("Wrote to {}: {}.", self.to.display(), written.join(", "));
         // That nothing was measured is no failure; that something was measured in part is one.
