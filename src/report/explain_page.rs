@@ -34,7 +34,7 @@ impl ExplainProgram {
         let _ = writeln!(
             page,
             "\nThe largest deviation that is left where the fault alone is named is {} of its scale.\n",
-            error(Some(self.largest_left))
+            error(self.largest_left)
         );
         let listed = [Naming::Among, Naming::Other, Naming::None].map(Naming::name);
         let mut others =
@@ -50,7 +50,7 @@ impl ExplainProgram {
                     .collect();
                 let more = other.named.len().saturating_sub(4);
                 let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-                let [before, after] = other.deviation.map(|deviation| error(Some(deviation)));
+                let [before, after] = other.deviation.map(error);
                 let (fault, naming) = (other.fault.replace('|', "\\|"), &other.naming);
                 let _ = writeln!(
                     page,
