@@ -69,13 +69,19 @@ impl Verify {
             Ok(verified) => verified,
             // What it answered before it failed is shown first.
             Err(error) => match error.downcast::<ProcessError>()? {
-                ProcessError::Failed { program, status, answered, stderr, mut report }
+                ProcessError::Failed { program, status, answered, stderr, mut report, conventions }
                     if report.compared > 0 =>
                 {
-                    let found = std::mem::take(&mut *report);
-                    failed =
-                        Some(anyhow!(ProcessError::Failed { program, status, answered, stderr, report }));
-                    self.of(found, Conventions::default())
+                    let (found, stated) = (std::mem::take(&mut *report), *conventions);
+                    failed = Some(anyhow!(ProcessError::Failed {
+                        program,
+                        status,
+                        answered,
+                        stderr,
+                        report,
+                        conventions
+                    }));
+                    self.of(found, stated)
                 }
                 other => return Err(other.into()),
             },

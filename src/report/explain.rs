@@ -27,8 +27,8 @@ pub struct ExplainProgram {
     pub counts: Vec<NamingCount>,
     /// The faults that are not named first alone, and not undetected.
     pub others: Vec<NotFirst>,
-    /// The largest deviation that is left after an explanation that names the fault.
-    pub largest_left: f64,
+    /// The largest deviation that is left after an explanation that names the fault; none if it is not finite.
+    pub largest_left: Option<f64>,
 }
 
 /// How many faults are named in a way.
@@ -49,8 +49,8 @@ pub struct NotFirst {
     pub naming: String,
     /// What was named.
     pub named: Vec<String>,
-    /// The deviation before the explanation and after it.
-    pub deviation: [f64; 2],
+    /// The deviation before the explanation and after it; none where it is not finite.
+    pub deviation: [Option<f64>; 2],
 }
 
 impl Record for Explain {
@@ -94,8 +94,8 @@ impl ExplainProgram {
 }
 
 /// Two digits: the others depend on the machine.
-fn rounded(number: f64) -> f64 {
-    format!("{number:.1e}").parse().unwrap_or(number)
+fn rounded(number: f64) -> Option<f64> {
+    format!("{number:.1e}").parse().ok().filter(|number: &f64| number.is_finite())
 }
 
 impl Explain {

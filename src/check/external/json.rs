@@ -339,7 +339,7 @@ mod tests {
         let entries = node.object("line").unwrap();
         assert_eq!(entries[0].1.numbers("a", Some(4)).unwrap(), [1.0, 2.5, 0.5, 1e-101]);
         assert!(entries[1].1.numbers("b", None).unwrap().iter().all(|number| number.is_nan()));
-        assert_eq!((entries[1].0.as_ref(), entries[1].1.column), ("b", 52));
+        assert_eq!((entries[1].0.as_ref(), entries[1].1.column), ("b", 48));
     }
 
     #[test]

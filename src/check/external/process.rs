@@ -66,6 +66,8 @@ pub enum ProcessError {
         stderr: String,
         /// What was found of its answers.
         report: Box<Report>,
+        /// The conventions that it states.
+        conventions: Box<Conventions>,
     },
     /// What it writes is no answer, or the cases cannot be read.
     #[error("{error}{stderr}")]
@@ -135,7 +137,17 @@ impl Runner {
                     Some(status) if status.success() => Ok((report, conventions)),
                     Some(status) => {
                         let (stderr, report) = (end(&stderr), Box::new(report));
-                        Err(ProcessError::Failed { program, status, answered, stderr, report })
+                        {
+                            let conventions = Box::new(conventions);
+                            Err(ProcessError::Failed {
+                                program,
+                                status,
+                                answered,
+                                stderr,
+                                report,
+                                conventions,
+                            })
+                        }
                     }
                     None => Err(self.late(program, [answered, report.vectors], end(&stderr))),
                 }
@@ -149,8 +161,9 @@ impl Runner {
                 Err(match (error, status) {
                     (None, _) => self.late(program, counts, stderr),
                     (Some(ProcessError::Text { .. }), Some(status)) if !status.success() => {
-                        let report = Box::default();
-                        ProcessError::Failed { program, status, answered: counts[0], stderr, report }
+                        let (report, conventions) = (Box::default(), Box::default());
+                        let answered = counts[0];
+                        ProcessError::Failed { program, status, answered, stderr, report, conventions }
                     }
                     (Some(ProcessError::Text { error, .. }), _) => ProcessError::Text { error, stderr },
                     (Some(other), _) => other,
