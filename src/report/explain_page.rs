@@ -31,7 +31,7 @@ impl ExplainProgram {
             Block::table(&["explanation", "#faults"], Naming::ALL.into_iter().map(of_naming).collect()),
             Block::text(&format!(
                 "The largest deviation that is left where the fault alone is named is {} of its scale.",
-                error(Some(self.largest_left))
+                error(self.largest_left)
             )),
         ];
         let listed = [Naming::Among, Naming::Other, Naming::None].map(Naming::name);
@@ -39,7 +39,7 @@ impl ExplainProgram {
             let named: Vec<_> = other.named.iter().take(4).map(|name| format!("`{name}`")).collect();
             let more = other.named.len().saturating_sub(4);
             let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-            let [before, after] = other.deviation.map(|deviation| error(Some(deviation)));
+            let [before, after] = other.deviation.map(error);
             vec![
                 format!("`{}`", other.fault),
                 other.naming.clone(),
