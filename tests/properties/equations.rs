@@ -217,7 +217,7 @@ fn the_command_prints_all_or_one() {
         "1/t³ (𝐭,ξ Δξ + Δᵤ𝐮_C,ξ)·𝐭·(𝐭,ξ δξ + δᵤ𝐮_C,ξ)",
         "+ outside [..]; t (Δt·δt)",
         "As corrected",
-        "variations.rs:",
+        "lengths.rs:",
         "Eq. (42): misprint.",
     ] {
         assert!(text.contains(part), "{part} is missing in {text}");
