@@ -18,6 +18,8 @@ use thiserror::Error;
 const STDERR: usize = 4096;
 /// How long a program may take to end after its last answer.
 const GRACE: Duration = Duration::from_secs(5);
+/// The same after what is no answer, so that its exit status is known.
+const LAST_WORDS: Duration = Duration::from_secs(1);
 
 /// Why a program could not be checked to the end.
 #[derive(Debug, Error)]
@@ -132,7 +134,7 @@ impl Runner {
             |stderr: &Receiver<String>| stderr.recv_timeout(Duration::from_millis(200)).unwrap_or_default();
         match self.matched(&program, &sent, &told, &mut progress) {
             Ok((report, conventions, answered)) => {
-                let status = wait(&mut child);
+                let status = wait(&mut child, GRACE);
                 match status {
                     Some(status) if status.success() => Ok((report, conventions)),
                     Some(status) => {
@@ -154,9 +156,8 @@ impl Runner {
             }
             Err((error, counts)) => {
                 // A program that failed is to blame for what it wrote last.
-                let status = child.try_wait().ok().flatten();
-                let _ = child.kill();
-                let _ = child.wait();
+                let grace = if error.is_some() { LAST_WORDS } else { Duration::ZERO };
+                let status = wait(&mut child, grace);
                 let stderr = end(&stderr);
                 Err(match (error, status) {
                     (None, _) => self.late(program, counts, stderr),
@@ -330,17 +331,19 @@ fn overhear(child: &mut Child) -> Receiver<String> {
 }
 
 /// The status of a program that has closed its output; nothing if it does not end.
-fn wait(child: &mut Child) -> Option<ExitStatus> {
+fn wait(child: &mut Child, grace: Duration) -> Option<ExitStatus> {
     let start = Instant::now();
-    while start.elapsed() < GRACE {
+    loop {
         if let Ok(Some(status)) = child.try_wait() {
             return Some(status);
         }
+        if start.elapsed() >= grace {
+            let _ = child.kill();
+            let _ = child.wait();
+            return None;
+        }
         thread::sleep(Duration::from_millis(2));
     }
-    let _ = child.kill();
-    let _ = child.wait();
-    None
 }
 
 /// A command line in words; nothing if a quote is open.
