@@ -94,7 +94,7 @@ fn a_loss_of_digits_is_told_and_fails_only_if_digits_are_asked_for() {
 #[test]
 fn six_digits_are_enough_if_six_are_asked_for() {
     let all = vectors(&drawing(&[Family::Hermite, Family::Arc], &[Regime::Generic], 16));
-    let rounded = Evaluator { digits: Some(7), ..Evaluator::default() };
+    let rounded = Evaluator { digits: Some(6), ..Evaluator::default() };
     let text = answers(&rounded, &all);
     assert!(verified(&all, &text, Some(6)).unwrap().agrees());
     assert!(!verified(&all, &text, None).unwrap().agrees());

@@ -63,6 +63,11 @@ pub enum CaseFound {
     Compared(Vec<Judged>, bool),
 }
 
+/// Half a unit of the last of so many significant digits, over the number: what rounding to them changes at most.
+pub(super) fn half_unit(digits: u8) -> f64 {
+    0.5 * 10.0_f64.powi(1 - i32::from(digits))
+}
+
 impl Entry {
     /// The judgement under these demands, and the tolerance that it was made with.
     pub(super) fn judged(self, digits: Option<u8>) -> Judged {
@@ -70,7 +75,7 @@ impl Entry {
         let (is_meaningful, is_right) = match digits {
             None => (comparison.is_meaningful(), comparison.agrees()),
             Some(digits) => {
-                let asked = 10.0_f64.powi(-i32::from(digits)) * scale.max(size);
+                let asked = half_unit(digits) * scale.max(size);
                 let limit = attainable.max(asked);
                 let is_meaningful = attainable <= 1e-3 * scale.max(size).max(comparison.other.abs());
                 (
@@ -88,7 +93,7 @@ impl Entry {
         // What rounding may explain under the demands.
         let tolerance = match digits {
             None => comparison.tolerance,
-            Some(digits) => attainable.max(10.0_f64.powi(-i32::from(digits)) * scale.max(size)),
+            Some(digits) => attainable.max(half_unit(digits) * scale.max(size)),
         };
         let is_rounding = comparison.agrees();
         let comparison = Comparison { tolerance, ..comparison };

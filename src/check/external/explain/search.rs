@@ -35,6 +35,11 @@ impl Fit {
         self.over <= 1.0
     }
 
+    /// Whether it leaves next to nothing of a deviation: answers of few digits.
+    fn is_close(&self, before: f64) -> bool {
+        before.is_finite() && self.worst <= CLOSE * before
+    }
+
     /// The same at other cases.
     fn fit_again(&mut self, sites: &[&Site], by: By) {
         *self = Self { order: self.order, ..fit(sites, self.change.clone(), by, &every) };
@@ -137,7 +142,7 @@ pub(super) fn search(sites: &[Site]) -> Found {
     let mut fits = Vec::new();
     for by in [By::Paper, By::All] {
         fits = one_change(&all, by);
-        if fits.iter().any(|of| of.explains() || of.worst <= CLOSE * before) {
+        if fits.iter().any(|of| of.explains() || of.is_close(before)) {
             return ranked(fits, before, &all);
         }
     }
@@ -148,7 +153,7 @@ pub(super) fn search(sites: &[Site]) -> Found {
     };
     fits.extend(labels().into_par_iter().filter_map(weighted).collect::<Vec<_>>());
     confirm(&mut fits, &all, By::All);
-    if !fits.iter().any(|of| of.explains() || of.worst <= CLOSE * before) {
+    if !fits.iter().any(|of| of.explains() || of.is_close(before)) {
         fits.extend(pairs(screened));
         confirm(&mut fits, &all, By::All);
     }
@@ -192,7 +197,7 @@ fn ranked(mut fits: Vec<Fit>, before: f64, sites: &[&Site]) -> Found {
     let is_found = fits.iter().any(Fit::explains);
     let best = fits.iter().map(|of| of.worst).fold(f64::INFINITY, f64::min);
     let explains = |of: &Fit| {
-        if is_found { of.explains() } else { of.worst <= 4.0 * best && of.worst <= CLOSE * before }
+        if is_found { of.explains() } else { of.worst <= 4.0 * best && of.is_close(before) }
     };
     let (mut equal, mut others): (Vec<_>, Vec<_>) = fits.drain(..).partition(explains);
     equal.sort_by_key(|of| (of.change.class(), of.order));

@@ -5,7 +5,7 @@ use crate::check::candidate::Sides;
 use crate::check::diagnosis::place;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::external::answers::Answers;
-use crate::check::external::compare::{Converted, Demands, Judgement};
+use crate::check::external::compare::{Converted, Demands, Judgement, half_unit};
 use crate::check::external::conventions::{Conventions, ITEMS};
 use crate::check::external::vectors::Vector;
 use crate::check::verdict::Order;
@@ -38,9 +38,11 @@ impl Datum {
     /// How far a prediction is from the answer: over the scale, and over what rounding explains.
     pub(super) fn misfit(&self, predicted: f64) -> [f64; 2] {
         let off = (self.answer - predicted).abs();
-        if off.is_nan() {
+        if !off.is_finite() {
+            // What is infinite or no number is explained by the same alone.
             let both = self.answer.is_nan() && predicted.is_nan();
-            return [if both { 0.0 } else { f64::INFINITY }; 2];
+            let is_same = both || self.answer.to_bits() == predicted.to_bits();
+            return [if is_same { 0.0 } else { f64::INFINITY }; 2];
         }
         let rounding = 8.0 * self.tolerance + 1e-12 * self.scale + 1e-9 * (predicted - self.reference).abs();
         [ratio(off, self.scale.max(predicted.abs())), ratio(off, rounding)]
@@ -95,7 +97,7 @@ impl<'a> Site<'a> {
         let datum = |entry: crate::check::candidate::Entry| {
             let judged = entry.judged(demands.digits);
             let comparison = judged.comparison;
-            let digits = demands.digits.map_or(0.0, |digits| 10.0_f64.powi(-i32::from(digits)));
+            let digits = demands.digits.map_or(0.0, half_unit);
             Datum {
                 place: entry.place,
                 quantity: comparison.quantity,
