@@ -4,8 +4,8 @@ use beamgap::check::{self, CheckConfig, Regime, Selection};
 use beamgap::equations;
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, Benchmark, Bounds, Crosscheck, Derivation, Environment, Equations, Faults, Record, picture,
-    symbols,
+    Accuracy, Benchmark, Bounds, Crosscheck, Derivation, Environment, Equations, Explain, Faults, Record,
+    picture, symbols,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::Variant;
@@ -42,6 +42,8 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     let derivation = Derivation::from_json(&committed("derivation.json")).unwrap();
     is_committed("derivation.html", &derivation.to_html(&equations.table, Some(&accuracy)).unwrap());
     is_committed("symbols.md", &symbols().to_markdown());
+    let explain = Explain::from_json(&committed("explain.json")).unwrap();
+    is_committed("explain.md", &explain.page().to_markdown());
     is_committed("beams.svg", &picture().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
     for (name, text) in benchmark.pages() {
