@@ -1,91 +1,26 @@
 //! A program that answers cases: cases on its standard input, answers on its standard output, as a stream.
 
-use super::answers::{AnswerReader, Answers};
+mod error;
+mod pipes;
+
 use super::compare::Demands;
 use super::conventions::Conventions;
 use super::error::ExternalError;
 use super::matching::Matching;
 use super::report::Report;
 use super::vectors::{Vector, VectorReader};
-use std::io::{BufRead, BufReader, Read, Write};
+pub use error::ProcessError;
+use pipes::{Told, feed, listen, overhear};
+use std::io::BufRead;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender, TrySendError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
-use thiserror::Error;
 
-/// How much of what a program writes to standard error is kept, from its end.
-const STDERR: usize = 4096;
 /// How long a program may take to end after its last answer.
 const GRACE: Duration = Duration::from_secs(5);
 /// The same after what is no answer, so that its exit status is known.
 const LAST_WORDS: Duration = Duration::from_secs(1);
-
-/// Why a program could not be checked to the end.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum ProcessError {
-    /// The command line has an open quote, or is empty.
-    #[error("a program, with its arguments, expected, found {0:?}")]
-    Command(String),
-    /// It cannot be started.
-    #[error("cannot start {program}")]
-    Start {
-        /// The program.
-        program: String,
-        /// Why.
-        source: std::io::Error,
-    },
-    /// It did not answer in time.
-    #[error(
-        "{program}: no answer within {seconds} s, after {answered} answers to {sent} cases; a program must write each \
-         answer out (flush) before it waits for more than {look_ahead} further cases{stderr}"
-    )]
-    TimeOut {
-        /// The program.
-        program: String,
-        /// The time that it had.
-        seconds: f64,
-        /// How many cases it had answered.
-        answered: u64,
-        /// How many it had been sent.
-        sent: u64,
-        /// How many it may be sent ahead of its answers.
-        look_ahead: usize,
-        /// The end of what it wrote to standard error.
-        stderr: String,
-    },
-    /// It ended with an error.
-    #[error("{program}: {status}, after {answered} answers{stderr}")]
-    Failed {
-        /// The program.
-        program: String,
-        /// Its exit status.
-        status: ExitStatus,
-        /// How many cases it had answered.
-        answered: u64,
-        /// The end of what it wrote to standard error.
-        stderr: String,
-        /// What was found of its answers.
-        report: Box<Report>,
-        /// The conventions that it states.
-        conventions: Box<Conventions>,
-    },
-    /// What it writes is no answer, or the cases cannot be read.
-    #[error("{error}{stderr}")]
-    Text {
-        /// Where and what.
-        error: ExternalError,
-        /// The end of what it wrote to standard error.
-        stderr: String,
-    },
-}
-
-impl From<ExternalError> for ProcessError {
-    fn from(error: ExternalError) -> Self {
-        Self::Text { error, stderr: String::new() }
-    }
-}
 
 /// How a program is run.
 #[derive(Clone, Debug)]
@@ -98,13 +33,6 @@ pub struct Runner {
     pub look_ahead: usize,
     /// The digits that are asked for.
     pub digits: Option<u8>,
-}
-
-/// What the thread that reads answers has to tell.
-enum Told {
-    Head(Box<Conventions>),
-    Answers(Box<Answers>),
-    Error(ExternalError),
 }
 
 impl Runner {
@@ -246,88 +174,6 @@ impl From<ExternalError> for OptionalError {
     fn from(error: ExternalError) -> Self {
         Self(Some(error.into()))
     }
-}
-
-/// Writes the cases to the program; each is told before it is written.
-fn feed<R: BufRead + Send + 'static>(
-    child: &mut Child,
-    mut vectors: VectorReader<R>,
-    look_ahead: usize,
-) -> Receiver<Result<Vector, ExternalError>> {
-    let (tell, sent) = mpsc::sync_channel(look_ahead);
-    let mut stdin = child.stdin.take();
-    thread::spawn(move || {
-        let mut write = |line: &str| {
-            let Some(to) = &mut stdin else { return };
-            // A program that has seen enough closes its input: the remaining cases are not answered.
-            if to.write_all(line.as_bytes()).and_then(|()| to.write_all(b"\n")).is_err() {
-                stdin = None;
-            }
-        };
-        write(vectors.line());
-        loop {
-            match vectors.next_vector() {
-                Ok(Some(vector)) => {
-                    if tell.send(Ok(vector)).is_err() {
-                        return;
-                    }
-                    write(vectors.line());
-                }
-                Ok(None) => return,
-                Err(error) => return drop(tell.send(Err(error))),
-            }
-        }
-    });
-    sent
-}
-
-/// Reads the answers of the program.
-fn listen(child: &mut Child, program: &str) -> Receiver<Told> {
-    let (tell, told): (SyncSender<Told>, _) = mpsc::sync_channel(64);
-    let name = format!("standard output of {program}");
-    if let Some(stdout) = child.stdout.take() {
-        thread::spawn(move || {
-            let mut answers = match AnswerReader::new(BufReader::with_capacity(1 << 16, stdout), &name) {
-                Ok(answers) => answers,
-                Err(error) => return drop(tell.send(Told::Error(error))),
-            };
-            if tell.send(Told::Head(Box::new(*answers.conventions()))).is_err() {
-                return;
-            }
-            loop {
-                let next = match answers.next_answers() {
-                    Ok(Some(answers)) => Told::Answers(Box::new(answers)),
-                    Ok(None) => return,
-                    Err(error) => return drop(tell.send(Told::Error(error))),
-                };
-                if tell.send(next).is_err() {
-                    return;
-                }
-            }
-        });
-    }
-    told
-}
-
-/// The end of what the program writes to standard error, once it has closed it.
-fn overhear(child: &mut Child) -> Receiver<String> {
-    let (tell, told) = mpsc::sync_channel(1);
-    if let Some(mut stderr) = child.stderr.take() {
-        thread::spawn(move || {
-            let (mut end, mut part) = (Vec::new(), [0; STDERR]);
-            while let Ok(read @ 1..) = stderr.read(&mut part) {
-                end.extend_from_slice(&part[..read]);
-                end.drain(..end.len().saturating_sub(STDERR));
-            }
-            let text = String::from_utf8_lossy(&end);
-            let text = text.trim_end();
-            let told =
-                if text.is_empty() { String::new() } else { format!("\nIts standard error ends:\n{text}") };
-            // Nobody may be waiting for it.
-            if let Err(TrySendError::Full(_) | TrySendError::Disconnected(_)) = tell.try_send(told) {}
-        });
-    }
-    told
 }
 
 /// The status of a program that has closed its output; nothing if it does not end.

@@ -1,0 +1,88 @@
+//! The conventions that a program may have without stating them.
+
+use super::{Conventions, Dofs, Length, Range};
+
+impl Conventions {
+    /// The other conventions that a program may have, each with what to say of it; one change comes before two.
+    pub(in super::super) fn others(&self) -> Vec<(Self, String)> {
+        let mut single: Vec<(Self, String)> = Vec::new();
+        let mut add = |other: Self, words: &str| {
+            if other != *self {
+                single.push((other, words.to_owned()));
+            }
+        };
+        add(Self { parameter: Range::Unit, ..*self }, "the parameters run over [0,1] (parameter)");
+        add(Self { parameter: Range::Symmetric, ..*self }, "the parameters run over [-1,1] (parameter)");
+        let d = if self.d_is_negative { "x - x_bar" } else { "x_bar - x" };
+        add(Self { d_is_negative: !self.d_is_negative, ..*self }, &format!("d is {d} (d)"));
+        add(Self { length: Length::Distance, ..*self }, "d is the distance (distance)");
+        add(Self { length: Length::Square, ..*self }, "d is the squared distance (distance)");
+        add(Self { length: Length::HalfSquare, ..*self }, "d is half the squared distance (distance)");
+        add(Self { dofs: Dofs::NodeMajor, ..*self }, "the dofs come node by node (dofs)");
+        add(Self { dofs: Dofs::ComponentMajor, ..*self }, "the dofs come component by component (dofs)");
+        let first = if self.bar_first { "beam" } else { "bar beam" };
+        let words = format!("the dofs of the {first} come first (beams)");
+        add(Self { bar_first: !self.bar_first, ..*self }, &words);
+        let order = if self.column_major { "row by row" } else { "column by column" };
+        let words = format!("matrices are written {order} (matrix)");
+        add(Self { column_major: !self.column_major, ..*self }, &words);
+        for (factor, words) in [(1.0, "1"), (0.5, "0.5"), (2.0, "2")] {
+            let words =
+                format!("dx/dxi is {words} times the tangent dofs of a Hermite beam (hermite_tangent)");
+            add(Self { hermite_tangent: factor, ..*self }, &words);
+        }
+        let (residual, tangent) = (!self.residual_is_negative, !self.tangent_is_negative);
+        if self.penalty.is_some() {
+            add(
+                Self { residual_is_negative: residual, ..*self },
+                "the residual has the other sign (residual_sign)",
+            );
+            add(
+                Self { tangent_is_negative: tangent, ..*self },
+                "the tangent has the other sign (tangent_sign)",
+            );
+        }
+        let mut pairs = Vec::new();
+        for (i, (one, words)) in single.iter().enumerate() {
+            for (two, more) in &single[i + 1..] {
+                let both = one.with_changes_of(two, self);
+                if both != *one && both != *two && !pairs.iter().any(|(known, _)| *known == both) {
+                    pairs.push((both, format!("{words} and {more}")));
+                }
+            }
+        }
+        single.extend(pairs);
+        single
+    }
+
+    /// These, with what `other` changes in `base`.
+    fn with_changes_of(&self, other: &Self, base: &Self) -> Self {
+        let choose = |own: bool, other: bool, base: bool| if other == base { own } else { other };
+        Self {
+            parameter: if other.parameter == base.parameter { self.parameter } else { other.parameter },
+            d_is_negative: choose(self.d_is_negative, other.d_is_negative, base.d_is_negative),
+            length: if other.length == base.length { self.length } else { other.length },
+            dofs: if other.dofs == base.dofs { self.dofs } else { other.dofs },
+            bar_first: choose(self.bar_first, other.bar_first, base.bar_first),
+            column_major: choose(self.column_major, other.column_major, base.column_major),
+            #[expect(clippy::float_cmp, reason = "a choice among constants")]
+            hermite_tangent: if other.hermite_tangent == base.hermite_tangent {
+                self.hermite_tangent
+            } else {
+                other.hermite_tangent
+            },
+            residual_is_negative: choose(
+                self.residual_is_negative,
+                other.residual_is_negative,
+                base.residual_is_negative,
+            ),
+            tangent_is_negative: choose(
+                self.tangent_is_negative,
+                other.tangent_is_negative,
+                base.tangent_is_negative,
+            ),
+            penalty: self.penalty,
+            first_index: self.first_index,
+        }
+    }
+}

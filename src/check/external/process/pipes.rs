@@ -1,0 +1,101 @@
+//! The three pipes of a program, each with a thread: cases in, answers out, and what it writes to standard error.
+
+use crate::check::external::answers::{AnswerReader, Answers};
+use crate::check::external::conventions::Conventions;
+use crate::check::external::error::ExternalError;
+use crate::check::external::vectors::{Vector, VectorReader};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::process::Child;
+use std::sync::mpsc::{self, Receiver, SyncSender, TrySendError};
+use std::thread;
+
+/// How much of what a program writes to standard error is kept, from its end.
+const STDERR: usize = 4096;
+/// What the thread that reads answers has to tell.
+pub(super) enum Told {
+    Head(Box<Conventions>),
+    Answers(Box<Answers>),
+    Error(ExternalError),
+}
+
+/// Writes the cases to the program; each is told before it is written.
+pub(super) fn feed<R: BufRead + Send + 'static>(
+    child: &mut Child,
+    mut vectors: VectorReader<R>,
+    look_ahead: usize,
+) -> Receiver<Result<Vector, ExternalError>> {
+    let (tell, sent) = mpsc::sync_channel(look_ahead);
+    let mut stdin = child.stdin.take();
+    thread::spawn(move || {
+        let mut write = |line: &str| {
+            let Some(to) = &mut stdin else { return };
+            // A program that has seen enough closes its input: the remaining cases are not answered.
+            if to.write_all(line.as_bytes()).and_then(|()| to.write_all(b"\n")).is_err() {
+                stdin = None;
+            }
+        };
+        write(vectors.line());
+        loop {
+            match vectors.next_vector() {
+                Ok(Some(vector)) => {
+                    if tell.send(Ok(vector)).is_err() {
+                        return;
+                    }
+                    write(vectors.line());
+                }
+                Ok(None) => return,
+                Err(error) => return drop(tell.send(Err(error))),
+            }
+        }
+    });
+    sent
+}
+
+/// Reads the answers of the program.
+pub(super) fn listen(child: &mut Child, program: &str) -> Receiver<Told> {
+    let (tell, told): (SyncSender<Told>, _) = mpsc::sync_channel(64);
+    let name = format!("standard output of {program}");
+    if let Some(stdout) = child.stdout.take() {
+        thread::spawn(move || {
+            let mut answers = match AnswerReader::new(BufReader::with_capacity(1 << 16, stdout), &name) {
+                Ok(answers) => answers,
+                Err(error) => return drop(tell.send(Told::Error(error))),
+            };
+            if tell.send(Told::Head(Box::new(*answers.conventions()))).is_err() {
+                return;
+            }
+            loop {
+                let next = match answers.next_answers() {
+                    Ok(Some(answers)) => Told::Answers(Box::new(answers)),
+                    Ok(None) => return,
+                    Err(error) => return drop(tell.send(Told::Error(error))),
+                };
+                if tell.send(next).is_err() {
+                    return;
+                }
+            }
+        });
+    }
+    told
+}
+
+/// The end of what the program writes to standard error, once it has closed it.
+pub(super) fn overhear(child: &mut Child) -> Receiver<String> {
+    let (tell, told) = mpsc::sync_channel(1);
+    if let Some(mut stderr) = child.stderr.take() {
+        thread::spawn(move || {
+            let (mut end, mut part) = (Vec::new(), [0; STDERR]);
+            while let Ok(read @ 1..) = stderr.read(&mut part) {
+                end.extend_from_slice(&part[..read]);
+                end.drain(..end.len().saturating_sub(STDERR));
+            }
+            let text = String::from_utf8_lossy(&end);
+            let text = text.trim_end();
+            let told =
+                if text.is_empty() { String::new() } else { format!("\nIts standard error ends:\n{text}") };
+            // Nobody may be waiting for it.
+            if let Err(TrySendError::Full(_) | TrySendError::Disconnected(_)) = tell.try_send(told) {}
+        });
+    }
+    told
+}
