@@ -10,9 +10,10 @@ use beamgap::linearization::ad::{
 };
 use beamgap::linearization::closed_form::kernel::{self, PairAtPoint, Full, Packed, Targets};
 use beamgap::linearization::closed_form::{Matrices, Projection, jets};
-use beamgap::linearization::{Derivatives, Linearization, Quantities};
+use beamgap::linearization::{Derivatives, Linearization, Linearized, Quantities};
 use beamgap::number::Lanes;
 use beamgap::pair::DofVector;
+use std::cell::RefCell;
 
 /// Numbers in a block of the full layout.
 pub(crate) const FULL: usize = 608;
@@ -69,9 +70,18 @@ way!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
     Matrices::new(&jet, &jet_bar, case.point.held()).write_all(at, &PAIR.contact, to);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
-way!(linearize_all, linearize_all_read: Linearization<f64, 12, 12>, |case, to| {
-    *to = *PAIR.linearize(&case.q, &case.point);
-}, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
+thread_local! {
+    /// The result by value of the last pair: a caller drops it before the next.
+    static BY_VALUE: RefCell<Option<Linearized<12, 12>>> = const { RefCell::new(None) };
+}
+
+way!(linearize_all, linearize_all_read: [f64; 0], |case, _| {
+    BY_VALUE.take();
+    BY_VALUE.set(Some(PAIR.linearize(&case.q, &case.point)));
+}, |_, full| BY_VALUE.with_borrow(|all| {
+    let all = all.as_ref().expect("a pair was linearized");
+    write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full);
+}));
 
 way!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to| {
     PAIR.linearize_into(&case.q, &case.point, to);
