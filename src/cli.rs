@@ -8,26 +8,33 @@ mod bounds;
 mod case;
 mod case_file;
 mod check;
+mod checked;
+mod config;
 mod disagreements;
 mod equations;
 mod exit;
 mod explain;
 mod export;
 mod faults;
+mod formats;
 mod formula;
 mod human;
 mod json;
+mod merge;
+mod outcome;
 mod output;
 mod panics;
 mod progress;
 mod proof;
 mod prove;
 mod report;
+mod shell;
 mod terminal;
 mod verify;
 
-use clap::{Parser, Subcommand};
+use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use exit::Exit;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Linearization of beam-to-beam contact geometry, in closed form and by
@@ -37,12 +44,20 @@ use std::process::ExitCode;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// Read options of check, verify, prove and faults from this file [default: beamgap.toml, if it is there]
+    #[arg(long, value_name = "PATH", global = true)]
+    config: Option<PathBuf>,
+    /// Whether the verdict is coloured
+    #[arg(long, value_name = "WHEN", global = true, default_value = "auto")]
+    color: ColorChoice,
 }
 
 #[derive(Subcommand)]
 enum Command {
     /// Compare the closed form with automatic differentiation on random pairs of beams.
     Check(check::Check),
+    /// Put the parts of a check together that several machines ran.
+    Merge(merge::Merge),
     /// Compare the two over a prime field, without a tolerance.
     Prove(prove::Prove),
     /// Measure the overestimation factor of the tolerances, by double-double.
@@ -67,6 +82,10 @@ enum Command {
     Adapter(adapter::Adapter),
     /// Write all reports, and the benchmark that `cargo bench` measured last.
     Report(report::Report),
+    /// Print a script that completes commands and options in your shell.
+    Completions(shell::Completions),
+    /// Print the manual page of a command.
+    Man(shell::ManPage),
 }
 
 /// Does what the arguments of the process say.
@@ -74,7 +93,9 @@ enum Command {
 /// # Errors
 /// Wrong arguments, files that cannot be written, and panics.
 pub(crate) fn run() -> anyhow::Result<Exit> {
-    let arguments = match Arguments::try_parse() {
+    let command = config::configured(Arguments::command())?;
+    let parsed = command.clone().try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
+    let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(asked) if !asked.use_stderr() => {
             // Help or version: a closed pipe is no error.
@@ -83,8 +104,15 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         }
         Err(wrong) => return Err(wrong.into()),
     };
+    match arguments.color {
+        ColorChoice::Auto => anstream::ColorChoice::Auto,
+        ColorChoice::Always => anstream::ColorChoice::Always,
+        ColorChoice::Never => anstream::ColorChoice::Never,
+    }
+    .write_global();
     panics::caught(|| match arguments.command {
         Command::Check(check) => check.run(),
+        Command::Merge(merge) => merge.run(),
         Command::Prove(prove) => prove.run(),
         Command::Bounds(sharpen) => sharpen.run(),
         Command::Accuracy(accurate) => accurate.run(),
@@ -97,6 +125,8 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
         Command::Explain(explain) => explain.run(),
         Command::Adapter(adapter) => adapter.run(),
         Command::Report(report) => report.run(),
+        Command::Completions(completions) => completions.run(command),
+        Command::Man(page) => page.run(command),
     })
 }
 

@@ -21,5 +21,5 @@ pub use differences::Rule;
 pub use limit::{Limit, limits};
 pub use operations::{Lost, Operations, Undetected, all_operations};
 pub use own::{Formula, operations_of, operations_of_curve};
-pub use run::{Detection, Injected, inject};
-pub use sampled::{Sampled, sampled};
+pub use run::{Detection, Injected, Missed, inject};
+pub use sampled::{Limits, Sampled, sampled};

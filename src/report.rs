@@ -43,15 +43,15 @@ mod task;
 
 pub use accuracy::Accuracy;
 pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
-pub use bounds::{Bounds, BoundsRow, BrokenBound, Quantiles, RegimePoints};
+pub use bounds::Bounds;
 pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_rounds};
-pub use crosscheck::{Crosscheck, Mismatch, NotCompared, Pair, RegimeRow, Worst};
+pub use crosscheck::Crosscheck;
 pub use derivation::{ByHand, Derivation, DifferenceRow, NewtonRun};
 pub use environment::Environment;
 pub use equations::Equations;
 pub use error::ReportError;
 pub use explain::{Explain, ExplainProgram, NamingCount, NotFirst, explain};
-pub use faults::{DetectionRow, Faults, OperationsRow, UndetectedOperations, UndetectedRow};
+pub use faults::Faults;
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
 pub use page::{Page, Table};
@@ -89,7 +89,7 @@ pub fn crosscheck(
 ) -> Result<Crosscheck, ReportError> {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
     let summary = check::run(&CheckConfig::default(), seed, &selection, done);
-    let json = Crosscheck::new(&summary, seed, cases, Environment::here(command)).to_json()?;
+    let json = Crosscheck::new(summary, seed, cases, Environment::here(command)).to_json()?;
     let record = Crosscheck::from_json(&json)?;
     write(to, "crosscheck.json", &json)?;
     write(to, "crosscheck.md", &record.page().to_markdown())?;
@@ -110,7 +110,7 @@ pub fn bounds(
 ) -> Result<Bounds, ReportError> {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases };
     let found = check::bounds(seed, &selection, done);
-    let json = Bounds::new(&found, seed, cases, Environment::here(command)).to_json()?;
+    let json = Bounds::new(found, seed, cases, Environment::here(command)).to_json()?;
     let record = Bounds::from_json(&json)?;
     write(to, "bounds.json", &json)?;
     write(to, "bounds.md", &record.page().to_markdown())?;

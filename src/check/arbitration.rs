@@ -5,6 +5,7 @@
 //! of automatic differentiation, disagree among themselves, the check itself cannot be trusted, whatever the closed form
 //! says. Where the differences' own estimate is too wide to tell, nobody is blamed but the disagreement stands.
 
+use super::serialized::by_name;
 use super::verdict::{Comparison, Order};
 use std::collections::BTreeMap;
 
@@ -24,7 +25,12 @@ pub enum Arbitration {
     Undecided,
 }
 
+by_name!(Arbitration);
+
 impl Arbitration {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::ClosedForm, Self::Ad, Self::Both, Self::Undecided];
+
     /// Who is wrong, in words.
     pub fn words(self) -> &'static str {
         match self {
@@ -194,8 +200,8 @@ mod tests {
 
     #[test]
     fn every_judgement_has_its_own_words() {
-        use Arbitration::{Ad, Both, ClosedForm, Undecided};
-        let all = [ClosedForm, Ad, Both, Undecided];
+        use Arbitration::{Ad, ClosedForm};
+        let all = Arbitration::ALL;
         assert_eq!(all.map(Arbitration::name), ["closed-form-wrong", "ad-wrong", "both-wrong", "undecided"]);
         assert!(ClosedForm.words().starts_with("the closed form") && Ad.words().starts_with("automatic"));
     }

@@ -3,10 +3,11 @@
 //! The true error of a number is its distance from the closed form in double-double, at the closest point refined
 //! there. A bound below it is no bound; a bound far above it hides faults.
 
-use super::distribution::Distribution;
+use super::distribution::{Distribution, Quantiles};
 use super::draw::{Case, Selection};
 use super::evaluation_point::EvaluationPoint;
 use super::regime::Regime;
+use super::serialized::{Name, by_name, name, nested, number};
 use super::verdict::Order;
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
@@ -43,17 +44,21 @@ impl Side {
     }
 }
 
-/// What was measured of one side and one order in one regime.
-#[derive(Clone, Debug, Default, PartialEq)]
+by_name!(Side);
+
+/// What was measured of one side and one order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
-    /// The bound over the true error, where there is an error.
-    pub overestimation: Distribution,
-    /// The true error over the scale, where there is an error.
-    pub error: Distribution,
+    /// Numbers with an error.
+    pub entries: u64,
     /// Numbers without an error.
     pub exact: u64,
     /// Numbers without a finite bound.
     pub unbounded: u64,
+    /// The bound over the true error, where there is an error.
+    pub overestimation: Option<Quantiles>,
+    /// The true error over the scale, where there is an error.
+    pub error: Option<Quantiles>,
 }
 
 /// The closest points of one regime.
@@ -68,45 +73,68 @@ pub struct Points {
 }
 
 /// A bound that is none.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Violation {
     /// Whose bound.
     pub side: Side,
     /// The quantity.
     pub quantity: Quantity,
     /// Which part of it.
-    pub part: &'static str,
+    #[serde(deserialize_with = "name")]
+    pub part: Name,
     /// The bound.
+    #[serde(with = "number")]
     pub bound: f64,
     /// The true error, which is larger.
+    #[serde(with = "number")]
     pub error: f64,
 }
 
 /// All that was measured.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bounds {
-    /// By regime, side and order.
-    pub measured: BTreeMap<(Regime, Side, Order), Measured>,
-    /// By regime.
+    /// The closest points, by regime.
     pub points: BTreeMap<Regime, Points>,
+    /// Over all regimes, by side and order.
+    #[serde(with = "nested")]
+    pub all: BTreeMap<(Side, Order), Measured>,
+    /// The same in each regime.
+    #[serde(with = "nested")]
+    pub regimes: BTreeMap<(Side, Order), BTreeMap<Regime, Measured>>,
     /// The worst violation of each case that has one.
     pub violations: BTreeMap<u64, Violation>,
+}
+
+/// What is counted on the way.
+#[derive(Debug, Default)]
+struct Counted {
+    points: BTreeMap<Regime, Points>,
+    counts: BTreeMap<(Regime, Side, Order), Counts>,
+    violations: BTreeMap<u64, Violation>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Counts {
+    overestimation: Distribution,
+    error: Distribution,
+    exact: u64,
+    unbounded: u64,
 }
 
 /// Measures all cases of a selection.
 ///
 /// `done` is called after each. The result depends on the seed and the selection, not on the number of threads.
 pub fn bounds(seed: u64, selection: &Selection, done: impl Fn() + Sync) -> Bounds {
-    let add = |mut all: Bounds, number: u64| {
+    let add = |mut all: Counted, number: u64| {
         all.add(&Case::draw(seed, number));
         done();
         all
     };
     let numbers = selection.numbers().into_par_iter();
-    numbers.fold(Bounds::default, add).reduce(Bounds::default, Bounds::merge)
+    numbers.fold(Counted::default, add).reduce(Counted::default, Counted::merge).bounds()
 }
 
-impl Bounds {
+impl Counted {
     fn add(&mut self, case: &Case) {
         let mut points = Points::default();
         let [beam, bar] = case.beams();
@@ -149,9 +177,9 @@ impl Bounds {
                     let number = RunningError { value, bound };
                     tolerance += bound;
                     let error = (DoubleDouble::from(value) - precise[k]).abs().value();
-                    let measured = self.measured.entry((case.regime, *side, order)).or_default();
+                    let counts = self.counts.entry((case.regime, *side, order)).or_default();
                     let noise = NOISE * sides[0].1[i].parts()[k].bound[0];
-                    if measured.add(number, if error <= noise { 0.0 } else { error }, scales[k].scale) {
+                    if counts.add(number, if error <= noise { 0.0 } else { error }, scales[k].scale) {
                         continue;
                     }
                     let (quantity, part) = (Quantity::of_component(i), Varied::<f64>::PARTS[k]);
@@ -172,20 +200,9 @@ impl Bounds {
         }
     }
 
-    /// One side and one order over all regimes.
-    pub fn over_all(&self, side: Side, order: Order) -> Measured {
-        let mut sum = Measured::default();
-        for ((_, of_side, of_order), measured) in &self.measured {
-            if (*of_side, *of_order) == (side, order) {
-                sum.merge(measured);
-            }
-        }
-        sum
-    }
-
     fn merge(mut self, other: Self) -> Self {
-        for (key, measured) in &other.measured {
-            self.measured.entry(*key).or_default().merge(measured);
+        for (key, counts) in &other.counts {
+            self.counts.entry(*key).or_default().merge(counts);
         }
         for (regime, points) in &other.points {
             let sum = self.points.entry(*regime).or_default();
@@ -196,9 +213,20 @@ impl Bounds {
         self.violations.extend(other.violations);
         self
     }
+
+    fn bounds(self) -> Bounds {
+        let mut all: BTreeMap<_, Counts> = BTreeMap::new();
+        let mut regimes: BTreeMap<_, BTreeMap<_, _>> = BTreeMap::new();
+        for ((regime, side, order), counts) in &self.counts {
+            all.entry((*side, *order)).or_default().merge(counts);
+            regimes.entry((*side, *order)).or_default().insert(*regime, counts.measured());
+        }
+        let all = all.into_iter().map(|(key, counts)| (key, counts.measured())).collect();
+        Bounds { points: self.points, all, regimes, violations: self.violations }
+    }
 }
 
-impl Measured {
+impl Counts {
     /// Counts a number; false if its bound is none.
     fn add(&mut self, number: RunningError, error: f64, scale: f64) -> bool {
         if !number.bound.is_finite() {
@@ -219,21 +247,31 @@ impl Measured {
         self.exact += other.exact;
         self.unbounded += other.unbounded;
     }
+
+    fn measured(&self) -> Measured {
+        Measured {
+            entries: self.overestimation.count(),
+            exact: self.exact,
+            unbounded: self.unbounded,
+            overestimation: self.overestimation.quantiles(),
+            error: self.error.quantiles(),
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Measured, RunningError};
+    use super::{Counts, RunningError};
 
     #[test]
     fn an_error_beyond_its_bound_is_told() {
-        let mut measured = Measured::default();
-        assert!(measured.add(RunningError::new(1.0, 1e-16), 1e-16, 1.0));
-        assert!(measured.add(RunningError::new(1.0, f64::INFINITY), 1e-16, 1.0));
-        assert!(measured.add(RunningError::new(0.0, 0.0), 0.0, 1.0));
-        assert!(!measured.add(RunningError::new(1.0, 1e-16), 1.1e-16, 1.0));
-        assert!(!measured.add(RunningError::new(1.0, 0.0), 1e-30, 1.0));
-        assert!(!measured.add(RunningError::new(1.0, 1e-16), f64::NAN, 1.0));
-        assert_eq!((measured.exact, measured.unbounded), (1, 1));
+        let mut counts = Counts::default();
+        assert!(counts.add(RunningError::new(1.0, 1e-16), 1e-16, 1.0));
+        assert!(counts.add(RunningError::new(1.0, f64::INFINITY), 1e-16, 1.0));
+        assert!(counts.add(RunningError::new(0.0, 0.0), 0.0, 1.0));
+        assert!(!counts.add(RunningError::new(1.0, 1e-16), 1.1e-16, 1.0));
+        assert!(!counts.add(RunningError::new(1.0, 0.0), 1e-30, 1.0));
+        assert!(!counts.add(RunningError::new(1.0, 1e-16), f64::NAN, 1.0));
+        assert_eq!((counts.exact, counts.unbounded), (1, 1));
     }
 }

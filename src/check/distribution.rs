@@ -1,13 +1,35 @@
 //! How positive numbers are spread over many powers of ten, counted so that the order of counting does not matter.
 
+use super::serialized::short;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Bins to a factor of ten: a quantile is good to 1.2 %.
 const BINS: f64 = 100.0;
 
+/// A distribution in five numbers; two digits of them are written.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Quantiles {
+    /// The smallest.
+    #[serde(with = "short")]
+    pub min: f64,
+    /// 5 % are below.
+    #[serde(with = "short")]
+    pub low: f64,
+    /// Half are below.
+    #[serde(with = "short")]
+    pub median: f64,
+    /// 95 % are below.
+    #[serde(with = "short")]
+    pub high: f64,
+    /// The largest.
+    #[serde(with = "short")]
+    pub max: f64,
+}
+
 /// Counts of positive numbers in bins of equal ratio.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Distribution {
+pub(super) struct Distribution {
     bins: BTreeMap<i32, u64>,
     count: u64,
     max: f64,
@@ -30,17 +52,18 @@ impl Distribution {
     }
 
     /// How many numbers were counted.
-    pub fn count(&self) -> u64 {
+    pub(super) fn count(&self) -> u64 {
         self.count
     }
 
-    /// The largest; nothing if there is none.
-    pub fn max(&self) -> Option<f64> {
-        (self.count > 0).then_some(self.max)
+    /// The distribution in five numbers; nothing if there is no number.
+    pub(super) fn quantiles(&self) -> Option<Quantiles> {
+        let [min, low, median, high] = [0.0, 0.05, 0.5, 0.95].map(|p| self.quantile(p));
+        Some(Quantiles { min: min?, low: low?, median: median?, high: high?, max: self.max })
     }
 
     /// The number below which the share `p` of all lies, from the middle of its bin; nothing if there is none.
-    pub fn quantile(&self, p: f64) -> Option<f64> {
+    fn quantile(&self, p: f64) -> Option<f64> {
         #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
         let wanted = p * self.count as f64;
         let mut below = 0;
@@ -72,11 +95,18 @@ mod tests {
         }
         rest.merge(&part);
         assert_eq!(all, rest);
-        assert_eq!((all.count(), all.max()), (1000, Some(1000.0)));
+        let found = all.quantiles().unwrap();
+        assert_eq!((all.count(), found.max), (1000, 1000.0));
+        assert!(
+            found.min < 1.012
+                && found.min < found.low
+                && found.low < found.median
+                && found.median < found.high
+        );
         for (p, expected) in [(0.05, 50.0), (0.5, 500.0), (0.95, 950.0), (1.0, 1000.0)] {
             let found = all.quantile(p).unwrap();
             assert!((found / expected - 1.0).abs() <= 0.024, "{p}: {found}, not {expected}");
         }
-        assert_eq!(Distribution::default().quantile(0.5), None);
+        assert_eq!(Distribution::default().quantiles(), None);
     }
 }

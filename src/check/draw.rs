@@ -2,12 +2,14 @@
 
 use super::case_data::CaseData;
 use super::regime::{Draw, Regime};
+use super::shard::Shard;
 use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, Family, Target, TestBeam};
 use nalgebra::{Matrix3, Vector3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use serde::{Deserialize, Serialize};
 
 /// A pair of beams to be checked.
 #[derive(Debug)]
@@ -26,7 +28,7 @@ pub struct Case {
 }
 
 /// Which cases are wanted: all pairs of families in all regimes alternate, so a selection leaves the others out.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Selection {
     /// The regimes, not empty.
     pub regimes: Vec<Regime>,
@@ -45,18 +47,35 @@ const FAMILIES: u64 = Family::ALL.len() as u64;
 impl Selection {
     /// The numbers of the cases, regime by regime.
     pub fn numbers(&self) -> Vec<u64> {
-        let wanted = |regime: Regime| {
-            let number = move |turn| match regime {
-                Regime::BadlyScaled => BADLY_SCALED + turn,
-                _ => turn * REGIMES + regime as u64,
-            };
-            let of_regime = (0..).map(number);
-            let family = self.family;
-            let of_family =
-                move |&number: &u64| family.is_none_or(|family| families(number).contains(&family));
-            of_regime.filter(of_family).take(usize::try_from(self.cases).unwrap_or(usize::MAX))
+        self.regimes.iter().flat_map(|&regime| self.of_regime(regime)).collect()
+    }
+
+    /// The numbers of the cases of a shard, through the regimes in turn.
+    pub fn part(&self, shard: Shard) -> Vec<u64> {
+        let mut regimes: Vec<_> = self.regimes.iter().map(|&regime| self.of_regime(regime)).collect();
+        let mut numbers = Vec::new();
+        for turn in 0..self.cases {
+            // Each regime is spread over all shards.
+            let of_turn = regimes.iter_mut().zip(turn..).map(|(regime, place)| (regime.next(), place));
+            numbers.extend(of_turn.filter(|(_, place)| shard.holds(*place)).filter_map(|(number, _)| number));
+        }
+        numbers
+    }
+
+    /// How many cases a shard has.
+    pub fn count(&self, shard: Shard) -> u64 {
+        (0..self.regimes.len() as u64).map(|regime| shard.count(regime..regime + self.cases)).sum()
+    }
+
+    /// The numbers of the cases of a regime.
+    fn of_regime(&self, regime: Regime) -> impl Iterator<Item = u64> + use<> {
+        let number = move |turn| match regime {
+            Regime::BadlyScaled => BADLY_SCALED + turn,
+            _ => turn * REGIMES + regime as u64,
         };
-        self.regimes.iter().flat_map(|&regime| wanted(regime)).collect()
+        let family = self.family;
+        let of_family = move |&number: &u64| family.is_none_or(|family| families(number).contains(&family));
+        (0..).map(number).filter(of_family).take(usize::try_from(self.cases).unwrap_or(usize::MAX))
     }
 }
 

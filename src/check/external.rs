@@ -26,7 +26,7 @@ pub use conventions::{Conventions, Dofs, Length, Penalty, Range};
 pub use diagnose::other_conventions;
 pub use error::{ExternalError, Place};
 pub use evaluate::{Evaluator, Formulas};
-pub use explain::{Cause, ExplainedFault, Explanation, Naming, explain, explained_faults};
+pub use explain::{Cause, ExplainedFault, Explanation, Naming, equation_of, explain, explained_faults};
 pub use location::{Location, locate};
 pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};

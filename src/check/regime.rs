@@ -1,5 +1,6 @@
 //! The regimes: what kinds of pairs the gate draws.
 
+use super::serialized::by_name;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -43,6 +44,8 @@ pub(super) struct Draw {
     /// Parameters of the crossing.
     pub(super) at: [f64; 2],
 }
+
+by_name!(Regime);
 
 impl Regime {
     /// All regimes.

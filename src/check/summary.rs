@@ -5,20 +5,24 @@ use super::compare::MATRICES;
 use super::diagnosis::Finding;
 use super::draw::Case;
 use super::regime::Regime;
+use super::serialized::{Name, name, nested, number};
 use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::Quantity;
 use crate::test_beam::Family;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// The worst of one order of one quantity.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Cell {
     /// The largest error relative to its scale.
+    #[serde(with = "number")]
     pub scaled_error: f64,
     /// The case that showed it.
     pub case: u64,
     /// The largest error relative to its tolerance.
+    #[serde(with = "number")]
     pub over_tolerance: f64,
     /// How many entries were compared.
     pub entries: u64,
@@ -47,8 +51,17 @@ fn merge(cells: &mut BTreeMap<(Quantity, Order), Cell>, others: &BTreeMap<(Quant
     }
 }
 
+/// Points or cases that were not compared for one reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct NotCompared {
+    /// How many.
+    pub count: u64,
+    /// The first case of them.
+    pub first_case: u64,
+}
+
 /// The counts of one regime.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tally {
     /// Cases drawn.
     pub cases: u64,
@@ -60,50 +73,70 @@ pub struct Tally {
     pub mismatches: u64,
     /// The worst scaled error of all.
     pub worst: Cell,
-    /// Points or cases not compared, by reason, each with the first case number.
-    pub inconclusive: BTreeMap<Inconclusive, (u64, u64)>,
+    /// What was not compared, by reason.
+    pub not_compared: BTreeMap<Inconclusive, NotCompared>,
 }
 
 impl Tally {
+    /// How many points or cases were not compared.
+    pub fn left_out(&self) -> u64 {
+        self.not_compared.values().map(|what| what.count).sum()
+    }
+
+    fn leave_out(&mut self, reason: Inconclusive, what: NotCompared) {
+        let sum = self.not_compared.entry(reason).or_insert(NotCompared { count: 0, ..what });
+        sum.count += what.count;
+        sum.first_case = sum.first_case.min(what.first_case);
+    }
+
     fn merge(&mut self, other: &Self) {
         self.cases += other.cases;
         self.interior += other.interior;
         self.at_end += other.at_end;
         self.mismatches += other.mismatches;
         self.worst.merge(&other.worst);
-        for (reason, &(count, case)) in &other.inconclusive {
-            let entry = self.inconclusive.entry(*reason).or_insert((0, case));
-            *entry = (entry.0 + count, entry.1.min(case));
+        for (reason, other) in &other.not_compared {
+            self.leave_out(*reason, *other);
         }
     }
 }
 
 /// All that is reported of a run.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// The worst errors, by quantity and order; those with respect to the differences are in `differences`.
-    pub cells: BTreeMap<(Quantity, Order), Cell>,
+    #[serde(with = "nested")]
+    pub quantities: BTreeMap<(Quantity, Order), Cell>,
     /// The counts, by regime.
     pub regimes: BTreeMap<Regime, Tally>,
     /// How many closest points were compared, by family of either beam.
     pub families: BTreeMap<Family, u64>,
     /// How many closest points were compared, by pair of families.
+    #[serde(with = "nested")]
     pub pairs: BTreeMap<(Family, Family), u64>,
-    /// The cases that did not agree, with the entry that is furthest off.
-    pub mismatches: BTreeMap<u64, Comparison>,
-    /// The kind of each of them.
-    pub kinds: BTreeMap<u64, MismatchKind>,
-    /// Who is wrong in each of them.
-    pub arbitrations: BTreeMap<u64, Arbitration>,
+    /// The cases that did not agree, by number.
+    pub mismatches: BTreeMap<u64, Mismatch>,
     /// What the differences in double-double were asked, and answered.
     pub differences: Differences,
 }
 
+/// A case that did not agree.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Mismatch {
+    /// What is wrong first.
+    pub kind: Option<MismatchKind>,
+    /// Who is wrong.
+    pub arbitration: Option<Arbitration>,
+    /// The entry that is furthest off.
+    pub worst: Comparison,
+}
+
 /// What is wrong first, in the order in which numbers are computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct MismatchKind {
     /// The code that computes the number.
-    pub candidate: &'static str,
+    #[serde(deserialize_with = "name")]
+    pub candidate: Name,
     /// The order of the number.
     pub order: Order,
     /// Its quantity.
@@ -124,7 +157,7 @@ impl MismatchKind {
 }
 
 /// Closest points at which the differences in double-double were asked.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Differences {
     /// Points where they were asked and had an answer.
     pub points: u64,
@@ -133,7 +166,8 @@ pub struct Differences {
     /// Of these, points that they decided.
     pub decided: u64,
     /// The worst errors with respect to them, by quantity and order.
-    pub cells: BTreeMap<(Quantity, Order), Cell>,
+    #[serde(with = "nested")]
+    pub quantities: BTreeMap<(Quantity, Order), Cell>,
 }
 
 impl Differences {
@@ -150,7 +184,7 @@ impl Differences {
     }
 
     fn merge(&mut self, other: &Self) {
-        merge(&mut self.cells, &other.cells);
+        merge(&mut self.quantities, &other.quantities);
         self.points += other.points;
         self.unclear += other.unclear;
         self.decided += other.decided;
@@ -175,8 +209,7 @@ impl Summary {
             self.differences.add(verdict);
             let entries = match verdict {
                 Verdict::Inconclusive(reason, _) => {
-                    let (count, first) = tally.inconclusive.entry(*reason).or_insert((0, case.number));
-                    (*count, *first) = (*count + 1, case.number.min(*first));
+                    tally.leave_out(*reason, NotCompared { count: 1, first_case: case.number });
                     continue;
                 }
                 Verdict::Pass(entries) => entries,
@@ -186,13 +219,13 @@ impl Summary {
                     // What the differences tell is listed only where nothing else is wrong.
                     let rank = |entry: &Comparison| (entry.is_wrong(), entry.against != DIFFERENCES);
                     let meaningful = entries.iter().filter(|entry| entry.is_meaningful()).copied();
-                    let worst = meaningful.chain(earlier).max_by(|a, b| {
+                    let worst = meaningful.chain(earlier.map(|earlier| earlier.worst)).max_by(|a, b| {
                         rank(a).cmp(&rank(b)).then(a.over_tolerance().total_cmp(&b.over_tolerance()))
                     });
-                    self.mismatches.extend(worst.map(|worst| (case.number, worst)));
-                    let arbitrated = self.arbitrations.remove(&case.number).into_iter();
-                    let arbitrated = arbitrated.chain(Arbitration::of(entries)).reduce(Arbitration::and);
-                    self.arbitrations.extend(arbitrated.map(|arbitrated| (case.number, arbitrated)));
+                    let arbitrated = earlier.and_then(|earlier| earlier.arbitration).into_iter();
+                    let arbitration = arbitrated.chain(Arbitration::of(entries)).reduce(Arbitration::and);
+                    let mismatch = worst.map(|worst| Mismatch { kind: None, arbitration, worst });
+                    self.mismatches.extend(mismatch.map(|mismatch| (case.number, mismatch)));
                     entries
                 }
             };
@@ -215,16 +248,17 @@ impl Summary {
         for (quantity, cells) in Quantity::ALL.into_iter().zip(cells) {
             for (order, [cell, by_differences]) in Order::ALL.into_iter().zip(cells) {
                 if cell.entries > 0 {
-                    self.cells.entry((quantity, order)).or_default().merge(&cell);
+                    self.quantities.entry((quantity, order)).or_default().merge(&cell);
                     tally.worst.merge(&cell);
                 }
                 if by_differences.entries > 0 {
-                    self.differences.cells.entry((quantity, order)).or_default().merge(&by_differences);
+                    self.differences.quantities.entry((quantity, order)).or_default().merge(&by_differences);
                 }
             }
         }
-        let kind = Finding::of(verdicts).map(|finding| MismatchKind::of(&finding.entry));
-        self.kinds.extend(kind.map(|kind| (case.number, kind)));
+        if let Some(mismatch) = self.mismatches.get_mut(&case.number) {
+            mismatch.kind = Finding::of(verdicts).map(|finding| MismatchKind::of(&finding.entry));
+        }
         if compared > 0 {
             *self.pairs.entry((case.families[0], case.families[1])).or_default() += compared;
             for family in case.families {
@@ -236,7 +270,7 @@ impl Summary {
     /// The summary of both.
     #[must_use]
     pub fn merge(mut self, other: Self) -> Self {
-        merge(&mut self.cells, &other.cells);
+        merge(&mut self.quantities, &other.quantities);
         for (regime, tally) in &other.regimes {
             self.regimes.entry(*regime).or_default().merge(tally);
         }
@@ -247,8 +281,6 @@ impl Summary {
             *self.pairs.entry(pair).or_default() += count;
         }
         self.mismatches.extend(other.mismatches);
-        self.kinds.extend(other.kinds);
-        self.arbitrations.extend(other.arbitrations);
         self.differences.merge(&other.differences);
         self
     }

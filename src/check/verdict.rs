@@ -1,6 +1,8 @@
 //! What a comparison finds: single entries, and the verdict on a closest point.
 
+use super::serialized::{Name, by_name, name, number};
 use crate::linearization::Quantity;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
 /// Which part of a quantity is compared.
@@ -34,28 +36,38 @@ impl Order {
     }
 }
 
+by_name!(Order);
+
 /// One entry, as the two sides have it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// The quantity.
     pub quantity: Quantity,
     /// The component, of a vector.
+    #[serde(rename = "component")]
     pub axis: Option<char>,
     /// Which part of it.
     pub order: Order,
     /// The same in the words of [`Varied::PARTS`](crate::linearization::Varied::PARTS), which tell the two first variations apart.
-    pub part: &'static str,
+    #[serde(deserialize_with = "name")]
+    pub part: Name,
     /// What it was compared with.
-    pub against: &'static str,
+    #[serde(deserialize_with = "name")]
+    pub against: Name,
     /// The closed form's number.
+    #[serde(with = "number")]
     pub closed: f64,
     /// The other number.
+    #[serde(with = "number")]
     pub other: f64,
     /// The sum of the absolute values of the closed form's terms.
+    #[serde(with = "number")]
     pub scale: f64,
     /// How far rounding may have taken the closed form's number.
+    #[serde(with = "number")]
     pub bound: f64,
     /// The largest difference that rounding of both explains.
+    #[serde(with = "number")]
     pub tolerance: f64,
 }
 
@@ -108,7 +120,8 @@ fn relative(error: f64, to: f64) -> f64 {
 }
 
 /// Why a closest point, or a whole case, was not compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Inconclusive {
     /// The search ended in an error.
     SearchFailed,

@@ -3,9 +3,10 @@
 use super::exit::Exit;
 use super::human::error;
 use super::json;
+use super::outcome::{Entry, Outcome, Source, State, Verdict};
 use super::verify::Verified;
 use beamgap::check::external::{
-    Cause, Explanation, Judged, Location, Report, explain, locate, other_conventions,
+    Cause, Explanation, Judged, Location, PartFound, Report, explain, locate, other_conventions,
 };
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
@@ -13,27 +14,68 @@ use beamgap::report::Table;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// The exit code and the last line.
-pub(super) fn verdict(Verified { report, .. }: &Verified) -> (Exit, String) {
+/// What the answers amount to.
+pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
     let Report { compared, wrong, doubted, missing, unanswered, vectors, .. } = report;
     let open = missing + unanswered;
     let open =
         if open == 0 { String::new() } else { format!(" {open} of {vectors} cases are not answered.") };
-    match (*compared, *wrong) {
+    let (exit, name, words) = match (*compared, *wrong) {
         (0, _) => (
             Exit::Nothing,
+            "nothing-compared",
             format!("NOTHING COMPARED: of {vectors} cases none has an answer that can be.{open}"),
         ),
         (_, 0) => (
             Exit::Agree,
+            "agree",
             format!("AGREES: at {compared} closest points nothing differs beyond rounding.{open}"),
         ),
         (_, wrong) if wrong == *doubted => (
             Exit::Untrusted,
+            "not-trusted",
             format!("NOT TRUSTED: at {doubted} of {compared} closest points the references disagree."),
         ),
-        _ => (Exit::Disagree, format!("DISAGREES: at {wrong} of {compared} closest points.{open}")),
-    }
+        _ => {
+            let words = format!("DISAGREES: at {wrong} of {compared} closest points.{open}");
+            (Exit::Disagree, "disagree", words)
+        }
+    };
+    Verdict { exit, name, words }
+}
+
+/// The same with one entry for each order of each quantity.
+pub(super) fn outcome(verified: &Verified) -> Outcome {
+    let report = &verified.report;
+    let answered = report.parts.iter().map(|((_, quantity, part), found)| {
+        let PartFound { numbers, losing, wrong, worst, case, wrong_at, .. } = found;
+        let shown = if *wrong > 0 {
+            let comparison = &worst.comparison;
+            format!(
+                "; {case}: answered {:e}, expected {:e}, tolerance {}",
+                comparison.closed,
+                comparison.other,
+                error(comparison.tolerance)
+            )
+        } else {
+            format!("; {losing} have fewer digits than are attainable")
+        };
+        Entry {
+            group: (*part).to_owned(),
+            name: quantity.name().to_owned(),
+            state: State::of(*numbers, *wrong),
+            message: format!("{wrong} of {numbers} numbers are wrong{shown}"),
+            source: wrong_at.as_ref().and_then(Source::of_answer),
+        }
+    });
+    let never = report.never_answered().into_iter().map(|quantity| Entry {
+        group: "answers".to_owned(),
+        name: quantity.name().to_owned(),
+        state: State::NotCompared,
+        message: "never answered".to_owned(),
+        source: None,
+    });
+    Outcome { command: "verify", verdict: verdict(verified), entries: answered.chain(never).collect() }
 }
 
 /// Decimal digits of a relative error.
@@ -43,13 +85,22 @@ fn digits(error: f64) -> String {
     format!("{:.1}", (-error.log10()).clamp(0.0, 16.0))
 }
 
+/// What is asked, before anything is found.
+pub(super) fn head(command: &str, digits: Option<u8>, reason: Option<&str>) -> String {
+    let mut text = format!("Answers of {command}\n");
+    if let Some(digits) = digits {
+        let reason = reason.map_or_else(String::new, |reason| format!(": {reason}"));
+        let _ =
+            writeln!(text, "{digits} significant digits are asked for, wherever they are attainable{reason}");
+    }
+    text
+}
+
 /// The tables.
 pub(super) fn human(verified: &Verified) -> String {
-    let Verified { report, demands, command } = verified;
-    let mut text = format!("Answers of {command} to {} cases\n", report.vectors);
-    if let Some(digits) = demands.digits {
-        let _ = writeln!(text, "{digits} significant digits are asked for, wherever they are attainable");
-    }
+    let Verified { report, command, reason, .. } = verified;
+    let mut text = head(command, verified.demands.digits, reason.as_deref());
+    let _ = writeln!(text, "{} cases", report.vectors);
     if !report.parts.is_empty() {
         let titles = ["quantity", "order", "numbers", "wrong", "fewer digits", "digits", "attainable"];
         let mut table = Table::new(&titles).left(&[1]);
@@ -224,8 +275,8 @@ fn entry(location: &Location, first_index: usize) -> String {
 }
 
 /// The result for programs, of the schema `beamgap-verify/1`.
-pub(super) fn json(verified: &Verified, words: &str, explain: bool) -> anyhow::Result<String> {
-    let Verified { report, demands, command } = verified;
+pub(super) fn json(verified: &Verified, explain: bool) -> anyhow::Result<String> {
+    let Verified { report, demands, command, reason } = verified;
     let parts = report.parts.iter().map(|((_, quantity, part), found)| {
         json!({
             "quantity": quantity.name(),
@@ -267,13 +318,7 @@ pub(super) fn json(verified: &Verified, words: &str, explain: bool) -> anyhow::R
             })),
         })
     });
-    let (exit, _) = verdict(verified);
-    let name = match exit {
-        Exit::Agree => "agree",
-        Exit::Disagree => "disagree",
-        Exit::Nothing => "nothing-compared",
-        _ => "not-trusted",
-    };
+    let Verdict { name, words, .. } = verdict(verified);
     let conventions: Option<Value> = (report.wrong > 0)
         .then(|| other_conventions(&report.kept, demands))
         .flatten()
@@ -289,6 +334,7 @@ pub(super) fn json(verified: &Verified, words: &str, explain: bool) -> anyhow::R
         "verdict": name,
         "words": words,
         "digits": demands.digits,
+        "reason": reason,
         "cases": report.vectors,
         "compared": report.compared,
         "wrong": report.wrong,

@@ -6,8 +6,9 @@ use beamgap::variant::{Variant, with_faults};
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
+use std::time::Duration;
 
-/// For whom a result is written.
+/// For whom a page is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {
     Human,
@@ -30,6 +31,20 @@ pub(super) fn seed(text: &str) -> Result<u64, String> {
         None => text.parse().ok(),
     };
     parsed.ok_or_else(|| "expected a decimal or 0x-hexadecimal number below 2^64".into())
+}
+
+/// A duration: seconds, with a unit or without.
+pub(super) fn seconds(text: &str) -> Result<Duration, String> {
+    let units = [("ms", 1e-3), ("s", 1.0), ("m", 60.0), ("min", 60.0), ("h", 3600.0)];
+    let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let unit = &text[digits.len()..];
+    let unit =
+        if unit.is_empty() { Some(1.0) } else { units.iter().find(|(name, _)| *name == unit).map(|of| of.1) };
+    let parsed = unit.and_then(|unit| Some(digits.parse::<f64>().ok()? * unit)).filter(|time| *time >= 0.0);
+    let duration = parsed.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    // A year is as good as no limit.
+    let longest = Duration::from_secs(366 * 24 * 3600);
+    duration.map(|time| time.min(longest)).ok_or_else(|| "a time expected, such as 30s, 5m or 1h".into())
 }
 
 /// The name of a family.

@@ -55,7 +55,7 @@ impl MeasureBounds {
         for (option, name) in named.chain(self.family.map(|family| ("family", family.name()))) {
             let _ = write!(command, " --{option} {name}");
         }
-        let record = Bounds::new(&found, self.seed, self.cases, Environment::here(&command));
+        let record = Bounds::new(found, self.seed, self.cases, Environment::here(&command));
         let (exit, words) = verdict(&record);
         let document = match self.format {
             Format::Human => terminal::page(&record.page(), &words),
@@ -67,8 +67,8 @@ impl MeasureBounds {
 }
 
 fn verdict(record: &Bounds) -> (Exit, String) {
-    let points: u64 = record.regimes.iter().map(|regime| regime.points.measured).sum();
-    match (points, record.violations.len()) {
+    let points: u64 = record.found.points.values().map(|points| points.measured).sum();
+    match (points, record.found.violations.len()) {
         (0, _) => (Exit::Nothing, "NOTHING MEASURED: no closest point could be.".into()),
         (_, 0) => {
             (Exit::Agree, format!("BOUNDS HOLD: at {points} closest points no error exceeds its bound."))
@@ -81,31 +81,23 @@ fn verdict(record: &Bounds) -> (Exit, String) {
 mod tests {
     use super::verdict;
     use crate::cli::exit::Exit;
-    use beamgap::check::{Selection, bounds};
-    use beamgap::report::{Bounds, BrokenBound, Environment};
+    use beamgap::check::{Points, Regime, Selection, Side, Violation, bounds};
+    use beamgap::linearization::Quantity;
+    use beamgap::report::{Bounds, Environment};
 
     #[test]
     fn a_broken_bound_is_told_with_the_command_that_shows_it() {
         let none = Selection { regimes: Vec::new(), family: None, cases: 1 };
-        let mut record = Bounds::new(&bounds(1, &none, || ()), 0xabc, 1, Environment::here("none"));
+        let mut record = Bounds::new(bounds(1, &none, || ()), 0xabc, 1, Environment::here("none"));
         assert_eq!(verdict(&record).0, Exit::Nothing);
-        let regime = beamgap::report::RegimePoints {
-            regime: "generic".into(),
-            points: beamgap::check::Points { measured: 3, ..Default::default() },
-        };
-        record.regimes.push(regime);
+        record.found.points.insert(Regime::Generic, Points { measured: 3, ..Points::default() });
         assert_eq!(verdict(&record).0, Exit::Agree);
-        record.violations.push(BrokenBound {
-            case: 17,
-            side: "AD".into(),
-            quantity: "xi".into(),
-            part: "Delta".into(),
-            bound: Some(1e-16),
-            error: None,
-        });
+        let (side, quantity) = (Side::Chord, Quantity::Xi);
+        let violation = Violation { side, quantity, part: "Delta", bound: 1e-16, error: f64::NAN };
+        record.found.violations.insert(17, violation);
         assert_eq!(verdict(&record).0, Exit::Untrusted);
         let text = record.page().to_text(80);
         let told = "check --seed 0xabc --case 17";
-        assert!(text.contains(told) && text.contains("none"), "{text}");
+        assert!(text.contains(told) && text.contains("not a number"), "{text}");
     }
 }

@@ -1,9 +1,9 @@
 //! One case with everything about it: what was drawn, what was found, and every entry that was compared.
 
 use super::case_file;
-use super::check::Verdict;
 use super::human::{error, name};
 use super::json;
+use super::outcome::Verdict;
 use beamgap::check::{Arbitration, CaseData, Compared, Comparison, Regime, Verdict as Found};
 use beamgap::closest_point::{ClosestPoint, End};
 use beamgap::pair::Contact;

@@ -1,18 +1,23 @@
 //! `beamgap check`: random pairs of beams through both linearizations.
 
-use super::arguments::{Format, families, planting, regimes, seed, variant, work_with};
+use super::arguments::{families, regimes, seconds, seed, variant, work_with};
+use super::case;
+use super::case_file;
+use super::checked::{Checked, Oracle};
 use super::exit::Exit;
-use super::output::Output;
+use super::human;
+use super::outcome::{Entry, Outcome, Source, State, Verdict};
+use super::output::{Outputs, Written};
 use super::progress::Progress;
-use super::{case, case_file, human, json};
 use beamgap::check::{
-    Arbitration, Case, CaseData, CheckConfig, Compared, Family, Oracles, Regime, Selection, Shrunk, Summary,
-    Verdict as Found, run, shrink_mismatches,
+    Arbitration, Case, CaseData, CheckConfig, Compared, Family, Oracles, Regime, Selection, Shard,
+    Verdict as Found, run_part,
 };
-use clap::{Args, ValueEnum, value_parser};
+use clap::{Args, value_parser};
+use std::collections::BTreeMap;
 use std::io::IsTerminal;
 use std::path::PathBuf;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// The arguments.
 #[derive(Args)]
@@ -48,140 +53,100 @@ pub(crate) struct Check {
     /// What the closed form is compared with
     #[arg(long, value_enum, default_value_t = Oracle::Ad)]
     oracle: Oracle,
-    /// Tables for people, or one document for programs
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
-    /// Write the result to this file, and only the verdict to standard output
-    #[arg(long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    /// Only the i-th of n parts of the cases; `beamgap merge` puts the parts together
+    #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
+    #[arg(conflicts_with = "one")]
+    shard: Shard,
+    /// Start no case after this time, as 30s or 5m; the result says how many were not reached
+    #[arg(long, value_name = "TIME", value_parser = seconds, conflicts_with = "one")]
+    time_budget: Option<Duration>,
+    #[command(flatten)]
+    written: Written,
     /// How many threads work; the result is the same [default: all cores]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
 
-/// With what the closed form is compared. Where it disagrees with AD, the differences always arbitrate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Oracle {
-    /// Automatic differentiation
-    Ad,
-    /// Also differences of the value in double-double: in every thirteenth
-    /// case, and where the tolerance for AD means nothing
-    All,
-}
-
-/// Mismatches shown in full, and shrunk; the others are counted.
-pub(super) const SHOWN: usize = 5;
-
-/// What was asked, and what was found.
-pub(super) struct Checked {
-    pub(super) plant: Vec<String>,
-    pub(super) seed: u64,
-    pub(super) selection: Selection,
-    pub(super) summary: Summary,
-    pub(super) shrunk: Vec<Shrunk>,
-    /// Whether the differences were asked.
-    pub(super) differences: bool,
-}
-
-impl Checked {
-    /// The options with which a command shows a case as this run saw it.
-    pub(super) fn options(&self) -> String {
-        planting(&self.plant) + if self.differences { " --oracle all" } else { "" }
-    }
-}
-
 impl Check {
     /// Does the comparison and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let output = Output::open(self.output.as_deref())?;
+        let outputs = self.written.open()?;
         work_with(self.threads)?;
-        let (document, verdict) = match (&self.case_file, self.case) {
-            (Some(path), _) => self.one(&case_file::read(path)?, None)?,
+        match (&self.case_file, self.case) {
+            (Some(path), _) => self.one(outputs, &case_file::read(path)?, None),
             (None, Some(number)) => {
                 let case = Case::draw(self.seed, number);
-                self.one(&case.data(), Some((self.seed, number, case.regime)))?
+                self.one(outputs, &case.data(), Some((self.seed, number, case.regime)))
             }
-            (None, None) => self.many()?,
-        };
-        output.write(&document, &format!("{}\n", verdict.words))?;
-        Ok(verdict.exit)
+            (None, None) => self.many(outputs),
+        }
     }
 
-    fn one(&self, case: &CaseData, drawn: Option<(u64, u64, Regime)>) -> anyhow::Result<(String, Verdict)> {
+    fn one(
+        &self,
+        outputs: Outputs,
+        case: &CaseData,
+        drawn: Option<(u64, u64, Regime)>,
+    ) -> anyhow::Result<Exit> {
         let oracles = match self.oracle {
             Oracle::Ad => Oracles::Ad,
             Oracle::All => Oracles::All,
         };
         let points = case.compare(&CheckConfig { variant: variant(&self.plant)?, oracles })?;
-        let verdict = verdict_on(&points);
-        let shown =
-            case::Shown { case, drawn, points: &points, verdict: &verdict, only_wrong: self.only_wrong };
-        let document = match self.format {
-            Format::Human => case::human(&shown),
-            Format::Json => case::json(&shown)?,
-        };
-        Ok((document, verdict))
+        let outcome = outcome_of(&points);
+        let verdict = &outcome.verdict;
+        let shown = case::Shown { case, drawn, points: &points, verdict, only_wrong: self.only_wrong };
+        outputs.write(&outcome, || case::human(&shown), || case::json(&shown))?;
+        Ok(outcome.verdict.exit)
     }
 
-    fn many(&self) -> anyhow::Result<(String, Verdict)> {
+    fn many(&self, mut outputs: Outputs) -> anyhow::Result<Exit> {
         let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
         let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
         let selection = Selection { regimes, family: self.family, cases: self.cases };
-        let oracles = match self.oracle {
-            Oracle::Ad => Oracles::Ad,
-            Oracle::All => Oracles::Sample,
-        };
-        let config = CheckConfig { variant: variant(&self.plant)?, oracles };
-        let summary = with_progress(&config, self.seed, &selection);
-        let verdict = verdict(&summary);
-        let shrunk = shrink_mismatches(&config.variant, self.seed, &summary, SHOWN);
-        let (plant, seed, differences) = (self.plant.clone(), self.seed, self.oracle == Oracle::All);
-        let checked = Checked { plant, seed, selection, summary, shrunk, differences };
-        let document = match self.format {
-            Format::Human => human::document(&checked, &verdict),
-            Format::Json => json::document(&checked, &verdict)?,
-        };
-        Ok((document, verdict))
+        let mut checked = Checked::new(self.seed, self.plant.clone(), self.oracle, selection, self.shard);
+        let config = checked.config()?;
+        outputs.begin(&human::head(&checked))?;
+        let (start, numbers) = (Instant::now(), checked.selection.part(checked.shard));
+        let deadline = self.time_budget.map(|budget| start + budget);
+        let progress = Progress::bar("cases", numbers.len() as u64);
+        checked.found = run_part(&config, self.seed, &numbers, deadline, || progress.step());
+        progress.end();
+        if std::io::stderr().is_terminal() {
+            eprintln!("{} cases in {:.1} s", numbers.len(), start.elapsed().as_secs_f64());
+        }
+        let shown = checked.shown()?;
+        outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
+        Ok(shown.outcome.verdict.exit)
     }
 }
 
-/// Runs the cases; stderr has the time that they took, if someone is watching.
-fn with_progress(config: &CheckConfig, seed: u64, selection: &Selection) -> Summary {
-    let (start, count) = (Instant::now(), selection.cases * selection.regimes.len() as u64);
-    let progress = Progress::bar("cases", count);
-    let summary = run(config, seed, selection, || progress.step());
-    progress.end();
-    if std::io::stderr().is_terminal() {
-        eprintln!("{count} cases in {:.1} s", start.elapsed().as_secs_f64());
-    }
-    summary
-}
-
-/// The result of a comparison, for people and for programs.
-pub(super) struct Verdict {
-    pub(super) exit: Exit,
-    pub(super) name: &'static str,
-    pub(super) words: String,
-}
-
-pub(super) fn verdict(summary: &Summary) -> Verdict {
-    let tallies = || summary.regimes.values();
-    let left = tallies().flat_map(|tally| tally.inconclusive.values()).map(|&(count, _)| count).sum();
-    let untrusted = summary.arbitrations.values().filter(|who| who.is_untrusted()).count();
-    in_words(summary.compared(), tallies().map(|tally| tally.mismatches).sum(), left, untrusted)
-}
-
-/// The same for one case.
-fn verdict_on(points: &Compared) -> Verdict {
+/// What the comparison of one case amounts to, with one entry for each order of each quantity.
+fn outcome_of(points: &Compared) -> Outcome {
     let count = |wanted: fn(&Found) -> bool| points.iter().filter(|(_, found)| wanted(found)).count() as u64;
     let left = count(|found| matches!(found, Found::Inconclusive(..)));
     let arbitrated = points.iter().filter_map(|(_, found)| Arbitration::of(found.entries()));
     let untrusted = arbitrated.filter(|who| who.is_untrusted()).count();
-    in_words(points.len() as u64 - left, count(|found| matches!(found, Found::Mismatch(_))), left, untrusted)
+    let wrong = count(|found| matches!(found, Found::Mismatch(_)));
+    let verdict = in_words(points.len() as u64 - left, wrong, left, untrusted);
+    let mut counts: BTreeMap<_, (u64, u64)> = BTreeMap::new();
+    for entry in points.iter().flat_map(|(_, found)| found.entries()).filter(|entry| entry.is_meaningful()) {
+        let (numbers, wrong) = counts.entry((entry.quantity, entry.order)).or_default();
+        (*numbers, *wrong) = (*numbers + 1, *wrong + u64::from(entry.is_wrong()));
+    }
+    let entries = counts.into_iter().map(|((quantity, order), (numbers, wrong))| Entry {
+        group: order.name().to_owned(),
+        name: quantity.name().to_owned(),
+        state: State::of(numbers, wrong),
+        message: format!("{wrong} of {numbers} numbers differ beyond rounding"),
+        source: Some(Source::of_formula(order, quantity)),
+    });
+    Outcome { command: "check", verdict, entries: entries.collect() }
 }
 
-fn in_words(compared: u64, wrong: u64, left: u64, untrusted: usize) -> Verdict {
+/// The verdict, from the counts of closest points.
+pub(super) fn in_words(compared: u64, wrong: u64, left: u64, untrusted: usize) -> Verdict {
     let points = if compared == 1 { "closest point" } else { "closest points" };
     let (exit, name, words) = match (compared, wrong) {
         _ if untrusted > 0 => {

@@ -1,28 +1,32 @@
 //! What does not agree, for people: the numbers, and a small case to paste.
 
 use super::case_file;
-use super::check::{Checked, SHOWN};
+use super::checked::{Checked, SHOWN, Shown};
 use super::human::{name, repeat};
-use beamgap::check::{Case, Comparison, MismatchKind, Regime, Shrunk, look_at, test_source};
+use beamgap::check::{Case, Comparison, Mismatch, MismatchKind, Regime, Shrunk, look_at, test_source};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// The first of them, each with the command that repeats it.
 pub(super) fn listed(checked: &Checked) -> String {
     let mut text = String::new();
-    let (all, kinds) = (&checked.summary.mismatches, &checked.summary.kinds);
+    let all = &checked.found.mismatches;
     // One of each kind, then others.
     let mut met = BTreeSet::new();
-    let (mut shown, others): (Vec<u64>, Vec<u64>) =
-        all.keys().partition(|number| met.insert(kinds.get(number)));
+    let (mut shown, others): (Vec<_>, Vec<_>) = all
+        .iter()
+        .map(|(number, mismatch)| (*number, mismatch.kind))
+        .partition(|(_, kind)| met.insert(*kind));
     shown.extend(others);
     shown.truncate(SHOWN);
-    for (&number, entry) in shown.iter().filter_map(|number| all.get_key_value(number)) {
+    for (&number, Mismatch { arbitration, worst, .. }) in
+        shown.iter().filter_map(|(number, _)| all.get_key_value(number))
+    {
         let Case { regime, families: [beam, bar], .. } = Case::draw(checked.seed, number);
         let _ =
             writeln!(text, "  case {number}: {}, {} and {}", Regime::name(regime), beam.name(), bar.name());
-        text += &mismatch(entry);
-        if let Some(who) = checked.summary.arbitrations.get(&number) {
+        text += &mismatch(worst);
+        if let Some(who) = arbitration {
             let _ = writeln!(text, "    by differences in double-double: {}", who.words());
         }
         let command = repeat(checked.seed, number) + &checked.options();
@@ -33,13 +37,14 @@ pub(super) fn listed(checked: &Checked) -> String {
         rest => drop(writeln!(text, "  and {rest} more")),
     }
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
-    for kind in kinds.values() {
+    for kind in all.values().filter_map(|mismatch| mismatch.kind) {
         *counts.entry(kind).or_default() += 1;
     }
     if let Some((MismatchKind { candidate, order, quantity }, count)) =
         counts.iter().max_by_key(|(_, count)| **count)
     {
-        let (cases, order_name, name) = (kinds.len(), order.name(), quantity.name());
+        let cases: usize = counts.values().sum();
+        let (order_name, name) = (order.name(), quantity.name());
         let _ = write!(
             text,
             "\n  {count} of {cases} begin with {name} ({order_name}) of the {candidate}:\n  look at {}\n",
@@ -50,8 +55,8 @@ pub(super) fn listed(checked: &Checked) -> String {
 }
 
 /// What is left of the disagreements, wider than a terminal: it is to be pasted.
-pub(super) fn made_small(checked: &Checked) -> String {
-    let each = checked.shrunk.iter().map(|shrunk| {
+pub(super) fn made_small(Shown { checked, shrunk, .. }: &Shown) -> String {
+    let each = shrunk.iter().map(|shrunk| {
         let Shrunk { number, case, finding } = shrunk;
         let entry = &finding.entry;
         format!(
@@ -59,7 +64,7 @@ pub(super) fn made_small(checked: &Checked) -> String {
             entry.part,
             name(entry),
             entry.order.name(),
-            test(shrunk, &checked.plant),
+            test(shrunk, &checked.planted),
             case_file::command(case) + &checked.options()
         )
     });

@@ -32,7 +32,8 @@ impl Exit {
         Self::Internal,
     ];
 
-    fn meaning(self) -> &'static str {
+    /// What the code means.
+    pub(crate) fn meaning(self) -> &'static str {
         match self {
             Self::Agree => "all that was compared agrees",
             Self::Disagree => "some of it disagrees",

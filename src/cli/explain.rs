@@ -4,6 +4,7 @@ use super::answered::{cause, verdict};
 use super::arguments::{seed, work_with};
 use super::exit::Exit;
 use super::export::source;
+use super::outcome::Verdict;
 use super::output::Output;
 use super::verify::Verified;
 use beamgap::check::external::{AnswerReader, Demands, Matching, VectorReader, explain, other_conventions};
@@ -56,8 +57,8 @@ impl Explain {
             matching.take(answers, || vectors.next_vector())?;
         }
         let report = matching.finish(|| vectors.next_vector())?;
-        let verified = Verified { report, demands, command };
-        let (exit, words) = verdict(&verified);
+        let verified = Verified { report, demands, command, reason: None };
+        let Verdict { exit, words, .. } = verdict(&verified);
         let mut text = String::new();
         if exit == Exit::Disagree {
             let kept = &verified.report.kept;

@@ -1,15 +1,19 @@
 //! `beamgap faults`: fault injection, and which checks detect which faults.
 
-use super::arguments::{Format, regimes, seed, work_with};
+use super::arguments::{regimes, seed, work_with};
 use super::exit::Exit;
-use super::output::Output;
+use super::outcome::{Entry, Outcome, Source, State, Verdict};
+use super::output::{Output, Written};
 use super::progress::Progress;
 use super::terminal;
 use beamgap::check::Regime;
-use beamgap::faults::{all_operations, inject, limits, sampled};
+use beamgap::check::external::equation_of;
+use beamgap::equations::named;
+use beamgap::faults::{Check, all_operations, inject, limits, sampled};
 use beamgap::report::{self, Environment, Faults, Record};
-use beamgap::variant::catalogue;
+use beamgap::variant::{Rewrite, catalogue};
 use clap::{Args, value_parser};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -18,7 +22,7 @@ use std::path::PathBuf;
 #[command(after_help = Exit::help())]
 pub(crate) struct InjectFaults {
     /// Only name the faults, as `check --plant` and `prove --plant` take them
-    #[arg(long, conflicts_with_all = ["seed", "regime", "format", "to"])]
+    #[arg(long, conflicts_with_all = ["seed", "regime", "format", "output", "to"])]
     list: bool,
     /// Seed of the random pairs, decimal or 0x-hexadecimal
     #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
@@ -26,18 +30,14 @@ pub(crate) struct InjectFaults {
     /// Only this regime; may be repeated
     #[arg(long, value_parser = regimes())]
     regime: Vec<Regime>,
-    /// Tables for people, or one document for programs
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
     /// Also write faults.json and faults.md into this directory
     #[arg(long, value_name = "DIRECTORY")]
     to: Option<PathBuf>,
     /// Write the report although the source has changes that are not committed
     #[arg(long, requires = "to")]
     allow_dirty: bool,
-    /// Write the result to this file, and only the verdict to standard output
-    #[arg(long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    written: Written,
     /// How many threads work; the result is the same [default: all cores]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
@@ -47,27 +47,25 @@ pub(crate) struct InjectFaults {
 impl InjectFaults {
     /// Puts the checks to the test and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let output = Output::open(self.output.as_deref())?;
         work_with(self.threads)?;
         if self.list {
             let names: Vec<_> = catalogue().iter().map(ToString::to_string).collect();
-            output.write(&(names.join("\n") + "\n"), "")?;
+            Output::Standard.write(&(names.join("\n") + "\n"), "")?;
             return Ok(Exit::Agree);
         }
+        let mut outputs = self.written.open()?;
         if self.to.is_some() {
             Environment::is_clean(self.allow_dirty)?;
         }
+        outputs.begin("Faults\n")?;
         let record = record(self.seed, &self.regime, &self.command());
         if let Some(to) = &self.to {
             report::faults(to, &record)?;
         }
-        let words = verdict(&record);
-        let document = match self.format {
-            Format::Human => terminal::page(&record.page(), &words),
-            Format::Json => record.to_json()?,
-        };
-        output.write(&document, &format!("{words}\n"))?;
-        Ok(if record.holds { Exit::Agree } else { Exit::Untrusted })
+        let outcome = outcome(&record);
+        let human = || terminal::page(&record.page(), &outcome.verdict.words);
+        outputs.write(&outcome, human, || Ok(record.to_json()?))?;
+        Ok(outcome.verdict.exit)
     }
 
     fn command(&self) -> String {
@@ -97,17 +95,73 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     progress.now("injecting faults into single operations in f64");
     let (limits, sampled) = (limits(seed, &regimes), sampled(seed, &regimes));
     progress.end();
-    Faults::new(&found, &limits, &operations, &sampled, seed, Environment::here(command))
+    Faults::new(found, operations, sampled, limits, seed, Environment::here(command))
 }
 
-fn verdict(record: &Faults) -> String {
-    let faults: usize = record.kinds.iter().map(|(_, count)| count).sum();
+/// What a record amounts to, with one entry for each formula of the closed form, and one for each code of which single
+/// operations were made wrong.
+fn outcome(record: &Faults) -> Outcome {
+    let mut formulas: BTreeMap<String, usize> = BTreeMap::new();
+    for fault in catalogue() {
+        *formulas.entry(formula(&fault.to_string()).to_owned()).or_default() += 1;
+    }
+    let ours = record.terms.detections.iter().filter(|of| matches!(of.check, Check::Gate | Check::Exact));
+    let missed: Vec<_> = ours
+        .flat_map(|of| record.terms.missed_by(of.check, of.regime).map(move |fault| (of, fault)))
+        .collect();
+    let of_formulas = formulas.into_iter().map(|(name, count)| {
+        let missed: BTreeSet<_> = missed
+            .iter()
+            .filter(|(_, fault)| formula(fault) == name)
+            .map(|(of, fault)| {
+                format!("{fault} ({}, {})", of.check.name(), of.regime.map_or("-", Regime::name))
+            })
+            .collect();
+        let state = State::of(count as u64, missed.len() as u64);
+        let message = match state {
+            State::Differs => format!("not detected: {}", missed.into_iter().collect::<Vec<_>>().join("; ")),
+            _ => format!("all {count} faults are detected"),
+        };
+        let number = number_of(&name);
+        Entry { group: "formula".into(), name, state, message, source: Source::of_equation(number) }
+    });
+    let of_operations = record.operations.iter().map(|of| {
+        let open: usize = of.undetected.iter().filter(|of| of.reason.is_none()).map(|of| of.operations).sum();
+        Entry {
+            group: "operations".into(),
+            name: format!("{}, {}", of.code, of.place),
+            state: State::of(of.faults as u64, open as u64),
+            message: format!(
+                "{} of {} faults are detected; {open} operations have no reason",
+                of.detected, of.faults
+            ),
+            source: None,
+        }
+    });
+    let (exit, name) =
+        if record.holds { (Exit::Agree, "detected") } else { (Exit::Untrusted, "not-detected") };
+    let verdict = Verdict { exit, name, words: words(record) };
+    Outcome { command: "faults", verdict, entries: of_formulas.chain(of_operations).collect() }
+}
+
+/// The formula that a fault is in: its name up to the colon.
+fn formula(fault: &str) -> &str {
+    fault.split(':').next().unwrap_or(fault)
+}
+
+/// The number of the equation of a formula.
+fn number_of(formula: &str) -> Option<u8> {
+    named(&equation_of(&format!("{formula}: "))?.replace("eq. ", "Eq. ")).first().copied()
+}
+
+fn words(record: &Faults) -> String {
+    let faults = record.terms.faults();
     if !record.holds {
         return "NOT DETECTED: the check misses a fault, rejects an equivalent formula, or does not cover\n\
                 an operation."
             .into();
     }
-    let rewrites = record.rewrites.len();
+    let rewrites = Rewrite::ALL.len();
     let of_terms = format!(
         "DETECTED: all {faults} faults of terms; none of {rewrites} equivalent formulas is rejected."
     );

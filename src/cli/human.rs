@@ -1,17 +1,21 @@
 //! A run as tables for people, 80 columns wide.
 
 use super::arguments::{planted, program};
-use super::check::{Checked, Verdict};
+use super::checked::{Checked, Shown};
 use super::disagreements;
-use beamgap::check::{Cell, Comparison, Differences, Family, Inconclusive, Order};
+use beamgap::check::{Cell, Comparison, Differences, Family, Inconclusive, NotCompared, Order, Shard};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// All that is to be said about a run.
-pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
-    let mut text = title(checked);
+pub(super) fn document(shown: &Shown) -> String {
+    let checked = &shown.checked;
+    let mut text = head(checked);
+    if !checked.found.mismatches.is_empty() {
+        text += "!: a number differs beyond rounding\n";
+    }
     let mut add = |title: &str, body: String| {
         if !body.is_empty() {
             let _ = write!(text, "\n{title}\n{body}");
@@ -19,33 +23,37 @@ pub(super) fn document(checked: &Checked, verdict: &Verdict) -> String {
     };
     add(
         "Worst error / scale; the scale is the sum of the absolute values of all terms",
-        cells(&checked.summary.cells, &Order::ALL, worst),
+        cells(&checked.found.quantities, &Order::ALL, worst),
     );
-    add("The case with this error", cells(&checked.summary.cells, &Order::ALL, shown_by));
+    add("The case with this error", cells(&checked.found.quantities, &Order::ALL, shown_by));
     add("Regimes: closest points compared, worst error, worst error / tolerance", regimes(checked));
     add(&coverage(checked), families(checked));
     add("Not compared", not_compared(checked));
     add("Differences in double-double", differences(checked));
     add("Mismatches", disagreements::listed(checked));
-    add("Shrunk mismatches, as a test and as a command", disagreements::made_small(checked));
-    text + "\n" + &verdict.words + "\n"
+    add("Shrunk mismatches, as a test and as a command", disagreements::made_small(shown));
+    text + "\n" + &shown.outcome.verdict.words + "\n"
 }
 
-fn title(Checked { plant, seed, selection, summary, .. }: &Checked) -> String {
+/// What is asked, before anything is found.
+pub(super) fn head(Checked { planted: plant, seed, selection, shard, .. }: &Checked) -> String {
     let family =
         selection.family.map_or_else(|| "all families".into(), |family| format!("family {}", family.name()));
     let regimes = match selection.regimes.as_slice() {
         [one] => format!("regime {}", one.name()),
         several => format!("{} regimes", several.len()),
     };
+    let part = match selection.count(*shard) {
+        _ if *shard == Shard::WHOLE => String::new(),
+        count => format!("shard {shard}, {count} cases\n"),
+    };
     format!(
         "Contact geometry of two beams: closed form and automatic differentiation\n\
-         seed {seed:#x}, {regimes}, {} cases each, {family}\n{}\n\
+         seed {seed:#x}, {regimes}, {} cases each, {family}\n{part}{}\n\
          first: delta and Delta; second: Delta-delta; symmetry: second, with the\n\
-         directions exchanged; matrix: gradient and Hessian times the directions\n{}",
+         directions exchanged; matrix: gradient and Hessian times the directions\n",
         selection.cases,
         planted(plant),
-        if summary.mismatches.is_empty() { "" } else { "!: a number differs beyond rounding\n" }
     )
 }
 
@@ -80,7 +88,7 @@ fn shown_by(cell: &Cell) -> String {
 fn regimes(checked: &Checked) -> String {
     let titles = ["regime", "cases", "inside", "at ends", "differ", "error", "case", "/ tol."];
     let mut table = Table::new(&titles);
-    for (regime, tally) in &checked.summary.regimes {
+    for (regime, tally) in &checked.found.regimes {
         let counts =
             [tally.cases, tally.interior, tally.at_end, tally.mismatches].map(|count| count.to_string());
         let worst = match tally.worst.entries {
@@ -100,14 +108,14 @@ fn coverage(checked: &Checked) -> String {
     let of = Family::ALL.len().pow(2);
     format!(
         "Families: closest points compared; {} of {of} ordered pairs of families",
-        checked.summary.pairs.len()
+        checked.found.pairs.len()
     )
 }
 
 fn families(checked: &Checked) -> String {
     let mut table = Table::default().left(&[0, 2, 4]);
     for families in Family::ALL.chunks(3) {
-        let count = |family| checked.summary.families.get(family).copied().unwrap_or(0).to_string();
+        let count = |family| checked.found.families.get(family).copied().unwrap_or(0).to_string();
         table.row(families.iter().flat_map(|family| [family.name().into(), count(family)]).collect());
     }
     table.to_string()
@@ -116,15 +124,15 @@ fn families(checked: &Checked) -> String {
 fn not_compared(checked: &Checked) -> String {
     let mut table = Table::new(&["reason", "count", "first case"]);
     let reasons = reasons(checked);
-    for (reason, (count, case)) in &reasons {
-        table.row(vec![reason.reason().into(), count.to_string(), case.to_string()]);
+    for (reason, NotCompared { count, first_case }) in &reasons {
+        table.row(vec![reason.reason().into(), count.to_string(), first_case.to_string()]);
     }
     if reasons.is_empty() { String::new() } else { table.to_string() }
 }
 
 /// What the third oracle was asked.
 fn differences(checked: &Checked) -> String {
-    let Differences { points, unclear, decided, cells: of } = &checked.summary.differences;
+    let Differences { points, unclear, decided, quantities: of } = &checked.found.differences;
     if *points == 0 {
         return String::new();
     }
@@ -136,11 +144,13 @@ fn differences(checked: &Checked) -> String {
 }
 
 /// Why closest points or cases were not compared, over all regimes.
-fn reasons(checked: &Checked) -> BTreeMap<Inconclusive, (u64, u64)> {
-    let mut reasons = BTreeMap::new();
-    for (&reason, &(count, case)) in checked.summary.regimes.values().flat_map(|tally| &tally.inconclusive) {
-        let sum = reasons.entry(reason).or_insert((0, case));
-        *sum = (sum.0 + count, sum.1.min(case));
+fn reasons(checked: &Checked) -> BTreeMap<Inconclusive, NotCompared> {
+    let mut reasons: BTreeMap<Inconclusive, NotCompared> = BTreeMap::new();
+    for (&reason, &NotCompared { count, first_case }) in
+        checked.found.regimes.values().flat_map(|tally| &tally.not_compared)
+    {
+        let sum = reasons.entry(reason).or_insert(NotCompared { count: 0, first_case });
+        (sum.count, sum.first_case) = (sum.count + count, sum.first_case.min(first_case));
     }
     reasons
 }

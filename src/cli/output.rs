@@ -1,9 +1,158 @@
-//! Where a document goes: standard output, or a file that is opened before the work starts.
+//! Where a result goes: standard output, and files that are opened before the work starts.
 
-use anyhow::Context;
+use super::exit::Exit;
+use super::formats::{github, junit, markdown, sarif, write_step_summary};
+use super::outcome::Outcome;
+use anstream::{AutoStream, ColorChoice};
+use anyhow::{Context, anyhow};
+use clap::{Args, ValueEnum};
 use std::fs::{File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+
+/// How a result is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Tables for people
+    Human,
+    /// One document with all numbers
+    Json,
+    /// JUnit XML: a test case for each quantity or equation
+    Junit,
+    /// SARIF 2.1.0: a result for each quantity or equation that differs
+    Sarif,
+    /// Annotations of GitHub Actions
+    Github,
+    /// Markdown, as for the summary of a job
+    Markdown,
+}
+
+/// The options that say what is written, and where.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Written {
+    /// How the result is written
+    #[arg(long, value_enum, default_value_t = Format::Human, hide_possible_values = true)]
+    #[arg(help = "How the result is written: human, json, junit, sarif, github or markdown")]
+    format: Format,
+    /// Write the result to this file, as --format says or as FORMAT; may be repeated. Standard output has what no file has
+    /// of --format, or else the verdict
+    #[arg(long, value_name = "[FORMAT=]PATH", value_parser = destination)]
+    output: Vec<(Option<Format>, PathBuf)>,
+}
+
+/// A file, with the format before its name if it is to be another than that of `--format`.
+fn destination(text: &str) -> Result<(Option<Format>, PathBuf), String> {
+    let Some((name, path)) = text.split_once('=') else { return Ok((None, text.into())) };
+    if let Ok(format) = Format::from_str(name, false) {
+        return Ok((Some(format), path.into()));
+    }
+    if !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphabetic()) {
+        let names = Format::value_variants()
+            .iter()
+            .filter_map(|format| Some(format.to_possible_value()?.get_name().to_owned()));
+        let names = names.collect::<Vec<_>>().join(", ");
+        return Err(format!("no format {name:?}, one of {names} expected; a file of this name is ./{text}"));
+    }
+    Ok((None, text.into()))
+}
+
+/// The places that a result is written to.
+pub(crate) struct Outputs {
+    format: Format,
+    files: Vec<(Format, Output)>,
+    /// What standard output already has of the tables.
+    head: String,
+}
+
+impl Written {
+    /// Opens all files, so that a wrong path is noticed first and not last.
+    pub(crate) fn open(&self) -> anyhow::Result<Outputs> {
+        let open = |(format, path): &(Option<Format>, PathBuf)| {
+            Ok((format.unwrap_or(self.format), Output::open(Some(path))?))
+        };
+        let files = self.output.iter().map(open).collect::<anyhow::Result<_>>()?;
+        Ok(Outputs { format: self.format, files, head: String::new() })
+    }
+}
+
+impl Outputs {
+    /// Whether standard output has the tables.
+    fn is_shown(&self) -> bool {
+        self.format == Format::Human && self.files.iter().all(|(format, _)| *format != Format::Human)
+    }
+
+    /// Writes how the tables begin, if standard output has them, so that the reader sees at once what is being done. A
+    /// longer beginning continues a shorter one.
+    pub(crate) fn begin(&mut self, head: &str) -> anyhow::Result<()> {
+        if let Some(more) = head.strip_prefix(&self.head).filter(|_| self.is_shown()) {
+            to_stdout(more)?;
+            head.clone_into(&mut self.head);
+        }
+        Ok(())
+    }
+
+    /// Writes the result to all places, as tables or as a document where that is asked for.
+    ///
+    /// If a file fails now, what it was to have goes to standard output, so that the work is not lost.
+    pub(crate) fn write(
+        self,
+        outcome: &Outcome,
+        human: impl Fn() -> String,
+        json: impl Fn() -> anyhow::Result<String>,
+    ) -> anyhow::Result<()> {
+        let written = |format| match format {
+            Format::Human => Ok(human()),
+            Format::Json => json(),
+            Format::Junit => Ok(junit(outcome)),
+            Format::Sarif => sarif(outcome),
+            Format::Github => Ok(github(outcome)),
+            Format::Markdown => Ok(markdown(outcome)),
+        };
+        write_step_summary(outcome);
+        let mut text = String::new();
+        let (mut failed, mut is_own_shown) = (None, true);
+        for (format, file) in self.files {
+            let document = written(format)?;
+            let is_own = format == self.format;
+            if let Err(error) = file.replace(&document) {
+                text += &document;
+                failed.get_or_insert(error);
+                is_own_shown &= !is_own;
+            } else if is_own && is_own_shown {
+                text.insert_str(0, &format!("{}\n", outcome.verdict.words));
+                is_own_shown = false;
+            }
+        }
+        if is_own_shown {
+            let own = written(self.format)?;
+            text.insert_str(0, own.strip_prefix(&self.head).unwrap_or(&own));
+        }
+        if self.format == Format::Human {
+            text = coloured(text, outcome);
+        }
+        to_stdout(&text)?;
+        failed.map_or(Ok(()), Err)
+    }
+}
+
+/// The text with its verdict in colour, if standard output takes colours.
+fn coloured(mut text: String, outcome: &Outcome) -> String {
+    if AutoStream::choice(&io::stdout()) == ColorChoice::Never {
+        return text;
+    }
+    let words = &outcome.verdict.words;
+    let end = words.find(':').unwrap_or(0);
+    if let Some(start) = text.rfind(words.as_str()) {
+        let colour = match outcome.verdict.exit {
+            Exit::Agree => "\u{1b}[1;32m",
+            Exit::Nothing => "\u{1b}[1;33m",
+            _ => "\u{1b}[1;31m",
+        };
+        text.insert_str(start + end, "\u{1b}[0m");
+        text.insert_str(start, colour);
+    }
+    text
+}
 
 /// A place to write one document to.
 pub(crate) enum Output {
@@ -26,26 +175,30 @@ impl Output {
     ///
     /// If the file fails now, the document goes to standard output, so that the work is not lost.
     pub(crate) fn write(self, document: &str, remark: &str) -> anyhow::Result<()> {
-        match self {
-            Self::Standard => to_stdout(document),
-            Self::File(mut file, path) => match replace(&mut file, document) {
-                Ok(()) => to_stdout(remark),
-                Err(error) => {
-                    to_stdout(document)?;
-                    let told = format!("cannot write {}, wrote to standard output instead", path.display());
-                    Err(anyhow::Error::new(error).context(told))
-                }
-            },
+        let Self::File(..) = self else { return to_stdout(document) };
+        match self.replace(document) {
+            Ok(()) => to_stdout(remark),
+            Err(error) => {
+                to_stdout(document)?;
+                Err(error)
+            }
         }
     }
-}
 
-fn replace(file: &mut File, document: &str) -> io::Result<()> {
-    file.write_all(document.as_bytes())?;
-    if file.metadata()?.is_file() {
-        file.set_len(document.len() as u64)?;
+    fn replace(self, document: &str) -> anyhow::Result<()> {
+        let Self::File(mut file, path) = self else { return to_stdout(document) };
+        let mut write = || {
+            file.write_all(document.as_bytes())?;
+            if file.metadata()?.is_file() {
+                file.set_len(document.len() as u64)?;
+            }
+            file.flush()
+        };
+        write().map_err(|error: io::Error| {
+            let told = format!("cannot write {}, wrote to standard output instead", path.display());
+            anyhow!(error).context(told)
+        })
     }
-    file.flush()
 }
 
 /// A reader that has seen enough closes the pipe: no error.
@@ -56,5 +209,21 @@ fn to_stdout(text: &str) -> anyhow::Result<()> {
             Err(error).context("cannot write to standard output")
         }
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Format, destination};
+    use std::path::PathBuf;
+
+    #[test]
+    fn a_format_stands_before_the_path() {
+        let of = |text: &str| destination(text).unwrap();
+        assert_eq!(of("a.txt"), (None, PathBuf::from("a.txt")));
+        assert_eq!(of("junit=a=b.xml"), (Some(Format::Junit), PathBuf::from("a=b.xml")));
+        assert_eq!(of("./x=y"), (None, PathBuf::from("./x=y")));
+        let error = destination("jnuit=a.xml").unwrap_err();
+        assert!(error.starts_with("no format \"jnuit\", one of human, json, junit, "), "{error}");
     }
 }

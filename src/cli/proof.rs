@@ -1,39 +1,67 @@
 //! A proof as tables for people, and as one document for programs.
 
 use super::arguments::{planted, planting, program};
+use super::exit::Exit;
 use super::json;
+use super::outcome::{Entry as OutcomeEntry, Outcome, Source, State, Verdict};
 use super::prove::Proved;
+use beamgap::check::Order;
 use beamgap::linearization::Quantity;
 use beamgap::number::PrimeField;
 use beamgap::prove::{Draw, Entry, Layer, Proof, Row};
 use beamgap::report::Table;
+use beamgap::test_beam::Family;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Refutations shown; the others are counted.
 const SHOWN: usize = 5;
 
-/// The result in words.
-pub(super) fn verdict(proof: &Proof) -> String {
-    if proof.holds() {
-        return "PROVED: closed form and automatic differentiation are equal in every draw.".into();
-    }
-    let pairs = proof.refutations.len();
-    format!("REFUTED: in {pairs} of {} pairs of families they are not equal.", proof.pairs)
+/// What a proof amounts to, with one entry for each layer of each quantity.
+pub(super) fn outcome(proof: &Proof) -> Outcome {
+    let (exit, name, words) = if proof.holds() {
+        let words = "PROVED: closed form and automatic differentiation are equal in every draw.".to_owned();
+        (Exit::Agree, "proved", words)
+    } else {
+        let (pairs, all) = (proof.refutations.len(), proof.pairs);
+        let words = format!("REFUTED: in {pairs} of {all} pairs of families they are not equal.");
+        (Exit::Disagree, "refuted", words)
+    };
+    let entries = proof.rows.iter().map(|&Row { quantity, layer, equal, refuted, .. }| {
+        let order = match layer {
+            Layer::Value => Order::Value,
+            Layer::First => Order::First,
+            Layer::Second => Order::Second,
+            Layer::Matrix | Layer::Kernel => Order::Matrix,
+        };
+        OutcomeEntry {
+            group: layer.name().to_owned(),
+            name: quantity.name().to_owned(),
+            state: State::of(equal + refuted, refuted),
+            message: format!("equal in {equal} draws, unequal in {refuted}"),
+            source: Some(Source::of_formula(order, quantity)),
+        }
+    });
+    Outcome { command: "prove", verdict: Verdict { exit, name, words }, entries: entries.collect() }
+}
+
+/// What is asked, before anything is found.
+pub(super) fn head(plant: &[String], seed: u64, families: &[Family], draws: u64) -> String {
+    format!(
+        "Contact geometry of two beams: closed form against automatic differentiation,\n\
+         over the field of 2^61 - 1 elements, compared by ==\n\
+         seed {seed:#x}, {} ordered pairs of families, {draws} draws each\n{}\n",
+        families.len().pow(2),
+        planted(plant)
+    )
 }
 
 /// The proof for people, 80 columns wide.
 pub(super) fn human(proved: &Proved) -> String {
-    let Proved { plant, seed, draws, proof, .. } = proved;
-    let mut text = format!(
-        "Contact geometry of two beams: closed form against automatic differentiation,\n\
-         over the field of 2^61 - 1 elements, compared by ==\n\
-         seed {seed:#x}, {} ordered pairs of families, {draws} draws each\n{}\n\
-         The chance that a wrong formula passes one draw is at most 10^bound, from the\n\
-         degree of the two sides (Schwartz and Zippel); independent draws multiply.\n\n",
-        proof.pairs,
-        planted(plant)
-    );
+    let Proved { plant, seed, families, draws, proof } = proved;
+    let mut text = head(plant, *seed, families, *draws);
+    text += "The chance that a wrong formula passes one draw is at most 10^bound, from the\n\
+             degree of the two sides (Schwartz and Zippel); independent draws multiply.\n\n";
     let mut table = Table::new(&["quantity", "layer", "equal", "unequal", "degree <", "bound"]).left(&[1]);
     for row in &proof.rows {
         let Row { quantity, layer, equal, refuted, degree } = row;
@@ -57,7 +85,7 @@ pub(super) fn human(proved: &Proved) -> String {
         0 => {}
         rest => drop(writeln!(text, "\nand {rest} more pairs of families")),
     }
-    text + "\n" + &verdict(proof) + "\n"
+    text + "\n" + &outcome(proof).verdict.words + "\n"
 }
 
 /// All entries of one draw: what is unequal starts where the fault is, and goes on through all that hangs on it.
@@ -169,7 +197,7 @@ pub(super) fn json(proved: &Proved) -> anyhow::Result<String> {
         "families": families.iter().map(|family| family.name()).collect::<Vec<_>>(),
         "draws": draws,
         "pairs": proof.pairs,
-        "verdict": if proof.holds() { "proved" } else { "refuted" },
+        "verdict": outcome(proof).verdict.name,
         "rows": rows.collect::<Vec<_>>(),
         "refutations": proof.refutations.iter().map(|draw| refuted(&repeat(*seed, draw, plant), draw)).collect::<Vec<_>>(),
     }))

@@ -1,15 +1,14 @@
 //! `beamgap prove`: both linearizations over a prime field, compared without a tolerance.
 
-use super::arguments::{Format, families, seed, variant, work_with};
+use super::arguments::{families, seed, variant, work_with};
 use super::exit::Exit;
-use super::output::Output;
+use super::output::Written;
 use super::progress::Progress;
 use super::proof;
 use beamgap::prove::{Proof, prove};
 use beamgap::test_beam::Family;
 use clap::{Args, value_parser};
 use std::io::Write;
-use std::path::PathBuf;
 use std::time::Instant;
 
 /// The arguments.
@@ -29,12 +28,8 @@ pub(crate) struct Prove {
     /// Inject this fault, to see the proof fail; may be repeated (see `beamgap faults --list`)
     #[arg(long, value_name = "FAULT")]
     plant: Vec<String>,
-    /// Tables for people, or one document for programs
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
-    /// Write the result to this file, and only the verdict to standard output
-    #[arg(long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    written: Written,
     /// How many threads work; the result is the same [default: all cores]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
@@ -53,24 +48,22 @@ pub(super) struct Proved {
 impl Prove {
     /// Does the proof and writes the result, and to stderr the time it took: that is not the same every time.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let output = Output::open(self.output.as_deref())?;
+        let mut outputs = self.written.open()?;
         work_with(self.threads)?;
         let named = |family: &Family| self.family.is_empty() || self.family.contains(family);
         let families: Vec<_> = Family::ALL.into_iter().filter(named).collect();
-        let start = Instant::now();
-        let variant = variant(&self.plant)?;
+        let (start, variant) = (Instant::now(), variant(&self.plant)?);
+        let (plant, seed, draws) = (self.plant, self.seed, self.draws);
+        outputs.begin(&proof::head(&plant, seed, &families, draws))?;
         let progress = Progress::of("comparing over a prime field");
-        let proof = prove(&variant, self.seed, &families, self.draws);
+        let proof = prove(&variant, seed, &families, draws);
         progress.end();
-        let draws = proof.pairs as u64 * self.draws;
+        let all = proof.pairs as u64 * draws;
         // A closed stderr is no reason to lose the result.
-        let _ = writeln!(std::io::stderr(), "{draws} draws in {:.1} s", start.elapsed().as_secs_f64());
-        let proved = Proved { plant: self.plant, seed: self.seed, families, draws: self.draws, proof };
-        let document = match self.format {
-            Format::Human => proof::human(&proved),
-            Format::Json => proof::json(&proved)?,
-        };
-        output.write(&document, &format!("{}\n", proof::verdict(&proved.proof)))?;
-        Ok(if proved.proof.holds() { Exit::Agree } else { Exit::Disagree })
+        let _ = writeln!(std::io::stderr(), "{all} draws in {:.1} s", start.elapsed().as_secs_f64());
+        let proved = Proved { plant, seed, families, draws, proof };
+        let outcome = proof::outcome(&proved.proof);
+        outputs.write(&outcome, || proof::human(&proved), || proof::json(&proved))?;
+        Ok(outcome.verdict.exit)
     }
 }

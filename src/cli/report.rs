@@ -89,8 +89,8 @@ impl Report {
         progress.end();
         let faults = faults::record(SEED, &[], &command);
         report::faults(&self.to, &faults)?;
-        let agrees = found.mismatches.is_empty() && chosen && equations.table.holds();
-        Ok(match (bounds.violations.is_empty() && faults.holds, agrees) {
+        let agrees = found.found.mismatches.is_empty() && chosen && equations.table.holds();
+        Ok(match (bounds.found.violations.is_empty() && faults.holds, agrees) {
             (false, _) => Exit::Untrusted,
             (true, false) => Exit::Disagree,
             (true, true) => Exit::Agree,

@@ -1,15 +1,17 @@
 //! `beamgap verify`: the answers of a program in any language, from a file or from the program itself.
 
 use super::answered;
-use super::arguments::{Format, work_with};
+use super::arguments::work_with;
 use super::exit::Exit;
 use super::export::source;
-use super::output::Output;
+use super::output::{Outputs, Written};
 use anyhow::anyhow;
 use beamgap::check::external::{
     AnswerReader, Conventions, Demands, Matching, ProcessError, Report, Runner, VectorReader,
 };
+use clap::error::ErrorKind;
 use clap::{Args, value_parser};
+use std::cell::LazyCell;
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -22,14 +24,13 @@ pub(crate) struct Verify {
     #[arg(value_name = "VECTORS")]
     vectors: PathBuf,
     /// The answers, as JSON Lines or CSV, or - for standard input
-    #[arg(value_name = "ANSWERS", required_unless_present = "run", conflicts_with = "run")]
+    #[arg(value_name = "ANSWERS", conflicts_with = "run")]
     answers: Option<PathBuf>,
     /// Run this program with its arguments: it gets the cases on standard input and answers on standard output
     #[arg(long, value_name = "COMMAND")]
     run: Option<String>,
     /// How long the program may take for an answer
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = value_parser!(u32).range(1..))]
-    #[arg(requires = "run")]
     time_out: u32,
     /// How many cases may be open: sent and not yet answered, or answered out of order
     #[arg(long, value_name = "N", default_value = "4096", value_parser = value_parser!(u32).range(1..=1_000_000))]
@@ -38,12 +39,11 @@ pub(crate) struct Verify {
     /// textbook formulas keeps]
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=15))]
     digits: Option<u8>,
-    /// Tables for people, or one document for programs
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
-    /// Write the result to this file, and only the verdict to standard output
-    #[arg(long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    /// Why so few digits are enough; the result has it
+    #[arg(long, value_name = "TEXT")]
+    reason: Option<String>,
+    #[command(flatten)]
+    written: Written,
     /// Do not look for the wrong term
     #[arg(long)]
     no_explanation: bool,
@@ -57,15 +57,17 @@ pub(super) struct Verified {
     pub(super) report: Report,
     pub(super) demands: Demands,
     pub(super) command: String,
+    /// Why so many digits are asked for.
+    pub(super) reason: Option<String>,
 }
 
 impl Verify {
     /// Compares and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let output = Output::open(self.output.as_deref())?;
+        let mut outputs = self.written.open()?;
         work_with(self.threads)?;
         let mut failed = None;
-        let verified = match self.verified() {
+        let verified = match self.verified(&mut outputs) {
             Ok(verified) => verified,
             // What it answered before it failed is shown first.
             Err(error) => match error.downcast::<ProcessError>()? {
@@ -86,22 +88,15 @@ impl Verify {
                 other => return Err(other.into()),
             },
         };
-        let (exit, words) = answered::verdict(&verified);
+        let outcome = answered::outcome(&verified);
+        let exit = outcome.verdict.exit;
         let explain = !self.no_explanation && exit == Exit::Disagree;
-        match self.format {
-            // The tables first: an explanation takes seconds.
-            Format::Human if self.output.is_none() => {
-                Output::Standard.write(&answered::human(&verified), "")?;
-                let explanation = if explain { answered::explained(&verified) } else { String::new() };
-                Output::Standard.write(&(explanation + &words + "\n"), "")?;
-            }
-            Format::Human => {
-                let explanation = if explain { answered::explained(&verified) } else { String::new() };
-                let document = answered::human(&verified) + &explanation + &words + "\n";
-                output.write(&document, &(words + "\n"))?;
-            }
-            Format::Json => output.write(&answered::json(&verified, &words, explain)?, &(words + "\n"))?,
-        }
+        // The tables first: an explanation takes seconds.
+        outputs.begin(&answered::human(&verified))?;
+        let explanation =
+            LazyCell::new(|| if explain { answered::explained(&verified) } else { String::new() });
+        let human = || answered::human(&verified) + &explanation + &outcome.verdict.words + "\n";
+        outputs.write(&outcome, human, || answered::json(&verified, explain))?;
         match failed {
             Some(error) if exit == Exit::Agree => Err(error),
             Some(error) => {
@@ -113,28 +108,39 @@ impl Verify {
     }
 
     fn of(&self, report: Report, conventions: Conventions) -> Verified {
-        let from = self.answers.as_ref().map(|path| path.display().to_string());
-        let from = from.or_else(|| self.run.clone()).unwrap_or_default();
-        Verified { report, demands: Demands { conventions, digits: self.digits }, command: from }
+        let demands = Demands { conventions, digits: self.digits };
+        Verified { report, demands, command: self.from(), reason: self.reason.clone() }
     }
 
-    fn verified(&self) -> anyhow::Result<Verified> {
+    /// Who answers.
+    fn from(&self) -> String {
+        let path = self.answers.as_ref().map(|path| path.display().to_string());
+        path.or_else(|| self.run.clone()).unwrap_or_default()
+    }
+
+    fn verified(&self, outputs: &mut Outputs) -> anyhow::Result<Verified> {
         let (from, name) = source(&self.vectors)?;
-        let vectors = VectorReader::new(from, &name)?;
+        let mut vectors = VectorReader::new(from, &name)?;
         let look_ahead = usize::try_from(self.look_ahead)?;
         let mut progress = Progress::new();
-        if let Some(command) = &self.run {
+        let head = answered::head(&self.from(), self.digits, self.reason.as_deref());
+        let Some(path) = &self.answers else {
+            let expected = "the answers or --run expected: see --help";
+            let command = self
+                .run
+                .as_ref()
+                .ok_or_else(|| clap::Error::raw(ErrorKind::MissingRequiredArgument, expected))?;
+            outputs.begin(&head)?;
             let time_out = Duration::from_secs(self.time_out.into());
             let runner = Runner { command: command.clone(), time_out, look_ahead, digits: self.digits };
             let (report, conventions) = runner.run(vectors, |report| progress.show(report))?;
             progress.end();
             return Ok(self.of(report, conventions));
-        }
-        let Some(path) = &self.answers else { return Err(anyhow!("answers expected")) };
+        };
         let (from, name) = source(path)?;
         let mut answers = AnswerReader::new(from, &name)?;
         let conventions = *answers.conventions();
-        let mut vectors = vectors;
+        outputs.begin(&head)?;
         let mut matching = Matching::new(Demands { conventions, digits: self.digits }, look_ahead);
         while let Some(answers) = answers.next_answers()? {
             matching.take(answers, || vectors.next_vector())?;

@@ -2,6 +2,7 @@
 
 use super::differences::{Differences, Rule};
 use super::test_points::Sample;
+use crate::check::serialized::by_name;
 use crate::check::{EvaluationPoint, Verdict, judged};
 use crate::linearization::closed_form::variations_in;
 use crate::linearization::{COMPONENTS, Varied};
@@ -23,6 +24,8 @@ pub enum Check {
     /// Finite differences, by the rule of a common tool.
     Differences(Rule),
 }
+
+by_name!(Check);
 
 impl Check {
     /// All checks.

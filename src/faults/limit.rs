@@ -1,27 +1,24 @@
 //! Detection limits: the smallest relative error of a term that the gate sees.
 
 use super::test_points::{Sample, test_points};
+use crate::check::serialized::short;
 use crate::check::{Comparison, Regime};
 use crate::number::Label;
 use crate::variant::{Variant, catalogue};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// By how much a term is changed to see what changes with it: enough above rounding, and little enough to be linear.
 pub(super) const NUDGE: f64 = 1.0 / 1024.0;
 
-/// The detection limit of a term in a regime.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limit {
-    /// The regime.
-    pub regime: Regime,
-    /// The term.
-    pub label: Label,
-    /// The smallest relative error that exceeds a tolerance, at the point that shows it best.
-    pub limit: f64,
-}
+/// The smallest relative error that exceeds a tolerance, at the point that shows it best; two digits of it are written.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Limit(#[serde(with = "short")] pub f64);
 
-/// The detection limits of all terms in these regimes, regime by regime.
-pub fn limits(seed: u64, regimes: &[Regime]) -> Vec<Limit> {
+/// The detection limits of all terms in these regimes, by the name of the term.
+pub fn limits(seed: u64, regimes: &[Regime]) -> BTreeMap<String, BTreeMap<Regime, Limit>> {
     let mut labels: Vec<_> = catalogue().into_iter().map(|fault| fault.label).collect();
     labels.dedup();
     let of_regime = |&regime: &Regime| {
@@ -35,11 +32,15 @@ pub fn limits(seed: u64, regimes: &[Regime]) -> Vec<Limit> {
             let at = |(sample, unmodified): (&Sample, &Vec<Comparison>)| {
                 smallest(unmodified, &sample.compared(&nudged))
             };
-            Limit { regime, label, limit: pairs.map(at).fold(f64::INFINITY, f64::min) }
+            (label.to_string(), regime, Limit(pairs.map(at).fold(f64::INFINITY, f64::min)))
         };
         labels.iter().map(limit).collect::<Vec<_>>()
     };
-    regimes.par_iter().flat_map_iter(of_regime).collect()
+    let mut all: BTreeMap<_, BTreeMap<_, _>> = BTreeMap::new();
+    for (term, regime, limit) in regimes.par_iter().flat_map_iter(of_regime).collect::<Vec<_>>() {
+        all.entry(term).or_default().insert(regime, limit);
+    }
+    all
 }
 
 /// The relative error at which some entry exceeds its tolerance.

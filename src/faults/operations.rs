@@ -9,7 +9,8 @@
 mod place;
 mod reason;
 
-use crate::number::{Bits, Change, Label, PrimeField, Traced, counted, locate, operations, with_operation};
+use crate::check::serialized::{Name, name};
+use crate::number::{Bits, Change, PrimeField, Traced, counted, locate, operations, with_operation};
 use crate::test_beam::Family;
 use crate::variant::Kind;
 use place::Place;
@@ -17,17 +18,20 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use reason::reason;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Code that is run with its operands as they are, or mistaken for others; returns all numbers that come out.
 type Code<'a> = dyn Fn(Option<Kind>) -> Vec<u64> + Sync + 'a;
 
 /// What became of the faults of one code in one place.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Operations {
     /// The code.
     pub code: String,
     /// Where it was run: in which form, and which ends held a parameter.
-    pub place: &'static str,
+    #[serde(deserialize_with = "name")]
+    pub place: Name,
     /// How many operations it has.
     pub operations: usize,
     /// How many of their faults change a result.
@@ -45,25 +49,27 @@ impl Operations {
     }
 }
 
-/// What no number that comes out depends on.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// Operations that no number that comes out depends on, alike in all but their number.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Undetected {
-    /// The number of the operation.
-    pub operation: usize,
-    /// What was wrong with it.
-    pub wrong: &'static str,
-    /// The lines of the source, if the build knows them, from the operation outwards.
-    pub at: Vec<String>,
-    /// The first named term that is computed after it.
-    pub term: Option<Label>,
-    /// How it is lost.
+    /// The line of the source, and the line that calls it; empty if the build does not know lines.
+    pub at: String,
+    /// The first named term that is computed after them.
+    pub term: Option<String>,
+    /// What was wrong with them.
+    #[serde(deserialize_with = "name")]
+    pub wrong: Name,
+    /// How they are lost.
     pub lost: Lost,
     /// Why that is right, if it is known.
-    pub reason: Option<&'static str>,
+    pub reason: Option<String>,
+    /// How many there are.
+    pub operations: usize,
 }
 
 /// How an operation is lost on its way to the numbers that come out, found by marking its result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Lost {
     /// Nothing uses it.
     Unused,
@@ -131,6 +137,7 @@ pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &
     let found: Vec<_> = (0..count).into_par_iter().map(of_operation).collect();
     let mut all =
         Operations { code, place, operations: count, faults: 0, detected: 0, undetected: Vec::new() };
+    let mut counts: BTreeMap<_, usize> = BTreeMap::new();
     for (operation, faults) in found.into_iter().enumerate() {
         let detected = faults.iter().filter(|(_, is_detected)| *is_detected).count();
         (all.faults, all.detected) = (all.faults + faults.len(), all.detected + detected);
@@ -138,14 +145,23 @@ pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &
             let (at, term) = locate(operation, || run(None));
             let lost = Lost::of(operation, || run(None));
             let reason = reason(lost, &all.code, place, &at);
-            Undetected { operation, wrong, at, term, lost, reason }
+            let at = at.iter().take(2).map(String::as_str).collect::<Vec<_>>().join(" from ");
+            (at, term.map(|term| term.to_string()), wrong, lost, reason)
         };
         let missed = faults.iter().filter(|(_, is_detected)| !is_detected).map(|(wrong, _)| *wrong);
         let missed =
             if detected == 0 { missed.take(1).map(|_| "any").collect() } else { missed.collect::<Vec<_>>() };
-        let missed: Vec<_> = missed.into_iter().map(undetected).collect();
-        all.undetected.extend(missed);
+        for key in missed.into_iter().map(undetected) {
+            *counts.entry(key).or_default() += 1;
+        }
     }
+    all.undetected = counts
+        .into_iter()
+        .map(|((at, term, wrong, lost, reason), operations)| {
+            let reason = reason.map(str::to_owned);
+            Undetected { at, term, wrong, lost, reason, operations }
+        })
+        .collect();
     all
 }
 
@@ -155,6 +171,7 @@ mod tests {
     use crate::number::{Bits, Faulty, PrimeField, Real, Traced};
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
+    use std::collections::BTreeSet;
 
     #[test]
     fn an_operation_that_nothing_depends_on_is_found() {
@@ -168,9 +185,10 @@ mod tests {
             vec![(x * y + z + twice * zero + (cancels - cancels)).0.bits()]
         };
         let found = examined("code".to_owned(), "place", &[Kind::Swapped], &run);
-        let lost: Vec<_> = found.undetected.iter().map(|of| (of.operation, of.wrong, of.lost)).collect();
-        let expected = [(0, Lost::Unused), (1, Lost::TimesZero), (2, Lost::Cancels)];
-        assert_eq!(lost, expected.map(|(operation, lost)| (operation, "any", lost)));
+        let lost: BTreeSet<_> =
+            found.undetected.iter().map(|of| (of.lost, of.wrong, of.operations)).collect();
+        let expected = [Lost::Unused, Lost::TimesZero, Lost::Cancels];
+        assert_eq!(lost, expected.map(|lost| (lost, "any", 1)).into());
         // The product of 2 and 3 is that of 3 and 2: swapped, it is no fault. Of a zero there is one fault, plus one.
         assert_eq!((found.operations, found.faults, found.detected), (9, 36, 21));
         assert!(!found.is_whole());

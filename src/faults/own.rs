@@ -1,6 +1,6 @@
 //! Every operation of code of the user's own made wrong, one at a time.
 
-use super::operations::{Lost, Operations, examined};
+use super::operations::{Lost, Operations, Undetected, examined};
 use crate::curve::Curve;
 use crate::number::{Bits, Faulty, PrimeField, Real, Traced};
 use crate::test_beam::{AnyBeam, Drawn};
@@ -8,7 +8,6 @@ use crate::variant::Kind;
 use nalgebra::SVector;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use std::collections::BTreeMap;
 use std::fmt;
 
 /// Code that computes numbers from numbers, over any scalar. It must not branch on them.
@@ -68,23 +67,20 @@ where
 
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut lines: BTreeMap<_, usize> = BTreeMap::new();
-        for of in &self.undetected {
-            let at = of.at.first().map_or("an unknown line", String::as_str);
-            let term = of.term.map_or_else(String::new, |term| format!(", in the term `{term}`"));
-            *lines.entry((at, term, of.wrong, of.lost)).or_default() += 1;
-        }
-        if lines.is_empty() {
+        if self.undetected.is_empty() {
             return write!(f, "All of {} operations are covered.", self.operations);
         }
-        write!(f, "Of {} operations, {} are not covered:", self.operations, self.undetected.len())?;
-        for ((at, term, wrong, lost), count) in lines {
+        let count: usize = self.undetected.iter().map(|of| of.operations).sum();
+        write!(f, "Of {} operations, {count} are not covered:", self.operations)?;
+        for Undetected { at, term, wrong, lost, operations, .. } in &self.undetected {
+            let at = if at.is_empty() { "an unknown line" } else { at };
+            let term = term.as_ref().map_or_else(String::new, |term| format!(", in the term `{term}`"));
             let lost = match lost {
                 Lost::Unused => "not used",
                 Lost::TimesZero => "multiplied by zero",
                 Lost::Cancels => "it cancels",
             };
-            write!(f, "\n  {count} at {at}{term}: {wrong} fault changes no number, {lost}")?;
+            write!(f, "\n  {operations} at {at}{term}: {wrong} fault changes no number, {lost}")?;
         }
         Ok(())
     }

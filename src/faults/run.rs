@@ -4,18 +4,23 @@ use super::check::Check;
 use super::exact::Exact;
 use super::test_points::{Sample, test_points};
 use crate::check::Regime;
-use crate::variant::{Fault, Rewrite, Variant, catalogue, terms};
+use crate::check::serialized::by_name;
+use crate::variant::{Fault, Kind, Rewrite, Variant, catalogue, terms};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// How many pairs of faults are planted at once, in each regime.
 const PAIRS: usize = 200;
 /// Less than that is no catalogue.
 const FAULTS: usize = 200;
 
+by_name!(Kind, Rewrite);
+
 /// What one check does in one regime.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Detection {
     /// The check.
     pub check: Check,
@@ -28,23 +33,36 @@ pub struct Detection {
     pub rejected: usize,
     /// Faults that were planted: those of the matrices only for a check that looks at them.
     pub planted: usize,
-    /// Faults that it does not show.
-    pub undetected: Vec<Fault>,
+    /// Faults that it detects.
+    pub detected: usize,
     /// Rewrites that it rejects although they are right.
     pub false_positives: Vec<Rewrite>,
     /// Pairs of faults, planted at once.
     pub pairs: usize,
-    /// Those that it does not show.
-    pub pairs_undetected: Vec<[Fault; 2]>,
+    /// Pairs that it detects.
+    pub pairs_detected: usize,
+}
+
+/// Faults that one check does not detect in the same regimes.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Missed {
+    /// The check.
+    pub check: Check,
+    /// The regimes; none for the exact check.
+    pub regimes: Vec<Option<Regime>>,
+    /// The names of the faults. They are detected in all other regimes.
+    pub faults: Vec<String>,
 }
 
 /// What all checks do.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Injected {
-    /// All faults.
-    pub faults: Vec<Fault>,
+    /// How many faults there are of each kind.
+    pub kinds: BTreeMap<Kind, usize>,
     /// By check, then by regime.
     pub detections: Vec<Detection>,
+    /// What is not detected, by check and regimes.
+    pub missed: Vec<Missed>,
 }
 
 impl Detection {
@@ -52,9 +70,9 @@ impl Detection {
     pub fn is_whole(&self) -> bool {
         self.points > 0
             && self.rejected == 0
-            && self.undetected.is_empty()
+            && self.detected == self.planted
             && self.false_positives.is_empty()
-            && self.pairs_undetected.is_empty()
+            && self.pairs_detected == self.pairs
     }
 }
 
@@ -62,7 +80,18 @@ impl Injected {
     /// Whether the gate and the exact check kill all faults, in every regime, and reject nothing that is right.
     pub fn holds(&self) -> bool {
         let ours = |detection: &&Detection| matches!(detection.check, Check::Gate | Check::Exact);
-        self.faults.len() >= FAULTS && self.detections.iter().filter(ours).all(Detection::is_whole)
+        self.faults() >= FAULTS && self.detections.iter().filter(ours).all(Detection::is_whole)
+    }
+
+    /// How many faults there are.
+    pub fn faults(&self) -> usize {
+        self.kinds.values().sum()
+    }
+
+    /// The faults that a check does not detect in a regime.
+    pub fn missed_by(&self, check: Check, regime: Option<Regime>) -> impl Iterator<Item = &str> {
+        let is_of = move |of: &&Missed| of.check == check && of.regimes.contains(&regime);
+        self.missed.iter().filter(is_of).flat_map(|of| of.faults.iter().map(String::as_str))
     }
 }
 
@@ -76,22 +105,42 @@ pub fn inject(seed: u64, regimes: &[Regime]) -> Injected {
     let of_variations =
         Planted::new(seed, faults.iter().copied().filter(|fault| varied.contains(&fault.label)).collect());
     let exact = Exact::new();
-    let mut detections = vec![all.detection(Check::Exact, None, &[()], |variant, ()| exact.rejects(variant))];
+    let mut found = vec![all.detection(Check::Exact, None, &[()], |variant, ()| exact.rejects(variant))];
     for &regime in regimes {
         let points = test_points(seed, regime);
         let samples: Vec<_> =
             points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
         for check in Check::ALL.into_iter().filter(|&check| check != Check::Exact) {
             let planted = if check == Check::Gate { &all } else { &of_variations };
-            detections.push(
+            found.push(
                 planted.detection(check, Some(regime), &samples, |variant, sample| {
                     check.rejects(variant, sample)
                 }),
             );
         }
     }
-    detections.sort_by_key(|detection| (detection.check, detection.regime));
-    Injected { faults, detections }
+    found.sort_by_key(|(detection, _)| (detection.check, detection.regime));
+    let mut kinds = BTreeMap::new();
+    for fault in &faults {
+        *kinds.entry(fault.kind).or_default() += 1;
+    }
+    let missed = Check::ALL.into_iter().flat_map(|check| missed(check, &faults, &found)).collect();
+    Injected { kinds, missed, detections: found.into_iter().map(|(detection, _)| detection).collect() }
+}
+
+/// The faults that a check does not detect, by regimes, in the order of the catalogue.
+fn missed(check: Check, faults: &[Fault], found: &[(Detection, Vec<Fault>)]) -> Vec<Missed> {
+    let of_check: Vec<_> = found.iter().filter(|(detection, _)| detection.check == check).collect();
+    let mut missed: BTreeMap<Vec<Option<Regime>>, Vec<String>> = BTreeMap::new();
+    for fault in faults {
+        let is_missed = |(_, undetected): &&&(Detection, Vec<Fault>)| undetected.contains(fault);
+        let regimes: Vec<_> =
+            of_check.iter().filter(is_missed).map(|(detection, _)| detection.regime).collect();
+        if !regimes.is_empty() {
+            missed.entry(regimes).or_default().push(fault.to_string());
+        }
+    }
+    missed.into_iter().map(|(regimes, faults)| Missed { check, regimes, faults }).collect()
 }
 
 /// Faults, and pairs of them.
@@ -120,7 +169,7 @@ impl Planted {
         regime: Option<Regime>,
         samples: &[S],
         rejects: impl Fn(&Variant, &S) -> bool + Sync,
-    ) -> Detection {
+    ) -> (Detection, Vec<Fault>) {
         let is_fair = |sample: &&S| !rejects(&Variant::Unmodified, sample);
         let fair: Vec<_> = samples.iter().filter(is_fair).collect();
         let is_undetected = |faults: &[Fault]| {
@@ -129,16 +178,19 @@ impl Planted {
         };
         let is_accused =
             |&rewrite: &Rewrite| samples.iter().any(|sample| rejects(&Variant::Rewritten(rewrite), sample));
-        Detection {
+        let undetected: Vec<Fault> =
+            self.faults.par_iter().copied().filter(|&fault| is_undetected(&[fault])).collect();
+        let detection = Detection {
             check,
             regime,
             points: samples.len(),
             rejected: samples.len() - fair.len(),
             planted: self.faults.len(),
-            undetected: self.faults.par_iter().copied().filter(|&fault| is_undetected(&[fault])).collect(),
+            detected: self.faults.len() - undetected.len(),
             false_positives: Rewrite::ALL.into_par_iter().filter(is_accused).collect(),
             pairs: self.pairs.len(),
-            pairs_undetected: self.pairs.par_iter().copied().filter(|pair| is_undetected(pair)).collect(),
-        }
+            pairs_detected: self.pairs.par_iter().filter(|pair| !is_undetected(*pair)).count(),
+        };
+        (detection, undetected)
     }
 }

@@ -3,8 +3,9 @@
 //! Which operations a result depends on is known from the prime field. Here the size of the fault counts: the detection
 //! limit is the smallest relative error of an operation that exceeds a tolerance.
 
-use super::limit::{NUDGE, sensitivity};
+use super::limit::{Limit, NUDGE, sensitivity};
 use super::test_points::{Sample, test_points};
+use crate::check::serialized::by_name;
 use crate::check::{Comparison, Regime};
 use crate::linearization::Quantity;
 use crate::number::counted;
@@ -12,6 +13,7 @@ use crate::variant::{Code, Variant};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// How many operations are made wrong in each regime, at least.
@@ -19,8 +21,10 @@ const OPERATIONS: usize = 2000;
 /// What the result of an operation is multiplied by: a wrong sign, a lost one, one that is doubled.
 const FACTORS: [f64; 3] = [-1.0, 0.0, 2.0];
 
+by_name!(Code);
+
 /// What became of a sample of operations in a regime.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sampled {
     /// The regime.
     pub regime: Regime,
@@ -32,8 +36,29 @@ pub struct Sampled {
     pub faults: usize,
     /// How many of these exceed a tolerance.
     pub detected: usize,
-    /// The detection limits of the operations that a quantity depends on, from the smallest.
-    pub limits: BTreeMap<Quantity, Vec<f64>>,
+    /// The detection limits of the operations that a quantity depends on.
+    pub limits: BTreeMap<Quantity, Limits>,
+}
+
+/// The detection limits of several operations.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Limits {
+    /// How many.
+    pub operations: usize,
+    /// The smallest.
+    pub smallest: Limit,
+    /// Half are below.
+    pub median: Limit,
+    /// The largest.
+    pub largest: Limit,
+}
+
+impl Limits {
+    fn new(mut limits: Vec<f64>) -> Option<Self> {
+        limits.sort_by(f64::total_cmp);
+        let (smallest, largest) = (Limit(*limits.first()?), Limit(*limits.last()?));
+        Some(Self { operations: limits.len(), smallest, median: Limit(limits[limits.len() / 2]), largest })
+    }
 }
 
 /// Makes operations wrong in these regimes, in each the same number of the equations and of the matrices at each point.
@@ -44,57 +69,65 @@ pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
             points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
         let each = OPERATIONS.div_ceil(Code::ALL.len() * samples.len().max(1));
         Code::ALL.map(|code| {
-            let none =
-                Sampled { regime, code, operations: 0, faults: 0, detected: 0, limits: BTreeMap::new() };
             let of_sample = |(i, sample): (usize, &Sample)| {
                 let mut rng = ChaCha8Rng::seed_from_u64(seed);
                 rng.set_stream(i as u64);
-                at_sample(none.clone(), sample, each, &mut rng)
+                Counts::of(code, sample, each, &mut rng)
             };
             let all: Vec<_> = samples.par_iter().enumerate().map(of_sample).collect();
-            let mut sum = all.into_iter().fold(none.clone(), Sampled::and);
-            sum.limits.values_mut().for_each(|limits| limits.sort_by(f64::total_cmp));
-            sum
+            let Counts { operations, faults, detected, limits } =
+                all.into_iter().fold(Counts::default(), Counts::and);
+            let limits =
+                limits.into_iter().filter_map(|(of, limits)| Some((of, Limits::new(limits)?))).collect();
+            Sampled { regime, code, operations, faults, detected, limits }
         })
     };
     regimes.iter().flat_map(of_regime).collect()
 }
 
-fn at_sample(mut found: Sampled, sample: &Sample, each: usize, rng: &mut ChaCha8Rng) -> Sampled {
-    let unmodified = sample.compared(&Variant::Unmodified);
-    // A number that no operation has: all are counted, and none is wrong.
-    let with = |number, factor| sample.compared(&Variant::Operation(found.code, number, factor));
-    let (_, count) = counted(|| with(usize::MAX, 1.0));
-    for i in 0..each {
-        // One in each of as many parts of the code.
-        let number = (i * count + rng.random_range(0..count.max(1))) / each;
-        found.operations += 1;
-        for factor in FACTORS {
-            let wrong = with(number, factor);
-            let is_changed =
-                wrong.iter().zip(&unmodified).any(|(wrong, unmodified)| sides(wrong) != sides(unmodified));
-            let is_detected = wrong.iter().any(|entry| entry.is_meaningful() && !entry.agrees());
-            found.faults += usize::from(is_changed);
-            found.detected += usize::from(is_detected);
+/// What is counted on the way.
+#[derive(Default)]
+struct Counts {
+    operations: usize,
+    faults: usize,
+    detected: usize,
+    limits: BTreeMap<Quantity, Vec<f64>>,
+}
+
+impl Counts {
+    fn of(code: Code, sample: &Sample, each: usize, rng: &mut ChaCha8Rng) -> Self {
+        let mut found = Self::default();
+        let unmodified = sample.compared(&Variant::Unmodified);
+        // A number that no operation has: all are counted, and none is wrong.
+        let with = |number, factor| sample.compared(&Variant::Operation(code, number, factor));
+        let (_, count) = counted(|| with(usize::MAX, 1.0));
+        for i in 0..each {
+            // One in each of as many parts of the code.
+            let number = (i * count + rng.random_range(0..count.max(1))) / each;
+            found.operations += 1;
+            for factor in FACTORS {
+                let wrong = with(number, factor);
+                let is_changed = wrong
+                    .iter()
+                    .zip(&unmodified)
+                    .any(|(wrong, unmodified)| sides(wrong) != sides(unmodified));
+                let is_detected = wrong.iter().any(|entry| entry.is_meaningful() && !entry.agrees());
+                found.faults += usize::from(is_changed);
+                found.detected += usize::from(is_detected);
+            }
+            let mut limits: BTreeMap<Quantity, f64> = BTreeMap::new();
+            for (unmodified, nudged) in unmodified.iter().zip(&with(number, 1.0 + NUDGE)) {
+                let limit = sensitivity(unmodified, nudged);
+                let smallest = limits.entry(unmodified.quantity).or_insert(f64::INFINITY);
+                *smallest = smallest.min(limit);
+            }
+            for (quantity, limit) in limits.into_iter().filter(|(_, limit)| limit.is_finite()) {
+                found.limits.entry(quantity).or_default().push(limit);
+            }
         }
-        let mut limits: BTreeMap<Quantity, f64> = BTreeMap::new();
-        for (unmodified, nudged) in unmodified.iter().zip(&with(number, 1.0 + NUDGE)) {
-            let limit = sensitivity(unmodified, nudged);
-            let smallest = limits.entry(unmodified.quantity).or_insert(f64::INFINITY);
-            *smallest = smallest.min(limit);
-        }
-        for (quantity, limit) in limits.into_iter().filter(|(_, limit)| limit.is_finite()) {
-            found.limits.entry(quantity).or_default().push(limit);
-        }
+        found
     }
-    found
-}
 
-fn sides(entry: &Comparison) -> [u64; 2] {
-    [entry.closed.to_bits(), entry.other.to_bits()]
-}
-
-impl Sampled {
     fn and(mut self, other: Self) -> Self {
         self.operations += other.operations;
         self.faults += other.faults;
@@ -104,6 +137,10 @@ impl Sampled {
         }
         self
     }
+}
+
+fn sides(entry: &Comparison) -> [u64; 2] {
+    [entry.closed.to_bits(), entry.other.to_bits()]
 }
 
 #[cfg(test)]
@@ -125,7 +162,7 @@ mod tests {
             assert!(100 * detected > least * faults, "{name}: {detected} of {faults}");
             let of_d = &of.limits[&Quantity::D];
             // A relative error of a millionth of an operation that d depends on is seen, in the median.
-            assert!(of_d[of_d.len() / 2] < 1e-6 && of_d[0] > 1e-17, "{of_d:?}");
+            assert!(of_d.median.0 < 1e-6 && of_d.smallest.0 > 1e-17, "{of_d:?}");
         }
     }
 }

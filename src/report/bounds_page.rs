@@ -1,20 +1,27 @@
 //! The overestimation of the tolerances as a page, from the record alone.
 
-use super::bounds::{Bounds, BoundsRow};
-use super::number::{count, error, plain};
+use super::bounds::Bounds;
+use super::number::{count, error, finite, plain};
 use super::page::{Block, Page};
+use crate::check::{Measured, Points, Regime, Side, Violation};
 
 impl Bounds {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
-        let points: u64 = self.regimes.iter().map(|regime| regime.points.measured).sum();
-        let entries: u64 = self.rows_of("all").map(|row| row.entries).sum();
-        let found = match self.violations.len() {
+        let found = &self.found;
+        let points: u64 = found.points.values().map(|points| points.measured).sum();
+        let entries: u64 = found.all.values().map(|measured| measured.entries).sum();
+        let all: Vec<_> = found
+            .all
+            .iter()
+            .map(|((side, order), measured)| ([side.name(), order.name()], measured))
+            .collect();
+        let conclusion = match found.violations.len() {
             0 => "No error exceeds its bound".to_owned(),
             n => format!("In {n} cases an error exceeds its bound"),
         };
         let conclusion = format!(
-            "**{found}: {} closest points, {} numbers with an error.** The check compares two numbers within a tolerance, the \
+            "**{conclusion}: {} closest points, {} numbers with an error.** The check compares two numbers within a tolerance, the \
              sum of their bounds on rounding error. This report asks two questions. Does an error ever exceed its bound? How \
              far above the error is the bound?",
             count(points),
@@ -30,13 +37,18 @@ impl Bounds {
                  numbers, at the closest point refined there. *First*: delta and Delta, the first variations; *second*: \
                  Delta-delta. The scale of a number is the sum of the absolute values of its terms.",
             ),
-            table(["side", "order"], self.rows_of("all"), |row| [&row.side, &row.order]),
-            counts(self.rows_of("all")),
+            table(["side", "order"], &all),
+            counts(&all),
         ]);
-        for side in ["closed form", "AD"] {
-            let rows = self.rows.iter().filter(|row| row.side == side && row.regime != "all");
-            let table = table(["regime", "order"], rows, |row| [&row.regime, &row.order]);
-            blocks.push(Block::details(&format!("By regime: {side}"), vec![table]));
+        for side in Side::ALL {
+            let of_side = found.regimes.iter().filter(|((of, _), _)| *of == side);
+            let rows: Vec<_> = of_side
+                .flat_map(|((_, order), regimes)| {
+                    regimes.iter().map(|(regime, measured)| ([regime.name(), order.name()], measured))
+                })
+                .collect();
+            let table = table(["regime", "order"], &rows);
+            blocks.push(Block::details(&format!("By regime: {}", side.name()), vec![table]));
         }
         blocks.extend(self.by_regime());
         let (seed, cases) = (format!("{:#x}", self.seed), count(self.cases_per_regime));
@@ -51,32 +63,32 @@ impl Bounds {
         Page::new("Bounds", blocks)
     }
 
-    fn rows_of<'a>(&'a self, regime: &'a str) -> impl Iterator<Item = &'a BoundsRow> {
-        self.rows.iter().filter(move |row| row.regime == regime)
-    }
-
     fn violations_listed(&self) -> Vec<Block> {
-        if self.violations.is_empty() {
+        let violations = &self.found.violations;
+        if violations.is_empty() {
             return Vec::new();
         }
-        let row = |broken: &super::BrokenBound| {
-            let names = [&broken.side, &broken.quantity, &broken.part].map(Clone::clone);
-            let numbers = [error(broken.bound), error(broken.error)];
-            let command = format!("`beamgap check --seed {:#x} --case {}`", self.seed, broken.case);
-            names.into_iter().chain(numbers).chain([command]).collect()
+        let row = |(case, violation): (&u64, &Violation)| {
+            let &Violation { side, quantity, part, bound, error: of } = violation;
+            let command = format!("`beamgap check --seed {:#x} --case {case}`", self.seed);
+            [side.name(), quantity.name(), part]
+                .map(str::to_owned)
+                .into_iter()
+                .chain([error(finite(bound)), error(finite(of)), command])
+                .collect()
         };
         let head = ["side", "quantity", "part", "#bound", "#error", "shown by"];
-        let rows = self.violations.iter().map(row).collect();
+        let rows = violations.iter().map(row).collect();
         vec![Block::heading("Broken bounds"), Block::table(&head, rows)]
     }
 
     fn by_regime(&self) -> Vec<Block> {
-        let row = |regime: &super::RegimePoints| {
+        let row = |(regime, points): (&Regime, &Points)| {
             #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
-            let share = 100.0 * regime.points.not_meaningful as f64 / regime.points.measured.max(1) as f64;
-            let counts = [regime.points.measured, regime.points.not_meaningful].map(count);
-            let rest = [format!("{share:.2} %"), count(regime.points.left_out)];
-            std::iter::once(regime.regime.clone()).chain(counts).chain(rest).collect()
+            let share = 100.0 * points.not_meaningful as f64 / points.measured.max(1) as f64;
+            let counts = [points.measured, points.not_meaningful].map(count);
+            let rest = [format!("{share:.2} %"), count(points.left_out)];
+            std::iter::once(regime.name().to_owned()).chain(counts).chain(rest).collect()
         };
         let head = ["regime", "#closest points", "#tolerance too wide", "#share", "#left out"];
         vec![
@@ -86,26 +98,22 @@ impl Bounds {
                  not count such a point as compared. A point is left out if it has no derivatives to compare, or cannot be \
                  refined.",
             ),
-            Block::table(&head, self.regimes.iter().map(row).collect()),
+            Block::table(&head, self.found.points.iter().map(row).collect()),
         ]
     }
 }
 
-fn table<'a>(
-    names: [&str; 2],
-    of: impl Iterator<Item = &'a BoundsRow>,
-    name: impl Fn(&BoundsRow) -> [&String; 2],
-) -> Block {
-    let ratio = |x: Option<f64>| match x {
-        None => "none".to_owned(),
-        Some(x) if x < 1e5 => plain(x),
-        x => error(x),
-    };
-    let row = |row: &BoundsRow| {
-        let (factor, scaled) = (&row.overestimation, &row.error);
-        let factors = [factor.low, factor.median, factor.high, factor.max].map(ratio);
-        let errors = [scaled.median, scaled.high, scaled.max].map(error);
-        name(row).map(Clone::clone).into_iter().chain(factors).chain(errors).collect()
+fn table(names: [&str; 2], rows: &[([&str; 2], &Measured)]) -> Block {
+    let ratio = |x: f64| if x < 1e5 { plain(x) } else { error(finite(x)) };
+    let row = |(names, measured): &([&str; 2], &Measured)| {
+        let none = || "none".to_owned();
+        let factors = measured.overestimation.map(|of| [of.low, of.median, of.high, of.max].map(ratio));
+        let errors = measured.error.map(|of| [of.median, of.high, of.max].map(|x| error(finite(x))));
+        let (factors, errors) = (
+            factors.unwrap_or_else(|| [(); 4].map(|()| none())),
+            errors.unwrap_or_else(|| [(); 3].map(|()| none())),
+        );
+        names.map(str::to_owned).into_iter().chain(factors).chain(errors).collect()
     };
     let head = [
         names[0],
@@ -118,14 +126,14 @@ fn table<'a>(
         "#95 %",
         "#max",
     ];
-    Block::table(&head, of.map(row).collect())
+    Block::table(&head, rows.iter().map(row).collect())
 }
 
-fn counts<'a>(of: impl Iterator<Item = &'a BoundsRow>) -> Block {
-    let row = |row: &BoundsRow| {
-        let counts = [row.entries, row.exact, row.unbounded].map(count);
-        [&row.side, &row.order].map(Clone::clone).into_iter().chain(counts).collect()
+fn counts(rows: &[([&str; 2], &Measured)]) -> Block {
+    let row = |(names, measured): &([&str; 2], &Measured)| {
+        let counts = [measured.entries, measured.exact, measured.unbounded].map(count);
+        names.map(str::to_owned).into_iter().chain(counts).collect()
     };
     let head = ["side", "order", "#numbers with an error", "#without an error", "#without a finite bound"];
-    Block::table(&head, of.map(row).collect())
+    Block::table(&head, rows.iter().map(row).collect())
 }

@@ -1,18 +1,20 @@
 //! The comparison of the check as a page, from the record alone.
 
-use super::crosscheck::{Crosscheck, NotCompared, RegimeRow};
-use super::number::{count, error};
+use super::crosscheck::Crosscheck;
+use super::number::{count, error, finite};
 use super::page::{Block, Page};
-use std::collections::BTreeMap;
+use crate::check::{Cell, Inconclusive, Mismatch, NotCompared, Order, Regime, Tally};
+use crate::linearization::Quantity;
+use crate::test_beam::Family;
 
 impl Crosscheck {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
-        let mismatches: u64 = self.regimes.iter().map(|regime| regime.mismatches).sum();
-        let entries: u64 = self.quantities.iter().map(|worst| worst.entries).sum();
-        let cases: u64 = self.regimes.iter().map(|regime| regime.cases).sum();
-        let left: u64 =
-            self.regimes.iter().flat_map(|regime| &regime.not_compared).map(|what| what.count).sum();
+        let tallies = || self.found.regimes.values();
+        let mismatches: u64 = tallies().map(|tally| tally.mismatches).sum();
+        let entries: u64 = self.found.quantities.values().map(|cell| cell.entries).sum();
+        let cases: u64 = tallies().map(|tally| tally.cases).sum();
+        let left = tallies().map(Tally::left_out).sum();
         let found = match mismatches {
             0 => "Closed form and automatic differentiation agree".to_owned(),
             n => format!("Closed form and automatic differentiation differ at {} closest points", count(n)),
@@ -21,7 +23,7 @@ impl Crosscheck {
             "**{found}: {} closest points of {} random pairs of beams, {} numbers, {} mismatches.** {} points or cases could not \
              be compared; they count neither as agreeing nor as differing. A mismatch is a difference that exceeds a bound on \
              the rounding of both sides.",
-            count(self.points),
+            count(self.found.compared()),
             count(cases),
             count(entries),
             count(mismatches),
@@ -49,27 +51,28 @@ impl Crosscheck {
     }
 
     fn mismatches_listed(&self) -> Vec<Block> {
-        if self.mismatches.is_empty() {
+        let mismatches = &self.found.mismatches;
+        if mismatches.is_empty() {
             return Vec::new();
         }
-        let number = |x: Option<f64>| x.map_or_else(|| "not finite".to_owned(), |x| format!("{x:e}"));
-        let row = |entry: &super::Mismatch| {
-            let names = [&entry.quantity, &entry.order, &entry.against].map(Clone::clone);
-            let numbers = [number(entry.closed), number(entry.other), error(entry.tolerance)];
-            std::iter::once(entry.case.to_string()).chain(names).chain(numbers).collect()
+        let number = |x: f64| if x.is_finite() { format!("{x:e}") } else { "not finite".to_owned() };
+        let row = |(case, Mismatch { worst, .. }): (&u64, &Mismatch)| {
+            let names = [worst.quantity.name(), worst.order.name(), worst.against].map(str::to_owned);
+            let numbers = [number(worst.closed), number(worst.other), error(finite(worst.tolerance))];
+            std::iter::once(case.to_string()).chain(names).chain(numbers).collect()
         };
         let head = ["#case", "quantity", "order", "against", "#closed form", "#other", "#tolerance"];
-        vec![Block::heading("Mismatches"), Block::table(&head, self.mismatches.iter().map(row).collect())]
+        vec![Block::heading("Mismatches"), Block::table(&head, mismatches.iter().map(row).collect())]
     }
 
     fn by_regime(&self) -> Vec<Block> {
-        let row = |regime: &RegimeRow| {
-            let left = regime.not_compared.iter().map(|what| what.count).sum();
-            let counts = [regime.cases, regime.interior, regime.at_end, regime.mismatches, left].map(count);
+        let row = |(regime, tally): (&Regime, &Tally)| {
+            let counts = [tally.cases, tally.interior, tally.at_end, tally.mismatches, tally.left_out()];
+            let Cell { scaled_error, case, over_tolerance, .. } = tally.worst;
             let share =
-                regime.over_tolerance.map_or_else(|| "not finite".to_owned(), |over| format!("{over:.2}"));
-            let worst = [error(regime.scaled_error), regime.case.to_string(), share];
-            std::iter::once(regime.regime.clone()).chain(counts).chain(worst).collect()
+                finite(over_tolerance).map_or_else(|| "not finite".to_owned(), |over| format!("{over:.2}"));
+            let worst = [error(finite(scaled_error)), case.to_string(), share];
+            std::iter::once(regime.name().to_owned()).chain(counts.map(count)).chain(worst).collect()
         };
         let head = [
             "regime",
@@ -89,31 +92,25 @@ impl Crosscheck {
                  beams, or at an end of one or both. The error is |closed form - other| over the sum of the absolute values of \
                  the terms. *Error / tolerance* above 1 is a mismatch.",
             ),
-            Block::table(&head, self.regimes.iter().map(row).collect()),
+            Block::table(&head, self.found.regimes.iter().map(row).collect()),
         ]
     }
 
     /// Quantities down, orders across, with the cases folded away.
     fn by_quantity(&self) -> [Block; 4] {
-        let mut orders: Vec<&str> = Vec::new();
-        let mut quantities: Vec<&str> = Vec::new();
-        for worst in &self.quantities {
-            for (known, name) in [(&mut quantities, &worst.quantity), (&mut orders, &worst.order)] {
-                if !known.contains(&name.as_str()) {
-                    known.push(name);
-                }
-            }
-        }
-        let table = |cell: fn(&super::Worst) -> String| {
-            let row = |quantity: &&str| {
-                let cells = orders.iter().map(|order| {
-                    let is_it = |of: &&super::Worst| of.quantity == *quantity && of.order == *order;
-                    self.quantities.iter().find(is_it).map(cell).unwrap_or_default()
-                });
-                std::iter::once((*quantity).to_owned()).chain(cells).collect()
+        let cells = &self.found.quantities;
+        let orders: Vec<Order> =
+            Order::ALL.into_iter().filter(|order| cells.keys().any(|(_, of)| of == order)).collect();
+        let quantities: Vec<Quantity> =
+            Quantity::ALL.into_iter().filter(|quantity| cells.keys().any(|(of, _)| of == quantity)).collect();
+        let table = |show: fn(&Cell) -> String| {
+            let row = |quantity: &Quantity| {
+                let shown =
+                    orders.iter().map(|order| cells.get(&(*quantity, *order)).map(show).unwrap_or_default());
+                std::iter::once(quantity.name().to_owned()).chain(shown).collect()
             };
             let head: Vec<String> = std::iter::once("quantity".to_owned())
-                .chain(orders.iter().map(|order| format!("#{order}")))
+                .chain(orders.iter().map(|order| format!("#{}", order.name())))
                 .collect();
             Block::table(&head, quantities.iter().map(row).collect())
         };
@@ -124,21 +121,20 @@ impl Crosscheck {
                  Delta-delta. *Symmetry*: Delta-delta against itself with the directions exchanged. *Matrix*: gradient and \
                  Hessian times the directions, against the variations.",
             ),
-            table(|worst| error(worst.scaled_error)),
-            Block::details("The cases with these errors", vec![table(|worst| worst.case.to_string())]),
+            table(|cell| error(finite(cell.scaled_error))),
+            Block::details("The cases with these errors", vec![table(|cell| cell.case.to_string())]),
         ]
     }
 
     fn by_reason(&self) -> Block {
-        let row = |regime: &RegimeRow, what: &NotCompared| {
-            vec![what.reason.clone(), regime.regime.clone(), count(what.count), what.first_case.to_string()]
+        let row = |regime: Regime, reason: &Inconclusive, what: &NotCompared| {
+            let names = [reason.reason(), regime.name()].map(str::to_owned);
+            names.into_iter().chain([count(what.count), what.first_case.to_string()]).collect()
         };
-        let of_regime = |regime| move |what| row(regime, what);
-        let rows: Vec<_> = self
-            .regimes
-            .iter()
-            .flat_map(|regime| regime.not_compared.iter().map(of_regime(regime)))
-            .collect();
+        let of_regime = |(&regime, tally): (&Regime, &'_ Tally)| -> Vec<Vec<String>> {
+            tally.not_compared.iter().map(|(reason, what)| row(regime, reason, what)).collect()
+        };
+        let rows: Vec<_> = self.found.regimes.iter().flat_map(of_regime).collect();
         let body = if rows.is_empty() {
             Block::text("Nothing was left out.")
         } else {
@@ -149,17 +145,15 @@ impl Crosscheck {
 
     /// Families of the beam down, of the bar beam across.
     fn by_family(&self) -> Block {
-        let met: BTreeMap<_, _> =
-            self.pairs.iter().map(|pair| ((pair.beam.as_str(), pair.bar.as_str()), pair.points)).collect();
-        let names: Vec<&str> = self.families.iter().map(|(name, _)| name.as_str()).collect();
-        let row = |beam: &&str| {
-            let counts = names.iter().map(|bar| count(met.get(&(*beam, *bar)).copied().unwrap_or(0)));
-            std::iter::once((*beam).to_owned()).chain(counts).collect()
+        let families: Vec<Family> = self.found.families.keys().copied().collect();
+        let row = |beam: &Family| {
+            let met = |bar: &Family| count(self.found.pairs.get(&(*beam, *bar)).copied().unwrap_or(0));
+            std::iter::once(beam.name().to_owned()).chain(families.iter().map(met)).collect()
         };
         let head: Vec<String> = std::iter::once("beam \\ bar beam".to_owned())
-            .chain(names.iter().map(|name| format!("#{name}")))
+            .chain(families.iter().map(|family| format!("#{}", family.name())))
             .collect();
-        let table = Block::table(&head, names.iter().map(row).collect());
+        let table = Block::table(&head, families.iter().map(row).collect());
         Block::details("Closest points compared, by curve families of beam and bar beam", vec![table])
     }
 }

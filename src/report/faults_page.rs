@@ -1,27 +1,29 @@
 //! The detection of faults as a page, from the record alone.
 
-use super::faults::{DetectionRow, Faults, SampledRow, UndetectedOperations};
+use super::faults::Faults;
 use super::number::{count, error};
 use super::page::{Block, Page};
+use crate::check::Regime;
+use crate::faults::{Check, Detection, Limit, Operations, Sampled, Undetected};
+use crate::linearization::Quantity;
+use crate::variant::{Kind, Rewrite};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Faults {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
-        let faults: usize = self.kinds.iter().map(|(_, count)| count).sum();
         let verdict = if self.holds { "The check detects every fault" } else { "THE CHECK MISSES SOMETHING" };
         let conclusion = format!(
             "**{verdict}: {} faults in the terms of the closed form, one at a time, in every regime.** It rejects none of {} \
              equivalent formulas. Other checks are measured on the same faults and the same closest points.",
-            count(faults as u64),
-            self.rewrites.len()
+            count(self.terms.faults() as u64),
+            Rewrite::ALL.len()
         );
         let mut blocks = vec![Block::text(&conclusion), self.best_regimes()];
-        blocks.push(Block::details("What each check does", vec![self.what_checks_do()]));
+        blocks.push(Block::details("What each check does", vec![what_checks_do()]));
         blocks.push(Block::details("Detection in every regime", self.detections()));
-        let kinds = self.kinds.iter().map(|(kind, number)| {
-            let what = KINDS.iter().find(|(name, _)| name == kind).map_or("", |(_, what)| what);
-            vec![kind.clone(), what.to_owned(), count(*number as u64)]
+        let kinds = self.terms.kinds.iter().map(|(kind, number)| {
+            vec![kind.name().to_owned(), what_is_wrong(*kind).to_owned(), count(*number as u64)]
         });
         blocks.extend([
             Block::heading("Faults injected"),
@@ -47,13 +49,13 @@ impl Faults {
 
     /// Each check in the regime in which it detects the most faults, of those in which it accepts the most points.
     fn best_regimes(&self) -> Block {
-        let rows = self.checks.iter().filter_map(|(check, _)| {
+        let rows = Check::ALL.into_iter().filter_map(|check| {
             let row = self.best(check)?;
             let cells = [
-                check.clone(),
-                row.regime.clone(),
+                check.name().to_owned(),
+                regime_of(row),
                 format!("{} of {}", count(row.detected as u64), count(row.planted as u64)),
-                format!("{} of {}", row.false_positives.len(), self.rewrites.len()),
+                format!("{} of {}", row.false_positives.len(), Rewrite::ALL.len()),
             ];
             Some(cells.to_vec())
         });
@@ -61,13 +63,9 @@ impl Faults {
         Block::table(&head, rows.collect())
     }
 
-    fn best(&self, check: &str) -> Option<&DetectionRow> {
-        self.rows.iter().filter(|row| row.check == check).min_by_key(|row| row.planted - row.detected)
-    }
-
-    fn what_checks_do(&self) -> Block {
-        let rows = self.checks.iter().map(|(check, what)| vec![check.clone(), what.clone()]);
-        Block::table(&["check", "what it does"], rows.collect())
+    fn best(&self, check: Check) -> Option<&Detection> {
+        let of_check = self.terms.detections.iter().filter(|row| row.check == check);
+        of_check.min_by_key(|row| row.planted - row.detected)
     }
 
     fn detections(&self) -> Vec<Block> {
@@ -86,29 +84,16 @@ impl Faults {
                 "The exact check and the gate compare matrices too. The other checks compare variations only, so no fault of \
                  the matrices is injected for them.",
             ]),
-            Block::table(&head, self.rows.iter().map(|row| self.detection(row)).collect()),
-        ]
-    }
-
-    /// A row of the table of detections.
-    fn detection(&self, row: &DetectionRow) -> Vec<String> {
-        let of = |part: usize, all: usize| format!("{part} of {all}");
-        vec![
-            row.check.clone(),
-            row.regime.clone(),
-            of(row.detected, row.planted),
-            of(row.pairs_detected, row.pairs),
-            of(row.rejected, row.points),
-            of(row.false_positives.len(), self.rewrites.len()),
+            Block::table(&head, self.terms.detections.iter().map(detection).collect()),
         ]
     }
 
     /// What other checks miss, in the regime that suits them best.
     fn missed(&self) -> Vec<Block> {
-        let rows = self.checks.iter().filter_map(|(check, _)| {
+        let rows = Check::ALL.into_iter().filter_map(|check| {
             let row = self.best(check).filter(|row| row.detected < row.planted)?;
             let mut formulas: BTreeMap<&str, usize> = BTreeMap::new();
-            for fault in self.undetected_by(row) {
+            for fault in self.terms.missed_by(check, row.regime) {
                 *formulas.entry(fault.split(':').next().unwrap_or(fault)).or_default() += 1;
             }
             let mut formulas: Vec<_> = formulas.into_iter().collect();
@@ -116,7 +101,7 @@ impl Faults {
             let listed: Vec<_> =
                 formulas.iter().map(|(name, count)| format!("{count} in `{name}`")).collect();
             let missed = format!("{} of {}", row.planted - row.detected, row.planted);
-            Some(vec![check.clone(), row.regime.clone(), missed, listed.join(", ")])
+            Some(vec![check.name().to_owned(), regime_of(row), missed, listed.join(", ")])
         });
         let head = ["check", "regime", "#undetected", "in the formulas"];
         let table = Block::table(&head, rows.collect());
@@ -129,19 +114,18 @@ impl Faults {
             .operations
             .iter()
             .fold((0, 0), |(faults, detected), row| (faults + row.faults, detected + row.detected));
-        let row = |row: &super::OperationsRow| {
-            let reason = |undetected: &UndetectedOperations| {
-                undetected.reason.clone().unwrap_or("NOT COVERED".to_owned())
-            };
+        let row = |row: &Operations| {
+            let reason =
+                |undetected: &Undetected| undetected.reason.clone().unwrap_or("NOT COVERED".to_owned());
             let reasons: BTreeSet<String> = row.undetected.iter().map(reason).collect();
             let why = reasons.into_iter().collect::<Vec<_>>().join("; ");
             let counts = [row.operations, row.faults, row.detected].map(|number| count(number as u64));
-            [row.code.clone(), row.place.clone()].into_iter().chain(counts).chain([why]).collect()
+            [row.code.clone(), row.place.to_owned()].into_iter().chain(counts).chain([why]).collect()
         };
         let head = ["code", "place", "#operations", "#faults", "#detected", "reason of those not detected"];
         let sampled = self.sampled.iter().map(|row| {
             let counts = [row.operations, row.faults, row.detected].map(|number| count(number as u64));
-            [row.regime.clone(), row.code.clone()].into_iter().chain(counts).collect()
+            [row.regime.name(), row.code.name()].map(str::to_owned).into_iter().chain(counts).collect()
         });
         let sampled =
             Block::table(&["regime", "code", "#operations", "#faults", "#detected"], sampled.collect());
@@ -180,13 +164,15 @@ impl Faults {
     }
 
     fn detection_limits(&self) -> Vec<Block> {
-        let rows = self.regimes.iter().enumerate().filter_map(|(i, regime)| {
-            let of_term =
-                |(term, limits): &'_ (String, Vec<Option<f64>>)| Some(((*limits.get(i)?)?, term.clone()));
+        let rows = Regime::ALL.into_iter().filter_map(|regime| {
+            let of_term = |(term, limits): (&'_ String, &BTreeMap<Regime, Limit>)| {
+                let Limit(limit) = *limits.get(&regime)?;
+                limit.is_finite().then(|| (limit, term.clone()))
+            };
             let mut limits: Vec<(f64, String)> = self.limits.iter().filter_map(of_term).collect();
             limits.sort_by(|a, b| a.0.total_cmp(&b.0));
             let (middle, (last, term)) = (limits.get(limits.len() / 2)?.0, limits.last()?);
-            Some(vec![regime.clone(), error(Some(middle)), error(Some(*last)), format!("`{term}`")])
+            Some(vec![regime.name().to_owned(), error(Some(middle)), error(Some(*last)), format!("`{term}`")])
         });
         let head = ["regime", "#median of all terms", "#largest", "of the term"];
         vec![
@@ -204,33 +190,53 @@ impl Faults {
     }
 
     fn limits_by_quantity(&self) -> Block {
-        let mut quantities: Vec<&str> = Vec::new();
-        for (name, ..) in self.sampled.iter().flat_map(|row| &row.limits) {
-            if !quantities.contains(&name.as_str()) {
-                quantities.push(name);
-            }
-        }
-        let row = |row: &SampledRow| {
-            let median = |quantity: &&str| {
-                let of = row.limits.iter().find(|(name, ..)| name == quantity);
-                of.map_or_else(|| "-".to_owned(), |(_, _, [median, _])| error(Some(*median)))
+        let is_there = |quantity: &Quantity| self.sampled.iter().any(|row| row.limits.contains_key(quantity));
+        let quantities: Vec<Quantity> = Quantity::ALL.into_iter().filter(is_there).collect();
+        let row = |row: &Sampled| {
+            let median = |quantity: &Quantity| {
+                row.limits.get(quantity).map_or_else(|| "-".to_owned(), |of| error(Some(of.median.0)))
             };
-            [row.regime.clone(), row.code.clone()].into_iter().chain(quantities.iter().map(median)).collect()
+            let names = [row.regime.name(), row.code.name()].map(str::to_owned);
+            names.into_iter().chain(quantities.iter().map(median)).collect()
         };
-        let names = quantities.iter().map(|name| format!("#{name}"));
+        let names = quantities.iter().map(|quantity| format!("#{}", quantity.name()));
         let head: Vec<String> = ["regime", "code"].map(str::to_owned).into_iter().chain(names).collect();
         Block::table(&head, self.sampled.iter().map(row).collect())
     }
 }
 
+fn what_checks_do() -> Block {
+    let rows = Check::ALL.map(|check| [check.name(), check.what()].map(str::to_owned).to_vec());
+    Block::table(&["check", "what it does"], rows.to_vec())
+}
+
+/// A row of the table of detections.
+fn detection(row: &Detection) -> Vec<String> {
+    let of = |part: usize, all: usize| format!("{part} of {all}");
+    vec![
+        row.check.name().to_owned(),
+        regime_of(row),
+        of(row.detected, row.planted),
+        of(row.pairs_detected, row.pairs),
+        of(row.rejected, row.points),
+        of(row.false_positives.len(), Rewrite::ALL.len()),
+    ]
+}
+
+fn regime_of(row: &Detection) -> String {
+    row.regime.map_or("-", Regime::name).to_owned()
+}
+
 /// What each kind of fault does to a term.
-const KINDS: [(&str, &str); 8] = [
-    ("sign", "has the opposite sign"),
-    ("dropped", "is missing"),
-    ("doubled", "is doubled"),
-    ("halved", "is halved"),
-    ("transposed", "is transposed: its two directions are exchanged"),
-    ("swapped", "has the beams exchanged"),
-    ("bar-forgotten", "takes the beam where the bar beam belongs"),
-    ("stale", "is evaluated at the parameters of the step before"),
-];
+fn what_is_wrong(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Sign => "has the opposite sign",
+        Kind::Dropped => "is missing",
+        Kind::Doubled => "is doubled",
+        Kind::Halved => "is halved",
+        Kind::Transposed => "is transposed: its two directions are exchanged",
+        Kind::Swapped => "has the beams exchanged",
+        Kind::BarForgotten => "takes the beam where the bar beam belongs",
+        Kind::Stale => "is evaluated at the parameters of the step before",
+    }
+}

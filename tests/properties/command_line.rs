@@ -11,7 +11,7 @@ const SMALL: [&str; 5] = ["check", "--cases", "11", "--family", "segment"];
 
 pub(crate) fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_beamgap"));
-    command.args(arguments).env_remove("RAYON_NUM_THREADS");
+    command.args(arguments).env_remove("RAYON_NUM_THREADS").env_remove("GITHUB_STEP_SUMMARY");
     command
 }
 
@@ -190,7 +190,7 @@ fn bad_input_is_one_line_and_a_code() {
         (
             &["prove", "--format", "xml"],
             2,
-            "invalid value 'xml' for '--format <FORMAT>' [possible values: human, json] (see --help)",
+            "invalid value 'xml' for '--format <FORMAT>' [possible values: human, json, junit, sarif, github, markdown] (see --help)",
         ),
         (
             // Were it noticed last, this would take hours.
@@ -276,21 +276,19 @@ fn a_regime_is_counted_once_however_often_it_is_named() {
     let twice = small(&["--regime", "near-end", "--regime", "near-end", "--format", "json"]);
     let document = json(&twice);
     assert_eq!(document["selection"]["regimes"], serde_json::json!(["near-end"]));
-    assert_eq!(document["regimes"][0]["cases"], 11);
+    assert_eq!(document["found"]["regimes"]["near-end"]["cases"], 11);
 }
 
 #[test]
 fn a_case_that_is_repeated_shows_the_error_of_the_run() {
-    let cells = json(&small(&["--format", "json"]))["quantities"].clone();
-    let cell = cells.as_array().unwrap().iter().find(|cell| cell["case"].is_u64()).unwrap();
+    let cell = json(&small(&["--format", "json"]))["found"]["quantities"]["x"]["value"].clone();
     let case = json(&run(&["check", "--case", &cell["case"].to_string(), "--format", "json"]));
     let points = case["closest_points"].as_array().unwrap();
     let errors = points.iter().flat_map(|point| point["entries"].as_array().unwrap()).filter_map(|entry| {
-        let same = entry["quantity"] == cell["quantity"] && entry["order"] == cell["order"];
+        let same = entry["quantity"] == "x" && entry["order"] == "value";
         same.then(|| entry["difference"].as_f64().unwrap() / entry["scale"].as_f64().unwrap())
     });
-    let worst = errors.fold(0.0, f64::max);
-    assert_eq!(format!("{worst:.1e}").parse::<f64>().ok(), cell["scaled_error"].as_f64());
+    assert_eq!(Some(errors.fold(0.0, f64::max)), cell["scaled_error"].as_f64());
 }
 
 #[test]

@@ -21,7 +21,7 @@ fn bounds_are_shown_for_each_side_and_regime() {
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
     let command = document["environment"]["command"].as_str().unwrap();
     assert_eq!(command, "beamgap bounds --seed 0x5eed --cases 1 --family segment");
-    assert_eq!(document["regimes"].as_array().unwrap().len(), 10);
+    assert_eq!(document["found"]["regimes"].as_object().unwrap().len(), 10);
 
     let text = stdout(&run(&arguments));
     let (_, sides) = text.split_once("\nBy regime: closed form\n").unwrap();
@@ -48,7 +48,7 @@ fn bounds_are_shown_for_each_side_and_regime() {
 fn the_third_oracle_is_asked_on_demand() {
     let arguments = ["check", "--cases", "14", "--regime", "nearly-parallel", "--oracle", "all"];
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
-    let counts = &document["differences"];
+    let counts = &document["found"]["differences"];
     assert!(counts["points"].as_u64() > Some(0), "{counts}");
     assert!(stdout(&run(&arguments)).contains("\nDifferences in double-double\n  computed at "));
 

@@ -19,6 +19,7 @@ use crate::closest_point::ClosestPoint;
 use crate::test_beam::AnyBeam;
 use crate::variant::Variant;
 pub use accuracy::{ExplainedFault, Naming, explained_faults};
+pub use equation::equation_of;
 use hypothesis::Change;
 use rayon::prelude::*;
 use search::{Fit, measured_factor, search};

@@ -2,6 +2,7 @@
 
 use super::answers::Answers;
 use super::compare::{CaseFound, Judged, Judgement};
+use super::error::Place;
 use super::vectors::{Outcome, Vector};
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
@@ -27,6 +28,8 @@ pub struct PartFound {
     pub worst: Judged,
     /// Its case.
     pub case: String,
+    /// Where the first wrong number is answered.
+    pub wrong_at: Option<Place>,
 }
 
 /// The largest loss of digits in a regime.
@@ -120,7 +123,7 @@ impl Report {
             CaseFound::Compared(judged, is_doubted) => (judged, is_doubted),
         };
         for one in &judged {
-            self.add_part(one, &vector.id);
+            self.add_part(one, &vector.id, &answers.place);
         }
         let is = |wanted: Judgement| move |judged: &&Judged| judged.judgement == wanted;
         if judged.iter().all(|judged| judged.judgement == Judgement::Unclear) {
@@ -146,15 +149,25 @@ impl Report {
         self.first.get_or_insert((vector, answers, first));
     }
 
-    fn add_part(&mut self, one: &Judged, case: &str) {
-        let new =
-            || PartFound { numbers: 0, losing: 0, wrong: 0, unclear: 0, worst: *one, case: case.to_owned() };
+    fn add_part(&mut self, one: &Judged, case: &str, place: &Place) {
+        let new = || PartFound {
+            numbers: 0,
+            losing: 0,
+            wrong: 0,
+            unclear: 0,
+            worst: *one,
+            case: case.to_owned(),
+            wrong_at: None,
+        };
         let part = self.parts.entry(key(one)).or_insert_with(new);
         match one.judgement {
             Judgement::Unclear => part.unclear += 1,
             Judgement::Agrees => part.numbers += 1,
             Judgement::Loses => (part.numbers, part.losing) = (part.numbers + 1, part.losing + 1),
-            Judgement::Wrong => (part.numbers, part.wrong) = (part.numbers + 1, part.wrong + 1),
+            Judgement::Wrong => {
+                (part.numbers, part.wrong) = (part.numbers + 1, part.wrong + 1);
+                part.wrong_at.get_or_insert_with(|| place.clone());
+            }
         }
         let is_worse = one.comparison.over_tolerance() > part.worst.comparison.over_tolerance();
         let was_unclear = part.worst.judgement == Judgement::Unclear;

@@ -1,6 +1,6 @@
 //! What becomes of verdicts: counts that add up, and worst errors whose case can be found again.
 
-use super::{Cell, Differences, Summary, Tally};
+use super::{Cell, Differences, NotCompared, Summary, Tally};
 use crate::check::arbitration::DIFFERENCES;
 use crate::check::{
     Arbitration, Case, CheckConfig, Compared, Comparison, Inconclusive, Order, Regime, Verdict, compare,
@@ -68,18 +68,18 @@ fn points_are_counted_where_they_belong() {
         at_end: 1,
         mismatches: 0,
         worst,
-        inconclusive: [
-            (Inconclusive::Unresolved, (2, case.number)),
-            (Inconclusive::Crossing, (1, case.number)),
+        not_compared: [
+            (Inconclusive::Unresolved, NotCompared { count: 2, first_case: case.number }),
+            (Inconclusive::Crossing, NotCompared { count: 1, first_case: case.number }),
         ]
         .into(),
     };
     assert_eq!(summary.regimes, [(Regime::Metres, tally)].into());
-    assert_eq!(summary.cells, [((Quantity::D, Order::Second), worst)].into());
+    assert_eq!(summary.quantities, [((Quantity::D, Order::Second), worst)].into());
     assert_eq!(summary.pairs, [((case.families[0], case.families[1]), 3)].into());
     assert_eq!(summary.families.values().sum::<u64>(), 6);
     assert_eq!(summary.compared(), 3);
-    assert!(summary.mismatches.is_empty() && summary.arbitrations.is_empty());
+    assert!(summary.mismatches.is_empty());
 }
 
 #[test]
@@ -91,8 +91,9 @@ fn of_mismatches_the_furthest_off_is_kept_and_all_are_arbitrated() {
     let far = Verdict::Mismatch(vec![off(0.5), off(0.0)]);
     let verdicts = vec![(Some(inside), ad_is_wrong), (Some(inside), far), (Some(at_end), nobody_knows)];
     let summary = Summary::of(&case, &verdicts);
-    assert_eq!(summary.mismatches, [(case.number, off(0.5))].into());
-    assert_eq!(summary.arbitrations, [(case.number, Arbitration::Ad)].into());
+    let told: Vec<_> =
+        summary.mismatches.iter().map(|(&case, of)| (case, of.worst, of.arbitration)).collect();
+    assert_eq!(told, [(case.number, off(0.5), Some(Arbitration::Ad))]);
     let tally = &summary.regimes[&Regime::Metres];
     assert_eq!((tally.mismatches, tally.interior, tally.at_end), (3, 2, 1));
 }
@@ -113,16 +114,16 @@ fn differences_count_what_they_decide() {
     .map(|verdict| (Some(inside), verdict))
     .into();
     let summary = Summary::of(&case, &verdicts);
-    let Differences { points, unclear, decided, cells } = &summary.differences;
+    let Differences { points, unclear, decided, quantities } = &summary.differences;
     assert_eq!((*points, *unclear, *decided), (4, 3, 2));
-    let of_differences = cells[&(Quantity::D, Order::Second)];
+    let of_differences = quantities[&(Quantity::D, Order::Second)];
     assert_eq!((of_differences.entries, of_differences.scaled_error), (3, 0.5));
     // They have cells of their own, and are named only where nothing else is wrong.
-    assert_eq!(summary.cells[&(Quantity::D, Order::Second)].scaled_error.to_bits(), 0);
-    assert_eq!(summary.mismatches[&case.number].against, DIFFERENCES);
+    assert_eq!(summary.quantities[&(Quantity::D, Order::Second)].scaled_error.to_bits(), 0);
+    assert_eq!(summary.mismatches[&case.number].worst.against, DIFFERENCES);
     let both = vec![off(0.25), Comparison { closed: 0.5, ..told }];
     let both = Summary::of(&case, &[(Some(inside), Verdict::Mismatch(both))]);
-    assert_eq!(both.mismatches, [(case.number, off(0.25))].into());
+    assert_eq!(both.mismatches[&case.number].worst, off(0.25));
 }
 
 #[test]
@@ -162,14 +163,14 @@ fn two_summaries_add_up_in_any_order() {
         at_end: 1,
         mismatches: 1,
         worst,
-        inconclusive: [(Inconclusive::Unresolved, (3, 20))].into(),
+        not_compared: [(Inconclusive::Unresolved, NotCompared { count: 3, first_case: 20 })].into(),
     };
     assert_eq!(both.regimes, [(Regime::Metres, tally)].into());
-    assert_eq!(both.cells[&(Quantity::D, Order::Second)], worst);
+    assert_eq!(both.quantities[&(Quantity::D, Order::Second)], worst);
     assert_eq!((both.compared(), both.pairs.values().sum::<u64>()), (3, 3));
     assert_eq!(both.families.values().sum::<u64>(), 6);
     assert_eq!(both.mismatches.keys().collect::<Vec<_>>(), [&30]);
-    assert_eq!(both.arbitrations, one.arbitrations);
+    assert_eq!(both.mismatches, one.mismatches);
     assert_eq!((both.differences.points, both.differences.unclear, both.differences.decided), (2, 0, 0));
 }
 
@@ -179,7 +180,25 @@ fn differences_add_up() {
         let cell = Cell { scaled_error, case: 1, over_tolerance: scaled_error, entries };
         [((Quantity::D, Order::Second), cell)].into()
     };
-    let mut one = Differences { points: 5, unclear: 3, decided: 2, cells: worst(0.5, 1) };
-    one.merge(&Differences { points: 50, unclear: 30, decided: 20, cells: worst(0.25, 2) });
-    assert_eq!(one, Differences { points: 55, unclear: 33, decided: 22, cells: worst(0.5, 3) });
+    let mut one = Differences { points: 5, unclear: 3, decided: 2, quantities: worst(0.5, 1) };
+    one.merge(&Differences { points: 50, unclear: 30, decided: 20, quantities: worst(0.25, 2) });
+    assert_eq!(one, Differences { points: 55, unclear: 33, decided: 22, quantities: worst(0.5, 3) });
+}
+
+#[test]
+fn a_summary_is_read_back_as_it_was() {
+    let (case, [inside, at_end]) = case();
+    let infinite = Comparison { closed: f64::NEG_INFINITY, tolerance: f64::INFINITY, ..off(0.5) };
+    let told = Comparison { against: DIFFERENCES, ..off(0.0) };
+    let verdicts: Compared = vec![
+        (Some(inside), Verdict::Mismatch(vec![off(0.1 + 0.2), told])),
+        (Some(at_end), Verdict::Mismatch(vec![infinite])),
+        (None, Verdict::Inconclusive(Inconclusive::NotMeaningful, Vec::new())),
+    ];
+    let summary = Summary::of(&case, &verdicts);
+    let text = serde_json::to_string(&summary).unwrap();
+    assert_eq!(serde_json::from_str::<Summary>(&text).unwrap(), summary);
+    for told in ["\"not-meaningful\":{", "\"-inf\"", "\"metres\":{\"cases\":1,"] {
+        assert!(text.contains(told), "{text}");
+    }
 }

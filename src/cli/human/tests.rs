@@ -1,33 +1,24 @@
 //! Tables that fit a terminal, and disagreements that can be repeated.
 
-use super::{case_of, document, error, name};
+use super::{case_of, error, name};
 use crate::cli::arguments::program;
-use crate::cli::check::{Checked, verdict};
+use crate::cli::checked::{Checked, Oracle, Shown};
 use crate::cli::exit::Exit;
-use crate::cli::json;
 use beamgap::check::{
-    Case, Cell, CheckConfig, Comparison, Family, Finding, Inconclusive, Order, Regime, Selection, Shrunk,
-    Summary, Tally, Verdict, compare,
+    Case, Cell, CheckConfig, Comparison, Family, Finding, Inconclusive, NotCompared, Order, Regime,
+    Selection, Shard, Shrunk, Summary, Tally, Verdict, compare,
 };
 use beamgap::linearization::Quantity;
 use std::collections::BTreeMap;
 
-fn shown(summary: Summary) -> (Exit, String) {
+fn shown(found: Summary) -> (Exit, String) {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1_000_000 };
-    let verdict = verdict(&summary);
-    let text = document(
-        &Checked {
-            plant: Vec::new(),
-            differences: false,
-            seed: u64::MAX,
-            selection,
-            summary,
-            shrunk: Vec::new(),
-        },
-        &verdict,
-    );
+    let mut checked = Checked::new(u64::MAX, Vec::new(), Oracle::Ad, selection, Shard::WHOLE);
+    checked.found = found;
+    let shown = Shown { outcome: checked.outcome(), checked, shrunk: Vec::new() };
+    let text = shown.human();
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
-    (verdict.exit, text)
+    (shown.outcome.verdict.exit, text)
 }
 
 #[test]
@@ -40,11 +31,14 @@ fn the_largest_run_fits_a_terminal() {
         at_end: count,
         mismatches: count,
         worst,
-        inconclusive: BTreeMap::from([(Inconclusive::Unresolved, (count, worst.case))]),
+        not_compared: BTreeMap::from([(
+            Inconclusive::Unresolved,
+            NotCompared { count, first_case: worst.case },
+        )]),
     };
     let cells = Quantity::ALL.iter().flat_map(|&q| Order::ALL.map(|order| ((q, order), worst)));
     shown(Summary {
-        cells: cells.collect(),
+        quantities: cells.collect(),
         regimes: Regime::ALL.map(|regime| (regime, tally.clone())).into(),
         families: Family::ALL.map(|family| (family, 18 * count)).into(),
         ..Summary::default()
@@ -89,10 +83,10 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
     wrong.unwrap().closed += 1.0;
     let finding = Finding::of(&[(point, Verdict::Mismatch(entries))]).unwrap();
     let shrunk = vec![Shrunk { number: 17, finding, case }];
-    let (seed, selection) = (1, Selection { regimes: Vec::new(), family: None, cases: 1 });
-    let (plant, summary) = (Vec::new(), Summary::default());
-    let mut checked = Checked { plant, differences: true, seed, selection, summary, shrunk };
-    let text = document(&checked, &verdict(&checked.summary));
+    let selection = Selection { regimes: Vec::new(), family: None, cases: 1 };
+    let checked = Checked::new(1, Vec::new(), Oracle::All, selection, Shard::WHOLE);
+    let mut shown = Shown { outcome: checked.outcome(), checked, shrunk };
+    let text = shown.human();
     assert!(
         text.contains("\n// From case 17: Delta of xi (first) is the first wrong number.\n#[test]\n"),
         "{text}"
@@ -101,8 +95,7 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
     let planted = "// The fault is planted by the command below. Without it this test passes.\n#[test]\n";
     assert!(!text.contains(planted), "{text}");
     assert!(text.contains("\n}\necho '{") && text.contains("check --case-file - --oracle all\n"), "{text}");
-    let told: serde_json::Value =
-        serde_json::from_str(&json::document(&checked, &verdict(&checked.summary)).unwrap()).unwrap();
+    let told: serde_json::Value = serde_json::from_str(&shown.json().unwrap()).unwrap();
     let told = &told["shrunk"][0];
     assert_eq!(
         (&told["quantity"], &told["part"], &told["case"]),
@@ -112,8 +105,8 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
         assert!(text.contains(told[pasted].as_str().unwrap()), "{pasted}");
     }
     assert_eq!(told["shrunk"]["beam"]["family"], "segment");
-    checked.plant = vec!["a: d.t,xi = dropped".into()];
-    assert!(document(&checked, &verdict(&checked.summary)).contains(planted));
+    shown.checked.planted = vec!["a: d.t,xi = dropped".into()];
+    assert!(shown.human().contains(planted));
 }
 
 #[test]
@@ -133,7 +126,10 @@ fn a_regime_in_which_nothing_was_compared_has_no_worst() {
 #[test]
 fn reasons_add_up_over_the_regimes_and_show_their_first_case() {
     let reason = Inconclusive::Crossing;
-    let tally = |count, case| Tally { inconclusive: [(reason, (count, case))].into(), ..Tally::default() };
+    let tally = |count, case| {
+        let what = NotCompared { count, first_case: case };
+        Tally { not_compared: [(reason, what)].into(), ..Tally::default() }
+    };
     let regimes = [(Regime::Generic, tally(30, 90)), (Regime::Slender, tally(5, 10))].into();
     let (_, text) = shown(Summary { regimes, ..Summary::default() });
     let row = text.lines().find(|line| line.contains(reason.reason())).unwrap();

@@ -66,8 +66,12 @@ const EQUATIONS: &[(&str, &str)] = &[
 
 /// The equation of a term.
 pub(super) fn equation(label: &Label) -> &'static str {
-    let of = EQUATIONS.iter().find(|(formula, _)| label.name.starts_with(formula));
-    of.map_or("of the closed form", |(_, equation)| equation)
+    equation_of(label.name).unwrap_or("of the closed form")
+}
+
+/// The equation of a term, or of a fault, by its name.
+pub fn equation_of(name: &str) -> Option<&'static str> {
+    EQUATIONS.iter().find(|(formula, _)| name.starts_with(formula)).map(|(_, equation)| *equation)
 }
 
 #[cfg(test)]

@@ -1,0 +1,218 @@
+//! What a run of the check asked and found, of the schema `beamgap-check/2`; parts of a run are merged from it.
+//!
+//! Names and meanings stay; entries may be added. Numbers have all digits. What is no number is a word, such as `"inf"`.
+
+use super::arguments::{planting, program, variant};
+use super::outcome::{Entry, Outcome, Source, State, Verdict};
+use super::{case_file, disagreements, human, json};
+use anyhow::ensure;
+use beamgap::check::{
+    Cell, CheckConfig, Oracles, Selection, Shard, Shrunk, Summary, Tally, shrink_mismatches,
+};
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+/// The schema.
+const SCHEMA: &str = "beamgap-check/2";
+/// Mismatches shown in full, and shrunk; the others are counted.
+pub(super) const SHOWN: usize = 5;
+
+/// With what the closed form is compared. Where it disagrees with AD, the differences always arbitrate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Oracle {
+    /// Automatic differentiation
+    Ad,
+    /// Also differences of the value in double-double: in every thirteenth
+    /// case, and where the tolerance for AD means nothing
+    All,
+}
+
+/// What was asked, and what was found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Checked {
+    pub(super) schema: String,
+    pub(super) version: String,
+    /// Text, as not all readers hold 64 bits.
+    #[serde(with = "seed")]
+    pub(super) seed: u64,
+    pub(super) planted: Vec<String>,
+    pub(super) oracle: Oracle,
+    pub(super) selection: Selection,
+    pub(super) shard: Shard,
+    pub(super) found: Summary,
+}
+
+mod seed {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(seed: &u64, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&format_args!("{seed:#x}"))
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
+        crate::cli::arguments::seed(&String::deserialize(deserializer)?).map_err(D::Error::custom)
+    }
+}
+
+impl Checked {
+    /// What is asked; nothing is found yet.
+    pub(super) fn new(
+        seed: u64,
+        planted: Vec<String>,
+        oracle: Oracle,
+        selection: Selection,
+        shard: Shard,
+    ) -> Self {
+        let (schema, version) = (SCHEMA.to_owned(), env!("CARGO_PKG_VERSION").to_owned());
+        Self { schema, version, seed, planted, oracle, selection, shard, found: Summary::default() }
+    }
+
+    /// What is checked, and by what.
+    pub(super) fn config(&self) -> anyhow::Result<CheckConfig> {
+        let oracles = match self.oracle {
+            Oracle::Ad => Oracles::Ad,
+            Oracle::All => Oracles::Sample,
+        };
+        Ok(CheckConfig { variant: variant(&self.planted)?, oracles })
+    }
+
+    /// The options with which a command shows a case as this run saw it.
+    pub(super) fn options(&self) -> String {
+        planting(&self.planted) + if self.oracle == Oracle::All { " --oracle all" } else { "" }
+    }
+
+    /// The cases that were asked for, and those of them that were not reached.
+    pub(super) fn asked(&self) -> (u64, u64) {
+        let asked = self.selection.count(self.shard);
+        let reached: u64 = self.found.regimes.values().map(|tally| tally.cases).sum();
+        (asked, asked.saturating_sub(reached))
+    }
+
+    /// What was found amounts to this.
+    pub(super) fn verdict(&self) -> Verdict {
+        let found = &self.found;
+        let tallies = || found.regimes.values();
+        let left = tallies().map(Tally::left_out).sum();
+        let untrusted = found.mismatches.values().filter_map(|mismatch| mismatch.arbitration);
+        let untrusted = untrusted.filter(|who| who.is_untrusted()).count();
+        let wrong = tallies().map(|tally| tally.mismatches).sum();
+        let mut verdict = super::check::in_words(found.compared(), wrong, left, untrusted);
+        if let (asked, missed @ 1..) = self.asked() {
+            verdict.words += &format!("\nNot reached in time: {missed} of {asked} cases.");
+        }
+        verdict
+    }
+
+    /// The same with one entry for each order of each quantity.
+    pub(super) fn outcome(&self) -> Outcome {
+        let entries = self.found.quantities.iter().map(|(&(quantity, order), cell)| {
+            let &Cell { scaled_error, over_tolerance, case, entries } = cell;
+            let state = State::of(entries, u64::from(over_tolerance > 1.0));
+            let differs = if state == State::Differs { "differs beyond rounding: " } else { "" };
+            let message = format!(
+                "{differs}{entries} numbers; the largest error is {scaled_error:.1e} of the scale, in case {case}; the largest error / \
+                 tolerance is {over_tolerance:.1e}"
+            );
+            let source = Some(Source::of_formula(order, quantity));
+            Entry { group: order.name().to_owned(), name: quantity.name().to_owned(), state, message, source }
+        });
+        Outcome { command: "check", verdict: self.verdict(), entries: entries.collect() }
+    }
+
+    /// Shrinks the first mismatches.
+    pub(super) fn shown(self) -> anyhow::Result<Shown> {
+        let shrunk = shrink_mismatches(&self.config()?.variant, self.seed, &self.found, SHOWN);
+        Ok(Shown { outcome: self.outcome(), checked: self, shrunk })
+    }
+
+    /// One run of its parts, in any order.
+    ///
+    /// # Errors
+    /// If the parts are not of one run, share a case or leave cases out.
+    pub(super) fn merge(parts: Vec<(String, Self)>) -> anyhow::Result<Self> {
+        let mut merged: Option<Self> = None;
+        let mut known: Vec<(String, Shard)> = Vec::new();
+        for (name, part) in parts {
+            ensure!(part.schema == SCHEMA, "{name}: schema {SCHEMA:?} expected, found {:?}", part.schema);
+            let version = env!("CARGO_PKG_VERSION");
+            ensure!(part.version == version, "{name}: version {version} expected, found {}", part.version);
+            if let Some((other, shard)) = known.iter().find(|(_, shard)| shard.overlaps(part.shard)) {
+                anyhow::bail!("{name}: shard {} has cases of shard {shard} of {other}", part.shard);
+            }
+            known.push((name.clone(), part.shard));
+            merged = Some(match merged {
+                None => part,
+                Some(all) => {
+                    for (what, is_same) in [
+                        ("seed", part.seed == all.seed),
+                        ("planted", part.planted == all.planted),
+                        ("oracle", part.oracle == all.oracle),
+                        ("selection", part.selection == all.selection),
+                    ] {
+                        ensure!(is_same, "{name}: {what} differs from that of {}", known[0].0);
+                    }
+                    Self { found: all.found.merge(part.found), ..all }
+                }
+            });
+        }
+        let Some(merged) = merged else { anyhow::bail!("a part expected") };
+        let shards = || known.iter().map(|(_, shard)| *shard);
+        let held: u64 = shards().map(|shard| merged.selection.count(shard)).sum();
+        let all = merged.selection.count(Shard::WHOLE);
+        let names = || shards().map(|shard| shard.to_string()).collect::<Vec<_>>().join(", ");
+        ensure!(held == all, "the shards {} have {held} of {all} cases: some are missing", names());
+        Ok(Self { shard: Shard::WHOLE, ..merged })
+    }
+}
+
+/// A result as it is shown.
+pub(super) struct Shown {
+    pub(super) checked: Checked,
+    pub(super) outcome: Outcome,
+    pub(super) shrunk: Vec<Shrunk>,
+}
+
+impl Shown {
+    /// The result for people.
+    pub(super) fn human(&self) -> String {
+        human::document(self)
+    }
+
+    /// The result for programs: what was asked and found, and what follows from it.
+    pub(super) fn json(&self) -> anyhow::Result<String> {
+        #[derive(Serialize)]
+        struct Document<'a> {
+            #[serde(flatten)]
+            checked: &'a Checked,
+            verdict: &'static str,
+            compared: u64,
+            not_reached: u64,
+            /// How to repeat a mismatch: the number of its case follows.
+            repeat: String,
+            shrunk: Vec<Value>,
+        }
+        let Self { checked, outcome, shrunk } = self;
+        json::text(&Document {
+            checked,
+            verdict: outcome.verdict.name,
+            compared: checked.found.compared(),
+            not_reached: checked.asked().1,
+            repeat: format!("{} check --seed {:#x}{} --case", program(), checked.seed, checked.options()),
+            shrunk: shrunk.iter().map(|shrunk| self.of_shrunk(shrunk)).collect(),
+        })
+    }
+
+    fn of_shrunk(&self, shrunk: &Shrunk) -> Value {
+        let Shrunk { number, case, finding } = shrunk;
+        let mut value = json::compared(&finding.entry);
+        value["case"] = json!(number);
+        value["minimum"] = json!(finding.minimum);
+        value["test"] = json!(disagreements::test(shrunk, &self.checked.planted));
+        value["repeat"] = json!(case_file::command(case) + &self.checked.options());
+        value["shrunk"] = json!(case_file::object(case));
+        value
+    }
+}

@@ -1,0 +1,37 @@
+//! `beamgap merge`: the parts of a check, which several machines ran, as one result.
+
+use super::checked::Checked;
+use super::exit::Exit;
+use super::output::Written;
+use anyhow::Context;
+use clap::Args;
+use std::path::PathBuf;
+
+/// The arguments.
+#[derive(Args)]
+#[command(after_help = Exit::help())]
+pub(crate) struct Merge {
+    /// What `beamgap check --shard I/N --format json` wrote, for all parts in any order
+    #[arg(value_name = "PART", required = true)]
+    parts: Vec<PathBuf>,
+    #[command(flatten)]
+    written: Written,
+}
+
+impl Merge {
+    /// Merges and writes the result: to the last byte that of a run on one machine.
+    pub(super) fn run(self) -> anyhow::Result<Exit> {
+        let outputs = self.written.open()?;
+        let read = |path: &PathBuf| {
+            let name = path.display().to_string();
+            let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
+            let part =
+                serde_json::from_str(&text).with_context(|| format!("{name} is no result of a check"))?;
+            Ok((name, part))
+        };
+        let parts = self.parts.iter().map(read).collect::<anyhow::Result<Vec<(String, Checked)>>>()?;
+        let shown = Checked::merge(parts)?.shown()?;
+        outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
+        Ok(shown.outcome.verdict.exit)
+    }
+}

@@ -1,0 +1,160 @@
+//! A result as continuous integration wants it: a verdict, and one entry for each quantity or equation.
+
+use super::exit::Exit;
+use beamgap::check::external::Place;
+use beamgap::check::{Order, look_at};
+use beamgap::equations::{named, places};
+use beamgap::linearization::Quantity;
+
+/// What a result amounts to.
+#[derive(Clone, Debug)]
+pub(super) struct Verdict {
+    /// The exit code.
+    pub(super) exit: Exit,
+    /// One word for programs.
+    pub(super) name: &'static str,
+    /// One or more lines for people; the first begins with the verdict and a colon.
+    pub(super) words: String,
+}
+
+/// A verdict with what it rests on.
+#[derive(Debug)]
+pub(super) struct Outcome {
+    /// The command that was run.
+    pub(super) command: &'static str,
+    /// What it amounts to.
+    pub(super) verdict: Verdict,
+    /// One for each quantity or equation.
+    pub(super) entries: Vec<Entry>,
+}
+
+/// What was found of a quantity or an equation.
+#[derive(Debug)]
+pub(super) struct Entry {
+    /// What it belongs to: an order, a layer.
+    pub(super) group: String,
+    /// The quantity or the equation.
+    pub(super) name: String,
+    /// What was found.
+    pub(super) state: State,
+    /// The same in a sentence.
+    pub(super) message: String,
+    /// A line of the source that it is about.
+    pub(super) source: Option<Source>,
+}
+
+/// Whether an entry agrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum State {
+    /// All that was compared agrees.
+    Agrees,
+    /// Something differs.
+    Differs,
+    /// Nothing was compared.
+    NotCompared,
+}
+
+impl State {
+    /// That something of so many numbers differs, or that there is none.
+    pub(super) fn of(numbers: u64, wrong: u64) -> Self {
+        match (numbers, wrong) {
+            (_, 1..) => Self::Differs,
+            (0, _) => Self::NotCompared,
+            _ => Self::Agrees,
+        }
+    }
+
+    /// The word for it.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Agrees => "agrees",
+            Self::Differs => "differs",
+            Self::NotCompared => "not compared",
+        }
+    }
+}
+
+/// A line of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Source {
+    /// The file.
+    pub(super) file: String,
+    /// The line, from 1.
+    pub(super) line: usize,
+}
+
+impl Source {
+    /// The line of an answer, if it is in a file.
+    pub(super) fn of_answer(place: &Place) -> Option<Self> {
+        let is_file = std::path::Path::new(&place.file).is_file();
+        is_file.then(|| Self { file: place.file.clone(), line: place.line.max(1) })
+    }
+
+    /// The line that computes a part of a quantity in closed form.
+    pub(super) fn of_formula(order: Order, quantity: Quantity) -> Self {
+        let fallback = match order {
+            Order::Matrix => "linearization/closed_form/matrices.rs",
+            _ => "linearization/quantities.rs",
+        };
+        // Symmetry is that of the second variation.
+        let of = if order == Order::Symmetry { Order::Second } else { order };
+        let number = named(&look_at(of, quantity).replace("eq. ", "Eq. ")).first().copied();
+        Self::of_equation(number).unwrap_or(Self { file: format!("src/{fallback}"), line: 1 })
+    }
+
+    /// The first line that computes an equation.
+    pub(super) fn of_equation(number: Option<u8>) -> Option<Self> {
+        let place = places().remove(&number?)?.into_iter().next()?;
+        Some(Self { file: format!("src/{}", place.file), line: place.line })
+    }
+}
+
+impl Outcome {
+    /// The entries in which something differs.
+    pub(super) fn wrong(&self) -> impl Iterator<Item = &Entry> {
+        self.entries.iter().filter(|entry| entry.state == State::Differs)
+    }
+
+    /// Whether the exit code says that something is wrong that no entry says.
+    pub(super) fn is_wrong_as_a_whole(&self) -> bool {
+        self.verdict.exit != Exit::Agree && self.wrong().next().is_none()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Source, State};
+    use beamgap::check::Order;
+    use beamgap::linearization::Quantity;
+    use std::path::Path;
+
+    #[test]
+    fn a_formula_points_to_the_line_of_its_equation() {
+        let line = |order, quantity| {
+            let Source { file, line } = Source::of_formula(order, quantity);
+            let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
+            text.lines().nth(line - 1).unwrap().to_owned()
+        };
+        for (order, quantity, number) in [
+            (Order::Second, Quantity::D, "(40)"),
+            (Order::Symmetry, Quantity::D, "(40)"),
+            (Order::First, Quantity::D, "(37)"),
+            (Order::First, Quantity::Xi, "(50)"),
+            (Order::Second, Quantity::T, "(42)"),
+            (Order::Second, Quantity::GT, "(21)"),
+        ] {
+            let line = line(order, quantity);
+            assert!(line.contains("Eq. ") && line.contains(number), "{order:?} {quantity:?}: {line}");
+        }
+        for order in Order::ALL {
+            Quantity::ALL.map(|quantity| line(order, quantity));
+        }
+    }
+
+    #[test]
+    fn what_is_not_compared_does_not_agree() {
+        assert_eq!(State::of(0, 0), State::NotCompared);
+        assert_eq!(State::of(3, 0), State::Agrees);
+        assert_eq!((State::of(3, 1), State::of(0, 1)), (State::Differs, State::Differs));
+    }
+}
