@@ -1,11 +1,11 @@
-/* The clock: calls a way on pair after pair. The result goes to the same memory each time, so it stays in the cache. Time
+/* The clock: calls a method on pair after pair. The result goes to the same memory each time, so it stays in the cache. Time
  * is the processor's, so that what else runs on the machine is left out. */
 #define _POSIX_C_SOURCE 199309L
 #include <stddef.h>
 #include <time.h>
 
-typedef void way(const double *q, double xi, double xib, double *out);
-typedef void way_of_many(const double *const *q, double *out);
+typedef void method(const double *q, double xi, double xib, double *out);
+typedef void method_of_many(const double *const *q, double *out);
 
 static double now(void) {
     struct timespec t;
@@ -18,7 +18,7 @@ static const double *pair(const double *first, size_t stride, size_t i) {
 }
 
 /* Nanoseconds for `count` pairs, one at a time. */
-double run(way *f, const double *first, size_t stride, size_t count, double *out) {
+double run(method *f, const double *first, size_t stride, size_t count, double *out) {
     const double start = now();
     for (size_t i = 0; i < count; i++) {
         const double *q = pair(first, stride, i);
@@ -28,7 +28,7 @@ double run(way *f, const double *first, size_t stride, size_t count, double *out
 }
 
 /* The same, `together` of at most 64 at a time; `count` is a multiple of it. */
-double run_together(way_of_many *f, size_t together, const double *first, size_t stride, size_t count, double *out) {
+double run_together(method_of_many *f, size_t together, const double *first, size_t stride, size_t count, double *out) {
     const double start = now();
     for (size_t i = 0; i < count; i += together) {
         const double *q[64];

@@ -60,7 +60,7 @@ def task_all(z):
 
 
 class Task:
-    """One task, as a way that is timed: called with a number of pairs, it gives the nanoseconds that all of them took."""
+    """One task, as a candidate that is timed: called with a number of pairs, it gives the nanoseconds that all of them took."""
 
     def __init__(self, task, pairs, count=200):
         self.pairs = jnp.asarray(pairs[:count])

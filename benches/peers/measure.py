@@ -1,13 +1,13 @@
-"""Checks what the ways compute and times them in turn."""
+"""Checks what the candidates compute and times them in interleaved rounds."""
 
 import ctypes
 import dataclasses
 import random
 
 import numpy as np
-from ways import FULL, QUANTITIES, Way, blocks
+from candidates import FULL, QUANTITIES, Candidate, blocks
 
-# What a round spends on a way, in nanoseconds, and what a check does.
+# What a round spends on a candidate, in nanoseconds, and what a check does.
 ROUND, CHECK = 3e5, 2e8
 # The fewest pairs that the reference is timed on.
 FEWEST = 200
@@ -43,12 +43,12 @@ class Pairs:
         self.exact = ctypes.CFUNCTYPE(None, *of_exact)(crate["right_all_full"].value)
         self.known = {}
 
-    def run(self, way, first, count):
+    def run(self, candidate, first, count):
         """Nanoseconds a pair."""
-        if callable(way.function):
-            return way.function(self.count) / self.count
+        if callable(candidate.function):
+            return candidate.function(self.count) / self.count
         pairs = [self.first + self.stride * first, self.stride, count, self.out.ctypes.data]
-        ns = self.one(way.function, *pairs) if way.together == 1 else self.many(way.function, way.together, *pairs)
+        ns = self.one(candidate.function, *pairs) if candidate.together == 1 else self.many(candidate.function, candidate.together, *pairs)
         return ns / count
 
     def right(self, i):
@@ -65,53 +65,53 @@ class Pairs:
         return np.ndarray((self.count, 26), np.float64, raw, strides=(self.stride, 8)).copy()
 
 
-def check(way, pairs):
+def check(candidate, pairs):
     """The worst error over as many pairs as there is time for, and nanoseconds a pair."""
-    step, worst, first, spent, count = way.together, 0.0, 0, 0.0, QUANTITIES[way.task]
-    if callable(way.function):
-        spent = way.function(pairs.count)
-        got = np.asarray(way.function.result())
+    step, worst, first, spent, count = candidate.together, 0.0, 0, 0.0, QUANTITIES[candidate.task]
+    if callable(candidate.function):
+        spent = candidate.function(pairs.count)
+        got = np.asarray(candidate.function.result())
         return max(off(got[i, :count], pairs.right(i)[:count]) for i in range(len(got))), spent / pairs.count
     while first + step <= pairs.count and spent < CHECK:
         pairs.out.fill(np.nan)
-        spent += step * pairs.run(way, first, step)
-        if way.tolerance is not None:
-            for k, got in enumerate(blocks(pairs.out, way)):
+        spent += step * pairs.run(candidate, first, step)
+        if candidate.tolerance is not None:
+            for k, got in enumerate(blocks(pairs.out, candidate)):
                 worst = max(worst, off(got, pairs.right(first + k)[:count]))
         first += step
     return worst, spent / first
 
 
-def timed_warm(pairs, way, first, count):
+def timed_warm(pairs, candidate, first, count):
     """Nanoseconds a pair, after the same untimed unless that takes long.
 
     A processor's time without what the host takes from it has been seen to stand still: then again."""
-    if count > 8 and not callable(way.function):
-        pairs.run(way, first, count)
+    if count > 8 and not callable(candidate.function):
+        pairs.run(candidate, first, count)
     for _ in range(100):
-        if (taken := pairs.run(way, first, count)) > 0:
+        if (taken := pairs.run(candidate, first, count)) > 0:
             return taken
-    raise RuntimeError(f"the processor's clock stands still while {way.method} runs")
+    raise RuntimeError(f"the processor's clock stands still while {candidate.method} runs")
 
 
 @dataclasses.dataclass
 class Timed:
-    """A way on some pairs, how many of them a round takes, and its times and its ratios to the reference, round by round."""
+    """A candidate on some pairs, how many of them a round takes, and its times and its ratios to the reference, round by round."""
 
-    way: Way
+    candidate: Candidate
     pairs: Pairs
-    reference: Way
+    reference: Candidate
     error: float
     count: int
     times: list = dataclasses.field(default_factory=list)
     ratios: list = dataclasses.field(default_factory=list)
 
-    def turn(self, number):
-        """One round: the reference, on as many pairs as take a while, and right after it the way; both in warm caches."""
+    def round(self, number):
+        """One round: the reference, on as many pairs as take a while, and right after it the candidate; both in warm caches."""
         first = (number * self.count) % (self.pairs.count - self.count + 1)
         fewest = min(max(self.count, FEWEST), self.pairs.count)
         reference = timed_warm(self.pairs, self.reference, min(first, self.pairs.count - fewest), fewest)
-        self.times.append(timed_warm(self.pairs, self.way, first, self.count))
+        self.times.append(timed_warm(self.pairs, self.candidate, first, self.count))
         self.ratios.append(self.times[-1] / reference)
 
     def ns(self):
@@ -122,25 +122,25 @@ class Timed:
         return float(f"{np.median(self.ratios):.4g}")
 
     def rounded_error(self):
-        return None if self.way.tolerance is None else float(f"{self.error:.2g}")
+        return None if self.candidate.tolerance is None else float(f"{self.error:.2g}")
 
 
-def checked(way, pairs, reference, left_out, where=""):
-    """A way that is to be timed, or nothing if it is wrong; `where` says which pairs."""
-    error, cost = check(way, pairs)
-    print(f"{way.task} {way.method}, {way.layout}{where}: off by {error:.1e}, about {cost:.0f} ns", flush=True)
-    if way.tolerance is not None and not error <= way.tolerance:
-        left_out.append({"method": f"{way.method}, task {way.task}{where}", "reason": f"off by {error:.1e}"})
+def checked(candidate, pairs, reference, left_out, where=""):
+    """A candidate that is to be timed, or nothing if it is wrong; `where` says which pairs."""
+    error, cost = check(candidate, pairs)
+    print(f"{candidate.task} {candidate.method}, {candidate.layout}{where}: off by {error:.1e}, about {cost:.0f} ns", flush=True)
+    if candidate.tolerance is not None and not error <= candidate.tolerance:
+        left_out.append({"method": f"{candidate.method}, task {candidate.task}{where}", "reason": f"off by {error:.1e}"})
         return None
-    if cost < ROUND / 16 and not callable(way.function):
-        cost = pairs.run(way, 0, 64)
-    count = int(np.clip(ROUND / cost, way.together, pairs.count))
-    return Timed(way, pairs, reference, error, count - count % way.together)
+    if cost < ROUND / 16 and not callable(candidate.function):
+        cost = pairs.run(candidate, 0, 64)
+    count = int(np.clip(ROUND / cost, candidate.together, pairs.count))
+    return Timed(candidate, pairs, reference, error, count - count % candidate.together)
 
 
-def time_in_turn(timed, rounds, seed):
+def time_in_rounds(timed, rounds, seed):
     """Every round times all, in another order each time."""
     order = random.Random(seed)
     for number in range(rounds):
         for one in order.sample(timed, len(timed)):
-            one.turn(number)
+            one.round(number)

@@ -78,7 +78,7 @@ template <int SIGN> inline Curve curve(const double *q, double xi) {
         c.s[k][2] = lane<2>(shapes[k]), c.s[k][3] = lane<3>(shapes[k]);
         c.e[k] = by_shape(shapes[k]);
     }
-    // The curve as a polynomial: shorter a way from q to t than through the shapes.
+    // The curve as a polynomial: a shorter path from q to t than through the shapes.
     const V x1 = in_space(load(q)), t1 = in_space(load(q + 3)), x2 = in_space(load(q + 6));
     const V t2 = in_space(_mm256_permute4x64_pd(load(q + 8), 0xF9));
     const V x = x1 - x2, sum = t1 + t2, difference = t1 - t2;

@@ -8,8 +8,8 @@ import subprocess
 import sys
 import time
 
-from measure import Pairs, checked, time_in_turn
-from ways import ways
+from measure import Pairs, checked, time_in_rounds
+from candidates import candidates
 from workshop import Library, Workshop
 
 # The gaps of the second table, and the methods in it.
@@ -17,38 +17,38 @@ GAPS = [1e-6, 1e-4, 0.02, 0.1, 0.5]
 OVER_GAPS = ["beamgap, blocks", "beamgap, four pairs in lanes"]
 
 
-def main_table(all_ways, references, pairs, given, left_out):
-    """All ways on the pairs, each task from the fastest to the slowest."""
-    chosen = [w for w in all_ways if w in references.values() or given.only in w.method]
+def main_table(all_candidates, references, pairs, given, left_out):
+    """All candidates on the pairs, each task from the fastest to the slowest."""
+    chosen = [w for w in all_candidates if w in references.values() or given.only in w.method]
     timed = [one for w in chosen if (one := checked(w, pairs, references[w.task], left_out))]
-    time_in_turn(timed, given.rounds, given.seed)
+    time_in_rounds(timed, given.rounds, given.seed)
     rows = []
     for one in timed:
-        way, (low, median, high) = one.way, one.ns()
+        candidate, (low, median, high) = one.candidate, one.ns()
         rows.append({
-            "method": way.method, "version": way.version, "how": way.how, "task": way.task, "layout": way.layout,
+            "method": candidate.method, "version": candidate.version, "how": candidate.how, "task": candidate.task, "layout": candidate.layout,
             "ns_median": median, "ns_low": low, "ns_high": high,
-            "ratio": one.ratio(), "error": one.rounded_error(), "note": way.note,
+            "ratio": one.ratio(), "error": one.rounded_error(), "note": candidate.note,
         })
     return sorted(rows, key=lambda row: (row["task"], row["ratio"]))
 
 
-def over_gaps(all_ways, references, pairs_at, given, left_out):
-    """The crate's ways on the same pairs at each gap, and last at a mixture of all; nothing if the pairs were moved already."""
-    ways = [w for w in all_ways if w.method in OVER_GAPS and given.only in w.method]
-    if given.gaps or not ways:
+def over_gaps(all_candidates, references, pairs_at, given, left_out):
+    """The crate's candidates on the same pairs at each gap, and last at a mixture of all; nothing if the pairs were moved already."""
+    candidates = [w for w in all_candidates if w.method in OVER_GAPS and given.only in w.method]
+    if given.gaps or not candidates:
         return []
     all_pairs = [(gap, pairs_at(GAPS, which)) for which, gap in enumerate(GAPS)] + [(None, pairs_at(GAPS))]
     timed = []
-    for way in ways:
+    for candidate in candidates:
         for gap, pairs in all_pairs:
             where = " at a mixture of gaps" if gap is None else f" at a gap of {gap:g}"
-            if one := checked(way, pairs, references[way.task], left_out, where):
+            if one := checked(candidate, pairs, references[candidate.task], left_out, where):
                 timed.append((gap, one))
-    time_in_turn([one for _, one in timed], given.rounds, given.seed)
+    time_in_rounds([one for _, one in timed], given.rounds, given.seed)
     return [
         {
-            "method": one.way.method, "task": one.way.task, "layout": one.way.layout, "gap": gap,
+            "method": one.candidate.method, "task": one.candidate.task, "layout": one.candidate.layout, "gap": gap,
             "ns_median": one.ns()[1], "ratio": one.ratio(), "error": one.rounded_error(),
         }
         for gap, one in timed
@@ -87,11 +87,11 @@ def main(given, here, root, build, flags, debian):
         return Pairs(crate, driver, given.seed, given.pairs, *gaps)
 
     pairs = pairs_at(given.gaps)
-    all_ways = ways(workshop, crate, root, debian, pairs.dofs())
-    references = {task: next(w for w in all_ways if w.task == task) for task in "AB"}
+    all_candidates = candidates(workshop, crate, root, debian, pairs.dofs())
+    references = {task: next(w for w in all_candidates if w.task == task) for task in "AB"}
     os.sched_setaffinity(0, {cpu})
-    rows = main_table(all_ways, references, pairs, given, workshop.left_out)
-    rows_over_gaps = over_gaps(all_ways, references, pairs_at, given, workshop.left_out)
+    rows = main_table(all_candidates, references, pairs, given, workshop.left_out)
+    rows_over_gaps = over_gaps(all_candidates, references, pairs_at, given, workshop.left_out)
     report = {
         "schema": "beamgap-peers/2",
         "machine": f"{cpu_name()}, {platform.system()} {platform.release()}",

@@ -27,7 +27,7 @@ pub struct Peers {
     pub what: String,
     /// The programs.
     pub rows: Vec<Peer>,
-    /// The crate's ways on the same pairs at several gaps; none if all pairs were moved to given gaps.
+    /// The crate's methods on the same pairs at several gaps; none if all pairs were moved to given gaps.
     pub over_gaps: Vec<AtGap>,
     /// Those that could not be run.
     pub left_out: Vec<LeftOut>,
@@ -60,10 +60,10 @@ pub struct Peer {
     pub note: String,
 }
 
-/// One way of the crate, one task, one gap.
+/// One method of the crate, one task, one gap.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AtGap {
-    /// The way.
+    /// The method.
     pub method: String,
     /// `A` or `B`, as for a [`Peer`].
     pub task: String,
@@ -96,7 +96,7 @@ impl Record for Peers {
     }
 }
 
-/// The crate's own way that other programs are held against.
+/// The crate's own method that other programs are held against.
 const OURS: &str = "beamgap, blocks";
 /// The tasks, and what they compute.
 const TASKS: [(&str, &str); 2] = [("A", "d"), ("B", "d, xi, xi_bar, t, t_bar")];
@@ -144,24 +144,24 @@ impl Peers {
         std::iter::once(Block::details("Other programs", blocks)).chain(gaps).collect()
     }
 
-    /// A table with the ways down and the gaps across; nothing if none was measured.
+    /// A table with the methods down and the gaps across; nothing if none was measured.
     fn cost_over_gaps(&self) -> Vec<Block> {
-        let ways = distinct(self.over_gaps.iter().map(AtGap::way));
+        let methods = distinct(self.over_gaps.iter().map(AtGap::method_and_task));
         let gaps = distinct(self.over_gaps.iter().map(|of| of.gap));
-        if ways.is_empty() {
+        if methods.is_empty() {
             return Vec::new();
         }
-        let cell = |way: [&str; 3], gap: Option<f64>| {
-            let found = self.over_gaps.iter().find(|of| of.way() == way && of.gap == gap);
+        let cell = |method: [&str; 3], gap: Option<f64>| {
+            let found = self.over_gaps.iter().find(|of| of.method_and_task() == method && of.gap == gap);
             found.map_or_else(String::new, |of| plain(of.ratio))
         };
-        let row = |way: [&str; 3]| {
-            let [method, layout, task] = way;
+        let row = |of: [&str; 3]| {
+            let [method, layout, task] = of;
             let task = TASKS.into_iter().find(|&(letter, _)| letter == task).map_or(task, |(_, name)| name);
             let names = [reader_name(method), layout.to_owned(), task.to_owned()].into_iter();
-            names.chain(gaps.iter().map(|&gap| cell(way, gap))).collect()
+            names.chain(gaps.iter().map(|&gap| cell(of, gap))).collect()
         };
-        let rows = ways.into_iter().map(row).collect();
+        let rows = methods.into_iter().map(row).collect();
         let name = |gap: &Option<f64>| format!("#{}", gap.map_or_else(|| "mixture".to_owned(), short));
         let names: Vec<String> = gaps.iter().map(name).collect();
         let head: Vec<&str> =
@@ -194,7 +194,7 @@ fn short(gap: f64) -> String {
 
 impl AtGap {
     /// What its row in the table is called.
-    fn way(&self) -> [&str; 3] {
+    fn method_and_task(&self) -> [&str; 3] {
         [&self.method, &self.layout, &self.task]
     }
 }
@@ -246,7 +246,7 @@ mod tests {
 
     #[test]
     fn every_ratio_stands_in_the_column_of_its_gap() {
-        // The second way comes in another order, and one of its gaps is missing.
+        // The second method comes in another order, and one of its gaps is missing.
         let (low, high) = (Some(1e-4), Some(0.02));
         let of_full = [at("full", low, 1.25), at("full", high, 1.5), at("full", None, 2.0)];
         let of_upper = [at("upper", None, 0.5), at("upper", low, 0.75)];

@@ -52,7 +52,7 @@ impl Benchmark {
             self.of(task).filter_map(move |measured| {
                 // A quantity has a value and a gradient too.
                 let bytes = quantities * (measured.stored() + measured.dofs + 1) * size_of::<f64>();
-                let (multiply_adds, rounds) = measured.with_floors(number(bytes))?;
+                let (multiply_adds, rounds) = measured.with_lower_bounds(number(bytes))?;
                 let median = |of: fn(&[f64; 3]) -> f64| {
                     let samples: Vec<f64> = rounds.iter().map(of).collect();
                     spread(&samples).map(|spread| spread.median)

@@ -46,13 +46,13 @@ impl Rounds {
 
 impl Measured {
     /// The multiply-adds of a pair, and in each round its time, and what they and so many bytes would take.
-    pub(super) fn with_floors(&self, bytes: f64) -> Option<(usize, Vec<[f64; 3]>)> {
+    pub(super) fn with_lower_bounds(&self, bytes: f64) -> Option<(usize, Vec<[f64; 3]>)> {
         self.rounds.iter().find_map(|rounds| {
             let Rounds::Roofline { multiply_adds, samples } = rounds else { return None };
             let amount = number(*multiply_adds);
-            let with_floors =
+            let with_lower_bounds =
                 samples.iter().map(|&[time, of_one, of_byte]| [time, amount * of_one, bytes * of_byte]);
-            Some((*multiply_adds, with_floors.collect()))
+            Some((*multiply_adds, with_lower_bounds.collect()))
         })
     }
 
@@ -112,7 +112,7 @@ mod tests {
         let of = measured("hyper-dual", vec![Rounds::ClosedForm { samples }]);
         assert_eq!(of.over_closed_form().unwrap().value.to_bits(), 4.2_f64.to_bits());
         assert_eq!(of.times_of_rounds().unwrap().map(f64::to_bits), [630.0_f64, 150.0].map(f64::to_bits));
-        assert!(of.speed_up().is_none() && of.with_floors(1.0).is_none());
+        assert!(of.speed_up().is_none() && of.with_lower_bounds(1.0).is_none());
     }
 
     #[test]
@@ -128,7 +128,7 @@ mod tests {
             of.speed_up_of_arithmetic().unwrap().interval.map(f64::to_bits),
             [2.0; 2].map(f64::to_bits)
         );
-        assert!(of.with_floors(1.0).is_none() && of.over_closed_form().is_none());
+        assert!(of.with_lower_bounds(1.0).is_none() && of.over_closed_form().is_none());
         assert!(measured("closed form", vec![]).speed_up().is_none());
     }
 }

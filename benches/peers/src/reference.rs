@@ -1,7 +1,7 @@
 //! What is right: the closed form in double-double, at the closest point to as many digits.
 
 use crate::cases::{Case, PAIR};
-use crate::ways::FULL;
+use crate::candidates::FULL;
 use beamgap::closest_point::Held;
 use beamgap::linearization::Derivatives;
 use beamgap::linearization::closed_form::{Matrices, Projection, jets};

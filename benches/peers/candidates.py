@@ -1,4 +1,4 @@
-"""All that is compared, and where each way's result lies."""
+"""All that is compared, and where each candidate's result lies."""
 
 import collections
 import ctypes
@@ -15,22 +15,22 @@ FULL, UPPER, HALF = 608, 464, 332
 TRIANGLE = np.triu_indices(24)
 QUANTITIES = {"A": 1, "B": 5}
 TASK = {"A": "d", "B": "all"}
-# A way that is off by more than this, relative to the largest entry, is no peer.
+# A candidate that is off by more than this, relative to the largest entry, is no peer.
 EXACT, DIFFERENCES = 1e-9, 1e-2
 
-Way = collections.namedtuple("Way", "task method version how layout note function read together tolerance")
+Candidate = collections.namedtuple("Candidate", "task method version how layout note function read together tolerance")
 
 
-def ways(workshop, crate, root, debian, dofs):
-    """All ways, the reference of each task first."""
+def candidates(workshop, crate, root, debian, dofs):
+    """All candidates, the reference of each task first."""
     gcc, here, build = version_of(["gcc", "-dumpfullversion"]), workshop.here, workshop.build
     flags = " ".join(f for f in workshop.flags if f not in ("-fPIC", "-shared"))
     rustc = version_of(["rustc", "--version"]).split()[1]
     beamgap = re.search(r'^version = "(.*)"', (root / "Cargo.toml").read_text(), re.M)[1]
-    all_ways = []
+    all_candidates = []
 
     def add(task, method, version, how, layout, function, note="", read=None, together=1, tolerance=EXACT):
-        all_ways.append(Way(task, method, version, how, layout, note, function, read, together, tolerance))
+        all_candidates.append(Candidate(task, method, version, how, layout, note, function, read, together, tolerance))
 
     def both(method, version, how, library, name, layout="full", note=""):
         for task in "AB":
@@ -121,42 +121,42 @@ def ways(workshop, crate, root, debian, dofs):
     ours("central differences of values, 1153 closest points", rust, "values", tolerance=DIFFERENCES)
 
     # What the row form cannot be faster than.
-    floor = workshop.compiled("floor", here / "floor.c", "floor")
+    bound = workshop.compiled("lower bound", here / "bound.c", "bound")
     note = "the rows' products and stores alone; computes nothing"
-    for task, layout in itertools.product("AB" if floor else "", ["full", "upper"]):
-        add(task, "floor", gcc, f"gcc {gcc} {flags}", layout, floor[f"floor_{TASK[task]}_{layout}"], note, tolerance=None)
+    for task, layout in itertools.product("AB" if bound else "", ["full", "upper"]):
+        add(task, "lower bound", gcc, f"gcc {gcc} {flags}", layout, bound[f"bound_{TASK[task]}_{layout}"], note, tolerance=None)
 
     try:
         import jax_peer
     except ImportError as error:
         workshop.left_out.append({"method": "JAX", "reason": str(error)})
-        return all_ways
+        return all_candidates
     for task in "AB":
         how = "AD of the explicit parts; XLA on one core, all pairs at once"
         add(task, "JAX, jit(vmap)", jax_peer.VERSION, how, "full", jax_peer.Task(task, dofs))
-    return all_ways
+    return all_candidates
 
 
-def blocks(raw, way):
-    """What a way wrote, one array a pair and quantity in the full layout."""
-    count = QUANTITIES[way.task]
-    if way.read:
-        full = np.zeros((way.together, 5, FULL))
-        read = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p)(way.read.value)
-        for k in range(way.together):
+def blocks(raw, candidate):
+    """What a candidate wrote, one array a pair and quantity in the full layout."""
+    count = QUANTITIES[candidate.task]
+    if candidate.read:
+        full = np.zeros((candidate.together, 5, FULL))
+        read = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p)(candidate.read.value)
+        for k in range(candidate.together):
             read(raw.ctypes.data, k, full[k].ctypes.data)
         return list(full[:, :count])
-    if way.layout == "four lanes":
+    if candidate.layout == "four lanes":
         of = raw[: 4 * count * FULL].reshape(count, FULL, 4)
         return [of[:, :, k] for k in range(4)]
-    if way.layout == "four lanes, half":
+    if candidate.layout == "four lanes, half":
         of, full = raw[: 4 * count * HALF].reshape(count, HALF, 4), np.zeros((4, count, FULL))
         full[:, :, :32] = of[:, :32].transpose(2, 0, 1)
         h = full[:, :, 32:].reshape(4, count, 24, 24)
         h[:, :, *TRIANGLE] = of[:, 32:].transpose(2, 0, 1)
         h[:, :, *TRIANGLE[::-1]] = h[:, :, *TRIANGLE]
         return list(full)
-    if way.layout == "full":
+    if candidate.layout == "full":
         return [raw[: count * FULL].reshape(count, FULL)]
     of, full = raw[: count * UPPER].reshape(count, UPPER), np.zeros((count, FULL))
     full[:, :32] = of[:, :32]

@@ -1,4 +1,4 @@
-//! The crate's own ways, each as a function that a peer could be, and one that reads what it wrote.
+//! The crate's own candidates, each as a function that a peer could be, and one that reads what it wrote.
 
 use crate::cases::{Case, PAIR};
 use crate::reference::write_full;
@@ -21,8 +21,8 @@ pub(crate) const FULL: usize = 608;
 type Quantity = Derivatives<f64, 12, 12>;
 type Row = Full<f64, 24>;
 
-/// A way from a case to a result, and a way from the result to blocks of the full layout.
-macro_rules! way {
+/// A method from a case to a result, and a method from the result to blocks of the full layout.
+macro_rules! candidate {
     ($name:ident, $read:ident: $result:ty, $work:expr, $write:expr) => {
         /// # Safety
         /// `q` points to a case, `out` to memory for the result.
@@ -34,7 +34,7 @@ macro_rules! way {
         }
 
         /// # Safety
-        /// `out` is what the way wrote, `full` has room for its quantities.
+        /// `out` is what the method wrote, `full` has room for its quantities.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $read(out: *const f64, _pair: usize, full: *mut f64) {
             // SAFETY: the caller's promise.
@@ -59,12 +59,12 @@ fn write_rows(quantities: &[Row], full: &mut [f64]) {
     }
 }
 
-way!(crate_d, crate_d_read: Quantity, |case, to| {
+candidate!(crate_d, crate_d_read: Quantity, |case, to| {
     let (jet, jet_bar) = jets(&PAIR, &case.q, (case.point.xi, case.point.xi_bar));
     Matrices::new(&jet, &jet_bar, case.point.held()).write_d(to);
 }, |d, full| write(&[d], full));
 
-way!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
+candidate!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
     let at = (case.point.xi, case.point.xi_bar);
     let (jet, jet_bar) = jets(&PAIR, &case.q, at);
     Matrices::new(&jet, &jet_bar, case.point.held()).write_all(at, &PAIR.contact, to);
@@ -75,7 +75,7 @@ thread_local! {
     static BY_VALUE: RefCell<Option<Linearized<12, 12>>> = const { RefCell::new(None) };
 }
 
-way!(linearize_all, linearize_all_read: [f64; 0], |case, _| {
+candidate!(linearize_all, linearize_all_read: [f64; 0], |case, _| {
     BY_VALUE.take();
     BY_VALUE.set(Some(PAIR.linearize(&case.q, &case.point)));
 }, |_, full| BY_VALUE.with_borrow(|all| {
@@ -83,24 +83,24 @@ way!(linearize_all, linearize_all_read: [f64; 0], |case, _| {
     write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full);
 }));
 
-way!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to| {
+candidate!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to| {
     PAIR.linearize_into(&case.q, &case.point, to);
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
-way!(blocks_d_full, blocks_d_full_read: Row, |case, to| {
+candidate!(blocks_d_full, blocks_d_full_read: Row, |case, to| {
     kernel::write_d(&PAIR, &case.q, &case.point, to);
 }, |d, full| write_rows(std::slice::from_ref(d), full));
 
-way!(blocks_d_upper, blocks_d_upper_read: Quantity, |case, to| {
+candidate!(blocks_d_upper, blocks_d_upper_read: Quantity, |case, to| {
     kernel::write_d(&PAIR, &case.q, &case.point, to);
 }, |d, full| write(&[d], full));
 
-way!(blocks_all_full, blocks_all_full_read: [Row; 5], |case, to| {
+candidate!(blocks_all_full, blocks_all_full_read: [Row; 5], |case, to| {
     let [d, xi, xi_bar, t, t_bar] = to;
     kernel::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
 }, |all, full| write_rows(all, full));
 
-way!(blocks_all_upper, blocks_all_upper_read: [Quantity; 5], |case, to| {
+candidate!(blocks_all_upper, blocks_all_upper_read: [Quantity; 5], |case, to| {
     let [d, xi, xi_bar, t, t_bar] = to;
     kernel::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
 }, |all, full| write(&all.each_ref(), full));
@@ -108,7 +108,7 @@ way!(blocks_all_upper, blocks_all_upper_read: [Quantity; 5], |case, to| {
 /// A quantity of four pairs in the lanes of a vector, half of its Hessian.
 type Four = Packed<Lanes, 24, 300>;
 
-/// A way from four cases to a result.
+/// A method from four cases to a result.
 macro_rules! four {
     ($name:ident, $read:ident: $result:ty, $work:expr) => {
         /// # Safety
@@ -124,7 +124,7 @@ macro_rules! four {
         }
 
         /// # Safety
-        /// `out` is what the way wrote, `full` has room for its quantities.
+        /// `out` is what the method wrote, `full` has room for its quantities.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $read(out: *const f64, pair: usize, full: *mut f64) {
             // SAFETY: the caller's promise.
@@ -164,15 +164,15 @@ fn all<S>(of: Quantities<S>) -> [S; 5] {
     [of.d, of.xi, of.xi_bar, of.t, of.t_bar]
 }
 
-/// A way by automatic differentiation to one quantity, and to all.
+/// A method by automatic differentiation to one quantity, and to all.
 macro_rules! ad {
     ($d:ident, $d_read:ident, $all:ident, $all_read:ident: |$case:ident, $pick:ident, $steps:ident| $work:expr) => {
-        way!($d, $d_read: [Quantity; 1], |$case, to| {
+        candidate!($d, $d_read: [Quantity; 1], |$case, to| {
             let ($pick, $steps) = (d_only, 1);
             let _ = $steps;
             *to = $work;
         }, |d, full| write(&d.each_ref(), full));
-        way!($all, $all_read: [Quantity; 5], |$case, to| {
+        candidate!($all, $all_read: [Quantity; 5], |$case, to| {
             let ($pick, $steps) = (all, 2);
             let _ = $steps;
             *to = $work;
@@ -193,21 +193,21 @@ ad!(stationary_d, stationary_d_read, stationary_all, stationary_all_read: |case,
     expand_by_sweep(Route::Stationary, &PAIR, &case.q, &case.point, pick)
 });
 
-way!(vector_d, vector_d_read: [Quantity; 1], |case, to| {
+candidate!(vector_d, vector_d_read: [Quantity; 1], |case, to| {
     let chord = chord(&PAIR, &case.q, &case.point);
     *to = expand_by_vector_dual::<_, _, 12, 12, 24, 1>(chord, 1, &PAIR, &case.q, &case.point, d_only);
 }, |d, full| write(&d.each_ref(), full));
 
-way!(vector_all, vector_all_read: [Quantity; 5], |case, to| {
+candidate!(vector_all, vector_all_read: [Quantity; 5], |case, to| {
     let chord = chord(&PAIR, &case.q, &case.point);
     *to = expand_by_vector_dual::<_, _, 12, 12, 24, 5>(chord, 2, &PAIR, &case.q, &case.point, all);
 }, |all, full| write(&all.each_ref(), full));
 
-way!(orders_d, orders_d_read: Quantity, |case, to| {
+candidate!(orders_d, orders_d_read: Quantity, |case, to| {
     *to = expand_d_by_orders::<_, _, 12, 12, 8>(&PAIR, &case.q, &case.point);
 }, |d, full| write(&[d], full));
 
-way!(orders_all, orders_all_read: [Quantity; 5], |case, to| {
+candidate!(orders_all, orders_all_read: [Quantity; 5], |case, to| {
     *to = expand_by_orders::<_, _, 12, 12, 8, 5>(&PAIR, &case.q, &case.point, all);
 }, |all, full| write(&all.each_ref(), full));
 
@@ -254,9 +254,9 @@ fn differences<const K: usize>(case: &Case, pick: fn(Quantities<f64>) -> [f64; K
     }
 }
 
-way!(values_d, values_d_read: [Quantity; 1], |case, to| differences(case, d_only, to),
+candidate!(values_d, values_d_read: [Quantity; 1], |case, to| differences(case, d_only, to),
     |d, full| write(&d.each_ref(), full));
-way!(values_all, values_all_read: [Quantity; 5], |case, to| differences(case, all, to),
+candidate!(values_all, values_all_read: [Quantity; 5], |case, to| differences(case, all, to),
     |all, full| write(&all.each_ref(), full));
 
 /// Values and gradients of d, xi, xi_bar, t and t_bar in closed form; the first `K` of them are wanted.
@@ -307,7 +307,7 @@ fn differences_of_gradients<const K: usize>(case: &Case, to: &mut [Quantity; K])
     }
 }
 
-way!(gradients_d, gradients_d_read: [Quantity; 1], |case, to| differences_of_gradients(case, to),
+candidate!(gradients_d, gradients_d_read: [Quantity; 1], |case, to| differences_of_gradients(case, to),
     |d, full| write(&d.each_ref(), full));
-way!(gradients_all, gradients_all_read: [Quantity; 5], |case, to| differences_of_gradients(case, to),
+candidate!(gradients_all, gradients_all_read: [Quantity; 5], |case, to| differences_of_gradients(case, to),
     |all, full| write(&all.each_ref(), full));
