@@ -31,7 +31,7 @@
 //! its reason. It is never counted as a pass.
 //!
 //! # Mismatches
-//! A mismatch is identified by its first wrong number ([`Diagnosis`]). It is shrunk while this number stays the first
+//! The wrong term is looked for ([`likely_cause`]). A mismatch is identified by its first wrong number ([`Diagnosis`]). It is shrunk while this number stays the first
 //! ([`shrink`]). It is written as a test ([`test_source`]) or as numbers ([`CaseData`]).
 
 mod accuracy;
@@ -39,6 +39,7 @@ mod arbitration;
 mod bounds;
 mod candidate;
 mod case_data;
+mod cause;
 mod compare;
 mod config;
 mod diagnosis;
@@ -63,6 +64,7 @@ pub use arbitration::Arbitration;
 pub use bounds::{Bounds, Measured, Points, Side, Violation, bounds};
 pub use candidate::{Answer, CAREFUL, Candidate, Digits, Example, Found, Situation, linearization};
 pub use case_data::CaseData;
+pub use cause::{LikelyCause, likely_cause};
 pub(crate) use compare::{Closed, References, judged};
 pub use compare::{Compared, compare};
 pub use config::{CheckConfig, Oracles};

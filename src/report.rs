@@ -40,6 +40,8 @@ mod roof;
 mod rounds;
 mod symbols;
 mod task;
+mod verify;
+mod verify_page;
 
 pub use accuracy::Accuracy;
 pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
@@ -50,7 +52,7 @@ pub use derivation::{ByHand, Derivation, DifferenceRow, NewtonRun};
 pub use environment::Environment;
 pub use equations::Equations;
 pub use error::ReportError;
-pub use explain::{Explain, ExplainProgram, NamingCount, NotFirst, explain};
+pub use explain::{Explain, ExplainProgram, ExplainSample, NamingCount, NotFirst, explain};
 pub use faults::Faults;
 pub use instructions::{Count, Difference, Instructions};
 pub use interval::{Spread, median_interval, spread};
@@ -61,6 +63,9 @@ pub use record::Record;
 pub use rounds::Rounds;
 pub use symbols::symbols;
 pub use task::Task;
+pub use verify::{
+    Verify, VerifyError, VerifyLoss, VerifyNumber, VerifyPart, VerifyProgram, VerifyRegime, VerifyRun, verify,
+};
 
 use crate::check::{self, CheckConfig, Regime, Selection};
 use std::fs;

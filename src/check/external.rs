@@ -20,13 +20,14 @@ mod process;
 mod report;
 mod vectors;
 
-pub use answers::{ANSWERS, AnswerReader, Answers};
+pub use answers::{ANSWERS, AnswerReader, Answers, Program};
 pub use compare::{CaseFound, Demands, Judged, Judgement, compare_answers};
 pub use conventions::{Conventions, Dofs, Length, Penalty, Range};
 pub use diagnose::other_conventions;
 pub use error::{ExternalError, Place};
+pub(in crate::check) use evaluate::reference;
 pub use evaluate::{Evaluator, Formulas};
-pub use explain::{Cause, ExplainedFault, Explanation, Naming, equation_of, explain, explained_faults};
+pub use explain::{Cause, ExplainedFault, Explanation, Naming, Programs, equation_of, explain, explained_faults};
 pub use location::{Location, locate};
 pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};

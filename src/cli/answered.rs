@@ -195,11 +195,16 @@ pub(super) fn explained(verified: &Verified) -> String {
 
 /// What is wrong, or that it is not known.
 pub(super) fn cause(explanation: &Explanation) -> String {
-    let Explanation { causes, before, after, runner_up, cases } = explanation;
+    let Explanation { causes, before, after, runner_up, cases, is_faint } = explanation;
     let after = after.map_or_else(|| "-".into(), error);
     let runner_up = runner_up.as_ref();
     let mut text = String::new();
     match causes.as_slice() {
+        [] if *is_faint => {
+            text += "Cause: not known. The answers are so little off that no wrong term is told from right answers by their \
+                     digits.\n";
+            return text;
+        }
         [] => {
             let best = runner_up.map_or_else(String::new, |(words, left)| {
                 format!(" The best attempt leaves {}: {words}.", error(*left))
@@ -285,7 +290,11 @@ pub(super) fn json(verified: &Verified, explain: bool) -> anyhow::Result<String>
             "wrong": found.wrong,
             "losing_digits": found.losing,
             "unclear": found.unclear,
-            "worst": { "case": found.case, "comparison": json::compared(&found.worst.comparison) },
+            "worst": {
+                "case": found.case,
+                "error": json::rounded(found.worst.loss / found.worst.scale),
+                "comparison": json::compared(&found.worst.comparison),
+            },
         })
     });
     let regimes = report.regimes.iter().map(|(name, found)| {
@@ -294,6 +303,12 @@ pub(super) fn json(verified: &Verified, explain: bool) -> anyhow::Result<String>
             "compared": found.compared,
             "wrong": found.wrong,
             "losing_digits": found.losing,
+            "largest_error": found.worst.as_ref().map(|worst| json!({
+                "error": json::rounded(worst.error()),
+                "attainable": json::rounded(worst.judged.attainable / worst.judged.size),
+                "case": worst.case,
+                "comparison": json::compared(&worst.judged.comparison),
+            })),
             "largest_loss": found.loss.as_ref().map(|loss| json!({
                 "digits": json::rounded(loss.digits()),
                 "case": loss.case,
@@ -331,6 +346,7 @@ pub(super) fn json(verified: &Verified, explain: bool) -> anyhow::Result<String>
         "schema": "beamgap-verify/1",
         "version": env!("CARGO_PKG_VERSION"),
         "answers": command,
+        "program": { "name": report.program.name, "version": report.program.version },
         "verdict": name,
         "words": words,
         "digits": demands.digits,
@@ -350,7 +366,8 @@ pub(super) fn json(verified: &Verified, explain: bool) -> anyhow::Result<String>
     }))
 }
 
-fn explanation(of: &Explanation) -> Value {
+/// An explanation for programs.
+pub(super) fn explanation(of: &Explanation) -> Value {
     let causes = of
         .causes
         .iter()
@@ -361,5 +378,6 @@ fn explanation(of: &Explanation) -> Value {
         "after": of.after.and_then(json::rounded),
         "runner_up": of.runner_up.as_ref().map(|(words, left)| json!({ "words": words, "left": json::rounded(*left) })),
         "cases": of.cases,
+        "is_faint": of.is_faint,
     })
 }

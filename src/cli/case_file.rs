@@ -73,8 +73,12 @@ pub(super) fn read(path: &Path) -> anyhow::Result<CaseData> {
     } else {
         std::fs::read_to_string(path)
     };
-    let text = text.with_context(|| format!("cannot read {name}"))?;
-    let document: Value = serde_json::from_str(&text).with_context(|| format!("{name} is no JSON"))?;
+    parse(&text.with_context(|| format!("cannot read {name}"))?, &name)
+}
+
+/// Reads a case from a text; `name` is that of the file, for messages.
+pub(super) fn parse(text: &str, name: &str) -> anyhow::Result<CaseData> {
+    let document: Value = serde_json::from_str(text).with_context(|| format!("{name} is no JSON"))?;
     case(&document).with_context(|| format!("{name} is no case"))
 }
 

@@ -3,11 +3,13 @@
 //! Names and meanings stay; entries may be added. Numbers have all digits. What is no number is a word, such as `"inf"`.
 
 use super::arguments::{planting, program, variant};
+use super::exit::Exit;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
-use super::{case_file, disagreements, human, json};
+use super::{answered, case_file, disagreements, human, json};
 use anyhow::ensure;
 use beamgap::check::{
-    Cell, CheckConfig, Oracles, Selection, Shard, Shrunk, Summary, Tally, shrink_mismatches,
+    Cell, CheckConfig, LikelyCause, Oracles, Selection, Shard, Shrunk, Summary, Tally, likely_cause,
+    shrink_mismatches,
 };
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
@@ -124,8 +126,16 @@ impl Checked {
 
     /// Shrinks the first mismatches.
     pub(super) fn shown(self) -> anyhow::Result<Shown> {
-        let shrunk = shrink_mismatches(&self.config()?.variant, self.seed, &self.found, SHOWN);
-        Ok(Shown { outcome: self.outcome(), checked: self, shrunk })
+        let variant = self.config()?.variant;
+        let shrunk = shrink_mismatches(&variant, self.seed, &self.found, SHOWN);
+        let mut outcome = self.outcome();
+        let wrong: Vec<u64> = self.found.mismatches.keys().copied().collect();
+        let is_wrong = outcome.verdict.exit == Exit::Disagree;
+        let cause = is_wrong.then(|| likely_cause(&variant, self.seed, &wrong)).flatten();
+        if let Some(cause) = &cause {
+            outcome.verdict.words += &format!("\n{}", disagreements::likely(cause));
+        }
+        Ok(Shown { outcome, checked: self, shrunk, cause })
     }
 
     /// One run of its parts, in any order.
@@ -173,6 +183,8 @@ pub(super) struct Shown {
     pub(super) checked: Checked,
     pub(super) outcome: Outcome,
     pub(super) shrunk: Vec<Shrunk>,
+    /// What explains the mismatches, if there are some.
+    pub(super) cause: Option<LikelyCause>,
 }
 
 impl Shown {
@@ -192,15 +204,19 @@ impl Shown {
             not_reached: u64,
             /// How to repeat a mismatch: the number of its case follows.
             repeat: String,
+            likely_cause: Option<Value>,
             shrunk: Vec<Value>,
         }
-        let Self { checked, outcome, shrunk } = self;
+        let Self { checked, outcome, shrunk, cause } = self;
         json::text(&Document {
             checked,
             verdict: outcome.verdict.name,
             compared: checked.found.compared(),
             not_reached: checked.asked().1,
             repeat: format!("{} check --seed {:#x}{} --case", program(), checked.seed, checked.options()),
+            likely_cause: cause.as_ref().map(|LikelyCause { explanation, is_remedy }| {
+                json!({ "is_remedy": is_remedy, "explanation": answered::explanation(explanation) })
+            }),
             shrunk: shrunk.iter().map(|shrunk| self.of_shrunk(shrunk)).collect(),
         })
     }

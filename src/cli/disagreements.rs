@@ -2,8 +2,9 @@
 
 use super::case_file;
 use super::checked::{Checked, SHOWN, Shown};
-use super::human::{name, repeat};
-use beamgap::check::{Case, Comparison, Mismatch, MismatchKind, Regime, Shrunk, look_at, test_source};
+use super::human::{error, name, repeat};
+use beamgap::check::external::{Cause, Explanation};
+use beamgap::check::{Case, Comparison, LikelyCause, Mismatch, MismatchKind, Regime, Shrunk, look_at, test_source};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -50,6 +51,43 @@ pub(super) fn listed(checked: &Checked) -> String {
             "\n  {count} of {cases} begin with {name} ({order_name}) of the {candidate}:\n  look at {}\n",
             look_at(*order, *quantity)
         );
+    }
+    text
+}
+
+/// The likely cause, in a sentence, 80 columns wide.
+pub(super) fn likely(LikelyCause { explanation, is_remedy }: &LikelyCause) -> String {
+    let Explanation { causes, runner_up, .. } = explanation;
+    let Some(Cause { words, coefficient, .. }) = causes.first() else {
+        return "Likely cause: not known. No fault of the catalogue explains the mismatches.".into();
+    };
+    let coefficient = coefficient.map(|of| format!("coefficient {of:+.3}"));
+    let second = runner_up.as_ref().map(|(_, left)| format!("second best explanation {}", error(*left)));
+    let others = match causes.len() {
+        1 => None,
+        2 => Some("or 1 other, which has the same results here".to_owned()),
+        count => Some(format!("or {} others, which have the same results here", count - 1)),
+    };
+    let details: Vec<_> = [others, coefficient, second].into_iter().flatten().collect();
+    let details = if details.is_empty() { String::new() } else { format!(" ({})", details.join("; ")) };
+    let remedy =
+        if *is_remedy { "the closed form agrees with automatic differentiation if in it " } else { "" };
+    folded(&format!("Likely cause: {remedy}{words}{details}."))
+}
+
+fn folded(sentence: &str) -> String {
+    let (mut text, mut width) = (String::new(), 0);
+    for word in sentence.split(' ') {
+        let length = word.chars().count();
+        let is_first = text.is_empty();
+        if !is_first && width + 1 + length > 80 {
+            text += "\n  ";
+            width = 1;
+        } else if !is_first {
+            text.push(' ');
+        }
+        text += word;
+        width += length + usize::from(!is_first);
     }
     text
 }

@@ -13,6 +13,9 @@ use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
 
+/// Pairs of faults that are measured, if nothing is said.
+const PAIRS: usize = 100;
+
 /// The arguments.
 #[derive(Args)]
 #[command(after_help = Exit::help())]
@@ -32,6 +35,13 @@ pub(crate) struct Explain {
     /// The directory to write them to
     #[arg(long, value_name = "DIR", default_value = "reports", requires = "catalogue")]
     to: PathBuf,
+    /// Measure only every N-th fault of the catalogue
+    #[arg(long, value_name = "N", default_value = "1", value_parser = value_parser!(u16).range(1..))]
+    #[arg(requires = "catalogue")]
+    every: u16,
+    /// Measure also so many pairs of faults
+    #[arg(long, value_name = "N", default_value = "100", value_parser = value_parser!(u16), requires = "catalogue")]
+    pairs: u16,
     /// Seed of the cases of --catalogue, decimal or 0x-hexadecimal
     #[arg(long, default_value = "0x5eed", value_parser = seed, requires = "catalogue")]
     seed: u64,
@@ -52,7 +62,7 @@ impl Explain {
         let (from, command) = source(answers)?;
         let mut answers = AnswerReader::new(from, &command)?;
         let demands = Demands { conventions: *answers.conventions(), digits: self.digits };
-        let mut matching = Matching::new(demands, 4096);
+        let mut matching = Matching::new(demands, 4096).of_program(answers.program());
         while let Some(answers) = answers.next_answers()? {
             matching.take(answers, || vectors.next_vector())?;
         }
@@ -74,13 +84,22 @@ impl Explain {
     }
 
     fn measure(&self) -> anyhow::Result<Exit> {
-        let command = "cargo run --release -- explain --catalogue";
-        let record = report::explain(&self.to, self.seed, command)?;
+        let (every, pairs) = (usize::from(self.every), usize::from(self.pairs));
+        let mut command = "cargo run --release -- explain --catalogue".to_owned();
+        if every > 1 {
+            let _ = write!(command, " --every {every}");
+        }
+        if pairs != PAIRS {
+            let _ = write!(command, " --pairs {pairs}");
+        }
+        let sample = report::ExplainSample { seed: self.seed, every, pairs };
+        let record = report::explain(&self.to, sample, &command)?;
         let mut text = String::new();
         for program in &record.programs {
             let counts: Vec<_> =
-                program.counts.iter().map(|of| format!("{} {}", of.naming, of.faults)).collect();
-            let _ = writeln!(text, "{}\n  {}", program.answers, counts.join(", "));
+                program.counts.iter().map(|of| format!("{} {}", of.naming, of.programs)).collect();
+            let faults = if program.faults == 1 { "one fault" } else { "two faults" };
+            let _ = writeln!(text, "{faults}; {}\n  {}", program.answers, counts.join(", "));
         }
         let holds = record.programs.iter().all(report::ExplainProgram::holds);
         let words = if holds {

@@ -25,6 +25,9 @@ pub(crate) struct Report {
     /// Write the benchmark alone
     #[arg(long, conflicts_with = "cases")]
     benchmark: bool,
+    /// Write only the report on programs of others, from the results of `verify --format json`
+    #[arg(long, value_name = "PATH", num_args = 1.., conflicts_with_all = ["cases", "benchmark"])]
+    verified: Vec<PathBuf>,
     /// The directory to write to
     #[arg(long, value_name = "DIR", default_value = "reports")]
     to: PathBuf,
@@ -37,6 +40,11 @@ impl Report {
     /// Writes the benchmark, which is there or not, then what takes minutes: the reports of the checks.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         Environment::is_clean(self.allow_dirty)?;
+        if !self.verified.is_empty() {
+            let record = report::verify(&self.to, &self.verified, "examples/verify/public/run")?;
+            println!("Wrote verify to {}: {} programs.", self.to.display(), record.runs.len());
+            return Ok(Exit::Agree);
+        }
         let measured = self.measured();
         if self.benchmark {
             let record = measured?;

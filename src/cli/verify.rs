@@ -141,7 +141,8 @@ impl Verify {
         let mut answers = AnswerReader::new(from, &name)?;
         let conventions = *answers.conventions();
         outputs.begin(&head)?;
-        let mut matching = Matching::new(Demands { conventions, digits: self.digits }, look_ahead);
+        let mut matching = Matching::new(Demands { conventions, digits: self.digits }, look_ahead)
+            .of_program(answers.program());
         while let Some(answers) = answers.next_answers()? {
             matching.take(answers, || vectors.next_vector())?;
             progress.show(matching.report());

@@ -59,6 +59,14 @@ pub enum ReportError {
         /// What was expected.
         expected: &'static str,
     },
+    /// A file cannot be read.
+    #[error("{} cannot be read", .path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
     /// A file cannot be written.
     #[error("{} cannot be written", .path.display())]
     Write {

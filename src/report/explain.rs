@@ -1,7 +1,7 @@
 //! How well explanations are, as a record: every fault of the catalogue, answered by a program that has it.
 
 use super::{Environment, Record, ReportError};
-use crate::check::external::{ExplainedFault, Naming, explained_faults};
+use crate::check::external::{ExplainedFault, Naming, Programs, explained_faults};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -12,49 +12,55 @@ pub struct Explain {
     pub schema: String,
     /// Where it was made.
     pub environment: Environment,
-    /// The seed of the cases.
+    /// The seed of the cases, and of the choice of pairs.
     pub seed: u64,
-    /// By what the programs answer.
+    /// By how many faults the programs have, and by what they answer.
     pub programs: Vec<ExplainProgram>,
 }
 
-/// Programs that answer the same, each with one fault.
+/// Programs that answer the same, each with as many faults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExplainProgram {
+    /// How many faults each has.
+    pub faults: usize,
     /// What they answer.
     pub answers: String,
     /// How many faults are named in which way.
     pub counts: Vec<NamingCount>,
-    /// The faults that are not named first alone, and not undetected.
+    /// Those whose faults are not named first alone, and not undetected.
     pub others: Vec<NotFirst>,
-    /// The largest deviation that is left after an explanation that names the fault; none if it is not finite.
+    /// The largest number of explanations that are named together.
+    pub largest_set: usize,
+    /// The largest deviation that is left after an explanation that names the faults alone; none if it is not finite.
     pub largest_left: Option<f64>,
 }
 
-/// How many faults are named in a way.
+/// How many programs have their faults named in a way.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NamingCount {
     /// The way.
     pub naming: String,
     /// How many.
-    pub faults: usize,
+    pub programs: usize,
 }
 
-/// A fault that is not named first alone.
+/// A program whose faults are not named first alone.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NotFirst {
-    /// The fault.
+    /// Its faults.
     pub fault: String,
-    /// How it was named.
+    /// How they were named.
     pub naming: String,
-    /// What was named.
+    /// What was named: the first of them, and how many there are.
     pub named: Vec<String>,
+    /// How many were named together.
+    pub count: usize,
     /// The deviation before the explanation and after it; none where it is not finite.
     pub deviation: [Option<f64>; 2],
 }
 
 impl Record for Explain {
-    const SCHEMA: &'static str = "beamgap-explain/1";
+    const SCHEMA: &'static str = "beamgap-explain/2";
 
     fn schema(&self) -> &str {
         &self.schema
@@ -62,57 +68,82 @@ impl Record for Explain {
 }
 
 impl ExplainProgram {
-    fn new(answers: &str, found: &[ExplainedFault]) -> Self {
+    fn new(faults: usize, answers: &str, found: &[ExplainedFault]) -> Self {
+        let found: Vec<_> = found.iter().filter(|of| of.faults.len() == faults).collect();
         let of = |naming: Naming| found.iter().filter(move |of| of.naming == naming);
         let counts = Naming::ALL
-            .map(|naming| NamingCount { naming: naming.name().to_owned(), faults: of(naming).count() });
-        let is_other = |of: &&ExplainedFault| !matches!(of.naming, Naming::First | Naming::Undetected);
+            .map(|naming| NamingCount { naming: naming.name().to_owned(), programs: of(naming).count() });
+        let is_other = |of: &&&ExplainedFault| !matches!(of.naming, Naming::First | Naming::Undetected);
         let others = found.iter().filter(is_other).map(|of| NotFirst {
-            fault: of.fault.to_string(),
+            fault: of.faults.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and "),
             naming: of.naming.name().to_owned(),
-            named: of.named.clone(),
+            named: of.named.iter().take(SHOWN).cloned().collect(),
+            count: of.named.len(),
             deviation: of.deviation.map(rounded),
         });
         let left = of(Naming::First).map(|of| of.deviation[1]).fold(0.0, f64::max);
         Self {
+            faults,
             answers: answers.to_owned(),
             counts: counts.to_vec(),
             others: others.collect(),
+            largest_set: found.iter().map(|of| of.named.len()).max().unwrap_or(0),
             largest_left: rounded(left),
         }
     }
 
-    /// How many faults are named in this way.
+    /// How many programs have their faults named in this way.
     pub fn count(&self, naming: Naming) -> usize {
-        self.counts.iter().filter(|count| count.naming == naming.name()).map(|count| count.faults).sum()
+        self.counts.iter().filter(|count| count.naming == naming.name()).map(|count| count.programs).sum()
     }
 
-    /// Whether every fault that shows is named, alone or with equivalent ones.
+    /// Whether all faults that show are named, alone or with those that the answers cannot tell from them.
     pub fn holds(&self) -> bool {
         self.count(Naming::Other) + self.count(Naming::None) == 0
     }
 }
+
+/// Of what is named together so much is listed.
+const SHOWN: usize = 4;
 
 /// Two digits: the others depend on the machine.
 fn rounded(number: f64) -> Option<f64> {
     format!("{number:.1e}").parse().ok().filter(|number: &f64| number.is_finite())
 }
 
+/// How much of the catalogue is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExplainSample {
+    /// The seed of the cases, and of the choice of pairs.
+    pub seed: u64,
+    /// Every how many faults one is taken.
+    pub every: usize,
+    /// How many pairs of faults are taken.
+    pub pairs: usize,
+}
+
 impl Explain {
     /// Measures.
-    pub fn new(seed: u64, command: &str) -> Self {
-        let program = |answers: &str, digits| ExplainProgram::new(answers, &explained_faults(seed, digits));
+    pub fn new(sample: ExplainSample, command: &str) -> Self {
+        let ExplainSample { seed, every, pairs } = sample;
+        let programs = [
+            ("values, gradients, Hessians and variations along the directions, to all digits", None),
+            ("gradients and Hessians alone, to 6 significant digits", Some(6)),
+        ];
+        let programs = programs.map(|(answers, digits)| {
+            let found = explained_faults(Programs { seed, digits, every, pairs });
+            let of_faults = |faults: &usize| found.iter().any(|of| of.faults.len() == *faults);
+            [1, 2]
+                .into_iter()
+                .filter(of_faults)
+                .map(|n| ExplainProgram::new(n, answers, &found))
+                .collect::<Vec<_>>()
+        });
         Self {
             schema: Self::SCHEMA.to_owned(),
             environment: Environment::here(command),
             seed,
-            programs: vec![
-                program(
-                    "values, gradients, Hessians and variations along the directions, to all digits",
-                    None,
-                ),
-                program("gradients and Hessians alone, to 6 significant digits", Some(6)),
-            ],
+            programs: programs.concat(),
         }
     }
 }
@@ -121,8 +152,8 @@ impl Explain {
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
-pub fn explain(to: &Path, seed: u64, command: &str) -> Result<Explain, ReportError> {
-    let json = Explain::new(seed, command).to_json()?;
+pub fn explain(to: &Path, sample: ExplainSample, command: &str) -> Result<Explain, ReportError> {
+    let json = Explain::new(sample, command).to_json()?;
     let record = Explain::from_json(&json)?;
     super::write(to, "explain.json", &json)?;
     super::write(to, "explain.md", &record.page().to_markdown())?;

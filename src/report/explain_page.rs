@@ -10,8 +10,9 @@ impl Explain {
     pub fn page(&self) -> Page {
         let mut blocks = vec![Block::text(
             "`beamgap verify` and `beamgap explain` name the term that is wrong in the answers of a program. This report \
-             measures how often they are right. Every fault of the catalogue is planted in the closed form. The faulty \
-             program answers 24 cases, its answers are written as text, read again and explained.",
+             measures how often they are right. Every fault of the catalogue is planted in the closed form, and pairs of \
+             faults: of every other pair both terms belong to the same formula. The faulty program answers 24 cases, its \
+             answers are written as text, read again and explained.",
         )];
         blocks.extend(self.programs.iter().flat_map(ExplainProgram::blocks));
         blocks.extend([
@@ -27,17 +28,23 @@ impl ExplainProgram {
     fn blocks(&self) -> Vec<Block> {
         let of_naming = |naming| vec![words(naming).to_owned(), count(self.count(naming) as u64)];
         let mut blocks = vec![
-            Block::heading(&format!("Programs that answer {}", self.answers)),
-            Block::table(&["explanation", "#faults"], Naming::ALL.into_iter().map(of_naming).collect()),
+            Block::heading(&format!(
+                "Programs with {} that answer {}",
+                if self.faults == 1 { "one fault" } else { "two faults" },
+                self.answers
+            )),
+            Block::table(&["explanation", "#programs"], Naming::ALL.into_iter().map(of_naming).collect()),
             Block::text(&format!(
-                "The largest deviation that is left where the fault alone is named is {} of its scale.",
+                "At most {} explanations are named together. The largest deviation that is left where the faults alone are \
+                 named is {} of its scale.",
+                count(self.largest_set as u64),
                 error(self.largest_left)
             )),
         ];
-        let listed = [Naming::Among, Naming::Other, Naming::None].map(Naming::name);
+        let listed = [Naming::Among, Naming::Fewer, Naming::Other, Naming::None].map(Naming::name);
         let row = |other: &super::NotFirst| {
-            let named: Vec<_> = other.named.iter().take(4).map(|name| format!("`{name}`")).collect();
-            let more = other.named.len().saturating_sub(4);
+            let named: Vec<_> = other.named.iter().map(|name| format!("`{name}`")).collect();
+            let more = other.count - other.named.len();
             let more = if more > 0 { format!(" and {more} more") } else { String::new() };
             let [before, after] = other.deviation.map(error);
             vec![
@@ -51,9 +58,11 @@ impl ExplainProgram {
         let others = self.others.iter().filter(|other| listed.contains(&other.naming.as_str()));
         let rows: Vec<_> = others.map(row).collect();
         if !rows.is_empty() {
-            let head = ["fault", "explanation", "named", "#before", "#after"];
-            blocks
-                .push(Block::details("The faults that are not named alone", vec![Block::table(&head, rows)]));
+            let head = ["faults", "explanation", "named", "#before", "#after"];
+            blocks.push(Block::details(
+                "The programs whose faults are not named alone",
+                vec![Block::table(&head, rows)],
+            ));
         }
         blocks
     }
@@ -61,11 +70,14 @@ impl ExplainProgram {
 
 fn words(naming: Naming) -> &'static str {
     match naming {
-        Naming::First => "first: the fault alone is named",
-        Naming::Equivalent => "equivalent: it is named with faults that have the same results for all beams",
-        Naming::Among => "among: it is named with faults that have the same results at these cases",
+        Naming::First => "first: the faults alone are named",
+        Naming::Equivalent => {
+            "equivalent: they are named with faults that have the same results for all beams"
+        }
+        Naming::Among => "among: they are named with faults that these answers cannot tell from them",
+        Naming::Fewer => "fewer: one fault alone is named, which these answers cannot tell from the two",
         Naming::Other => "other: another fault is named",
         Naming::None => "none: nothing is named",
-        Naming::Undetected => "undetected: the fault changes none of these answers",
+        Naming::Undetected => "undetected: the faults change none of these answers",
     }
 }

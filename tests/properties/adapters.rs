@@ -116,9 +116,36 @@ fn the_python_program_agrees_until_a_term_is_wrong() {
     verified(&ADAPTERS[3]);
 }
 
+/// Octave runs the program for MATLAB. It is large, so nobody is asked to install it.
 #[test]
-fn the_programs_without_a_compiler_here_are_printed_too() {
-    for (language, first) in [("julia", "# Answers"), ("matlab", "function adapter(vectors, answers)")] {
-        assert!(stdout(&run(&["adapter", language])).starts_with(first));
+fn the_matlab_program_agrees_until_a_term_is_wrong() {
+    let text = stdout(&run(&["adapter", "matlab"]));
+    assert!(text.starts_with("function adapter(vectors, answers)"));
+    if Command::new("octave-cli").arg("--version").output().is_err() {
+        return;
     }
+    let folder = folder("matlab");
+    let [vectors, answers] =
+        ["vectors.jsonl", "answers.jsonl"].map(|name| folder.join(name).display().to_string());
+    let families = ["--family", "segment", "--cases", "6", "--expected", "none", "-o", &vectors];
+    assert!(run(&[&["export"][..], &families].concat()).status.success());
+    let told = |text: &str| {
+        std::fs::write(folder.join("adapter.m"), text).unwrap();
+        let call = format!("adapter('{vectors}', '{answers}')");
+        let output =
+            Command::new("octave-cli").args(["--eval", &call]).current_dir(&folder).output().unwrap();
+        assert!(output.status.success(), "{output:?}");
+        let output = run(&["verify", &vectors, &answers]);
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let (code, right) = told(&text);
+    assert!(code == Some(0) && right.contains("AGREES: at "), "{right}");
+    assert_eq!(text.matches("r = -Gt - A1d;").count(), 1);
+    let (code, wrong) = told(&text.replace("r = -Gt - A1d;", "r = -Gt;"));
+    assert!(code == Some(1) && wrong.contains("In the catalogue: `R: du,xi.d = dropped`\n"), "{wrong}");
+}
+
+#[test]
+fn the_program_without_a_compiler_here_is_printed_too() {
+    assert!(stdout(&run(&["adapter", "julia"])).starts_with("# Answers"));
 }

@@ -440,6 +440,54 @@ fn two_wrong_terms_are_named() {
 }
 
 #[test]
+fn two_wrong_terms_of_one_quantity_are_named() {
+    let all = vectors(&drawing(&[Family::Segment], &[Regime::Generic], 6));
+    let faults = ["Dd|d|: dd Dd = sign", "Dd|d|: du_hat.t Dxi = dropped"];
+    let variant = with_faults(&faults.map(ToOwned::to_owned)).unwrap();
+    let program = Evaluator { variant, formulas: Formulas::Paper, ..Evaluator::default() };
+    let text = changed(&answers(&program, &all), |line| {
+        let d = serde_json::json!({ "Delta-delta": line["d"]["Delta-delta"] });
+        *line = serde_json::json!({ "id": line["id"], "d": d });
+    });
+    let report = verified(&all, &text, None).unwrap();
+    let found = explain(&report.kept, &Demands::default()).unwrap();
+    assert!(found.causes.iter().any(|cause| cause.name == faults.join(" and ")), "{found:?}");
+}
+
+#[test]
+fn what_few_digits_cannot_tell_apart_is_named_together() {
+    let all = vectors(&drawing(&[Family::Segment], &[Regime::Generic], 6));
+    let arrays = |fault: &str| {
+        let variant = with_faults(&[fault.to_owned()]).unwrap();
+        let program =
+            Evaluator { variant, formulas: Formulas::Paper, digits: Some(6), ..Evaluator::default() };
+        let text = changed(&answers(&program, &all), |line| {
+            let d = serde_json::json!({ "gradient": line["d"]["gradient"], "hessian": line["d"]["hessian"] });
+            *line = serde_json::json!({ "id": line["id"], "d": d });
+        });
+        let report = verified(&all, &text, Some(6)).unwrap();
+        let found = explain(&report.kept, &Demands { digits: Some(6), ..Demands::default() }).unwrap();
+        assert!(!found.is_faint);
+        found.causes.into_iter().map(|cause| cause.name).collect::<Vec<_>>()
+    };
+    // A term that has no like is named alone; one that the variations have as well with it.
+    assert_eq!(arrays("H_d: a gg' = sign"), ["Dd|d|: du_hat.t Dxi = sign", "H_d: a gg' = sign"]);
+    assert_eq!(arrays("H_d: A0'A0 = doubled"), ["H_d: A0'A0 = doubled"]);
+}
+
+/// Straight beams keep the terms of curvature at zero: a fault in them is none here.
+#[test]
+fn a_cause_is_not_named_where_nothing_is_wrong() {
+    let all = vectors(&drawing(&[Family::Segment], &[Regime::Generic], 4));
+    let text = answers(&Evaluator { formulas: Formulas::Paper, ..Evaluator::default() }, &all);
+    let mut reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
+    let cases: Vec<_> =
+        all.iter().map(|vector| (vector.clone(), reader.next_answers().unwrap().unwrap())).collect();
+    let found = explain(&cases, &Demands::default()).unwrap();
+    assert!(found.is_faint && found.causes.is_empty(), "{found:?}");
+}
+
+#[test]
 fn simplifications_and_factors_are_named() {
     let all = vectors(&drawing(&[Family::Hermite], &[Regime::Generic], 8));
     let text = answers(&Evaluator { formulas: Formulas::Paper, ..Evaluator::default() }, &all);

@@ -33,6 +33,7 @@ mod own_curve;
 mod pairs;
 mod pasted;
 mod proof;
+mod readers;
 mod reports;
 mod scalars;
 mod schemas;

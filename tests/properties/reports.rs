@@ -6,7 +6,7 @@ use beamgap::faults::Check;
 use beamgap::prove::prove;
 use beamgap::report::{
     Accuracy, Benchmark, Bounds, Crosscheck, Derivation, Environment, Equations, Explain, Faults, Record,
-    picture, symbols,
+    Verify, picture, symbols,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::{Rewrite, Variant};
@@ -45,6 +45,8 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     is_committed("symbols.md", &symbols().to_markdown());
     let explain = Explain::from_json(&committed("explain.json")).unwrap();
     is_committed("explain.md", &explain.page().to_markdown());
+    let verified = Verify::from_json(&committed("verify.json")).unwrap();
+    is_committed("verify.md", &verified.page().to_markdown());
     is_committed("beams.svg", &picture().unwrap());
     let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
     for (name, text) in benchmark.pages() {

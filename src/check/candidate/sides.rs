@@ -44,6 +44,8 @@ pub(in crate::check) struct Entry {
     pub(in crate::check) best_scale: f64,
     /// The sum of the absolute values of what was contracted.
     pub(in crate::check) size: f64,
+    /// The root of the sum of their squares: independent errors of the entries add up like this.
+    pub(in crate::check) spread: f64,
 }
 
 impl Sides {
@@ -96,7 +98,7 @@ impl Sides {
         for (k, (number, part)) in direct.into_iter().zip([value, delta, linear, second]).enumerate() {
             if let Some(number) = number {
                 let exact = RunningError { value: number, bound: 0.0 };
-                let entry = self.entry(([item, k], quantity, part), exact, number.abs());
+                let entry = self.entry(([item, k], quantity, part), exact, [number.abs(); 2]);
                 entries.push(entry);
             }
         }
@@ -120,8 +122,8 @@ impl Sides {
             }
         }
         let mut entries = Vec::new();
-        let mut add = |k: usize, part, (number, size)| {
-            let entry = self.entry(([item, k], quantity, part), number, size);
+        let mut add = |k: usize, part, (number, [size, squares]): (RunningError, [f64; 2])| {
+            let entry = self.entry(([item, k], quantity, part), number, [size, squares.sqrt()]);
             entries.push(Entry { is_contracted: true, ..entry });
         };
         if let Some(gradient) = gradient {
@@ -138,7 +140,7 @@ impl Sides {
         &self,
         ([item, k], quantity, part): ([usize; 2], Quantity, &'static str),
         number: RunningError,
-        size: f64,
+        [size, spread]: [f64; 2],
     ) -> Entry {
         let of = |side: &[Varied<RunningError2>]| side[item].parts()[k];
         let (other, textbook, best) = (of(&self.reference), of(&self.textbook), of(&self.best));
@@ -161,24 +163,33 @@ impl Sides {
             bound,
             tolerance: bound + other.bound[0],
         };
-        Entry { comparison, place: [item, k], is_contracted: false, loss, attainable, best_scale, size }
+        Entry {
+            comparison,
+            place: [item, k],
+            is_contracted: false,
+            loss,
+            attainable,
+            best_scale,
+            size,
+            spread,
+        }
     }
 }
 
-/// A scalar product with a bound on its rounding, and the sum of the absolute values of its terms.
-fn dot(u: &[f64], v: &[f64]) -> (RunningError, f64) {
-    u.iter().zip(v).fold((exact(0.0), 0.0), |(sum, size), (&u, &v)| {
+/// A scalar product with a bound on its rounding, and the sums of the absolute values and of the squares of its terms.
+fn dot(u: &[f64], v: &[f64]) -> (RunningError, [f64; 2]) {
+    u.iter().zip(v).fold((exact(0.0), [0.0; 2]), |(sum, [size, squares]), (&u, &v)| {
         let product = exact(u) * exact(v);
-        (sum + product, size + product.value.abs())
+        (sum + product, [size + product.value.abs(), squares + product.value * product.value])
     })
 }
 
 /// dqᵀ H Dq, likewise.
-fn bilinear(dq: &[f64], hessian: &[f64], linear_dq: &[f64]) -> (RunningError, f64) {
+fn bilinear(dq: &[f64], hessian: &[f64], linear_dq: &[f64]) -> (RunningError, [f64; 2]) {
     let rows = hessian.chunks_exact(dq.len().max(1)).zip(dq);
-    rows.fold((exact(0.0), 0.0), |(sum, all), (row, &dq)| {
-        let (along, size) = dot(row, linear_dq);
-        (sum + exact(dq) * along, all + dq.abs() * size)
+    rows.fold((exact(0.0), [0.0; 2]), |(sum, [all, all_squares]), (row, &dq)| {
+        let (along, [size, squares]) = dot(row, linear_dq);
+        (sum + exact(dq) * along, [all + dq.abs() * size, all_squares + dq * dq * squares])
     })
 }
 

@@ -61,7 +61,17 @@ impl Answers {
 pub struct AnswerReader<R> {
     lines: Lines<R>,
     conventions: Conventions,
+    program: Program,
     rows: Option<csv::Rows>,
+}
+
+/// What the head says of the program.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Program {
+    /// Its name.
+    pub name: String,
+    /// Its version.
+    pub version: String,
 }
 
 impl<R: BufRead> AnswerReader<R> {
@@ -72,23 +82,28 @@ impl<R: BufRead> AnswerReader<R> {
     pub fn new(from: R, name: &str) -> Result<Self, ExternalError> {
         let mut lines = Lines::new(from, name);
         let first = lines.next_line()?.unwrap_or_default().to_owned();
-        let mut conventions = Conventions::default();
+        let (mut conventions, mut program) = (Conventions::default(), Program::default());
         let rows = if first.trim_start().starts_with('{') || first.is_empty() {
-            jsonl::head(&first, &mut conventions).map_err(|wrong| {
+            jsonl::head(&first, &mut conventions, &mut program).map_err(|wrong| {
                 let place = lines.place();
                 Place { column: wrong.column, line: place.line.max(1), ..place }.error(wrong.expected)
             })?;
             None
         } else {
-            csv::head(first, &mut lines, &mut conventions)?;
+            csv::head(first, &mut lines, &mut conventions, &mut program)?;
             Some(csv::Rows::default())
         };
-        Ok(Self { lines, conventions, rows })
+        Ok(Self { lines, conventions, program, rows })
     }
 
     /// The conventions that the head states.
     pub fn conventions(&self) -> &Conventions {
         &self.conventions
+    }
+
+    /// What the head says of the program.
+    pub fn program(&self) -> &Program {
+        &self.program
     }
 
     /// The answers to the next case; nothing at the end.

@@ -46,6 +46,9 @@ pub struct Judged {
     pub attainable: f64,
     /// The size of their terms.
     pub scale: f64,
+    /// The size of the number: of a gradient or a Hessian along the directions the sum of the absolute values that are summed,
+    /// of a parameter 1.
+    pub size: f64,
     /// Whether a careful evaluation of the textbook formulas explains the difference.
     pub is_rounding: bool,
     /// Whether it is a gradient or a Hessian, contracted with the directions.
@@ -97,7 +100,12 @@ impl Entry {
         };
         let is_rounding = comparison.agrees();
         let comparison = Comparison { tolerance, ..comparison };
-        Judged { comparison, judgement, loss, attainable, scale, is_rounding, is_contracted }
+        let is_parameter = matches!(
+            (comparison.quantity, comparison.order),
+            (Quantity::Xi | Quantity::XiBar, crate::check::Order::Value)
+        );
+        let size = if is_parameter { 1.0 } else { size.max(comparison.other.abs()) };
+        Judged { comparison, judgement, loss, attainable, scale, size, is_rounding, is_contracted }
     }
 }
 

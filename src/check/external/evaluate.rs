@@ -1,7 +1,9 @@
 //! The answers of the library itself, dense: to compare with by eye, and to check the check with.
 
-use super::answers::ANSWERS;
+use super::answers::{ANSWERS, AnswerReader, Answers};
+use super::error::Place;
 use super::vectors::{Vector, VectorWriter, key, quoted};
+use crate::check::Answer;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::linearization::closed_form::Formulation;
 use crate::linearization::{COMPONENTS, Quantity};
@@ -67,6 +69,12 @@ impl Evaluator {
         }
     }
 
+    /// What it answers to a case, read from its line.
+    pub fn answered(&self, vector: &Vector) -> Option<Answers> {
+        let text = format!("{}\n{}\n", self.head(), self.line(vector));
+        AnswerReader::new(text.as_bytes(), "answers").ok()?.next_answers().ok()?
+    }
+
     fn answers(&self, evaluation: &EvaluationPoint<'_>) -> String {
         let plain = evaluation.plain(&self.variant);
         let dense = evaluation.dense(&self.variant);
@@ -111,4 +119,22 @@ impl Evaluator {
         let Some(digits) = self.digits.and_then(|digits| digits.checked_sub(1)) else { return number };
         format!("{number:.digits$e}").parse().unwrap_or(number)
     }
+}
+
+/// The answers of automatic differentiation to a case: values, and variations along the directions.
+pub(in crate::check) fn reference(vector: &Vector) -> Option<Answers> {
+    let components = vector.evaluated(|evaluation| evaluation.chord()).ok()?;
+    let answer = |(i, varied): (usize, &crate::linearization::Varied<crate::test_beam::RunningError2>)| {
+        let [value, delta, linear, second] = varied.parts().map(|number| Some(number.value));
+        let axis = Quantity::axis_of_component(i);
+        Answer { axis, value, variations: [delta, linear, second], ..Answer::of(Quantity::of_component(i)) }
+    };
+    Some(Answers {
+        id: vector.id.clone(),
+        place: Place { file: String::new(), line: 0, column: 0 },
+        declined: false,
+        answers: components.iter().enumerate().map(answer).collect(),
+        residual: None,
+        tangent: None,
+    })
 }

@@ -1,13 +1,20 @@
 //! Which term of a program is wrong: its answers are fitted by the closed form with faults.
 //!
 //! Each fault of the catalogue is planted, and what the closed form then answers is compared with what the program
-//! answered, at several cases. What leaves nothing but rounding is the explanation. It is the simplest such one: a fault
-//! of one term, a simplification as a whole, a factor on a quantity, a factor on a term, two faults. Faults that lead to
-//! the same numbers are named together.
+//! answered, at several cases: values, variations along the directions, gradients and Hessians contracted with them, and
+//! single entries of these. What leaves nothing but rounding is the explanation. It is the simplest such one: a fault of
+//! one term, a simplification as a whole, a factor on a quantity, a factor on a term, two faults.
+//!
+//! Answers may have few digits, so that several faults leave no more than rounding. Deviations are squared and summed, each
+//! over the error that rounding is likely to make. The least sum is the best explanation. Another is told from it if its sum
+//! is larger by 25, five standard deviations; all that are not are named together. If right answers are among them, nothing
+//! is named.
 
 mod accuracy;
 mod equation;
+mod fit;
 mod hypothesis;
+mod pairs;
 mod search;
 mod site;
 
@@ -18,11 +25,12 @@ use crate::check::evaluation_point::EvaluationPoint;
 use crate::closest_point::ClosestPoint;
 use crate::test_beam::AnyBeam;
 use crate::variant::Variant;
-pub use accuracy::{ExplainedFault, Naming, explained_faults};
+pub use accuracy::{ExplainedFault, Naming, Programs, explained_faults};
 pub use equation::equation_of;
+use fit::{Fit, near, race};
 use hypothesis::Change;
 use rayon::prelude::*;
-use search::{Fit, measured_factor, search};
+use search::{KEPT, measured_factor, ranked, search};
 use site::{Memo, Site};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -40,6 +48,8 @@ pub struct Explanation {
     pub runner_up: Option<(String, f64)>,
     /// The cases that were used.
     pub cases: usize,
+    /// Whether right answers explain these as well, within the digits that they have: then there is no cause.
+    pub is_faint: bool,
 }
 
 /// One thing that may be wrong.
@@ -59,22 +69,34 @@ pub fn explain(cases: &[(Vector, Answers)], demands: &Demands) -> Option<Explana
 }
 
 fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Option<Explanation> {
-    let known = cases.iter().filter_map(|case| {
-        let beams = case.0.case.beams().ok()?;
-        let point = case.0.evaluated(|evaluation| evaluation.point).ok()?;
-        Some((case, beams, point))
-    });
-    let known: Vec<Known> = known.collect();
-    let sites: Vec<Site> = known.par_iter().filter_map(|known| site(known, demands, memo)).collect();
+    let known: Vec<Known> = cases.iter().filter_map(Known::new).collect();
+    let sites: Vec<(usize, Site)> = (0..known.len())
+        .into_par_iter()
+        .filter_map(|i| Some((i, known[i].site(demands)?.with_memo(memo.get(&known[i].vector.id)))))
+        .collect();
     let sites = clearest(sites);
     if sites.is_empty() {
         return None;
     }
-    let found = search(&sites);
+    let cases: Vec<&Site> = sites.iter().map(|(_, site)| site).collect();
+    let mut fits = search(&cases);
+    // More data, only where they are needed to tell several apart.
+    if near(&fits).len() > 1 {
+        let of_entries: Vec<Known> =
+            sites.iter().take(PROBED).flat_map(|(i, _)| known[*i].entries()).collect();
+        let entries: Vec<Site> = of_entries
+            .par_iter()
+            .filter_map(|known| known.site(demands))
+            .map(Site::of_arrays)
+            .filter(|site| !site.data.is_empty())
+            .collect();
+        fits = race(fits, &entries.iter().collect::<Vec<_>>(), KEPT);
+    }
+    let found = ranked(fits, &cases);
     let cause = |of: &Fit| {
         let coefficient = match &of.change {
             Change::Variant(Variant::Faulty(faults)) if faults.len() == 1 && found.equal.len() <= 4 => {
-                measured_factor(&sites, faults[0]).map(|factor| factor - 1.0)
+                measured_factor(&cases, faults[0]).map(|factor| factor - 1.0)
             }
             Change::Variant(Variant::Weighted(_, factor)) => Some(factor - 1.0),
             _ => None,
@@ -86,34 +108,78 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
         before: found.before,
         after: found.equal.first().map(|of| of.worst),
         runner_up: found.runner_up.map(|of| (of.change.words(), of.worst)),
-        cases: sites.len(),
+        cases: cases.len(),
+        is_faint: found.is_faint,
     })
 }
 
+/// How many cases are used.
+const USED: usize = 24;
+/// At how many of them single entries of gradients and Hessians are used.
+const PROBED: usize = 12;
+/// How many entries of each.
+const ENTRIES: usize = 4;
+
 /// The cases at which rounding explains least: of each kind some, and all kinds in turn.
-fn clearest(mut sites: Vec<Site>) -> Vec<Site> {
-    sites.sort_by(|one, two| one.blur().total_cmp(&two.blur()));
+fn clearest(mut sites: Vec<(usize, Site)>) -> Vec<(usize, Site)> {
+    sites.sort_by(|one, two| one.1.blur().total_cmp(&two.1.blur()));
     let mut turns = BTreeMap::new();
-    let mut placed: Vec<(usize, Site)> = Vec::new();
+    let mut placed: Vec<(usize, (usize, Site))> = Vec::new();
     for site in sites {
-        let turn: &mut usize = turns.entry(site.kind()).or_default();
+        let turn: &mut usize = turns.entry(site.1.kind()).or_default();
         placed.push((*turn, site));
         *turn += 1;
     }
     // What is wrong in most numbers says most.
-    placed.sort_by_key(|(turn, site)| (*turn, Reverse(site.wrong())));
+    placed.sort_by_key(|(turn, site)| (*turn, Reverse(site.1.wrong())));
     placed.into_iter().map(|(_, site)| site).take(USED).collect()
 }
 
-/// How many cases are used.
-const USED: usize = 8;
-
 /// A case with its answers, its beams and its closest point.
-type Known<'a> = (&'a (Vector, Answers), [Box<dyn AnyBeam>; 2], ClosestPoint);
+struct Known {
+    vector: Vector,
+    answers: Answers,
+    beams: [Box<dyn AnyBeam>; 2],
+    point: ClosestPoint,
+}
 
-fn site<'a>((case, beams, point): &'a Known<'_>, demands: &Demands, memo: &'a Memo) -> Option<Site<'a>> {
-    let beams = beams.each_ref().map(|beam| &**beam);
-    let evaluate = || EvaluationPoint::new(beams, &case.0.case.contact, point).ok();
-    let site = Site::new(case, demands, evaluate).filter(|site| !site.data.is_empty())?;
-    Some(site.with_memo(memo.get(&case.0.id)))
+impl Known {
+    fn new((vector, answers): &(Vector, Answers)) -> Option<Self> {
+        let beams = vector.case.beams().ok()?;
+        let point = vector.evaluated(|evaluation| evaluation.point).ok()?;
+        Some(Self { vector: vector.clone(), answers: answers.clone(), beams, point })
+    }
+
+    fn site(&self, demands: &Demands) -> Option<Site<'_>> {
+        let beams = self.beams.each_ref().map(|beam| &**beam);
+        let evaluate = || EvaluationPoint::new(beams, &self.vector.case.contact, &self.point).ok();
+        Site::new((&self.vector, &self.answers), demands, evaluate).filter(|site| !site.data.is_empty())
+    }
+
+    /// The same case along pairs of single dofs, so that contractions of gradients and Hessians are their entries.
+    fn entries(&self) -> Vec<Self> {
+        let is_array = |answers: &Answers| {
+            let has = |answer: &crate::check::Answer| answer.gradient.is_some() || answer.hessian.is_some();
+            answers.residual.is_some() || answers.tangent.is_some() || answers.answers.iter().any(has)
+        };
+        if !is_array(&self.answers) {
+            return Vec::new();
+        }
+        let dofs: usize = self.beams.iter().map(|beam| beam.dofs()).sum();
+        let along = |k: usize| {
+            // Each dof is met, with others of both beams.
+            let (row, column) = ((7 * k + 1) % dofs, (5 * k + dofs / 2) % dofs);
+            let mut vector = self.vector.clone();
+            let [beam, bar] = &mut vector.case.test_beams;
+            let split = beam.q.len();
+            let unit = |at: usize, of: std::ops::Range<usize>| {
+                of.map(|i| if i == at { 1.0 } else { 0.0 }).collect::<Vec<_>>()
+            };
+            (beam.dq, bar.dq) = (unit(row, 0..split), unit(row, split..dofs));
+            (beam.linear_dq, bar.linear_dq) = (unit(column, 0..split), unit(column, split..dofs));
+            let beams = vector.case.beams().ok()?;
+            Some(Self { vector, answers: self.answers.clone(), beams, point: self.point })
+        };
+        (0..ENTRIES).filter_map(along).collect()
+    }
 }

@@ -1,4 +1,8 @@
 //! JSON as programs print it: numbers of any language, lists of numbers without a box for each, columns for messages.
+//!
+//! serde_json rejects what languages print for numbers that JSON has not (`NaN`, `-Infinity`, `0.1D+00`, `1.0-101`) before a
+//! visitor sees them, keeps the last of two entries of one name, and gives a place in the text to syntax errors only. So
+//! this reader is our own; what is plain JSON it reads as serde_json does, which a test asserts.
 
 mod reader;
 
@@ -168,6 +172,19 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn plain_json_is_read_as_serde_json_reads_it(
+            numbers in prop::collection::vec(any::<f64>().prop_filter("JSON has it", |x| x.is_finite()), 1..8),
+            text in "\\PC{0,16}",
+        ) {
+            let line = serde_json::json!({ "numbers": numbers, "text": text }).to_string();
+            let node = Node::read(&line).unwrap();
+            let entries = node.object("line").unwrap();
+            let of = |name: &str| &entries.iter().find(|(known, _)| known == name).unwrap().1;
+            prop_assert_eq!(of("numbers").numbers("numbers", None).unwrap(), numbers);
+            prop_assert_eq!(of("text").text("text").unwrap(), text);
+        }
+
         #[test]
         fn no_text_makes_it_panic(text in "\\PC{0,64}") {
             let _ = Node::read(&text);

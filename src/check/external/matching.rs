@@ -1,6 +1,6 @@
 //! Answers next to the cases that they belong to, while both are streamed.
 
-use super::answers::Answers;
+use super::answers::{Answers, Program};
 use super::compare::{Demands, compare_answers};
 use super::error::ExternalError;
 use super::report::Report;
@@ -27,6 +27,13 @@ impl Matching {
     /// Nothing is matched yet.
     pub fn new(demands: Demands, look_ahead: usize) -> Self {
         Self { demands, look_ahead, open: VecDeque::new(), ready: Vec::new(), report: Report::default() }
+    }
+
+    /// Of this program, as the head of its answers says.
+    #[must_use]
+    pub fn of_program(mut self, program: &Program) -> Self {
+        self.report.program = program.clone();
+        self
     }
 
     /// Takes the answers to a case; `next` yields the cases that follow.

@@ -120,9 +120,11 @@ impl Runner {
         let mut matching: Option<(Matching, Conventions)> = None;
         loop {
             let result = match told.recv_timeout(self.time_out) {
-                Ok(Told::Head(conventions)) => {
-                    let demands = Demands { conventions: *conventions, digits: self.digits };
-                    matching = Some((Matching::new(demands, self.look_ahead), *conventions));
+                Ok(Told::Head(head)) => {
+                    let (conventions, program) = *head;
+                    let demands = Demands { conventions, digits: self.digits };
+                    let new = Matching::new(demands, self.look_ahead).of_program(&program);
+                    matching = Some((new, conventions));
                     Ok(())
                 }
                 Ok(Told::Answers(answers)) => {

@@ -1,6 +1,6 @@
 //! What was found of all answers.
 
-use super::answers::Answers;
+use super::answers::{Answers, Program};
 use super::compare::{CaseFound, Judged, Judgement};
 use super::error::Place;
 use super::vectors::{Outcome, Vector};
@@ -32,7 +32,7 @@ pub struct PartFound {
     pub wrong_at: Option<Place>,
 }
 
-/// The largest loss of digits in a regime.
+/// The largest error, or the largest loss of digits, in a regime.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loss {
     /// The number.
@@ -42,6 +42,14 @@ pub struct Loss {
 }
 
 impl Loss {
+    /// The error over the size of the number; infinite for what is not a number.
+    pub fn error(&self) -> f64 {
+        let Judged { loss, size, .. } = self.judged;
+        // What is zero to the last bit has all digits.
+        let error = if loss == 0.0 { 0.0 } else { loss / size };
+        if error.is_nan() { f64::INFINITY } else { error }
+    }
+
     /// How many digits of those that can be attained are lost.
     pub fn digits(&self) -> f64 {
         (self.judged.loss / self.judged.attainable).log10()
@@ -59,6 +67,8 @@ pub struct RegimeFound {
     pub losing: u64,
     /// The largest loss among the numbers that are right.
     pub loss: Option<Loss>,
+    /// The largest error over the size of the number, whether right or wrong.
+    pub worst: Option<Loss>,
 }
 
 /// The key of a part: order, quantity, and the name of the order, or residual or tangent.
@@ -67,6 +77,8 @@ pub type PartKey = (Order, Quantity, &'static str);
 /// What was found of all answers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
+    /// What the answers say of the program.
+    pub program: Program,
     /// Cases.
     pub vectors: u64,
     /// Cases that were compared.
@@ -134,6 +146,12 @@ impl Report {
         let regime = self.regimes.entry(vector.regime.clone()).or_default();
         regime.compared += 1;
         regime.losing += u64::from(judged.iter().any(|judged| is(Judgement::Loses)(&judged)));
+        for one in judged.iter().filter(|judged| judged.judgement != Judgement::Unclear) {
+            let worst = Loss { judged: *one, case: vector.id.clone() };
+            if regime.worst.as_ref().is_none_or(|known| known.error() < worst.error()) {
+                regime.worst = Some(worst);
+            }
+        }
         for one in judged.iter().filter(is(Judgement::Loses)) {
             let loss = Loss { judged: *one, case: vector.id.clone() };
             if regime.loss.as_ref().is_none_or(|known| known.digits() < loss.digits()) {

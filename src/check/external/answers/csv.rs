@@ -1,6 +1,6 @@
 //! Answers as CSV: `case,quantity,value`, one number a row.
 
-use super::{ANSWERS, Answers, quantity};
+use super::{ANSWERS, Answers, Program, quantity};
 use crate::check::external::conventions::Conventions;
 use crate::check::external::error::{ExternalError, Place};
 use crate::check::external::lines::Lines;
@@ -15,6 +15,7 @@ pub(super) fn head<R: BufRead>(
     first: String,
     lines: &mut Lines<R>,
     conventions: &mut Conventions,
+    program: &mut Program,
 ) -> Result<(), ExternalError> {
     let (mut line, mut is_named) = (first, false);
     while let Some(comment) = line.trim_start().strip_prefix('#') {
@@ -26,7 +27,9 @@ pub(super) fn head<R: BufRead>(
         match key {
             "schema" if value == ANSWERS => is_named = true,
             "schema" => return Err(error(format!("schema: {ANSWERS} expected, found {value}"))),
-            "program" | "version" | "comment" => {}
+            "program" => value.clone_into(&mut program.name),
+            "version" => value.clone_into(&mut program.version),
+            "comment" => {}
             _ => conventions.set(key, value).map_err(error)?,
         }
         lines.next_line()?.unwrap_or_default().clone_into(&mut line);

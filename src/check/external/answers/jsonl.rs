@@ -1,6 +1,6 @@
 //! Answers as JSON Lines.
 
-use super::{ANSWERS, Answers, Place, is_vector, quantity};
+use super::{ANSWERS, Answers, Place, Program, is_vector, quantity};
 use crate::check::external::conventions::Conventions;
 use crate::check::external::json::{JsonError, Node, Value};
 use crate::check::external::vectors::{find, id, schema};
@@ -8,7 +8,7 @@ use crate::check::external::vectors::{find, id, schema};
 type Read<T> = Result<T, JsonError>;
 
 /// Reads the head.
-pub(super) fn head(line: &str, conventions: &mut Conventions) -> Read<()> {
+pub(super) fn head(line: &str, conventions: &mut Conventions, program: &mut Program) -> Read<()> {
     let head = schema(line, ANSWERS)?;
     for (name, node) in head.object("head")? {
         let value = match &node.value {
@@ -17,8 +17,11 @@ pub(super) fn head(line: &str, conventions: &mut Conventions) -> Read<()> {
             Value::Numbers(numbers) => format!("{numbers:?}").replace(".0", ""),
             _ => return Err(JsonError::at(node.column, format!("{name}: a string or a number expected"))),
         };
-        if !matches!(name.as_ref(), "schema" | "program" | "version" | "comment") {
-            conventions.set(name, &value).map_err(|wrong| JsonError::at(node.column, wrong))?;
+        match name.as_ref() {
+            "schema" | "comment" => {}
+            "program" => program.name = value,
+            "version" => program.version = value,
+            _ => conventions.set(name, &value).map_err(|wrong| JsonError::at(node.column, wrong))?,
         }
     }
     Ok(())

@@ -1,45 +1,50 @@
-//! How well explanations are: every fault of the catalogue, answered by a program that has it.
+//! How good explanations are: faults of the catalogue, alone and in pairs, answered by programs that have them.
 
 use super::search::memo;
 use super::site::Memo;
-use super::{Cause, Known, site, with_memo};
+use super::{Cause, Known, with_memo};
 use crate::check::Regime;
-use crate::check::external::answers::{AnswerReader, Answers};
+use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, compare_answers};
 use crate::check::external::evaluate::{Evaluator, Formulas};
 use crate::check::external::report::Report;
 use crate::check::external::vectors::{Drawing, Outcome, Vector};
 use crate::test_beam::Family;
 use crate::variant::{Fault, Variant, catalogue, classes};
+use rand::RngExt;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Cases of each kind of pair: inside both beams, and with an end held.
 const OF_A_KIND: usize = 2;
 /// Cases that are drawn at most.
 const DRAWN: u64 = 1200;
 
-/// Whether a fault was named.
+/// Whether the faults of a program were named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Naming {
-    /// It alone.
+    /// They alone.
     First,
     /// With others that lead to the same results for all beams.
     Equivalent,
     /// With others that lead to the same numbers at these cases, and to others elsewhere.
     Among,
+    /// Of two faults one: it alone leads to the same numbers at these cases.
+    Fewer,
     /// Another fault was named.
     Other,
     /// Nothing was named.
     None,
-    /// All answers agree: the fault does not show at these cases.
+    /// All answers agree: the faults do not show at these cases.
     Undetected,
 }
 
 impl Naming {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::First, Self::Equivalent, Self::Among, Self::Other, Self::None, Self::Undetected];
+    pub const ALL: [Self; 7] =
+        [Self::First, Self::Equivalent, Self::Among, Self::Fewer, Self::Other, Self::None, Self::Undetected];
 
     /// The name, as tables have it.
     pub fn name(self) -> &'static str {
@@ -47,6 +52,7 @@ impl Naming {
             Self::First => "first",
             Self::Equivalent => "equivalent",
             Self::Among => "among",
+            Self::Fewer => "fewer",
             Self::Other => "other",
             Self::None => "none",
             Self::Undetected => "undetected",
@@ -54,12 +60,12 @@ impl Naming {
     }
 }
 
-/// A fault and what the explanation made of its answers.
+/// The faults of a program and what the explanation made of its answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExplainedFault {
-    /// The fault.
-    pub fault: Fault,
-    /// Whether it was named.
+    /// The faults: one, or two.
+    pub faults: Vec<Fault>,
+    /// Whether they were named.
     pub naming: Naming,
     /// What was named.
     pub named: Vec<String>,
@@ -67,32 +73,58 @@ pub struct ExplainedFault {
     pub deviation: [f64; 2],
 }
 
-/// Has every fault of the catalogue answered by a program that has it, and its answers explained.
-///
-/// With `digits` the program answers gradients and Hessians alone, and prints so many digits.
-pub fn explained_faults(seed: u64, digits: Option<u8>) -> Vec<ExplainedFault> {
+/// Which programs are explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Programs {
+    /// The seed of the cases, and of the choice of pairs.
+    pub seed: u64,
+    /// If it is said, they answer gradients and Hessians alone, and print so many digits.
+    pub digits: Option<u8>,
+    /// Every how many faults of the catalogue one is taken.
+    pub every: usize,
+    /// How many pairs of faults are taken; of every other one both belong to the same formula.
+    pub pairs: usize,
+}
+
+/// Has faults of the catalogue, alone and in pairs, answered by programs that have them, and the answers explained.
+pub fn explained_faults(programs: Programs) -> Vec<ExplainedFault> {
+    let Programs { seed, digits, every, pairs } = programs;
     let vectors = chosen(seed);
     let demands = Demands { digits, ..Demands::default() };
     let plain = Evaluator { formulas: Formulas::Paper, ..Evaluator::default() };
-    let known: Vec<_> = answered(&plain, &vectors);
+    let known: Vec<_> = answered(&plain, &vectors).iter().filter_map(Known::new).collect();
     let memo: Memo = known
         .iter()
-        .filter_map(|case| {
-            let beams = case.0.case.beams().ok()?;
-            let point = case.0.evaluated(|evaluation| evaluation.point).ok()?;
-            let known: Known = (case, beams, point);
-            let none = Memo::default();
-            let site = site(&known, &demands, &none)?;
-            Some((case.0.id.clone(), memo(&site)))
-        })
+        .filter_map(|known| Some((known.vector.id.clone(), memo(&known.site(&demands)?))))
         .collect();
     let catalogue = catalogue();
     let classes = classes(&catalogue);
-    catalogue.par_iter().map(|&fault| explained(fault, &vectors, &demands, &memo, &classes)).collect()
+    let singles = catalogue.iter().step_by(every.max(1)).map(|&fault| vec![fault]);
+    let all: Vec<Vec<Fault>> = singles.chain(drawn_pairs(&catalogue, seed, pairs)).collect();
+    all.into_par_iter().map(|faults| explained(faults, &vectors, &demands, &memo, &classes)).collect()
+}
+
+/// Pairs of faults of different terms; of every other one both terms belong to the same formula.
+fn drawn_pairs(catalogue: &[Fault], seed: u64, count: usize) -> Vec<Vec<Fault>> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let formula = |fault: &Fault| fault.label.name.split(": ").next().unwrap_or_default();
+    let mut pairs = Vec::new();
+    while pairs.len() < count {
+        let one = catalogue[random.random_range(0..catalogue.len())];
+        let is_second =
+            |two: &&Fault| two.label != one.label && (pairs.len() % 2 == 0 || formula(two) == formula(&one));
+        let seconds: Vec<_> = catalogue.iter().filter(is_second).collect();
+        if !seconds.is_empty() {
+            let mut pair = vec![one, *seconds[random.random_range(0..seconds.len())]];
+            pair.sort_unstable_by_key(|fault| catalogue.iter().position(|of| of == fault));
+            pairs.push(pair);
+        }
+    }
+    pairs
 }
 
 fn explained(
-    fault: Fault,
+    faults: Vec<Fault>,
     vectors: &[Vector],
     demands: &Demands,
     memo: &Memo,
@@ -102,7 +134,7 @@ fn explained(
     // Some terms are at work in one formulation only.
     for formulas in [Formulas::Paper, Formulas::Robust] {
         let program = Evaluator {
-            variant: Variant::Faulty(vec![fault]),
+            variant: Variant::Faulty(faults.clone()),
             formulas,
             digits: demands.digits.map(usize::from),
             ..Evaluator::default()
@@ -124,30 +156,29 @@ fn explained(
         }
     }
     let Some(found) = found else {
-        return ExplainedFault { fault, naming: Naming::Undetected, named: Vec::new(), deviation: [0.0; 2] };
+        return ExplainedFault { faults, naming: Naming::Undetected, named: Vec::new(), deviation: [0.0; 2] };
     };
     let named: Vec<String> = found.causes.iter().map(|Cause { name, .. }| name.clone()).collect();
-    let (own, class) = (fault.to_string(), |name: &String| classes.get(name));
-    let naming = match named.as_slice() {
+    let class = |name: &str| classes.get(name).map_or_else(|| name.to_owned(), ToString::to_string);
+    let of_names = |names: &[String]| names.iter().map(|name| class(name)).collect::<BTreeSet<_>>();
+    let words = |name: &String| name.split(" and ").map(str::to_owned).collect::<Vec<_>>();
+    let own_names: BTreeSet<_> = faults.iter().map(ToString::to_string).collect();
+    let own = of_names(&own_names.iter().cloned().collect::<Vec<_>>());
+    let sets: Vec<_> = named.iter().map(|name| of_names(&words(name))).collect();
+    let naming = match sets.as_slice() {
         [] => Naming::None,
-        [one] if *one == own => Naming::First,
-        all if all.iter().all(|name| class(name).is_some() && class(name) == class(&own)) => {
-            Naming::Equivalent
-        }
-        all if all.contains(&own) || all.iter().any(|name| class(name) == class(&own)) => Naming::Among,
+        [_] if words(&named[0]).into_iter().collect::<BTreeSet<_>>() == own_names => Naming::First,
+        all if all.iter().all(|one| *one == own) => Naming::Equivalent,
+        all if all.contains(&own) => Naming::Among,
+        all if all.iter().any(|one| one.len() < own.len()) => Naming::Fewer,
         _ => Naming::Other,
     };
-    ExplainedFault { fault, naming, named, deviation: [found.before, found.after.unwrap_or(found.before)] }
+    ExplainedFault { faults, naming, named, deviation: [found.before, found.after.unwrap_or(found.before)] }
 }
 
 /// What a program answers, as text that is read again.
 fn answered(program: &Evaluator, vectors: &[Vector]) -> Vec<(Vector, Answers)> {
-    let answer = |vector: &Vector| {
-        let text = format!("{}\n{}\n", program.head(), program.line(vector));
-        let mut reader = AnswerReader::new(text.as_bytes(), "answers").ok()?;
-        Some((vector.clone(), reader.next_answers().ok()??))
-    };
-    vectors.iter().filter_map(answer).collect()
+    vectors.iter().filter_map(|vector| Some((vector.clone(), program.answered(vector)?))).collect()
 }
 
 /// Cases of all kinds of pairs, at which no term vanishes.

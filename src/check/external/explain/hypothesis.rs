@@ -73,6 +73,11 @@ impl Change {
         }
     }
 
+    /// Whether nothing is changed.
+    pub(super) fn is_none(&self) -> bool {
+        matches!(self, Self::Variant(Variant::Unmodified))
+    }
+
     /// How simple it is: simpler explanations come first.
     pub(super) fn class(&self) -> usize {
         match self {

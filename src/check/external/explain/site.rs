@@ -12,7 +12,7 @@ use crate::check::verdict::Order;
 use crate::linearization::closed_form::Formulation;
 use crate::linearization::{Quantity, Varied};
 use crate::test_beam::Family;
-use crate::variant::{SCALAR_COMPONENTS, Variant};
+use crate::variant::{Fault, SCALAR_COMPONENTS, Variant};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -31,21 +31,43 @@ pub(super) struct Datum {
     pub(super) reference: f64,
     pub(super) scale: f64,
     pub(super) tolerance: f64,
+    /// The size of the error that rounding is likely to make.
+    pub(super) sigma: f64,
     pub(super) is_wrong: bool,
 }
 
+/// How far a prediction is from an answer.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Misfit {
+    /// Over the scale.
+    pub(super) scaled: f64,
+    /// Over what rounding explains at most.
+    pub(super) over: f64,
+    /// Over what rounding is likely to be, squared.
+    pub(super) square: f64,
+}
+
+/// The square of a misfit that is not finite: more than any other, and its sums are finite.
+const BEYOND: f64 = 1e30;
+
 impl Datum {
-    /// How far a prediction is from the answer: over the scale, and over what rounding explains.
-    pub(super) fn misfit(&self, predicted: f64) -> [f64; 2] {
+    /// How far a prediction is from the answer.
+    pub(super) fn misfit(&self, predicted: f64) -> Misfit {
         let off = (self.answer - predicted).abs();
         if !off.is_finite() {
             // What is infinite or no number is explained by the same alone.
             let both = self.answer.is_nan() && predicted.is_nan();
             let is_same = both || self.answer.to_bits() == predicted.to_bits();
-            return [if is_same { 0.0 } else { f64::INFINITY }; 2];
+            let [beyond, square] = if is_same { [0.0; 2] } else { [f64::INFINITY, BEYOND] };
+            return Misfit { scaled: beyond, over: beyond, square };
         }
         let rounding = 8.0 * self.tolerance + 1e-12 * self.scale + 1e-9 * (predicted - self.reference).abs();
-        [ratio(off, self.scale.max(predicted.abs())), ratio(off, rounding)]
+        let likely = ratio(off, self.sigma);
+        Misfit {
+            scaled: ratio(off, self.scale.max(predicted.abs())),
+            over: ratio(off, rounding),
+            square: (likely * likely).min(BEYOND),
+        }
     }
 }
 
@@ -55,22 +77,13 @@ fn ratio(one: f64, two: f64) -> f64 {
     if ratio.is_nan() { f64::INFINITY } else { ratio }
 }
 
-/// By which formulas a program may have made its numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum By {
-    /// The paper's.
-    Paper,
-    /// Also those that keep more digits.
-    All,
-}
-
 /// All items, as a program answers them directly, and contracted.
 pub(super) type Predicted = [Vec<Varied<f64>>; 2];
 
-/// Predictions that are used again, by case and by name of the change.
+/// Predictions of single faults that are used again, by case.
 pub(super) type Memo = HashMap<String, Known>;
-/// Those at a case, each with how many are by the paper's formulas.
-pub(super) type Known = HashMap<String, (Vec<Predicted>, usize)>;
+/// Those at a case.
+pub(super) type Known = HashMap<Fault, Vec<Predicted>>;
 
 /// A case that is to be explained.
 pub(super) struct Site<'a> {
@@ -87,7 +100,7 @@ pub(super) struct Site<'a> {
 impl<'a> Site<'a> {
     /// All numbers of the answers to a case that can be compared; `evaluate` makes the closest point.
     pub(super) fn new(
-        (vector, answers): &(Vector, Answers),
+        (vector, answers): (&Vector, &Answers),
         demands: &Demands,
         evaluate: impl Fn() -> Option<EvaluationPoint<'a>>,
     ) -> Option<Self> {
@@ -98,6 +111,9 @@ impl<'a> Site<'a> {
             let judged = entry.judged(demands.digits);
             let comparison = judged.comparison;
             let digits = demands.digits.map_or(0.0, half_unit);
+            // Numbers printed with few digits are off by anything up to half a unit of the last.
+            let printed = digits * entry.spread / 3.0_f64.sqrt();
+            let least = f64::EPSILON * comparison.other.abs();
             Datum {
                 place: entry.place,
                 quantity: comparison.quantity,
@@ -108,6 +124,7 @@ impl<'a> Site<'a> {
                 reference: comparison.other,
                 scale: comparison.scale.max(comparison.other.abs()),
                 tolerance: comparison.tolerance + digits * entry.size,
+                sigma: entry.comparison.tolerance.max(least) + printed,
                 is_wrong: judged.judgement == Judgement::Wrong,
             }
         };
@@ -164,73 +181,83 @@ impl<'a> Site<'a> {
         self.data.iter().any(|datum| datum.is_contracted)
     }
 
-    /// What the closed form with this change would have answered, in each way in which the program may have made its
-    /// numbers: by the paper's formulas or by those that keep more digits, gradients and Hessians by formulas of their own or from the
-    /// variations.
-    pub(super) fn predicted(&self, change: &Change, by: By) -> Cow<'_, [Predicted]> {
-        match self.memo.and_then(|memo| memo.get(&change.name())) {
-            // The paper's formulas come first.
-            Some((known, by_paper)) if by == By::Paper => Cow::Borrowed(&known[..*by_paper]),
-            Some((known, _)) => Cow::Borrowed(known),
-            None => Cow::Owned(self.computed(change, by).0),
-        }
+    /// The gradients and Hessians alone: the directions are none of the case.
+    pub(super) fn of_arrays(mut self) -> Self {
+        self.data.retain(|datum| datum.is_contracted);
+        self
     }
 
-    /// All of them, and how many are by the paper's formulas.
-    pub(super) fn computed(&self, change: &Change, by: By) -> (Vec<Predicted>, usize) {
-        let (mut all, mut by_paper) = (Vec::with_capacity(4), 0);
-        let others = self.others.iter().filter(|_| by == By::All);
-        for evaluation in [&self.paper].into_iter().chain(others) {
-            let (varied, rows) = match change {
-                Change::Structure(structure) => evaluation.simplified(*structure),
-                other => {
-                    let variant =
-                        if let Change::Variant(variant) = other { variant } else { &Variant::Unmodified };
-                    let of_matrices =
-                        || evaluation.matrices(variant).map(|row| row.map(|number| number.value));
-                    let rows = if self.has_contracted() { of_matrices() } else { Default::default() };
-                    (evaluation.plain(variant), rows)
-                }
-            };
-            let converted = |varied: [Varied<f64>; ITEMS - 1]| {
-                let mut all = self.conventions.of(&varied, self.is_closed);
-                change.of_items(&mut all, &varied, &self.conventions);
-                all
-            };
-            let first = all.len();
-            let direct = converted(varied);
-            if self.has_contracted() {
-                let mut contracted = varied;
-                for (i, [delta, linear, second]) in SCALAR_COMPONENTS.into_iter().zip(rows) {
-                    contracted[i] = Varied { value: contracted[i].value, delta, linear, second };
-                }
-                contracted[20] = Varied { value: contracted[20].value, ..contracted[15] };
-                all.push([direct.clone(), converted(contracted)]);
+    /// What the closed form with this change would have answered, in each way in which the program may have made its
+    /// numbers: by the paper's formulas or by those that keep more digits, gradients and Hessians by formulas of their own
+    /// or from the variations.
+    pub(super) fn predicted(&self, change: &Change) -> Cow<'_, [Predicted]> {
+        let known = match change {
+            Change::Variant(Variant::Faulty(faults)) if faults.len() == 1 => {
+                self.memo.and_then(|memo| memo.get(&faults[0]))
             }
-            all.push([direct.clone(), direct.clone()]);
-            if self.has_contracted()
-                && let Change::Variant(variant) = change
-            {
-                // A Hessian from a wrong variation is not symmetric: it may be the transpose, or the mean of both.
-                let exchanged = evaluation.exchanged(variant);
-                let with = |weight: f64| {
-                    std::array::from_fn(|i| {
-                        let second = (1.0 - weight) * varied[i].second + weight * exchanged[i].second;
-                        Varied { second, ..varied[i] }
-                    })
-                };
-                let is_symmetric = |(one, two): (&Varied<f64>, &Varied<f64>)| {
-                    (one.second - two.second).abs() <= 1e-12 * one.second.abs()
-                };
-                if !varied.iter().zip(&exchanged).all(is_symmetric) {
-                    all.extend([1.0, 0.5].map(|weight| [direct.clone(), converted(with(weight))]));
-                }
+            _ => None,
+        };
+        known.map_or_else(|| Cow::Owned(self.computed(change)), |known| Cow::Borrowed(known.as_slice()))
+    }
+
+    /// The same, not from memory.
+    pub(super) fn computed(&self, change: &Change) -> Vec<Predicted> {
+        let evaluations = [&self.paper].into_iter().chain(&self.others);
+        evaluations.flat_map(|evaluation| self.computed_by(evaluation, change)).collect()
+    }
+
+    /// The same in one formulation: the paper's is the first; empty if there are not so many.
+    pub(super) fn computed_in(&self, formulation: usize, change: &Change) -> Vec<Predicted> {
+        let evaluation = [&self.paper].into_iter().chain(&self.others).nth(formulation);
+        evaluation.map_or_else(Vec::new, |evaluation| self.computed_by(evaluation, change))
+    }
+
+    fn computed_by(&self, evaluation: &EvaluationPoint<'_>, change: &Change) -> Vec<Predicted> {
+        let mut all = Vec::with_capacity(4);
+        let (varied, rows) = match change {
+            Change::Structure(structure) => evaluation.simplified(*structure),
+            other => {
+                let variant =
+                    if let Change::Variant(variant) = other { variant } else { &Variant::Unmodified };
+                let of_matrices = || evaluation.matrices(variant).map(|row| row.map(|number| number.value));
+                let rows = if self.has_contracted() { of_matrices() } else { Default::default() };
+                (evaluation.plain(variant), rows)
             }
-            if first == 0 {
-                by_paper = all.len();
+        };
+        let converted = |varied: [Varied<f64>; ITEMS - 1]| {
+            let mut all = self.conventions.of(&varied, self.is_closed);
+            change.of_items(&mut all, &varied, &self.conventions);
+            all
+        };
+        let direct = converted(varied);
+        if self.has_contracted() {
+            let mut contracted = varied;
+            for (i, [delta, linear, second]) in SCALAR_COMPONENTS.into_iter().zip(rows) {
+                contracted[i] = Varied { value: contracted[i].value, delta, linear, second };
+            }
+            contracted[20] = Varied { value: contracted[20].value, ..contracted[15] };
+            all.push([direct.clone(), converted(contracted)]);
+        }
+        all.push([direct.clone(), direct.clone()]);
+        if self.has_contracted()
+            && let Change::Variant(variant) = change
+        {
+            // A Hessian from a wrong variation is not symmetric: it may be the transpose, or the mean of both.
+            let exchanged = evaluation.exchanged(variant);
+            let with = |weight: f64| {
+                std::array::from_fn(|i| {
+                    let second = (1.0 - weight) * varied[i].second + weight * exchanged[i].second;
+                    Varied { second, ..varied[i] }
+                })
+            };
+            let is_symmetric = |(one, two): (&Varied<f64>, &Varied<f64>)| {
+                (one.second - two.second).abs() <= 1e-12 * one.second.abs()
+            };
+            if !varied.iter().zip(&exchanged).all(is_symmetric) {
+                all.extend([1.0, 0.5].map(|weight| [direct.clone(), converted(with(weight))]));
             }
         }
-        (all, by_paper)
+        all
     }
 
     /// The number of a prediction that stands where this one does.

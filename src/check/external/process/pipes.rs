@@ -1,6 +1,6 @@
 //! The three pipes of a program, each with a thread: cases in, answers out, and what it writes to standard error.
 
-use crate::check::external::answers::{AnswerReader, Answers};
+use crate::check::external::answers::{AnswerReader, Answers, Program};
 use crate::check::external::conventions::Conventions;
 use crate::check::external::error::ExternalError;
 use crate::check::external::vectors::{Vector, VectorReader};
@@ -13,7 +13,7 @@ use std::thread;
 const STDERR: usize = 4096;
 /// What the thread that reads answers has to tell.
 pub(super) enum Told {
-    Head(Box<Conventions>),
+    Head(Box<(Conventions, Program)>),
     Answers(Box<Answers>),
     Error(ExternalError),
 }
@@ -61,7 +61,7 @@ pub(super) fn listen(child: &mut Child, program: &str) -> Receiver<Told> {
                 Ok(answers) => answers,
                 Err(error) => return drop(tell.send(Told::Error(error))),
             };
-            if tell.send(Told::Head(Box::new(*answers.conventions()))).is_err() {
+            if tell.send(Told::Head(Box::new((*answers.conventions(), answers.program().clone())))).is_err() {
                 return;
             }
             loop {

@@ -1,0 +1,20 @@
+"""Cases on standard input, answers on standard output: what the programs of this folder share."""
+import json
+import sys
+
+
+def answer(element, families, **head):
+    """Answers each case that has a closest point and these families with `element(case)`; `head` states conventions."""
+    sys.stdin.readline()  # the head of the cases
+    print(json.dumps({"schema": "beamgap-answers/1", **head}), flush=True)
+    for line in sys.stdin:
+        case = json.loads(line)
+        found = {"result": "degenerate"}
+        if case["result"] == "valid" and [case["beam"]["family"], case["bar"]["family"]] == families:
+            found = element(case) or found
+        print(json.dumps({"id": case["id"], **found}), flush=True)
+
+
+def rows(matrix):
+    """A matrix row by row."""
+    return [float(entry) for row in matrix for entry in row]

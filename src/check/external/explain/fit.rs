@@ -1,0 +1,106 @@
+//! How well a change explains the answers, case by case; what explains them worse than the best is dropped on the way.
+
+use super::hypothesis::Change;
+use super::site::{Datum, Predicted, Site};
+use rayon::prelude::*;
+
+/// By how much a sum of squares exceeds the least one before its change is told from the best: five standard deviations.
+const TOLD_APART: f64 = 25.0;
+
+/// How well a change explains the answers to the cases that it was tried at.
+#[derive(Clone, Debug)]
+pub(super) struct Fit {
+    pub(super) change: Change,
+    /// The place in the order of evaluation.
+    pub(super) order: usize,
+    /// The largest deviation over its scale.
+    pub(super) worst: f64,
+    /// The largest deviation over what rounding explains.
+    pub(super) over: f64,
+    /// The sum of the squares of the deviations over what rounding is likely to be.
+    pub(super) sum: f64,
+    /// How many numbers there are.
+    pub(super) count: usize,
+}
+
+impl Fit {
+    /// Not tried yet.
+    pub(super) fn new(order: usize, change: Change) -> Self {
+        Self { change, order, worst: 0.0, over: 0.0, sum: 0.0, count: 0 }
+    }
+
+    /// The fit of one change at some cases.
+    pub(super) fn of(change: Change, sites: &[&Site]) -> Self {
+        let mut fit = Self::new(0, change);
+        sites.iter().for_each(|site| fit.add(site, |change| site.predicted(change).into_owned(), &|_| true));
+        fit
+    }
+
+    /// Adds a case, its numbers made in the way that fits best; only those that are asked for.
+    pub(super) fn add(
+        &mut self,
+        site: &Site,
+        predicted: impl Fn(&Change) -> Vec<Predicted>,
+        is_asked: &dyn Fn(&Datum) -> bool,
+    ) {
+        self.add_best(site, &predicted(&self.change), is_asked);
+    }
+
+    fn add_best(&mut self, site: &Site, predicted: &[Predicted], is_asked: &dyn Fn(&Datum) -> bool) {
+        let of = |predicted: &Predicted| {
+            let asked = site.data.iter().filter(|datum| is_asked(datum));
+            asked.fold([0.0_f64; 3], |[worst, over, sum], datum| {
+                let misfit = datum.misfit(Site::number(predicted, datum));
+                [worst.max(misfit.scaled), over.max(misfit.over), sum + misfit.square]
+            })
+        };
+        let best = predicted.iter().map(of).min_by(|one, two| one[2].total_cmp(&two[2]));
+        let [worst, over, sum] = best.unwrap_or([f64::INFINITY; 3]);
+        (self.worst, self.over, self.sum) = (self.worst.max(worst), self.over.max(over), self.sum + sum);
+        self.count += site.data.iter().filter(|datum| is_asked(datum)).count();
+    }
+
+    /// The mean of the squares.
+    #[expect(clippy::cast_precision_loss, reason = "few numbers")]
+    pub(super) fn mean(&self) -> f64 {
+        self.sum / self.count.max(1) as f64
+    }
+
+    /// Whether rounding explains all that is left.
+    pub(super) fn explains(&self) -> bool {
+        self.over <= 1.0
+    }
+
+    /// Whether it leaves next to nothing of a deviation: answers of few digits, although these were not stated.
+    pub(super) fn is_close(&self, before: f64) -> bool {
+        before.is_finite() && self.worst <= CLOSE * before
+    }
+}
+
+/// The part of the deviation that may be left where answers have few digits.
+const CLOSE: f64 = 1e-3;
+
+/// The largest sum of squares that is not told from the least one; errors may be larger than was thought likely.
+pub(super) fn limit(best: &Fit) -> f64 {
+    best.sum + TOLD_APART * best.mean().max(1.0)
+}
+
+/// Those that are not told from the best; the fits come in the order of the sums of squares.
+pub(super) fn near(fits: &[Fit]) -> &[Fit] {
+    let limit = fits.first().map_or(0.0, limit);
+    &fits[..fits.iter().take_while(|fit| fit.sum <= limit).count()]
+}
+
+/// Tries changes at one case after the other. Those that are told from the best are dropped, but for so many that are
+/// `kept`, the nearest ones. What is left was tried at all cases, and comes in the order of the sums of squares.
+pub(super) fn race(mut fits: Vec<Fit>, sites: &[&Site], kept: usize) -> Vec<Fit> {
+    for site in sites {
+        fits.par_iter_mut().for_each(|fit| {
+            let predicted = site.predicted(&fit.change);
+            fit.add_best(site, &predicted, &|_| true);
+        });
+        fits.sort_by(|one, two| one.sum.total_cmp(&two.sum));
+        fits.truncate(near(&fits).len().max(kept));
+    }
+    fits
+}

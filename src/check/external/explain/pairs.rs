@@ -1,0 +1,131 @@
+//! Pairs of faults that may explain the answers.
+//!
+//! Numbers are evaluated in an order, and a fault changes only what comes after it. So either one fault explains the first
+//! wrong numbers, and the other changes later ones; or both change the first wrong numbers, and nothing before them.
+
+use super::fit::Fit;
+use super::hypothesis::Change;
+use super::search::{of_faults, singles};
+use super::site::{Datum, Predicted, Site};
+use crate::check::verdict::Order;
+use crate::variant::{Fault, Variant};
+use rayon::prelude::*;
+use std::cmp::Reverse;
+
+/// Cases at which the first of two faults has to explain the first wrong numbers.
+const SCREENED: usize = 4;
+/// Cases at which both may change the first wrong numbers: one of each kind, as terms are at work at some kinds only.
+const KINDS: usize = 6;
+/// How many formulations there are.
+const FORMULATIONS: usize = 3;
+/// First faults to each of which all second faults are tried.
+const FIRST: usize = 12;
+/// Pairs of which both change the first wrong numbers that are taken on.
+const BOTH: usize = 2000;
+
+/// The place of a quantity in the order of evaluation.
+type Key = (Order, usize);
+
+fn key(datum: &Datum) -> Key {
+    (datum.rank.0, datum.rank.1)
+}
+
+/// The pairs that are worth a trial.
+pub(super) fn pairs(cases: &[&Site]) -> Vec<Change> {
+    let sites = &cases[..cases.len().min(SCREENED)];
+    let none = Change::Variant(Variant::Unmodified);
+    let Some(start) = first_wrong(sites, &none) else { return Vec::new() };
+    let singles = singles();
+    let mut firsts: Vec<(Key, Fault)> = singles
+        .par_iter()
+        .filter_map(|&fault| {
+            let change = of_faults(&[fault]);
+            let end = first_wrong(sites, &change)?;
+            (end > start).then_some((end, fault))
+        })
+        .collect();
+    firsts.sort_by_key(|(end, _)| Reverse(*end));
+    firsts.truncate(FIRST);
+    let with_first = |&(_, first): &(Key, Fault)| {
+        singles.iter().filter(move |second| second.label != first.label).map(move |&second| [first, second])
+    };
+    let mut all: Vec<_> = firsts.iter().flat_map(with_first).collect();
+    all.extend(both(&kinds(cases, start), &singles, start));
+    all.iter().map(|pair| of_faults(pair)).collect()
+}
+
+/// The first wrong numbers after a change, at any of these cases.
+fn first_wrong(sites: &[&Site], change: &Change) -> Option<Key> {
+    let of_site = |site: &&Site| {
+        let wrong = |predicted: &Predicted| {
+            let is_wrong = |datum: &&Datum| datum.misfit(Site::number(predicted, datum)).over > 1.0;
+            site.data.iter().filter(is_wrong).map(key).min()
+        };
+        // The way that goes farthest; one without a wrong number goes to the end.
+        let ways = site.predicted(change);
+        ways.iter().map(wrong).max_by_key(|wrong| (wrong.is_none(), *wrong)).flatten()
+    };
+    sites.iter().filter_map(of_site).min()
+}
+
+/// Of each kind the first case with such a wrong number.
+fn kinds<'a>(cases: &[&'a Site<'a>], start: Key) -> Vec<&'a Site<'a>> {
+    let mut chosen: Vec<&Site> = Vec::new();
+    for site in cases {
+        let has_wrong = site.data.iter().any(|datum| datum.is_wrong && key(datum) == start);
+        if has_wrong && chosen.len() < KINDS && chosen.iter().all(|known| known.kind() != site.kind()) {
+            chosen.push(site);
+        }
+    }
+    chosen
+}
+
+/// The pairs of faults that change nothing before the first wrong numbers, and explain these.
+fn both(sites: &[&Site], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
+    // Most programs evaluate the paper's formulas.
+    let found = (0..FORMULATIONS).map(|formulation| both_in(formulation, sites, singles, start));
+    found.into_iter().find(|pairs| !pairs.is_empty()).unwrap_or_default()
+}
+
+fn both_in(formulation: usize, sites: &[&Site], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
+    let changes_start_alone = |site: &Site, fault: Fault| {
+        site.computed_in(formulation, &of_faults(&[fault])).iter().any(|predicted| {
+            let is_same = |datum: &&Datum| {
+                let off = (Site::number(predicted, datum) - datum.reference).abs();
+                off <= 1e-9 * datum.scale + 8.0 * datum.tolerance
+            };
+            let mut of_start = site.data.iter().filter(|datum| key(datum) == start);
+            let mut before = site.data.iter().filter(|datum| key(datum) < start);
+            !of_start.all(|datum| is_same(&datum)) && before.all(|datum| is_same(&datum))
+        })
+    };
+    // The faults that change the first wrong numbers, each with the cases at which it does.
+    let changing = |&fault: &Fault| {
+        let at: Vec<bool> = sites.iter().map(|site| changes_start_alone(site, fault)).collect();
+        at.contains(&true).then_some((fault, at))
+    };
+    let changing: Vec<(Fault, Vec<bool>)> = singles.par_iter().filter_map(changing).collect();
+    let pairs: Vec<[usize; 2]> =
+        (0..changing.len()).flat_map(|i| (i + 1..changing.len()).map(move |j| [i, j])).collect();
+    let explained = |&[i, j]: &[usize; 2]| {
+        let [(one, at_one), (two, at_two)] = [&changing[i], &changing[j]];
+        if one.label == two.label {
+            return None;
+        }
+        let mut fit = Fit::new(0, of_faults(&[*one, *two]));
+        // First where both are at work, then where one of them is.
+        let both = (0..sites.len()).find(|&k| at_one[k] && at_two[k]);
+        let other = (0..sites.len()).find(|&k| at_one[k] != at_two[k]);
+        for k in [both, other].into_iter().flatten() {
+            let predicted = |change: &Change| sites[k].computed_in(formulation, change);
+            fit.add(sites[k], predicted, &|datum| key(datum) <= start);
+            if !fit.explains() {
+                return None;
+            }
+        }
+        Some((fit.sum, [*one, *two]))
+    };
+    let mut explained: Vec<_> = pairs.par_iter().filter_map(explained).collect();
+    explained.sort_by(|one, two| one.0.total_cmp(&two.0));
+    explained.into_iter().take(BOTH).map(|(_, pair)| pair).collect()
+}
