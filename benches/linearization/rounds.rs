@@ -14,14 +14,17 @@ const SHORT: Duration = Duration::from_micros(100);
 /// The same with threads, which a system may leave on one core for some milliseconds after they wake.
 const LONG: Duration = Duration::from_millis(50);
 
-/// The rounds of a scenario of the group: with the closed form if there is one and this is another method, with the roofline if
-/// its arithmetic is counted, with one thread if it has two.
+/// The rounds of a scenario of the group: with the closed form if there is one and this is another method, or with the
+/// closed form one by one if this is four at once; with the roofline if its arithmetic is counted; with one thread if it has
+/// two.
 pub(crate) fn rounds(scenario: &Scenario, group: &[Scenario]) -> Vec<Rounds> {
     let timed = |scenario: &Scenario, round| Timed::new(scenario.runner(), scenario.pairs, round);
     let find =
         |method: &str| group.iter().find(|other| other.method == method && other.method != scenario.method);
-    let with_closed_form = find(CLOSED_FORM).map(|closed_form| Rounds::ClosedForm {
-        samples: in_rounds(FEW, [timed(scenario, SHORT), timed(closed_form, SHORT)]),
+    let one_by_one = scenario.one_by_one().and_then(|method| find(&method)).map(|other| (other, LONG));
+    let closed_form = find(CLOSED_FORM).map(|other| (other, SHORT)).or(one_by_one);
+    let with_closed_form = closed_form.map(|(closed_form, round)| Rounds::ClosedForm {
+        samples: in_rounds(FEW, [timed(scenario, round), timed(closed_form, round)]),
     });
     let with_floors = scenario.multiply_adds.map(|multiply_adds| {
         let [multiply_add, store] = roofline(SHORT);

@@ -58,7 +58,7 @@ def candidates(workshop, crate, root, debian, dofs):
 
     rust = f"rustc {rustc} --release, default target"
     ours("beamgap, blocks", rust + ", AVX2 at run time", "blocks", ["full", "upper"])
-    ours("beamgap, four pairs in lanes", rust + ", AVX2 at run time", "four", together=4, shown="four lanes, half")
+    ours("beamgap, four pairs in lanes", rust + ", AVX2 at run time", "four", together=4, tasks="A", shown="four lanes, half")
     ours("beamgap, linearize", rust + ", AVX2 at run time", "linearize", note="with both slips", tasks="B")
     ours("beamgap, linearize into the caller's memory", rust + ", AVX2 at run time", "written", note="with both slips", tasks="B")
     ours("beamgap, Matrices", rust, "crate", note="B: with both slips")

@@ -27,7 +27,9 @@ pub use diagnose::other_conventions;
 pub use error::{ExternalError, Place};
 pub(in crate::check) use evaluate::reference;
 pub use evaluate::{Evaluator, Formulas};
-pub use explain::{Cause, ExplainedFault, Explanation, Naming, Programs, equation_of, explain, explained_faults};
+pub use explain::{
+    Cause, ExplainedFault, Explanation, Naming, Programs, equation_of, explain, explained_faults,
+};
 pub use location::{Location, locate};
 pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};

@@ -4,7 +4,9 @@ use super::case_file;
 use super::checked::{Checked, SHOWN, Shown};
 use super::human::{error, name, repeat};
 use beamgap::check::external::{Cause, Explanation};
-use beamgap::check::{Case, Comparison, LikelyCause, Mismatch, MismatchKind, Regime, Shrunk, look_at, test_source};
+use beamgap::check::{
+    Case, Comparison, LikelyCause, Mismatch, MismatchKind, Regime, Shrunk, look_at, test_source,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 

@@ -23,22 +23,41 @@ impl Benchmark {
         };
         let one = all().filter(|of| of.speed_up().is_none()).map(|of| {
             let [low, high] = of.interval.map(time);
-            let cells =
-                [time(of.median), format!("{low} to {high}"), plain(1e9 / of.median), verdict(of.share)];
-            name(of).into_iter().chain(cells).collect()
+            let ratio = of.ratio_to_closed_form.map_or_else(String::new, Ratio::in_words);
+            let times = [time(of.median), format!("{low} to {high}"), plain(1e9 / of.median)];
+            name(of).into_iter().chain(times).chain([ratio, verdict(of.share)]).collect()
         });
         let two = all().filter_map(|of| {
             let [by_all, by_one] = of.times_of_threads()?.map(time);
             let [speed_up, of_arithmetic] =
                 [of.speed_up()?, of.speed_up_of_arithmetic()?].map(Ratio::in_words);
-            Some(name(of).into_iter().chain([by_one, by_all, speed_up, of_arithmetic]).collect())
+            let ratio = of.ratio_to_closed_form.map_or_else(String::new, Ratio::in_words);
+            Some(name(of).into_iter().chain([by_one, by_all, speed_up, of_arithmetic, ratio]).collect())
         });
-        let head = ["task", "method", "#time of a pair", "#95 % interval", "#pairs in a second", VERDICT];
-        let heads =
-            ["task", "method", "#one thread", "#two threads", "#times as many pairs", "#multiply-adds alone"];
+        let head = [
+            "task",
+            "method",
+            "#time of a pair",
+            "#95 % interval",
+            "#pairs in a second",
+            "#ratio to one by one",
+            VERDICT,
+        ];
+        let heads = [
+            "task",
+            "method",
+            "#one thread",
+            "#two threads",
+            "#times as many pairs",
+            "#multiply-adds alone",
+            "#ratio to one by one",
+        ];
         vec![
             Block::heading("Many pairs"),
-            Block::text("Pairs of Hermite beams on one thread, one by one or four in the lanes of a vector."),
+            Block::text(
+                "Pairs of Hermite beams on one thread: one by one, or d of four pairs in the lanes of a vector. The ratio to one \
+                 by one is that of interleaved rounds.",
+            ),
             Block::table(&head, one.collect()),
             Block::text(&format!(
                 "Two threads against one, on {} cores. Each row was measured with both in interleaved rounds; its times are \

@@ -34,11 +34,31 @@ impl Benchmark {
         });
         format!(
             "**Use the closed form: d with gradient and Hessian takes {d} for two beams with 24 dofs, all quantities but the \
-             slips take {all}.**{} {} {} {}",
+             slips take {all}.**{}{} {} {} {}",
+            self.contacts(),
             generated.unwrap_or_default(),
             self.automatic(),
             self.differences(),
             self.closest_point()
+        )
+    }
+
+    /// What a thousand contacts take.
+    fn contacts(&self) -> String {
+        let find = |task: Task, method: &str| {
+            let name = format!("closed form, {method}, 1 thread");
+            self.of(task).find(|of| of.method == name)
+        };
+        let by_one = [Task::DistanceOfMany, Task::AllOfMany].map(|task| find(task, "one by one"));
+        let [Some(d), Some(all)] = by_one else { return String::new() };
+        let lanes = find(Task::DistanceOfMany, "four at once").and_then(|of| of.ratio_to_closed_form);
+        let lanes = lanes.map_or_else(String::new, |ratio| {
+            format!(" If only d is needed, four pairs at once take {} times as long.", plain(ratio.value))
+        });
+        format!(
+            " A thousand contacts take {} for d and {} for all on one thread, one pair after another.{lanes}",
+            time(1000.0 * d.median),
+            time(1000.0 * all.median)
         )
     }
 

@@ -47,7 +47,7 @@ impl Below<'_> {
 impl Benchmark {
     /// All of them: d first, then the rest with it.
     pub(super) fn below_the_roof(&self) -> impl Iterator<Item = Below<'_>> {
-        let tasks = [(Task::Distance, 1), (Task::DistanceOfMany, 1), (Task::All, 5), (Task::AllOfMany, 5)];
+        let tasks = [(Task::Distance, 1), (Task::DistanceOfMany, 1), (Task::All, 5)];
         tasks.into_iter().flat_map(move |(task, quantities)| {
             self.of(task).filter_map(move |measured| {
                 // A quantity has a value and a gradient too.

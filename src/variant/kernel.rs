@@ -6,8 +6,8 @@ use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet, Shapes};
 use crate::linearization::closed_form::Formulation;
 use crate::linearization::closed_form::kernel::{
-    Gradient, PairAtPoint, Target, Targets, write_all_batch, write_all_by_shapes_over, write_all_with_slips,
-    write_d, write_d_batch,
+    Gradient, PairAtPoint, Target, Targets, write_all_by_shapes_over, write_all_with_slips, write_d,
+    write_d_batch,
 };
 use crate::number::{Lanes, Real};
 use crate::pair::{Contact, DofVector, Pair};
@@ -83,17 +83,14 @@ pub(crate) fn fast_kernel(
     let one = One { pair: &pair, point, vectors: &vectors };
     let four = Four::new(&pair, point, &vectors);
     let [blocks, full, packed] = Second::ALL;
-    let [blocks_of_four, full_of_four, packed_of_four] = Second::ALL;
+    let [of_four, ..] = Second::ALL;
     vec![
         (NAMES[0], one.all(blocks)),
         (NAMES[1], one.all(full)),
         (NAMES[2], one.all(packed)),
         (GRADIENT, one.all(Gradient::<f64, BOTH>::zeros)),
-        ("kernel in lanes, blocks", four.all(blocks_of_four)),
-        ("kernel in lanes, full", four.all(full_of_four)),
-        ("kernel in lanes, packed", four.all(packed_of_four)),
         ("kernel, d alone", one.d(blocks)),
-        ("kernel in lanes, d alone", four.d(blocks_of_four)),
+        ("kernel in lanes, d alone", four.d(of_four)),
     ]
 }
 
@@ -203,20 +200,6 @@ impl<'a> Four<'a> {
         let [d] = to.map(|memory| memory.contracted(&self.directions));
         alone(length(d, 0))
     }
-
-    fn all(&self, memory: fn() -> Second<Lanes>) -> Contracted<f64> {
-        let pairs_at_points = self.pairs_at_points();
-        let mut to = [std::array::from_fn(|_| memory())];
-        write_all_batch(&pairs_at_points, &mut to);
-        let [[d, xi, xi_bar, t, t_bar]] = to.map(|of| of.map(|memory| memory.contracted(&self.directions)));
-        let none = [None; 4];
-        [length(d, 0), length(t, 1), length(t_bar, 2), number(xi, 3), number(xi_bar, 0), none, none]
-    }
-}
-
-/// A number without unit, in one lane: it and its variations are those of every lane.
-fn number(numbers: [Option<Lanes>; 4], lane: usize) -> [Option<f64>; 4] {
-    numbers.map(|numbers| numbers.map(|numbers| numbers.0[lane]))
 }
 
 /// A length, in one lane.

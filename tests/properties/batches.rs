@@ -9,7 +9,7 @@ use beamgap::closest_point::Held;
 use beamgap::curve::{Bezier, Hermite, Segment};
 use beamgap::linearization::closed_form::Formulation;
 use beamgap::linearization::closed_form::kernel::{
-    Gradient, Packed, PairAtPoint, write_all, write_all_batch, write_all_over, write_d, write_d_batch,
+    Gradient, Packed, PairAtPoint, write_all_over, write_d, write_d_batch,
 };
 use beamgap::number::Lanes;
 use beamgap::pair::{DofVector, Pair};
@@ -20,21 +20,14 @@ use proptest::prelude::*;
 fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>]) {
     let pairs_at_points: Vec<_> =
         cases.iter().map(|Contacting { pair, q, point, .. }| PairAtPoint { pair, q, point }).collect();
-    let zeros = Packed::<Lanes, 24, 300>::zeros();
-    let (mut d, mut all) = ([zeros; 2], [[zeros; 5]; 2]);
+    let mut d = [Packed::<Lanes, 24, 300>::zeros(); 2];
     assert_eq!(write_d_batch(&pairs_at_points, &mut d), cases.len());
-    assert_eq!(write_all_batch(&pairs_at_points, &mut all), cases.len());
     assert_eq!(write_d_batch(&pairs_at_points, &mut d[..1]), cases.len().min(4));
     for (i, case) in cases.iter().enumerate() {
         let Contacting { pair, q, point, .. } = case;
-        let mut one_by_one = [Packed::<f64, 24, 300>::zeros(); 5];
-        write_all(pair, q, point, &mut targets(&mut one_by_one));
-        let tolerances = tolerances::<_, _, 12, 12, 24>(case);
-        let in_lanes = all[i / 4].iter().chain([&d[i / 4]]).map(|of_four| lane(of_four, i % 4));
-        let one_by_one = one_by_one.iter().chain([&one_by_one[0]]).map(alone);
-        for ((one, in_lane), of) in one_by_one.zip(in_lanes).zip([0, 1, 2, 3, 4, 0]) {
-            near(&one, &in_lane, &tolerances[of], 24);
-        }
+        let mut one = Packed::<f64, 24, 300>::zeros();
+        write_d(pair, q, point, &mut one);
+        near(&alone(&one), &lane(&d[i / 4], i % 4), &tolerances::<_, _, 12, 12, 24>(case)[0], 24);
     }
 }
 
@@ -131,17 +124,14 @@ proptest! {
             .cycle()
             .take(count)
             .collect();
-        let zeros = Gradient::<Lanes, 24>::zeros();
-        let (mut d, mut all) = (vec![zeros; memory], vec![[zeros; 5]; memory]);
-        let (mut d_of_four, mut all_of_four) = (d.clone(), all.clone());
+        let mut d = vec![Gradient::<Lanes, 24>::zeros(); memory];
+        let mut d_of_four = d.clone();
         let written = count.min(4 * memory);
         prop_assert_eq!(write_d_batch(&pairs_at_points, &mut d), written);
-        prop_assert_eq!(write_all_batch(&pairs_at_points, &mut all), written);
         for (i, four) in pairs_at_points[..written].chunks(4).enumerate() {
             write_d_batch(four, &mut d_of_four[i..=i]);
-            write_all_batch(four, &mut all_of_four[i..=i]);
         }
-        prop_assert!(d == d_of_four && all == all_of_four);
+        prop_assert!(d == d_of_four);
     }
 
     /// So it is where pairs ask for another form than the paper's, or for several.

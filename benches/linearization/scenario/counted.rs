@@ -34,7 +34,6 @@ fn multiply_adds(task: Task, method: &str) -> Option<usize> {
         Task::All if method == CLOSED_FORM => Some(of_all(Derivatives::zero())),
         Task::All if method == IN_FULL => Some(of_all(full)),
         Task::All if method == PACKED => Some(of_all(packed)),
-        Task::AllOfMany if method == FOUR_AT_ONCE => Some(of_all(packed)),
         _ => None,
     }
 }

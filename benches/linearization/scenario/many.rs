@@ -24,24 +24,32 @@ const TO_MEMORY: usize = 40_960;
 /// So many to a task of a thread, where the results stay in its cache.
 const CHUNK: usize = 128;
 
+/// One pair after another.
+const ONE_BY_ONE: &str = "closed form, one by one";
+/// Four pairs in the lanes of a vector.
+const LANES: &str = "closed form, four at once";
+/// What is added to the name of a method that writes each result to memory of its own.
+const TO_MEMORY_NAME: &str = ", to memory";
 /// The lanes by one thread.
 pub(super) const FOUR_AT_ONCE: &str = "closed form, four at once, 1 thread";
+
+/// The name of the same work one pair after another, if this is the name of four at once.
+pub(super) fn one_by_one(method: &str) -> Option<String> {
+    method.strip_prefix(LANES).map(|rest| format!("{ONE_BY_ONE}{rest}"))
+}
 
 type Hermites = Twins<Hermite, 12>;
 type Met = PairAtPoint<'static, Hermite, Hermite, 12, 12>;
 /// `K` quantities of a pair.
 type AllDerivatives<const K: usize> = [Derivatives<f64, 12, 12>; K];
-/// `K` quantities of four pairs, halves of the Hessians.
-type Four<const K: usize> = [Packed<Lanes, 24, 300>; K];
+/// d of four pairs, halves of the Hessians.
+type Four = Packed<Lanes, 24, 300>;
+/// `K` quantities of a pair.
+type One<const K: usize> = fn(&Met, &mut AllDerivatives<K>);
 
-/// `K` quantities of many pairs.
-type Batch<const K: usize> = fn(&[Met], &mut [Four<K>]);
-
-const D: Batch<1> = |of, to| {
-    kernel::write_d_batch(of, to.as_flattened_mut());
-};
-const ALL: Batch<5> = |of, to| {
-    kernel::write_all_batch(of, to);
+const D: One<1> = |p, [d]| kernel::write_d(p.pair, p.q, p.point, d);
+const ALL: One<5> = |p, [d, xi, xi_bar, t, t_bar]| {
+    kernel::write_all(p.pair, p.q, p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
 };
 
 /// By one thread and by two.
@@ -54,17 +62,12 @@ pub(super) fn scenarios() -> Vec<Scenario> {
     let many = Many { pairs, judges };
     let mut all = Vec::new();
     for threads in [1, 2] {
-        all.push(many.one_by_one(Task::DistanceOfMany, threads, |p, [d]: &mut AllDerivatives<1>| {
-            kernel::write_d(p.pair, p.q, p.point, d);
-        }));
-        all.push(many.one_by_one(Task::AllOfMany, threads, |p, to: &mut AllDerivatives<5>| {
-            let [d, xi, xi_bar, t, t_bar] = to;
-            kernel::write_all(p.pair, p.q, p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
-        }));
-        all.push(many.four_at_once(Task::DistanceOfMany, threads, D));
-        all.push(many.four_at_once(Task::AllOfMany, threads, ALL));
-        all.push(many.to_memory(Task::DistanceOfMany, threads, D));
-        all.push(many.to_memory(Task::AllOfMany, threads, ALL));
+        all.push(many.one_by_one(Task::DistanceOfMany, threads, D));
+        all.push(many.four_at_once(threads));
+        all.push(many.one_by_one_to_memory(Task::DistanceOfMany, threads, D));
+        all.push(many.four_at_once_to_memory(threads));
+        all.push(many.one_by_one(Task::AllOfMany, threads, ALL));
+        all.push(many.one_by_one_to_memory(Task::AllOfMany, threads, ALL));
     }
     all
 }
@@ -77,13 +80,8 @@ struct Many {
 
 impl Many {
     /// `work` for all pairs, each result left where the next one will be.
-    fn one_by_one<const K: usize>(
-        &self,
-        task: Task,
-        threads: usize,
-        work: fn(&Met, &mut AllDerivatives<K>),
-    ) -> Scenario {
-        let (pairs, of_first) = (self.pairs.clone(), self.pairs.clone());
+    fn one_by_one<const K: usize>(&self, task: Task, threads: usize, work: One<K>) -> Scenario {
+        let pairs = self.pairs.clone();
         let runner = move || -> Runner {
             let (pool, pairs) = (pool(threads), pairs.clone());
             Box::new(move || {
@@ -97,63 +95,89 @@ impl Many {
                 });
             })
         };
-        let rows = move |i: usize| {
-            let mut to = [Derivatives::zero(); K];
-            work(&of_first[i], &mut to);
-            rows(&to.each_ref())
-        };
-        self.scenario::<K>((task, "closed form, one by one", threads), runner, rows)
+        self.scenario::<K>((task, ONE_BY_ONE, threads), runner, self.rows_of_one(work))
     }
 
-    /// Four pairs in the lanes of a vector, the results left where the next ones will be.
-    fn four_at_once<const K: usize>(&self, task: Task, threads: usize, batch: Batch<K>) -> Scenario {
+    /// The same, each result in memory of its own.
+    fn one_by_one_to_memory<const K: usize>(&self, task: Task, threads: usize, work: One<K>) -> Scenario {
         let pairs = self.pairs.clone();
+        let many = TO_MEMORY / K;
         let runner = move || -> Runner {
             let (pool, pairs) = (pool(threads), pairs.clone());
+            let mut to = vec![[Derivatives::zero(); K]; many];
             Box::new(move || {
                 pool.install(|| {
-                    pairs[..IN_CACHE / K].par_chunks(CHUNK).for_each(|chunk| {
-                        let mut to = [[Packed::zeros(); K]];
-                        for four in chunk.chunks(4) {
-                            batch(black_box(four), black_box(&mut to));
+                    let chunks = pairs[..many].par_chunks(CHUNK).zip(to.par_chunks_mut(CHUNK));
+                    chunks.for_each(|(of, to)| {
+                        for (pair, to) in of.iter().zip(to) {
+                            work(black_box(pair), black_box(to));
                         }
                     });
                 });
             })
         };
-        let rows = self.rows_of_four(batch);
-        self.scenario::<K>((task, "closed form, four at once", threads), runner, rows)
-    }
-
-    /// Each result in memory of its own.
-    fn to_memory<const K: usize>(&self, task: Task, threads: usize, batch: Batch<K>) -> Scenario {
-        let pairs = self.pairs.clone();
-        let many = TO_MEMORY / K;
-        let runner = move || -> Runner {
-            let (pool, pairs) = (pool(threads), pairs.clone());
-            let mut to = vec![[Packed::zeros(); K]; many / 4];
-            Box::new(move || {
-                pool.install(|| {
-                    let chunks = pairs[..many].par_chunks(CHUNK).zip(to.par_chunks_mut(CHUNK / 4));
-                    chunks.for_each(|(of, to)| batch(black_box(of), black_box(to)));
-                });
-            })
-        };
-        let rows = self.rows_of_four(batch);
-        let scenario = self.scenario::<K>((task, "closed form, to memory", threads), runner, rows);
+        let method = format!("{ONE_BY_ONE}{TO_MEMORY_NAME}");
+        let scenario = self.scenario::<K>((task, &method, threads), runner, self.rows_of_one(work));
         Scenario { pairs: many, ..scenario }
     }
 
-    /// What a batch yields for one of the first pairs.
-    fn rows_of_four<const K: usize>(
-        &self,
-        batch: Batch<K>,
-    ) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
+    /// d of four pairs in the lanes of a vector, the results left where the next ones will be.
+    fn four_at_once(&self, threads: usize) -> Scenario {
+        let pairs = self.pairs.clone();
+        let runner = move || -> Runner {
+            let (pool, pairs) = (pool(threads), pairs.clone());
+            Box::new(move || {
+                pool.install(|| {
+                    pairs[..IN_CACHE].par_chunks(CHUNK).for_each(|chunk| {
+                        let mut to = [Four::zeros()];
+                        for four in chunk.chunks(4) {
+                            kernel::write_d_batch(black_box(four), black_box(&mut to));
+                        }
+                    });
+                });
+            })
+        };
+        self.scenario::<1>((Task::DistanceOfMany, LANES, threads), runner, self.rows_of_four())
+    }
+
+    /// The same, each result in memory of its own.
+    fn four_at_once_to_memory(&self, threads: usize) -> Scenario {
+        let pairs = self.pairs.clone();
+        let runner = move || -> Runner {
+            let (pool, pairs) = (pool(threads), pairs.clone());
+            let mut to = vec![Four::zeros(); TO_MEMORY / 4];
+            Box::new(move || {
+                pool.install(|| {
+                    let chunks = pairs[..TO_MEMORY].par_chunks(CHUNK).zip(to.par_chunks_mut(CHUNK / 4));
+                    chunks.for_each(|(of, to)| {
+                        kernel::write_d_batch(black_box(of), black_box(to));
+                    });
+                });
+            })
+        };
+        let method = format!("{LANES}{TO_MEMORY_NAME}");
+        let scenario =
+            self.scenario::<1>((Task::DistanceOfMany, &method, threads), runner, self.rows_of_four());
+        Scenario { pairs: TO_MEMORY, ..scenario }
+    }
+
+    /// What a method yields for one of the first pairs.
+    fn rows_of_one<const K: usize>(&self, work: One<K>) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
         let pairs = self.pairs.clone();
         move |i| {
-            let mut to = [[Packed::zeros(); K]; DIFFERENT / 4];
-            batch(&pairs[..DIFFERENT], &mut to);
-            to[i / 4].iter().flat_map(|of| lane(of, i % 4)).collect()
+            let mut to = [Derivatives::zero(); K];
+            work(&pairs[i], &mut to);
+            rows(&to.each_ref())
+        }
+    }
+
+    /// What the lanes yield for one of the first pairs.
+    fn rows_of_four(&self) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
+        let pairs = self.pairs.clone();
+        move |i| {
+            let mut to = [Four::zeros(); DIFFERENT / 4];
+            kernel::write_d_batch(&pairs[..DIFFERENT], &mut to);
+            lane(&to[i / 4], i % 4).into_iter().collect()
         }
     }
 
@@ -193,7 +217,7 @@ fn pool(threads: usize) -> ThreadPool {
 }
 
 /// What one lane holds.
-fn lane(of: &Packed<Lanes, 24, 300>, lane: usize) -> [Vec<f64>; 3] {
+fn lane(of: &Four, lane: usize) -> [Vec<f64>; 3] {
     let entries = (0..24).flat_map(|i| (0..24).map(move |j| of.entry(i, j).0[lane]));
     [vec![of.value.0[lane]], of.gradient.iter().map(|g| g.0[lane]).collect(), entries.collect()]
 }

@@ -71,6 +71,11 @@ impl Scenario {
         Some(many::by_threads(self.method.strip_suffix(&many::by_threads("", 2))?, 1))
     }
 
+    /// The name of the same method one pair after another, if this is four pairs at once.
+    pub(crate) fn one_by_one(&self) -> Option<String> {
+        many::one_by_one(&self.method)
+    }
+
     /// The task and the beams, which the methods of a group have in common.
     pub(crate) fn group(&self) -> String {
         self.task.group(self.family, self.dofs)

@@ -150,10 +150,6 @@ four!(four_d, four_d_read: [Four; 1], |cases, to| {
     kernel::write_d_batch(cases, to);
 });
 
-four!(four_all, four_all_read: [Four; 5], |cases, to| {
-    kernel::write_all_batch(cases, std::slice::from_mut(to));
-});
-
 /// The quantities of task A.
 fn d_only<S>(of: Quantities<S>) -> [S; 1] {
     [of.d]

@@ -23,7 +23,7 @@ mod slips;
 mod solution;
 mod target;
 
-pub use batch::{PairAtPoint, write_all_batch, write_d_batch};
+pub use batch::{PairAtPoint, write_d_batch};
 pub use request::Targets;
 pub use target::{Full, Gradient, Packed, Target};
 

@@ -1,12 +1,14 @@
-//! Many pairs at once: four in the lanes of a vector, through the very source that evaluates one.
+//! d of many pairs at once: four in the lanes of a vector, through the very source that evaluates one.
+//!
+//! All quantities are as fast one pair after another: their rows fill the vectors of one pair.
 
 use super::choice::{ALL, Regular};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::LanesArithmetic;
-use super::request::{DistanceAlone, Request, Targets};
+use super::request::{DistanceAlone, Request};
 use super::side::{Shapes, shapes};
 use super::target::{Target, fill};
-use super::{evaluate, write_all, write_d};
+use super::{evaluate, write_d};
 use crate::closest_point::{ClosestPoint, Held};
 use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::Derivatives;
@@ -50,31 +52,6 @@ where
             fill(&one, to, |to: &mut Lanes, from| to.0[lane] = from);
         });
     })
-}
-
-/// d, xi, xi_bar, t and t_bar of many pairs, written over `to`, and otherwise [`write_d_batch`].
-pub fn write_all_batch<A, B, W, const N: usize, const M: usize>(
-    of: &[PairAtPoint<'_, A, B, N, M>],
-    to: &mut [[W; 5]],
-) -> usize
-where
-    A: Curve<N> + PartialEq,
-    B: Curve<M> + PartialEq,
-    W: Target<Lanes, N, M>,
-{
-    each_four(of, to, |of, to| {
-        one_by_one(of, in_lanes(of, &mut targets(to)), |lane, PairAtPoint { pair, q, point }| {
-            let mut one = [Derivatives::zero(); 5];
-            write_all(pair, q, point, &mut targets(&mut one));
-            for (one, to) in one.iter().zip(&mut *to) {
-                fill(one, to, |to: &mut Lanes, from| to.0[lane] = from);
-            }
-        });
-    })
-}
-
-fn targets<W>([d, xi, xi_bar, t, t_bar]: &mut [W; 5]) -> Targets<'_, W> {
-    Targets { d, xi, xi_bar, t, t_bar }
 }
 
 /// Calls `write` with each of these lanes, given by bits, and its pair.
