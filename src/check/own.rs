@@ -76,7 +76,7 @@ where
             let w = Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
             for finding in jet::findings(&drawn, &w, xi) {
                 if found.jets.iter().all(|known| known.part != finding.part) {
-                    found.jets.push(finding);
+                    found.jets.push(jet::rounder(&drawn, &w, finding));
                 }
             }
         }

@@ -117,6 +117,29 @@ where
     pairs.into_iter().filter_map(wrong).collect()
 }
 
+/// The same finding at numbers with few digits, if it shows there: they are easier to read and to repeat.
+pub(super) fn rounder<C, const N: usize>(
+    beam: &Drawn<C, N>,
+    w: &Vector3<f64>,
+    finding: JetFinding,
+) -> JetFinding
+where
+    C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
+{
+    // Digits are those after the first of the largest dof, whatever the unit of length.
+    let unit = 10.0_f64.powf(beam.q.amax().log10().floor());
+    let at = |digits: i32| {
+        let factor = 10.0_f64.powi(digits);
+        let plain = |number: f64| (number * factor).round() / factor;
+        let round = |v: &SVector<f64, N>| v.map(|number| plain(number / unit) * unit);
+        let [q, dq, linear_dq] = [&beam.q, &beam.dq, &beam.linear_dq].map(round);
+        let beam = Drawn { q, dq, linear_dq, ..beam.clone() };
+        let same = |other: &JetFinding| other.part == finding.part;
+        findings(&beam, &w.map(plain), plain(finding.xi)).into_iter().find(same)
+    };
+    (0..4).find_map(at).unwrap_or(finding)
+}
+
 /// What the derivatives say of each other: Jacobians, gradients and Hessians against the variations, and the shape
 /// functions, if there are any, against the points.
 fn consistent<C: Curve<N>, const N: usize>(
