@@ -4,13 +4,15 @@ use crate::command_line::{run, stdout};
 use serde_json::Value;
 
 /// Whether a value is of a schema; an unknown keyword is an error of the schema.
-fn is_valid(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
+pub(crate) fn is_valid(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
     let wrong = |what: &str| Err(format!("{what}: {value} is not {schema}"));
     let Some(schema) = schema.as_object() else { return wrong("schema") };
     for (keyword, of) in schema {
         let list = || of.as_array().unwrap();
         let holds = match keyword.as_str() {
-            "$schema" | "$id" | "$defs" | "title" | "description" | "default" => true,
+            "$schema" | "$id" | "$defs" | "definitions" | "title" | "description" | "default" | "format" => {
+                true
+            }
             "$ref" => {
                 let path = of.as_str().unwrap().strip_prefix('#').unwrap();
                 is_valid(value, root.pointer(path).unwrap(), root)?;
@@ -24,6 +26,7 @@ fn is_valid(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
                     "number" => value.is_number(),
                     "integer" => value.is_u64() || value.is_i64(),
                     "null" => value.is_null(),
+                    "boolean" => value.is_boolean(),
                     other => panic!("{other}"),
                 };
                 if of.is_array() { list().iter().any(is) } else { is(of) }
@@ -41,7 +44,12 @@ fn is_valid(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
             }
             "additionalProperties" => {
                 let known = &schema["properties"];
-                value.as_object().is_none_or(|entries| entries.keys().all(|name| known.get(name).is_some()))
+                let is_more = |name: &str| known.get(name).is_none();
+                let mut more = value.as_object().into_iter().flatten().filter(|(name, _)| is_more(name));
+                match of {
+                    Value::Bool(allowed) => *allowed || more.next().is_none(),
+                    of => more.all(|(_, value)| is_valid(value, of, root).is_ok()),
+                }
             }
             "items" => {
                 for item in value.as_array().into_iter().flatten() {
@@ -49,8 +57,13 @@ fn is_valid(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
                 }
                 true
             }
+            "uniqueItems" => {
+                let items = value.as_array().map_or(&[][..], Vec::as_slice);
+                (0..items.len()).all(|i| !items[..i].contains(&items[i]))
+            }
             "minItems" => value.as_array().is_none_or(|items| items.len() as u64 >= of.as_u64().unwrap()),
             "maxItems" => value.as_array().is_none_or(|items| items.len() as u64 <= of.as_u64().unwrap()),
+            "maximum" => value.as_f64().is_none_or(|number| number <= of.as_f64().unwrap()),
             "minimum" => value.as_f64().is_none_or(|number| number >= of.as_f64().unwrap()),
             "exclusiveMinimum" => value.as_f64().is_none_or(|number| number > of.as_f64().unwrap()),
             "pattern" => value.as_str().is_none_or(|text| beamgap::check::external::parse(text).is_ok()),

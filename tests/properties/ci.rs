@@ -1,0 +1,343 @@
+//! Results for continuous integration: parts of a run, formats, and options from a file and from the environment.
+//!
+//! A tool that is missing is left out, unless BEAMGAP_ADAPTERS is set: then it is an error.
+
+use crate::command_line::{command, golden, json, run, stdout};
+use crate::schemas::is_valid;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const FAULT: [&str; 2] = ["--plant", "Dd|d|: d.turned = sign"];
+const FORMATS: [&str; 6] = ["human", "json", "junit", "sarif", "github", "markdown"];
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("ci-{name}"));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// Runs in a folder, with its output in all formats in files of their names.
+fn in_all_formats(folder: &Path, arguments: &[&str]) -> Output {
+    let outputs: Vec<String> = FORMATS.map(|format| format!("--output={format}={format}")).to_vec();
+    let outputs: Vec<&str> = outputs.iter().map(String::as_str).collect();
+    command(&[arguments, &outputs].concat()).current_dir(folder).output().unwrap()
+}
+
+fn read(folder: &Path, name: &str) -> String {
+    fs::read_to_string(folder.join(name)).unwrap()
+}
+
+/// The parts of a run, merged, are the run to the last byte, in every format.
+#[test]
+fn a_merged_run_is_the_run() {
+    let selections: [&[&str]; 2] = [
+        &["check", "--cases", "6", "--oracle", "all"],
+        &[
+            "check", "--cases", "30", "--family", "hermite", "--regime", "generic", "--regime", "metres",
+            FAULT[0], FAULT[1],
+        ],
+    ];
+    for selection in selections {
+        let whole = folder("whole");
+        let status = in_all_formats(&whole, selection).status.code();
+        for partition in [
+            &["1/1"][..],
+            &["1/2", "2/2"],
+            &["3/3", "1/3", "2/3"],
+            &["4/4", "1/2", "2/4"],
+            &["1/7", "2/7", "3/7", "4/7", "5/7", "6/7", "7/7"],
+        ] {
+            let parts = folder("parts");
+            let mut names = Vec::new();
+            for (i, shard) in partition.iter().enumerate() {
+                names.push(format!("{i}.json"));
+                let output = format!("--output=json={i}.json");
+                let part = [selection, &["--shard", shard, &output]].concat();
+                assert!(command(&part).current_dir(&parts).output().unwrap().stderr.is_empty());
+            }
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            let merged = in_all_formats(&parts, &[&["merge"][..], &names].concat());
+            assert_eq!((merged.status.code(), merged.stderr.is_empty()), (status, true), "{merged:?}");
+            for format in FORMATS {
+                assert!(read(&whole, format) == read(&parts, format), "{selection:?} {partition:?} {format}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_run_is_not_merged() {
+    let folder = folder("no-run");
+    let part = |name: &str, more: &[&str]| {
+        let output = format!("json={name}.json");
+        let small = ["check", "--cases", "2", "--family", "segment", "--output", &output];
+        let output = command(&[&small[..], more].concat()).current_dir(&folder).output().unwrap();
+        assert!(output.status.success(), "{output:?}");
+    };
+    part("first", &["--shard", "1/2"]);
+    part("second", &["--shard", "2/2"]);
+    part("fourth", &["--shard", "2/4"]);
+    part("seed", &["--shard", "2/2", "--seed", "7"]);
+    part("regime", &["--shard", "2/2", "--regime", "metres"]);
+    fs::write(folder.join("broken.json"), "{").unwrap();
+    for (parts, told) in [
+        (&["first.json"][..], "error: the shards 1/2 have 10 of 20 cases: some are missing\n"),
+        (
+            &["first.json", "fourth.json"],
+            "error: the shards 1/2, 2/4 have 15 of 20 cases: some are missing\n",
+        ),
+        (
+            &["second.json", "fourth.json"],
+            "error: fourth.json: shard 2/4 has cases of shard 2/2 of second.json\n",
+        ),
+        (
+            &["first.json", "first.json"],
+            "error: first.json: shard 1/2 has cases of shard 1/2 of first.json\n",
+        ),
+        (&["first.json", "seed.json"], "error: seed.json: seed differs from that of first.json\n"),
+        (&["first.json", "regime.json"], "error: regime.json: selection differs from that of first.json\n"),
+        (
+            &["first.json", "none.json"],
+            "error: cannot read none.json: No such file or directory (os error 2)\n",
+        ),
+        (
+            &["broken.json"],
+            "error: broken.json is no result of a check: EOF while parsing an object at line 1 column 1\n",
+        ),
+    ] {
+        let output = command(&[&["merge"][..], parts].concat()).current_dir(&folder).output().unwrap();
+        assert_eq!(String::from_utf8_lossy(&output.stderr), told);
+        assert_eq!((output.status.code(), output.stdout.is_empty()), (Some(3), true), "{parts:?}");
+    }
+}
+
+#[test]
+fn what_a_time_budget_leaves_out_is_said() {
+    let output = run(&["check", "--time-budget", "0s"]);
+    assert_eq!(output.status.code(), Some(4));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.ends_with("\nNot reached in time: 100000 of 100000 cases.\n"), "{text}");
+    let some = run(&["check", "--cases", "1000000", "--time-budget", "1s", "--format", "json"]);
+    let document = json(&some);
+    let reached: u64 = document["found"]["regimes"]
+        .as_object()
+        .unwrap()
+        .values()
+        .map(|tally| tally["cases"].as_u64().unwrap())
+        .sum();
+    assert_eq!((some.status.code(), &document["verdict"]), (Some(0), &"agree".into()));
+    assert!(reached > 0 && document["not_reached"] == 10_000_000 - reached, "{reached}");
+    assert_eq!(run(&["check", "--time-budget", "soon"]).status.code(), Some(2));
+}
+
+/// The log against the schema of OASIS.
+fn is_sarif(text: &str) {
+    let schema: Value = serde_json::from_str(include_str!("../schemas/sarif-2.1.0.json")).unwrap();
+    is_valid(&serde_json::from_str(text).unwrap(), &schema, &schema).unwrap();
+}
+
+/// The suite against the schema of Jenkins' xUnit plugin.
+fn is_junit(path: &Path) {
+    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/schemas/junit-10.xsd");
+    let validated = Command::new("xmllint").arg("--noout").arg("--schema").arg(schema).arg(path).output();
+    match validated {
+        Ok(output) => assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr)),
+        Err(error) => assert!(std::env::var_os("BEAMGAP_ADAPTERS").is_none(), "xmllint: {error}"),
+    }
+}
+
+#[test]
+fn every_format_is_of_its_schema() {
+    let small = ["--cases", "3", "--family", "hermite", "--regime", "generic"];
+    for (arguments, code) in [
+        ([&["check"][..], &small].concat(), 0),
+        ([&["check"][..], &small, &FAULT].concat(), 1),
+        (vec!["check", "--seed", "7", "--case", "23"], 4),
+        ([&["prove", "--draws", "4", "--family", "hermite"][..], &FAULT].concat(), 1),
+        (vec!["faults", "--regime", "slender"], 0),
+    ] {
+        let folder = folder("schema");
+        let output = in_all_formats(&folder, &arguments);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?} {output:?}");
+        is_sarif(&read(&folder, "sarif"));
+        is_junit(&folder.join("junit"));
+        let log: Value = serde_json::from_str(&read(&folder, "sarif")).unwrap();
+        let results = log["runs"][0]["results"].as_array().unwrap().len();
+        let annotations = read(&folder, "github").matches("::error ").count();
+        assert_eq!((results > 0, annotations > 0), (code != 0, code != 0), "{arguments:?}");
+        assert_eq!(read(&folder, "junit").contains("<failure "), code != 0);
+        assert!(read(&folder, "markdown").starts_with(if code == 0 { "## ✅" } else { "## ❌" }));
+        assert!(read(&folder, "human").ends_with(&String::from_utf8(output.stdout).unwrap()));
+    }
+    // A schema that nothing violates checks nothing.
+    let schema: Value = serde_json::from_str(include_str!("../schemas/sarif-2.1.0.json")).unwrap();
+    let wrong =
+        serde_json::json!({ "version": "2.1.0", "runs": [{ "tool": { "driver": { "title": "beamgap" } } }] });
+    is_valid(&wrong, &schema, &schema).unwrap_err();
+}
+
+#[test]
+fn wrong_answers_are_shown_at_their_line() {
+    let folder = folder("answers");
+    let in_folder = |arguments: &[&str]| command(arguments).current_dir(&folder).output().unwrap();
+    let export =
+        ["export", "--family", "segment", "--cases", "4", "--expected", "none", "-o", "vectors.jsonl"];
+    assert!(in_folder(&export).status.success());
+    let evaluate = ["evaluate", "vectors.jsonl", "--plant", FAULT[1], "-o", "answers.jsonl"];
+    assert!(in_folder(&evaluate).status.success());
+    let output = in_all_formats(&folder, &["verify", "vectors.jsonl", "answers.jsonl", "--no-explanation"]);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    is_sarif(&read(&folder, "sarif"));
+    is_junit(&folder.join("junit"));
+    let document: Value = serde_json::from_str(&read(&folder, "json")).unwrap();
+    let line = document["first"]["line"].as_u64().unwrap();
+    let log: Value = serde_json::from_str(&read(&folder, "sarif")).unwrap();
+    let of_d = log["runs"][0]["results"].as_array().unwrap().iter();
+    let of_d: Vec<_> =
+        of_d.filter(|result| result["message"]["text"].as_str().unwrap().starts_with("d (second)")).collect();
+    let location = &of_d[0]["locations"][0]["physicalLocation"];
+    assert_eq!((of_d.len(), &location["artifactLocation"]["uri"]), (1, &"answers.jsonl".into()));
+    assert_eq!(location["region"]["startLine"], line);
+    let told = format!("::error file=answers.jsonl,line={line},title=beamgap verify%3A d (second)::");
+    assert!(read(&folder, "github").contains(&told), "{}", read(&folder, "github"));
+    assert!(read(&folder, "junit").contains(&format!("\nanswers.jsonl:{line}</failure>")));
+}
+
+/// Of a proof, where nothing is rounded; the lines of the source change.
+#[test]
+fn formats_are_the_golden_ones() {
+    let folder = folder("golden");
+    let arguments = ["prove", "--draws", "4", "--family", "segment", "--family", "arc"];
+    assert_eq!(in_all_formats(&folder, &[&arguments[..], &FAULT].concat()).status.code(), Some(1));
+    let without = |text: String, before: &str| {
+        let digits = |part: &str| part.trim_start_matches(|c: char| c.is_ascii_digit()).to_owned();
+        let mut parts = text.split(before);
+        let first = parts.next().unwrap_or_default().to_owned();
+        std::iter::once(first).chain(parts.map(digits)).collect::<Vec<_>>().join(before)
+    };
+    let blind = |text: &str| [".rs:", "line=", "startLine\": "].into_iter().fold(text.to_owned(), without);
+    for (format, name) in [
+        ("junit", "prove.xml"),
+        ("sarif", "prove.sarif"),
+        ("github", "prove.github"),
+        ("markdown", "prove.md"),
+    ] {
+        golden(name, &read(&folder, format), blind);
+    }
+}
+
+#[test]
+fn the_summary_of_a_step_is_appended() {
+    let folder = folder("step");
+    fs::write(folder.join("summary.md"), "before\n").unwrap();
+    let small = ["check", "--cases", "1", "--family", "segment"];
+    let mut summarized = command(&small);
+    summarized.env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
+    let text = stdout(&summarized.output().unwrap());
+    assert_eq!(text, stdout(&run(&small)));
+    let markdown = stdout(&run(&[&small[..], &["--format", "markdown"]].concat()));
+    assert_eq!(read(&folder, "summary.md"), format!("before\n{markdown}"));
+    let mut nowhere = command(&small);
+    let output = nowhere.env("GITHUB_STEP_SUMMARY", "/nowhere/at/all").output().unwrap();
+    assert!(output.status.success() && output.stderr.starts_with(b"warning: cannot write the step summary "));
+}
+
+#[test]
+fn flags_win_over_the_environment_and_it_over_the_file() {
+    let folder = folder("config");
+    let cases = |arguments: &[&str], environment: &[(&str, &str)]| {
+        let small = [&["check", "--family", "segment", "--format", "json"], arguments].concat();
+        let output = command(&small).envs(environment.iter().copied()).current_dir(&folder).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr.clone()).unwrap(), output)
+    };
+    let count = |arguments: &[&str], environment: &[(&str, &str)]| {
+        let (code, error, output) = cases(arguments, environment);
+        assert_eq!((code, error.as_str()), (Some(0), ""));
+        json(&output)["selection"]["cases"].as_u64().unwrap()
+    };
+    fs::write(folder.join("beamgap.toml"), "[check]\ncases = 3\nregime = [\"metres\"]\n").unwrap();
+    fs::write(folder.join("other.toml"), "[check]\ncases = 4\n").unwrap();
+    assert_eq!(count(&[], &[]), 3);
+    assert_eq!(count(&["--config", "other.toml"], &[]), 4);
+    assert_eq!(count(&[], &[("BEAMGAP_CONFIG", "other.toml")]), 4);
+    assert_eq!(count(&[], &[("BEAMGAP_CHECK_CASES", "2")]), 2);
+    assert_eq!(count(&["--cases", "1"], &[("BEAMGAP_CHECK_CASES", "2")]), 1);
+    for (text, told) in [
+        ("[check]\ncsaes = 3", "error: beamgap.toml: check: no key `csaes`, the nearest is `cases`\n"),
+        (
+            "[check]\ncases = 0",
+            "error: beamgap.toml: check.cases: invalid value '0' for '--cases <N>': 0 is not in 1..=1000000 (see --help)\n",
+        ),
+        ("[check", "error: beamgap.toml:1: "),
+    ] {
+        fs::write(folder.join("beamgap.toml"), text).unwrap();
+        let (code, error, output) = cases(&[], &[]);
+        assert!(error.starts_with(told) && error.lines().count() == 1, "{error}");
+        assert_eq!((code, output.stdout.is_empty()), (Some(3), true));
+    }
+    assert_eq!(cases(&["--config", "none.toml"], &[]).0, Some(3));
+    // One case has no number of cases, whatever the file says of it.
+    fs::write(folder.join("beamgap.toml"), "[check]\ncases = 3\n").unwrap();
+    let one = command(&["check", "--case", "17"]).current_dir(&folder).output().unwrap();
+    assert!(one.status.success(), "{one:?}");
+}
+
+/// A tolerance that is loosened in the file stands in the result with its reason.
+#[test]
+fn few_digits_need_a_reason() {
+    let folder = folder("digits");
+    let in_folder = |arguments: &[&str]| command(arguments).current_dir(&folder).output().unwrap();
+    let export =
+        ["export", "--family", "segment", "--cases", "2", "--expected", "none", "-o", "vectors.jsonl"];
+    assert!(in_folder(&export).status.success());
+    let program = format!("'{}' evaluate", env!("CARGO_BIN_EXE_beamgap"));
+    let config = format!(
+        "[verify]\nrun = \"{program}\"\ndigits = {{ value = 6, reason = \"printed with few digits\" }}\n"
+    );
+    fs::write(folder.join("beamgap.toml"), config).unwrap();
+    let text = stdout(&in_folder(&["verify", "vectors.jsonl"]));
+    let told = "6 significant digits are asked for, wherever they are attainable: printed with few digits\n";
+    assert!(text.contains(told), "{text}");
+    let document = json(&in_folder(&["verify", "vectors.jsonl", "--format", "json"]));
+    assert_eq!((&document["digits"], &document["reason"]), (&6.into(), &"printed with few digits".into()));
+    fs::write(folder.join("beamgap.toml"), "[verify]\ndigits = 6\n").unwrap();
+    assert_eq!(in_folder(&["verify", "vectors.jsonl"]).status.code(), Some(3));
+}
+
+#[test]
+fn colours_are_for_who_wants_them() {
+    let small = ["check", "--cases", "1", "--family", "segment"];
+    let shown = |more: &[&str], variable: &str| {
+        let mut command = command(&[&small[..], more].concat());
+        command.env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
+        if !variable.is_empty() {
+            command.env(variable, "1");
+        }
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    let plain = shown(&[], "");
+    let coloured = plain.replace("AGREE:", "\u{1b}[1;32mAGREE\u{1b}[0m:");
+    assert!(plain.contains("\nAGREE: at ") && !plain.contains('\u{1b}'), "{plain}");
+    assert_eq!(shown(&["--color", "always"], ""), coloured);
+    assert_eq!(shown(&[], "CLICOLOR_FORCE"), coloured);
+    assert_eq!(shown(&["--color", "never"], "CLICOLOR_FORCE"), plain);
+    assert_eq!(shown(&[], "NO_COLOR"), plain);
+    let document = shown(&["--format", "json", "--color", "always"], "");
+    assert!(!document.contains('\u{1b}'), "a document has no colours");
+}
+
+#[test]
+fn shells_and_man_know_the_commands() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = stdout(&run(&["completions", shell]));
+        assert!(script.contains("time-budget") && script.contains("verify"), "{shell}");
+    }
+    let page = stdout(&run(&["man"]));
+    assert!(page.contains(".TH beamgap 1") && page.contains("beamgap\\-verify"), "{page}");
+    let page = stdout(&run(&["man", "check"]));
+    assert!(page.contains("\\-\\-time\\-budget"), "{page}");
+    assert_eq!(run(&["man", "chekc"]).status.code(), Some(3));
+}
