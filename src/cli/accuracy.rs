@@ -1,14 +1,14 @@
 //! `beamgap accuracy`: how many digits each form of the closed form keeps, and whether the choice is the better one.
 
-use super::arguments::{Format, seed};
+use super::arguments::seed;
 use super::exit::Exit;
-use super::output::Output;
+use super::outcome::{Outcome, Verdict};
+use super::output::Written;
 use super::progress::Progress;
 use super::terminal;
 use beamgap::check::accuracy;
 use beamgap::report::{ACCURACY_PAIRS, Accuracy, Environment, Record};
 use clap::{Args, value_parser};
-use std::path::PathBuf;
 
 /// More than that, and the choice is wrong: near where it changes, both forms lose about the same.
 const LOSS: f64 = 16.0;
@@ -24,18 +24,15 @@ pub(crate) struct Accurate {
     #[arg(long, value_name = "N", default_value_t = ACCURACY_PAIRS, allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u32).range(1..=100_000))]
     pairs: u32,
-    /// Tables for people, or one document for programs
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
-    /// Write the result to this file, and only the verdict to standard output
-    #[arg(long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    written: Written,
 }
 
 impl Accurate {
     /// Measures and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let output = Output::open(self.output.as_deref())?;
+        let mut outputs = self.written.open()?;
+        outputs.begin("Accuracy\n")?;
         let pairs = usize::try_from(self.pairs)?;
         let command = format!("beamgap accuracy --seed {:#x} --pairs {pairs}", self.seed);
         let progress = Progress::of("measuring errors by double-double");
@@ -43,11 +40,11 @@ impl Accurate {
         progress.end();
         let record = Accuracy::new(found, self.seed, pairs, Environment::here(&command));
         let (exit, words) = verdict(&record);
-        let document = match self.format {
-            Format::Human => terminal::page(&record.page(), &words),
-            Format::Json => record.to_json()?,
-        };
-        output.write(&document, &(words + "\n"))?;
+        let name = if exit == Exit::Agree { "well-chosen" } else { "badly-chosen" };
+        let verdict = Verdict { exit, name, words };
+        let outcome = Outcome { command: "accuracy", verdict, entries: Vec::new() };
+        let human = || terminal::page(&record.page(), &outcome.verdict.words);
+        outputs.write(&outcome, human, || Ok(record.to_json()?))?;
         Ok(exit)
     }
 }

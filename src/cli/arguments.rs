@@ -3,17 +3,9 @@
 use anyhow::Context;
 use beamgap::check::{Family, Regime};
 use beamgap::variant::{Variant, with_faults};
-use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use std::time::Duration;
-
-/// For whom a page is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
-    Human,
-    Json,
-}
 
 /// Has so many threads work, or as many as there are cores.
 pub(super) fn work_with(threads: Option<u16>) -> anyhow::Result<()> {

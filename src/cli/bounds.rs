@@ -1,15 +1,15 @@
 //! `beamgap bounds`: whether the tolerances are bounds, and how far above the rounding they are.
 
-use super::arguments::{Format, families, regimes, seed};
+use super::arguments::{families, regimes, seed};
 use super::exit::Exit;
-use super::output::Output;
+use super::outcome::{Entry, Outcome, State, Verdict};
+use super::output::Written;
 use super::progress::Progress;
 use super::terminal;
-use beamgap::check::{Family, Regime, Selection, bounds};
+use beamgap::check::{Family, Order, Regime, Selection, bounds};
 use beamgap::report::{BOUNDS_CASES, Bounds, Environment, Record};
 use clap::{Args, value_parser};
 use std::fmt::Write;
-use std::path::PathBuf;
 
 /// The arguments.
 #[derive(Args)]
@@ -28,18 +28,15 @@ pub(crate) struct MeasureBounds {
     /// Only this regime; may be repeated
     #[arg(long, value_parser = regimes())]
     regime: Vec<Regime>,
-    /// Tables for people, or one document for programs
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
-    /// Write the result to this file, and only the verdict to standard output
-    #[arg(long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    written: Written,
 }
 
 impl MeasureBounds {
     /// Measures and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let output = Output::open(self.output.as_deref())?;
+        let mut outputs = self.written.open()?;
+        outputs.begin("Bounds\n")?;
         let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
         let regimes = Regime::ALL.into_iter().filter(asked).collect();
         let selection = Selection { regimes, family: self.family, cases: self.cases };
@@ -56,30 +53,57 @@ impl MeasureBounds {
             let _ = write!(command, " --{option} {name}");
         }
         let record = Bounds::new(found, self.seed, self.cases, Environment::here(&command));
-        let (exit, words) = verdict(&record);
-        let document = match self.format {
-            Format::Human => terminal::page(&record.page(), &words),
-            Format::Json => record.to_json()?,
-        };
-        output.write(&document, &(words + "\n"))?;
-        Ok(exit)
+        let outcome = outcome(&record);
+        let human = || terminal::page(&record.page(), &outcome.verdict.words);
+        outputs.write(&outcome, human, || Ok(record.to_json()?))?;
+        Ok(outcome.verdict.exit)
     }
 }
 
-fn verdict(record: &Bounds) -> (Exit, String) {
-    let points: u64 = record.found.points.values().map(|points| points.measured).sum();
-    match (points, record.found.violations.len()) {
-        (0, _) => (Exit::Nothing, "NOTHING MEASURED: no closest point could be.".into()),
-        (_, 0) => {
-            (Exit::Agree, format!("BOUNDS HOLD: at {points} closest points no error exceeds its bound."))
+/// What a record amounts to, with one entry for each order of each side.
+fn outcome(record: &Bounds) -> Outcome {
+    let found = &record.found;
+    let points: u64 = found.points.values().map(|points| points.measured).sum();
+    let (exit, name, words) = match (points, found.violations.len()) {
+        (0, _) => {
+            (Exit::Nothing, "nothing-measured", "NOTHING MEASURED: no closest point could be.".to_owned())
         }
-        (_, n) => (Exit::Untrusted, format!("BROKEN BOUNDS: in {n} cases an error exceeds its bound.")),
+        (_, 0) => {
+            let words = format!("BOUNDS HOLD: at {points} closest points no error exceeds its bound.");
+            (Exit::Agree, "hold", words)
+        }
+        (_, n) => {
+            (Exit::Untrusted, "broken", format!("BROKEN BOUNDS: in {n} cases an error exceeds its bound."))
+        }
+    };
+    let entries = found.all.iter().map(|(&(side, order), measured)| {
+        let wrong =
+            found.violations.values().filter(|of| (of.side, order_of(of.part)) == (side, order)).count();
+        Entry {
+            group: order.name().to_owned(),
+            name: side.name().to_owned(),
+            state: State::of(measured.entries, wrong as u64),
+            message: format!(
+                "{} numbers with an error; it exceeds its bound in {wrong} cases",
+                measured.entries
+            ),
+            source: None,
+        }
+    });
+    Outcome { command: "bounds", verdict: Verdict { exit, name, words }, entries: entries.collect() }
+}
+
+fn order_of(part: &str) -> Order {
+    match part {
+        "value" => Order::Value,
+        "Delta-delta" => Order::Second,
+        _ => Order::First,
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::verdict;
+    use super::outcome;
     use crate::cli::exit::Exit;
     use beamgap::check::{Points, Regime, Selection, Side, Violation, bounds};
     use beamgap::linearization::Quantity;
@@ -89,13 +113,13 @@ mod tests {
     fn a_broken_bound_is_told_with_the_command_that_shows_it() {
         let none = Selection { regimes: Vec::new(), family: None, cases: 1 };
         let mut record = Bounds::new(bounds(1, &none, || ()), 0xabc, 1, Environment::here("none"));
-        assert_eq!(verdict(&record).0, Exit::Nothing);
+        assert_eq!(outcome(&record).verdict.exit, Exit::Nothing);
         record.found.points.insert(Regime::Generic, Points { measured: 3, ..Points::default() });
-        assert_eq!(verdict(&record).0, Exit::Agree);
+        assert_eq!(outcome(&record).verdict.exit, Exit::Agree);
         let (side, quantity) = (Side::Chord, Quantity::Xi);
         let violation = Violation { side, quantity, part: "Delta", bound: 1e-16, error: f64::NAN };
         record.found.violations.insert(17, violation);
-        assert_eq!(verdict(&record).0, Exit::Untrusted);
+        assert_eq!(outcome(&record).verdict.exit, Exit::Untrusted);
         let text = record.page().to_text(80);
         let told = "check --seed 0xabc --case 17";
         assert!(text.contains(told) && text.contains("not a number"), "{text}");

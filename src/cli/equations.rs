@@ -1,9 +1,10 @@
 //! `beamgap equations`: every equation of the paper, as printed and as corrected, run.
 
-use super::arguments::{Format, seed};
+use super::arguments::seed;
 use super::exit::Exit;
 use super::formula;
-use super::output::Output;
+use super::outcome::{Entry, Outcome, Source, State, Verdict as Amounts};
+use super::output::Written;
 use super::progress::Progress;
 use beamgap::equations::{
     self as record, CASES, Counts, DRAWS, EquationRow, Order, Reading, Run, Score, Verdict,
@@ -12,6 +13,10 @@ use beamgap::report::{self, Environment, Equations, Record, Table};
 use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
+
+/// How the table begins.
+const HEAD: &str = "Every equation of the paper, as printed and as corrected, against hyper-dual\n\
+                    numbers: over the field of 2^61 - 1 elements, and in f64\n";
 
 /// What makes the record, and the page that is made of it.
 const EQUATIONS: &str = "cargo run --release -- equations --to reports";
@@ -34,9 +39,6 @@ pub(crate) struct ListEquations {
     /// With --equation: print LaTeX instead of UTF-8
     #[arg(long, requires = "equation")]
     latex: bool,
-    /// Tables for people, or one document for programs
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
     /// Also write equations.json, equations.md, derivation.json and derivation.html
     /// into this directory
     #[arg(long, value_name = "DIR", conflicts_with = "equation")]
@@ -44,17 +46,19 @@ pub(crate) struct ListEquations {
     /// Write the report although the source has changes that are not committed
     #[arg(long, requires = "to")]
     allow_dirty: bool,
-    /// Write the result to this file, and only the verdict to standard output
-    #[arg(long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    written: Written,
 }
 
 impl ListEquations {
     /// Runs the equations and writes what became of them.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let output = Output::open(self.output.as_deref())?;
+        let mut outputs = self.written.open()?;
         if self.to.is_some() {
             Environment::is_clean(self.allow_dirty)?;
+        }
+        if self.equation.is_none() {
+            outputs.begin(HEAD)?;
         }
         let progress = Progress::of("evaluating equations");
         let found = record::equation_table(self.seed, self.draws, CASES);
@@ -72,13 +76,19 @@ impl ListEquations {
             holds = paper.equations.iter().all(|entry| entry.verdict != Verdict::Refuted);
             verdict = paper.equations.iter().map(|entry| told(entry.number, entry.verdict)).collect();
         }
-        let document = match (self.format, record.table.equations.as_slice()) {
-            (Format::Json, _) => record.to_json()?,
-            (Format::Human, [entry]) => format!("{}\n{verdict}\n", whole(entry, self.latex)),
-            (Format::Human, _) => format!("{}\n{verdict}\n", table(&record.table)),
+        let (exit, name) = if holds { (Exit::Agree, "holds") } else { (Exit::Disagree, "does-not-hold") };
+        let entries = record.table.equations.iter().map(entry).collect();
+        let outcome =
+            Outcome { command: "equations", verdict: Amounts { exit, name, words: verdict }, entries };
+        let human = || {
+            let text = match record.table.equations.as_slice() {
+                [entry] => whole(entry, self.latex),
+                _ => table(&record.table),
+            };
+            format!("{text}\n{}\n", outcome.verdict.words)
         };
-        output.write(&document, &format!("{verdict}\n"))?;
-        Ok(if holds { Exit::Agree } else { Exit::Disagree })
+        outputs.write(&outcome, human, || Ok(record.to_json()?))?;
+        Ok(exit)
     }
 
     /// The command that gives the record again.
@@ -91,6 +101,17 @@ impl ListEquations {
             let _ = write!(command, " --draws {}", self.draws);
         }
         command
+    }
+}
+
+/// What became of an equation.
+fn entry(row: &EquationRow) -> Entry {
+    Entry {
+        group: "equation".to_owned(),
+        name: format!("({})", row.number),
+        state: State::of(1, u64::from(row.verdict == Verdict::Refuted)),
+        message: format!("{}: {}", row.says, row.verdict.words()),
+        source: Source::of_equation(Some(row.number)),
     }
 }
 
@@ -114,9 +135,7 @@ fn told(number: u8, verdict: Verdict) -> String {
 fn table(paper: &record::EquationTable) -> String {
     let [linear, nonlinear] = paper.pairs.map(|pairs| pairs * paper.draws);
     let mut text = format!(
-        "Every equation of the paper, as printed and as corrected, against hyper-dual\n\
-         numbers: over the field of 2^61 - 1 elements, and in f64\n\
-         seed {:#x}, {} draws for each ordered pair of families\n\n\
+        "{HEAD}seed {:#x}, {} draws for each ordered pair of families\n\n\
          Refuted draws as printed: of {linear} with curves linear in their dofs (lin), and\n\
          of {nonlinear} with one that is not (non); as corrected (lin*, non*). Error: of the\n\
          print in f64, relative to its terms, the largest at {} closest points; of\n\

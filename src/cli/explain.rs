@@ -5,7 +5,7 @@ use super::arguments::{seed, work_with};
 use super::exit::Exit;
 use super::export::source;
 use super::outcome::Verdict;
-use super::output::Output;
+use super::output::to_stdout;
 use super::verify::Verified;
 use beamgap::check::external::{AnswerReader, Demands, Matching, VectorReader, explain, other_conventions};
 use beamgap::report;
@@ -79,7 +79,7 @@ impl Explain {
                 None => explain(kept, &demands).map(|explanation| cause(&explanation)).unwrap_or_default(),
             };
         }
-        Output::Standard.write(&(text + &words + "\n"), "")?;
+        to_stdout(&(text + &words + "\n"))?;
         Ok(exit)
     }
 
@@ -107,7 +107,7 @@ impl Explain {
         } else {
             "NOT EXPLAINED: some faults are not named."
         };
-        Output::Standard.write(&(text + words + "\n"), "")?;
+        to_stdout(&(text + words + "\n"))?;
         Ok(if holds { Exit::Agree } else { Exit::Untrusted })
     }
 }

@@ -3,7 +3,7 @@
 use super::arguments::{regimes, seed, work_with};
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
-use super::output::{Output, Written};
+use super::output::{Written, to_stdout};
 use super::progress::Progress;
 use super::terminal;
 use beamgap::check::Regime;
@@ -50,7 +50,7 @@ impl InjectFaults {
         work_with(self.threads)?;
         if self.list {
             let names: Vec<_> = catalogue().iter().map(ToString::to_string).collect();
-            Output::Standard.write(&(names.join("\n") + "\n"), "")?;
+            to_stdout(&(names.join("\n") + "\n"))?;
             return Ok(Exit::Agree);
         }
         let mut outputs = self.written.open()?;

@@ -59,7 +59,7 @@ fn destination(text: &str) -> Result<(Option<Format>, PathBuf), String> {
 /// The places that a result is written to.
 pub(crate) struct Outputs {
     format: Format,
-    files: Vec<(Format, Output)>,
+    files: Vec<(Format, OutputFile)>,
     /// What standard output already has of the tables.
     head: String,
 }
@@ -68,7 +68,7 @@ impl Written {
     /// Opens all files, so that a wrong path is noticed first and not last.
     pub(crate) fn open(&self) -> anyhow::Result<Outputs> {
         let open = |(format, path): &(Option<Format>, PathBuf)| {
-            Ok((format.unwrap_or(self.format), Output::open(Some(path))?))
+            Ok((format.unwrap_or(self.format), OutputFile::open(path)?))
         };
         let files = self.output.iter().map(open).collect::<anyhow::Result<_>>()?;
         Ok(Outputs { format: self.format, files, head: String::new() })
@@ -154,55 +154,36 @@ fn coloured(mut text: String, outcome: &Outcome) -> String {
     text
 }
 
-/// A place to write one document to.
-pub(crate) enum Output {
-    /// Standard output.
-    Standard,
-    /// A file; what it held stays until the document is ready.
-    File(File, PathBuf),
+/// A file to write one document to; what it held stays until the document is ready.
+struct OutputFile {
+    file: File,
+    path: PathBuf,
 }
 
-impl Output {
-    /// Opens the file, if one is given, so that a wrong path is noticed first and not last.
-    pub(crate) fn open(path: Option<&Path>) -> anyhow::Result<Self> {
-        let Some(path) = path else { return Ok(Self::Standard) };
+impl OutputFile {
+    fn open(path: &Path) -> anyhow::Result<Self> {
         let file = OpenOptions::new().write(true).create(true).truncate(false).open(path);
         let file = file.with_context(|| format!("cannot write {}", path.display()))?;
-        Ok(Self::File(file, path.to_path_buf()))
+        Ok(Self { file, path: path.to_path_buf() })
     }
 
-    /// Writes the document; a file's also gets `remark` on standard output.
-    ///
-    /// If the file fails now, the document goes to standard output, so that the work is not lost.
-    pub(crate) fn write(self, document: &str, remark: &str) -> anyhow::Result<()> {
-        let Self::File(..) = self else { return to_stdout(document) };
-        match self.replace(document) {
-            Ok(()) => to_stdout(remark),
-            Err(error) => {
-                to_stdout(document)?;
-                Err(error)
-            }
-        }
-    }
-
-    fn replace(self, document: &str) -> anyhow::Result<()> {
-        let Self::File(mut file, path) = self else { return to_stdout(document) };
+    fn replace(mut self, document: &str) -> anyhow::Result<()> {
         let mut write = || {
-            file.write_all(document.as_bytes())?;
-            if file.metadata()?.is_file() {
-                file.set_len(document.len() as u64)?;
+            self.file.write_all(document.as_bytes())?;
+            if self.file.metadata()?.is_file() {
+                self.file.set_len(document.len() as u64)?;
             }
-            file.flush()
+            self.file.flush()
         };
         write().map_err(|error: io::Error| {
-            let told = format!("cannot write {}, wrote to standard output instead", path.display());
+            let told = format!("cannot write {}, wrote to standard output instead", self.path.display());
             anyhow!(error).context(told)
         })
     }
 }
 
-/// A reader that has seen enough closes the pipe: no error.
-fn to_stdout(text: &str) -> anyhow::Result<()> {
+/// Writes to standard output. A reader that has seen enough closes the pipe: no error.
+pub(crate) fn to_stdout(text: &str) -> anyhow::Result<()> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {

@@ -1,7 +1,7 @@
 //! What a shell and `man` know of the command line.
 
 use super::exit::Exit;
-use super::output::Output;
+use super::output::to_stdout;
 use anyhow::anyhow;
 use clap::{Args, Command};
 use clap_complete::Shell;
@@ -28,7 +28,7 @@ impl Completions {
     pub(super) fn run(self, mut command: Command) -> anyhow::Result<Exit> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut command, "beamgap", &mut script);
-        Output::Standard.write(&String::from_utf8(script)?, "")?;
+        to_stdout(&String::from_utf8(script)?)?;
         Ok(Exit::Agree)
     }
 }
@@ -48,7 +48,7 @@ impl ManPage {
         };
         let mut text = Vec::new();
         Man::new(page).render(&mut text)?;
-        Output::Standard.write(&String::from_utf8(text)?, "")?;
+        to_stdout(&String::from_utf8(text)?)?;
         Ok(Exit::Agree)
     }
 }
