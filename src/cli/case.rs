@@ -26,15 +26,20 @@ pub(super) struct Shown<'a> {
     pub(super) only_wrong: bool,
 }
 
-/// The case for people; the numbers have all their digits.
-pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> String {
+/// Which case it is, before anything is found.
+pub(super) fn head(case: &CaseData, drawn: Option<(u64, u64, Regime)>) -> String {
     let [beam, bar] = case.test_beams.each_ref().map(|test_beam| test_beam.family.name());
-    let mut text = match drawn {
+    match drawn {
         Some((seed, number, regime)) => {
             format!("seed {seed:#x}, case {number}\nregime {}, {beam} and {bar}\n", regime.name())
         }
         None => format!("{beam} and {bar}\n"),
-    };
+    }
+}
+
+/// The case for people; the numbers have all their digits.
+pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> String {
+    let mut text = head(case, *drawn);
     for (title, beam) in ["beam", "bar beam"].into_iter().zip(&case.test_beams) {
         let _ = writeln!(text, "\n{title}\n  {}", beam.family.name());
         for (name, _) in beam.family.parameters() {

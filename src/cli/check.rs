@@ -85,7 +85,7 @@ impl Check {
 
     fn one(
         &self,
-        outputs: Outputs,
+        mut outputs: Outputs,
         case: &CaseData,
         drawn: Option<(u64, u64, Regime)>,
     ) -> anyhow::Result<Exit> {
@@ -93,7 +93,9 @@ impl Check {
             Oracle::Ad => Oracles::Ad,
             Oracle::All => Oracles::All,
         };
-        let points = case.compare(&CheckConfig { variant: variant(&self.plant)?, oracles })?;
+        let config = CheckConfig { variant: variant(&self.plant)?, oracles };
+        outputs.begin(&case::head(case, drawn))?;
+        let points = case.compare(&config)?;
         let outcome = outcome_of(&points);
         let verdict = &outcome.verdict;
         let shown = case::Shown { case, drawn, points: &points, verdict, only_wrong: self.only_wrong };

@@ -43,13 +43,7 @@ fn a_merged_run_is_the_run() {
     for selection in selections {
         let whole = folder("whole");
         let status = in_all_formats(&whole, selection).status.code();
-        for partition in [
-            &["1/1"][..],
-            &["1/2", "2/2"],
-            &["3/3", "1/3", "2/3"],
-            &["4/4", "1/2", "2/4"],
-            &["1/7", "2/7", "3/7", "4/7", "5/7", "6/7", "7/7"],
-        ] {
+        for partition in [&["2/2", "1/2"][..], &["4/4", "1/2", "2/4"], &["1/5", "2/5", "3/5", "4/5", "5/5"]] {
             let parts = folder("parts");
             let mut names = Vec::new();
             for (i, shard) in partition.iter().enumerate() {
@@ -87,7 +81,7 @@ fn what_is_no_run_is_not_merged() {
         (&["first.json"][..], "error: the shards 1/2 have 10 of 20 cases: some are missing\n"),
         (
             &["first.json", "fourth.json"],
-            "error: the shards 1/2, 2/4 have 15 of 20 cases: some are missing\n",
+            "error: the shards 1/2, 2/4 have 16 of 20 cases: some are missing\n",
         ),
         (
             &["second.json", "fourth.json"],
@@ -151,7 +145,7 @@ fn is_junit(path: &Path) {
 
 #[test]
 fn every_format_is_of_its_schema() {
-    let small = ["--cases", "3", "--family", "hermite", "--regime", "generic"];
+    let small = ["--cases", "11", "--family", "hermite", "--regime", "generic"];
     for (arguments, code) in [
         ([&["check"][..], &small].concat(), 0),
         ([&["check"][..], &small, &FAULT].concat(), 1),

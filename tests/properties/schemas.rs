@@ -43,8 +43,8 @@ pub(crate) fn is_valid(value: &Value, schema: &Value, root: &Value) -> Result<()
                 true
             }
             "additionalProperties" => {
-                let known = &schema["properties"];
-                let is_more = |name: &str| known.get(name).is_none();
+                let known = schema.get("properties");
+                let is_more = |name: &str| known.is_none_or(|known| known.get(name).is_none());
                 let mut more = value.as_object().into_iter().flatten().filter(|(name, _)| is_more(name));
                 match of {
                     Value::Bool(allowed) => *allowed || more.next().is_none(),
