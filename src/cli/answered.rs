@@ -52,7 +52,7 @@ pub(super) fn outcome(verified: &Verified) -> Outcome {
         let shown = if *wrong > 0 {
             let comparison = &worst.comparison;
             format!(
-                "; {case}: answered {:e}, expected {:e}, tolerance {}",
+                "; case {case}: answered {:e}, expected {:e}, tolerance {}",
                 comparison.closed,
                 comparison.other,
                 error(comparison.tolerance)
