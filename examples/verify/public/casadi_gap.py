@@ -20,12 +20,14 @@ def difference(at):
     return point(q[:12], at[0]) - point(q[12:], at[1])
 
 
-# Zero at the closest point; a parameter that an end holds stays where it is.
+# Zero at the closest point, without a unit; a parameter that an end holds stays where it is.
 slope = casadi.gradient(0.5 * casadi.sumsqr(difference(at)), at)
-condition = free * slope + (1 - free) * (at - start)
+tangents = casadi.jacobian(difference(at), at)
+squares = casadi.vertcat(casadi.sumsqr(tangents[:, 0]), casadi.sumsqr(tangents[:, 1]))
+condition = free * slope / casadi.substitute(squares, at, start) + (1 - free) * (at - start)
 parameters = casadi.vertcat(q, start, free)
 problem = {"x": at, "p": parameters, "g": condition}
-options = {"abstol": 1e-15, "abstolStep": 1e-15, "max_iter": 20, "error_on_fail": False}
+options = {"abstol": 1e-15, "abstolStep": 1e-15, "max_iter": 20}
 solve = casadi.rootfinder("closest_point", "newton", problem, options)
 # Away from the closest point, so that the iterations have something to do.
 found = solve(x0=start + 1e-3 * free, p=parameters)["x"]
@@ -36,11 +38,15 @@ linearized = casadi.Function("linearized", [q, start, free], outputs)
 
 def element(case):
     held = case["held"]
-    of = linearized(
-        case["beam"]["q"] + case["bar"]["q"],
-        [case["point"]["xi"], case["point"]["xi_bar"]],
-        [held not in ("xi", "both"), held not in ("xi_bar", "both")],
-    )
+    start = [case["point"]["xi"], case["point"]["xi_bar"]]
+    try:
+        of = linearized(
+            case["beam"]["q"] + case["bar"]["q"],
+            start,
+            [held not in ("xi", "both"), held not in ("xi_bar", "both")],
+        )
+    except RuntimeError:
+        return None  # the rootfinder does not converge
     found = {}
     for i, name in enumerate(quantities):
         value, gradient, hessian = (numpy.array(part) for part in of[3 * i : 3 * i + 3])

@@ -93,7 +93,7 @@ pub(super) fn search(cases: &[&Site]) -> Vec<Fit> {
         // Where right answers are among the best, two faults explain no more. Where a fault explains all but leaves more
         // than is likely, a second one may be small.
         near(fits).iter().any(|of| {
-            of.change.is_none() || if of.explains() { of.mean() <= LIKELY } else { of.is_close(before) }
+            if of.explains() { of.change.is_none() || of.mean() <= LIKELY } else { of.is_close(before) }
         })
     };
     let raced = |first: usize, changes: Vec<Change>| {
@@ -135,7 +135,7 @@ pub(super) fn ranked(fits: Vec<Fit>, cases: &[&Site]) -> Found {
         of.sum <= if of.change.class() < class { sum + 3.0 * (limit - sum) } else { limit }
     };
     // Where right answers are told from the best no better than this, nothing is known.
-    let is_faint = fits.iter().any(|of| is_near(of) && of.change.is_none());
+    let is_faint = fits.iter().any(|of| is_near(of) && of.change.is_none() && of.explains());
     let explains = |of: &Fit| !is_faint && is_near(of) && (of.explains() || of.is_close(before));
     let (mut equal, mut others): (Vec<_>, Vec<_>) = fits.into_iter().partition(explains);
     equal.sort_by_key(|of| (of.change.class(), of.order));
