@@ -202,7 +202,7 @@ pub(super) fn cause(explanation: &Explanation) -> String {
     match causes.as_slice() {
         [] if *is_faint => {
             text += "Cause: not known. The answers are so little off that no wrong term is told from right answers by their \
-                     digits.\n";
+                     digits.\nIf you need fewer digits, ask for these: --digits.\n";
             return text;
         }
         [] => {

@@ -14,6 +14,8 @@ pub struct Explain {
     pub environment: Environment,
     /// The seed of the cases, and of the choice of pairs.
     pub seed: u64,
+    /// Every how many faults of the catalogue one was taken.
+    pub every: usize,
     /// By how many faults the programs have, and by what they answer.
     pub programs: Vec<ExplainProgram>,
 }
@@ -143,6 +145,7 @@ impl Explain {
             schema: Self::SCHEMA.to_owned(),
             environment: Environment::here(command),
             seed,
+            every,
             programs: programs.concat(),
         }
     }

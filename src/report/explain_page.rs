@@ -8,12 +8,15 @@ use crate::check::external::Naming;
 impl Explain {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
-        let mut blocks = vec![Block::text(
+        let taken = match self.every {
+            1 => "Every fault of the catalogue is planted in the closed form".to_owned(),
+            every => format!("One of every {every} faults of the catalogue is planted in the closed form"),
+        };
+        let mut blocks = vec![Block::text(&format!(
             "`beamgap verify` and `beamgap explain` name the term that is wrong in the answers of a program. This report \
-             measures how often they are right. Every fault of the catalogue is planted in the closed form, and pairs of \
-             faults: of every other pair both terms belong to the same formula. The faulty program answers 24 cases, its \
-             answers are written as text, read again and explained.",
-        )];
+             measures how often they are right. {taken}, and pairs of faults: of every other pair both terms belong to the \
+             same formula. The faulty program answers 24 cases, its answers are written as text, read again and explained.",
+        ))];
         blocks.extend(self.programs.iter().flat_map(ExplainProgram::blocks));
         blocks.extend([
             Block::heading("How it was made"),

@@ -17,7 +17,8 @@ impl Verify {
                 self.runs.iter().map(VerifyRun::row).collect(),
             ),
             Block::text(
-                "Compared: closest points at which a number was compared. Wrong: those at which a number differs by more than \
+                "Not answered: the lines of the IPC Toolkit are infinite, so cases with a parameter at an end have no answer; where \
+                 CasADi's iteration does not converge, it gives none. Compared: closest points at which a number was compared. Wrong: those at which a number differs by more than \
                  a careful evaluation of the textbook formulas loses.",
             ),
         ];
@@ -39,7 +40,13 @@ fn digits(error: Option<f64>) -> String {
 impl VerifyRun {
     fn row(&self) -> Vec<String> {
         let counts = [self.cases, self.compared, self.wrong, self.missing + self.unanswered].map(count);
-        [self.program.name.clone(), self.program.version.clone()].into_iter().chain(counts).collect()
+        let name = self.program.name.clone() + &self.asked();
+        [name, self.program.version.clone()].into_iter().chain(counts).collect()
+    }
+
+    /// The digits that were asked for, if some were.
+    fn asked(&self) -> String {
+        self.digits.map_or_else(String::new, |digits| format!(", {digits} digits asked for"))
     }
 
     fn blocks(&self) -> Vec<Block> {
@@ -65,8 +72,8 @@ impl VerifyRun {
             [of.quantity.clone(), of.order.clone()].into_iter().chain(counts).collect()
         });
         let mut blocks = vec![
-            Block::heading(&format!("{} {}", self.program.name, self.program.version)),
-            Block::text(&format!("Run as `{}`. Verdict: {}.", self.answers, self.verdict)),
+            Block::heading(&format!("{} {}{}", self.program.name, self.program.version, self.asked())),
+            Block::text(&format!("Run as `{}`{}. Verdict: {}.", self.answers, self.asked(), self.verdict)),
             Block::table(
                 &[
                     "regime",

@@ -30,7 +30,7 @@ problem = {"x": at, "p": parameters, "g": condition}
 options = {"abstol": 1e-15, "abstolStep": 1e-15, "max_iter": 20}
 solve = casadi.rootfinder("closest_point", "newton", problem, options)
 # Away from the closest point, so that the iterations have something to do.
-found = solve(x0=start + 1e-3 * free, p=parameters)["x"]
+found = solve(x0=start + 1e-5 * free, p=parameters)["x"]
 quantities = {"xi": found[0], "xi_bar": found[1], "d": casadi.norm_2(difference(found))}
 outputs = [part for of in quantities.values() for part in (of, casadi.gradient(of, q), casadi.hessian(of, q)[0])]
 linearized = casadi.Function("linearized", [q, start, free], outputs)

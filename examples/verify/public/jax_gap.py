@@ -14,6 +14,7 @@ from stream import answer, rows
 
 jax.config.update("jax_enable_x64", True)
 STEPS = 6
+AWAY = 1e-5
 
 
 def point(q, xi):
@@ -43,13 +44,13 @@ def newton(residual, at):
 
 def unrolled(q, start, free):
     # Away from the closest point, so that the iterations have something to do.
-    return newton(lambda at: condition(at, q, start, free), start + jnp.where(free, 1e-3, 0.0))
+    return newton(lambda at: condition(at, q, start, free), start + jnp.where(free, AWAY, 0.0))
 
 
 def implicit(q, start, free):
     tangent_solve = lambda linear, b: jnp.linalg.solve(jax.jacfwd(linear)(b), b)
     residual = lambda at: condition(at, q, start, free)
-    return jax.lax.custom_root(residual, start + jnp.where(free, 1e-3, 0.0), newton, tangent_solve)
+    return jax.lax.custom_root(residual, start + jnp.where(free, AWAY, 0.0), newton, tangent_solve)
 
 
 METHODS = {"unrolled": unrolled, "implicit": implicit}
