@@ -171,3 +171,21 @@ fn words(record: &Faults) -> String {
     }
     format!("{of_terms}\nOf {count} faults of single operations, each is detected or has a reason.")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Check, Faults, Record, terminal, words};
+    use std::path::Path;
+
+    #[test]
+    fn the_committed_record_is_shown_in_80_columns() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/faults.json");
+        let record = Faults::from_json(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let text = terminal::page(&record.page(), &words(&record));
+        assert!(text.contains("\nDETECTED: all "), "{text}");
+        assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+        for check in Check::ALL {
+            assert!(text.contains(&format!("\n  {} ", check.name())), "{}", check.name());
+        }
+    }
+}

@@ -147,7 +147,9 @@ mod tests {
             assert!(line.contains("Eq. ") && line.contains(number), "{order:?} {quantity:?}: {line}");
         }
         for order in Order::ALL {
-            Quantity::ALL.map(|quantity| line(order, quantity));
+            for quantity in Quantity::ALL {
+                line(order, quantity);
+            }
         }
     }
 
