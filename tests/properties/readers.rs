@@ -48,15 +48,21 @@ fn answers_of_the_corpus_are_read_or_rejected() {
 
 #[test]
 fn cases_of_the_corpus_are_read_and_written_to_the_last_bit() {
-    corpus("vectors_jsonl").iter().for_each(|text| fuzz::vectors(text));
+    for text in &corpus("vectors_jsonl") {
+        fuzz::vectors(text);
+    }
 }
 
 #[test]
 fn numbers_of_the_corpus_are_read_and_written_to_the_last_bit() {
-    texts("numbers").iter().for_each(|text| fuzz::number(text));
+    for text in &texts("numbers") {
+        fuzz::number(text);
+    }
 }
 
 #[test]
 fn case_files_of_the_corpus_are_read_and_written_to_the_last_bit() {
-    texts("case_file").iter().for_each(|text| case::case(text));
+    for text in &texts("case_file") {
+        case::case(text);
+    }
 }

@@ -175,7 +175,7 @@ impl Many {
     fn rows_of_four(&self) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
         let pairs = self.pairs.clone();
         move |i| {
-            let mut to = [Four::zeros(); DIFFERENT / 4];
+            let mut to = vec![Four::zeros(); DIFFERENT / 4];
             kernel::write_d_batch(&pairs[..DIFFERENT], &mut to);
             lane(&to[i / 4], i % 4).into_iter().collect()
         }

@@ -32,7 +32,9 @@ impl Fit {
     /// The fit of one change at some cases.
     pub(super) fn of(change: Change, sites: &[&Site]) -> Self {
         let mut fit = Self::new(0, change);
-        sites.iter().for_each(|site| fit.add(site, |change| site.predicted(change).into_owned(), &|_| true));
+        for site in sites {
+            fit.add(site, |change| site.predicted(change).into_owned(), &|_| true);
+        }
         fit
     }
 
