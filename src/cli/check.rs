@@ -3,7 +3,7 @@
 use super::arguments::{families, regimes, seconds, seed, variant, work_with};
 use super::case;
 use super::case_file;
-use super::checked::{Checked, Oracle};
+use super::checked::{Checked, MOST_CASES, Oracle};
 use super::exit::Exit;
 use super::human;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
@@ -28,7 +28,7 @@ pub(crate) struct Check {
     seed: u64,
     /// How many cases of each regime, up to a million
     #[arg(long, value_name = "N", default_value = "10000", allow_negative_numbers = true)]
-    #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
+    #[arg(value_parser = value_parser!(u64).range(1..=MOST_CASES))]
     cases: u64,
     /// Only pairs in which beam or bar beam is of this family
     #[arg(long, value_parser = families())]

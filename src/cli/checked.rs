@@ -14,9 +14,12 @@ use beamgap::check::{
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+use std::fmt::Write;
 
 /// The schema.
 const SCHEMA: &str = "beamgap-check/2";
+/// More cases of a regime no run takes.
+pub(super) const MOST_CASES: u64 = 1_000_000;
 /// Mismatches shown in full, and shrunk; the others are counted.
 pub(super) const SHOWN: usize = 5;
 
@@ -50,6 +53,7 @@ mod seed {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serializer};
 
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it with a reference")]
     pub(super) fn serialize<S: Serializer>(seed: &u64, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(&format_args!("{seed:#x}"))
     }
@@ -103,7 +107,7 @@ impl Checked {
         let wrong = tallies().map(|tally| tally.mismatches).sum();
         let mut verdict = super::check::in_words(found.compared(), wrong, left, untrusted);
         if let (asked, missed @ 1..) = self.asked() {
-            verdict.words += &format!("\nNot reached in time: {missed} of {asked} cases.");
+            let _ = write!(verdict.words, "\nNot reached in time: {missed} of {asked} cases.");
         }
         verdict
     }
@@ -133,7 +137,7 @@ impl Checked {
         let is_wrong = outcome.verdict.exit == Exit::Disagree;
         let cause = is_wrong.then(|| likely_cause(&variant, self.seed, &wrong)).flatten();
         if let Some(cause) = &cause {
-            outcome.verdict.words += &format!("\n{}", disagreements::likely(cause));
+            let _ = write!(outcome.verdict.words, "\n{}", disagreements::likely(cause));
         }
         Ok(Shown { outcome, checked: self, shrunk, cause })
     }
@@ -149,6 +153,8 @@ impl Checked {
             ensure!(part.schema == SCHEMA, "{name}: schema {SCHEMA:?} expected, found {:?}", part.schema);
             let version = env!("CARGO_PKG_VERSION");
             ensure!(part.version == version, "{name}: version {version} expected, found {}", part.version);
+            let cases = part.selection.cases;
+            ensure!(cases <= MOST_CASES, "{name}: at most {MOST_CASES} cases expected, found {cases}");
             if let Some((other, shard)) = known.iter().find(|(_, shard)| shard.overlaps(part.shard)) {
                 anyhow::bail!("{name}: shard {} has cases of shard {shard} of {other}", part.shard);
             }

@@ -2,23 +2,24 @@
 
 use crate::cli::exit::Exit;
 use crate::cli::outcome::{Entry, Outcome};
+use std::fmt::Write;
 
 /// The verdict, what differs, and a table of all entries folded away.
 pub(in crate::cli) fn markdown(outcome: &Outcome) -> String {
     let sign = if outcome.verdict.exit == Exit::Agree { "✅" } else { "❌" };
     let mut text = format!("## {sign} beamgap {}\n\n", outcome.command);
     for line in outcome.verdict.words.lines() {
-        text += &format!("{}  \n", escaped(line));
+        let _ = writeln!(text, "{}  ", escaped(line));
     }
     let wrong: Vec<&Entry> = outcome.wrong().collect();
     if !wrong.is_empty() {
-        text += &format!("\n{}", table(&wrong));
+        let _ = write!(text, "\n{}", table(&wrong));
     }
     let all: Vec<&Entry> = outcome.entries.iter().collect();
     if !all.is_empty() {
         let count = all.len();
-        text +=
-            &format!("\n<details><summary>All {count} entries</summary>\n\n{}\n</details>\n", table(&all));
+        let table = table(&all);
+        let _ = write!(text, "\n<details><summary>All {count} entries</summary>\n\n{table}\n</details>\n");
     }
     text
 }
@@ -27,7 +28,7 @@ fn table(entries: &[&Entry]) -> String {
     let mut text = "| | | | |\n|---|---|---|---|\n".to_owned();
     for Entry { group, name, state, message, .. } in entries {
         let cells = [name, group, state.name(), message].map(escaped);
-        text += &format!("| {} |\n", cells.join(" | "));
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
     }
     text
 }

@@ -5,6 +5,7 @@ use crate::cli::json;
 use crate::cli::outcome::{Entry, Outcome, Source};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
+use std::fmt::Write;
 
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
 
@@ -78,9 +79,9 @@ fn uri(path: &str) -> String {
     for byte in path.replace('\\', "/").bytes() {
         match byte {
             b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'.' | b'-' | b'_' | b'~' => {
-                uri.push(byte.into())
+                uri.push(byte.into());
             }
-            _ => uri += &format!("%{byte:02X}"),
+            _ => drop(write!(uri, "%{byte:02X}")),
         }
     }
     // An absolute path would be one of this machine, which no reader of the log has; it is marked as such.
