@@ -110,7 +110,8 @@ impl Check {
         let mut checked = Checked::new(self.seed, self.plant.clone(), self.oracle, selection, self.shard);
         let config = checked.config()?;
         outputs.begin(&human::head(&checked))?;
-        let (start, numbers) = (Instant::now(), checked.selection.part(checked.shard));
+        let numbers = checked.selection.part(checked.shard);
+        let start = Instant::now();
         let deadline = self.time_budget.map(|budget| start + budget);
         let progress = Progress::bar("cases", numbers.len() as u64);
         checked.found = run_part(&config, self.seed, &numbers, deadline, || progress.step());

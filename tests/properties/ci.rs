@@ -114,7 +114,7 @@ fn what_a_time_budget_leaves_out_is_said() {
     assert_eq!(output.status.code(), Some(4));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.ends_with("\nNot reached in time: 100000 of 100000 cases.\n"), "{text}");
-    let some = run(&["check", "--cases", "1000000", "--time-budget", "1s", "--format", "json"]);
+    let some = run(&["check", "--cases", "20000", "--time-budget", "3s", "--format", "json"]);
     let document = json(&some);
     let reached: u64 = document["found"]["regimes"]
         .as_object()
@@ -123,7 +123,7 @@ fn what_a_time_budget_leaves_out_is_said() {
         .map(|tally| tally["cases"].as_u64().unwrap())
         .sum();
     assert_eq!((some.status.code(), &document["verdict"]), (Some(0), &"agree".into()));
-    assert!(reached > 0 && document["not_reached"] == 10_000_000 - reached, "{reached}");
+    assert!(reached > 0 && document["not_reached"] == 200_000 - reached, "{reached}");
     assert_eq!(run(&["check", "--time-budget", "soon"]).status.code(), Some(2));
 }
 

@@ -10,7 +10,7 @@ fn measured_bounds_hold() {
     assert!(text.contains("BOUNDS HOLD") && text.lines().all(|line| line.chars().count() <= 80), "{text}");
     let document = json(&run(&[&arguments[..], &["--format", "json"]].concat()));
     assert_eq!(document["schema"], "beamgap-bounds/3");
-    assert_eq!(document["violations"], serde_json::json!([]));
+    assert_eq!(document["found"]["violations"], serde_json::json!({}));
     let command = document["environment"]["command"].as_str().unwrap();
     assert_eq!(command, "beamgap bounds --seed 0x5eed --cases 3 --regime near-end --family arc");
 }
