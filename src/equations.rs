@@ -37,12 +37,14 @@ mod standard;
 mod table;
 mod tally;
 mod verdict;
+mod worked;
 
 pub use arc::Arc;
 pub use claim::Claim;
 pub use record::{Counts, EquationRow, EquationTable, Part, Run, Score};
 pub use run::{CASES, DRAWS, equation_table};
 pub use source::{Place, SOURCES, named, places};
-pub use standard::{StandardCase, Worked, WorkedPart, WorkedReading};
+pub use standard::StandardCase;
 pub use table::{Kind, Order, Reading};
 pub use verdict::{Symmetry, Verdict};
+pub use worked::{Worked, WorkedPart, WorkedReading, worked_at};

@@ -2,8 +2,13 @@
 
 use super::compare::{Compared, compare_beams};
 use super::config::{CheckConfig, Oracles};
+use super::evaluation_point::EvaluationPoint;
+use super::verdict::Inconclusive;
+use crate::closest_point::ClosestPoint;
+use crate::linearization::{COMPONENTS, Varied};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, TestBeam, TestBeamError};
+use crate::variant::Variant;
 
 /// A pair of beams written out as numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +41,24 @@ impl CaseData {
         Ok(compare_beams(config, asked, beams.each_ref().map(|beam| &**beam), &self.contact))
     }
 
-    pub(super) fn beams(&self) -> Result<[Box<dyn AnyBeam>; 2], TestBeamError> {
+    /// The closed form at one of its closest points: all components with their variations, in the order of
+    /// [`Quantities::components`](crate::linearization::Quantities::components).
+    ///
+    /// Nothing but a reason if the point has no derivatives.
+    ///
+    /// # Errors
+    /// If the numbers make no beam.
+    pub fn vary(
+        &self,
+        variant: &Variant,
+        point: &ClosestPoint,
+    ) -> Result<Result<[Varied<f64>; COMPONENTS], Inconclusive>, TestBeamError> {
+        let beams = self.beams()?;
+        let evaluation = EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.contact, point);
+        Ok(evaluation.map(|evaluation| evaluation.plain(variant)))
+    }
+
+    pub(crate) fn beams(&self) -> Result<[Box<dyn AnyBeam>; 2], TestBeamError> {
         let [beam, bar] = &self.test_beams;
         Ok([beam.beam()?, bar.beam()?])
     }

@@ -4,7 +4,7 @@ use super::arc::{Arc, Arcs};
 use super::paper;
 use super::point::{Point, quantities, vector};
 use super::tally::Tally;
-use crate::check::{Case, Regime, Selection};
+use crate::check::{Case, CaseData, Regime, Selection};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points, refine};
 use crate::curve::Geometry;
 use crate::linearization::Varied;
@@ -76,6 +76,32 @@ fn case(seed: u64, number: u64) -> Option<(Tally, [super::arc::Measured; 2])> {
     let tally = Tally::of_point(nonlinear, &paper::read(&sized));
     let measured = [0, 1].map(|i| super::arc::measure(case.families[i], beams[i], [at.0, at.1][i]));
     Some((tally, measured))
+}
+
+/// A closest point of any case. The reference configuration is the beam with its tangents turned into one another: any will do.
+pub(super) fn point(case: &CaseData, point: &ClosestPoint) -> Option<Point<f64>> {
+    if !point.is_interior() || point.degeneracy().is_some() {
+        return None;
+    }
+    let beams = case.beams().ok()?;
+    let [beam, bar] = beams.each_ref().map(|beam| &**beam);
+    let at = (point.xi, point.xi_bar);
+    let mut moved = case.test_beams[0].clone();
+    moved.translate(&(Vector3::new(1.0, 2.0, 2.0) * (MOVED * point.distance / 3.0)));
+    let after = after([&*moved.beam().ok()?, bar], &case.contact, at)?;
+    let reference = |beam: &dyn AnyBeam, xi: f64| {
+        let Geometry { x, t, t_xi, t_xixi } = beam.geometry(xi);
+        let [x, t, t_xi, t_xixi] = [x + t, t + t_xi, t_xi + t, t_xixi + t].map(|v| v * 0.5);
+        Geometry { x, t, t_xi, t_xixi }
+    };
+    Some(Point::new(
+        [beam, bar],
+        [beam.partial_variations_plain(at.0), bar.partial_variations_plain(at.1)],
+        lifted([beam, bar], at),
+        [reference(beam, at.0), reference(bar, at.1)],
+        &case.contact,
+        after,
+    ))
 }
 
 fn lifted([beam, bar]: [&dyn AnyBeam; 2], at: (f64, f64)) -> (HyperDual64, HyperDual64) {

@@ -1,8 +1,7 @@
 //! The standard case: two Hermite beams and two directions, in which every equation is worked out in numbers.
 
-use super::paper;
 use super::point::{Point, quantities, vector};
-use super::table::{Order, Reading};
+use super::worked::{Worked, worked};
 use crate::closest_point::{ClosestPoint, Held, ProjectionError};
 use crate::curve::{Curve, Geometry, Hermite};
 use crate::linearization::ad::{Perturbed, newton, seeded};
@@ -10,7 +9,6 @@ use crate::linearization::closed_form::PartialVariations;
 use crate::pair::{Contact, DofVector, Pair};
 use nalgebra::SVector;
 use num_dual::HyperDual64;
-use serde::{Deserialize, Serialize};
 
 type Dofs = DofVector<f64, 12, 12>;
 type Lifted<'a> = Perturbed<'a, Hermite, HyperDual64, 12>;
@@ -26,39 +24,6 @@ pub struct StandardCase {
     pub dq: Dofs,
     /// The direction of Delta.
     pub linear_dq: Dofs,
-}
-
-/// One equation, worked out.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Worked {
-    /// Its number.
-    pub number: u8,
-    /// The equalities under this number.
-    pub parts: Vec<WorkedPart>,
-}
-
-/// One equality in numbers.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct WorkedPart {
-    /// Its left-hand side, if there are several.
-    pub name: String,
-    /// Its order.
-    pub order: Order,
-    /// Every reading.
-    pub readings: Vec<WorkedReading>,
-}
-
-/// Both sides of one reading.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct WorkedReading {
-    /// What kind of reading it is.
-    pub reading: Reading,
-    /// How it reads.
-    pub words: String,
-    /// The left-hand side, by hyper-dual numbers.
-    pub left: Vec<f64>,
-    /// The right-hand side, by the formula.
-    pub right: Vec<f64>,
 }
 
 impl Default for StandardCase {
@@ -103,25 +68,7 @@ impl StandardCase {
     /// # Errors
     /// None, as for [`StandardCase::closest_point`].
     pub fn worked(&self) -> Result<Vec<Worked>, ProjectionError> {
-        let table = paper::read(&self.point()?);
-        let worked = |equation: super::table::Equation<f64>| Worked {
-            number: equation.number,
-            parts: (equation.parts.into_iter())
-                .map(|part| WorkedPart {
-                    name: part.name.to_owned(),
-                    order: part.order,
-                    readings: (part.lines.into_iter())
-                        .map(|line| WorkedReading {
-                            reading: line.reading,
-                            words: line.words.to_owned(),
-                            left: line.left,
-                            right: line.right,
-                        })
-                        .collect(),
-                })
-                .collect(),
-        };
-        Ok(table.equations.into_iter().map(worked).collect())
+        Ok(worked(&self.point()?))
     }
 
     /// The beams as the equations see them; the finite change is a step of one along the direction of Delta.
@@ -167,17 +114,4 @@ fn straight(q: &SVector<f64, 12>, xi: f64) -> Geometry<f64> {
         }
     }
     Hermite::new().jet(&reference, xi).geometry
-}
-
-impl WorkedReading {
-    /// The decimal digits in which both sides agree, by norm; as many as an `f64` has if they are equal.
-    ///
-    /// Where a side has to be zero the other is compared with `scale`.
-    pub fn digits(&self, scale: f64) -> f64 {
-        let norm = |of: &mut dyn Iterator<Item = f64>| of.map(|x| x * x).sum::<f64>().sqrt();
-        let difference = norm(&mut self.left.iter().zip(&self.right).map(|(l, r)| l - r));
-        let size = norm(&mut self.left.iter().copied()).max(norm(&mut self.right.iter().copied()));
-        let size = if self.right.iter().all(|&x| x == 0.0) { scale } else { size };
-        (-(difference / size).log10()).clamp(0.0, 15.9)
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::beam::{AnyBeam, Drawn};
 use super::{Family, Unit};
+use crate::closest_point::Centroid;
 use crate::curve::{
     Arc, BSpline, Bezier, Cubic, Curve, CurveError, Helix, Hermite, Nurbs, NurbsWeighted, Quadratic, Segment,
 };
@@ -105,6 +106,14 @@ impl TestBeam {
     /// [`TestBeamError`] says why they do not.
     pub fn validate(&self) -> Result<(), TestBeamError> {
         self.beam().map(drop)
+    }
+
+    /// The centroid, as the closest point projection sees it.
+    ///
+    /// # Errors
+    /// [`TestBeamError`] if the numbers make no beam.
+    pub fn centroid(&self) -> Result<Box<dyn Centroid>, TestBeamError> {
+        Ok(self.beam()?)
     }
 
     /// The beam.
