@@ -1,4 +1,5 @@
 #![doc = include_str!("../README.md")]
+#![doc = include_str!("front_page.md")]
 
 pub mod closest_point;
 pub mod curve;

@@ -4,6 +4,7 @@
 
 mod equation;
 mod figures;
+mod letters;
 mod math;
 mod page;
 mod record;
@@ -11,4 +12,5 @@ mod source;
 mod symbols;
 mod text;
 
+pub(super) use math::mathml;
 pub use record::{ByHand, Derivation, DifferenceRow, NewtonRun};

@@ -6,7 +6,7 @@ use beamgap::faults::Check;
 use beamgap::prove::prove;
 use beamgap::report::{
     Accuracy, Benchmark, Bounds, Crosscheck, Derivation, Environment, Equations, Explain, Faults, Record,
-    Verify, picture, symbols,
+    Verify, front_page, picture, symbols,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::{Rewrite, Variant};
@@ -52,6 +52,11 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     for (name, text) in benchmark.pages() {
         is_committed(&name, &text);
     }
+}
+
+#[test]
+fn the_story_of_the_documentation_is_what_its_text_renders_to() {
+    is_committed("../src/front_page.md", &front_page().unwrap());
 }
 
 #[test]

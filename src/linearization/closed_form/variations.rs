@@ -43,6 +43,7 @@ pub fn variations_in<T: Real>(
     let (x, y) = (&beam.geometry, &bar.geometry);
     // Eq. (5), (8): d = x_C − x̄_C
     let d = named("d: x", x.x) - named("d: x_bar", y.x);
+
     let projection = Projection::in_formulation(&Points { beam: *x, bar: *y, d }, form);
     let beams = [beam, bar];
     let delta = FirstOrder::new(beams, [&beam.delta_u, &bar.delta_u], &d, &projection);
@@ -59,6 +60,7 @@ pub fn variations_in<T: Real>(
     let t_bar = length(Which::Bar, &y.t, [&delta.bar.t, &linear.bar.t, &second_bar.t]);
     // Eq. (11), (18), (19): g_N = d − (r + r̄)
     let radii = named("g_N: r", T::from(contact.radius)) + named("g_N: r_bar", T::from(contact.radius_bar));
+
     let xi = Varied { value: xi, delta: delta.beam.xi, linear: linear.beam.xi, second: second.xi };
     let xi_bar = Varied { value: xi_bar, delta: delta.bar.xi, linear: linear.bar.xi, second: second_bar.xi };
     Quantities {
@@ -87,6 +89,7 @@ fn by_length<T: Real>(
 ) -> Varied<T> {
     // Eq. (4): d = ‖d‖
     let value = named("|d|: d.d", d.dot(d)).sqrt();
+
     let first = [delta, linear].map(|of| paper::delta_distance(d, value, &of.u_hat));
     let second = paper::second_distance(beams, [delta, linear], d, value, first);
     Varied { value, delta: first[0], linear: first[1], second }

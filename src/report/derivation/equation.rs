@@ -1,8 +1,8 @@
 //! One equation on the page: what it says, why, the lines that compute it, its numbers and its verdict.
 
+use super::letters::used;
 use super::source::{Snippet, of_equation};
-use super::symbols;
-use super::text::{escaped, formula, inline};
+use super::text::{escaped, formula, inline, prose};
 use crate::equations::{EquationRow, Order, Reading, Verdict, Worked, WorkedPart, WorkedReading};
 use crate::report::number::count;
 use std::fmt::Write;
@@ -58,10 +58,10 @@ pub(super) fn card(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Resul
         row.verdict.words(),
     );
     card += &formula(statement)?;
-    let _ = writeln!(card, "<p class=\"letters\">Letters: {}</p>", symbols::used(statement)?);
-    let _ = writeln!(card, "<p>{}</p>", inline(note.why)?);
+    let _ = writeln!(card, "<p class=\"letters\">Letters: {}</p>", used(statement)?);
+    let _ = writeln!(card, "<p>{}</p>", prose(note.why)?);
     if row.verdict == Verdict::ExactIfLinear {
-        let _ = writeln!(card, "<p>{}</p>", inline(&dropped(row))?);
+        let _ = writeln!(card, "<p>{}</p>", prose(&dropped(row))?);
     }
     card += &code(&of_equation(number)?, number)?;
     card += &numbers(worked);
@@ -202,7 +202,7 @@ fn misprint(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Result<Strin
     let mut text = format!(
         "<div class=\"misprint\">\n<h4>What is printed</h4>\n{}<p>{}</p>\n",
         formula(&row.printed)?,
-        inline(wrong)?
+        prose(wrong)?
     );
     let mut rows = String::new();
     for (part, run_part) in worked.parts.iter().zip(&row.parts) {

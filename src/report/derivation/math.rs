@@ -37,7 +37,7 @@ const MACROS: [(&str, &str); 26] = [
 ///
 /// # Errors
 /// What the parser has to say, with the formula.
-pub(super) fn mathml(latex: &str, block: bool) -> Result<String, String> {
+pub(in crate::report) fn mathml(latex: &str, block: bool) -> Result<String, String> {
     let expanded = expand(latex);
     let storage = Storage::new();
     let mut out = String::new();

@@ -1,5 +1,6 @@
 //! The markup of the prose: paragraphs, headings, lists, formulas, and commands that the page carries out.
 
+use super::letters::{of_letter, used};
 use super::math::mathml;
 use std::fmt::Write;
 
@@ -21,14 +22,17 @@ pub(super) fn html(
         } else if let Some(heading) = block.strip_prefix("## ") {
             heading_html(2, heading)?
         } else if let Some(latex) = block.strip_prefix("$$").and_then(|rest| rest.strip_suffix("$$")) {
+            let letters = used(latex)?;
+            let none = letters.is_empty();
             formula(latex)?
+                + &if none { String::new() } else { format!("<p class=\"letters\">Letters: {letters}</p>\n") }
         } else if block.starts_with("- ") {
             let items = block.replace("\n  ", " ");
             let items =
-                items.lines().map(|item| Ok(format!("<li>{}</li>", inline(item.trim_start_matches("- "))?)));
+                items.lines().map(|item| Ok(format!("<li>{}</li>", prose(item.trim_start_matches("- "))?)));
             format!("<ul>{}</ul>\n", items.collect::<Result<String, String>>()?)
         } else {
-            format!("<p>{}</p>\n", inline(block)?)
+            format!("<p>{}</p>\n", prose(block)?)
         };
         page += &piece;
     }
@@ -56,10 +60,23 @@ pub(super) fn sections(text: &str) -> Vec<(&str, &str)> {
 
 /// A line of text with `$formulas$`, `**strong**`, `` `code` `` and numbers of equations, which become links.
 pub(super) fn inline(text: &str) -> Result<String, String> {
+    line(text, false)
+}
+
+/// The same with letters that stand alone linked to their explanation.
+pub(super) fn prose(text: &str) -> Result<String, String> {
+    line(text, true)
+}
+
+fn line(text: &str, with_letters: bool) -> Result<String, String> {
     let mut out = String::new();
     for (i, part) in text.split('$').enumerate() {
         if i % 2 == 1 {
-            out += &mathml(part, false)?;
+            let math = mathml(part, false)?;
+            out += &match of_letter(part)?.filter(|_| with_letters) {
+                Some(id) => format!("<a class=\"letter\" href=\"#sym-{id}\">{math}</a>"),
+                None => math,
+            };
             continue;
         }
         for (i, part) in part.split('`').enumerate() {

@@ -28,6 +28,7 @@ pub fn delta_xi<T: Real>(
         let r_bar = r_bar - named("R_bar: du_hat.t_bar", u_hat.dot(&bar.geometry.t));
         return projection.solve(r, r_bar);
     };
+    // δᵤû in the solution, in cross products: the terms δᵤû·t and δᵤû·t̄ cancel at small angles.
     let (xi, xi_bar) = projection.solve(r, r_bar);
     let [along, along_bar] = cross_products.u.map(|u| u.dot(u_hat));
     (xi + named("dxi: u.du_hat", along), xi_bar + named("dxi_bar: u_bar.du_hat", along_bar))
@@ -61,6 +62,7 @@ pub fn second_xi<T: Real>(
         let r_bar = r_bar - named("R2_bar: t_bar.rest", rest_d.dot(&bar.geometry.t));
         return projection.solve(r, r_bar);
     };
+    // The rest of Δδd in the solution, in cross products.
     let (xi, xi_bar) = projection.solve(r, r_bar);
     let [along, along_bar] = cross_products.u.map(|u| u.dot(&rest_d));
     (xi + named("Ddxi: u.rest", along), xi_bar + named("Ddxi_bar: u_bar.rest", along_bar))

@@ -1,0 +1,62 @@
+//! The letters of the page, each explained once.
+
+use super::math::{expand, mathml};
+
+/// A letter.
+pub(super) struct Symbol {
+    pub(super) id: &'static str,
+    pub(super) latex: &'static str,
+    /// What it is, in prose.
+    pub(super) words: &'static str,
+    /// Its name in words.
+    name: &'static str,
+    /// What in the LaTeX of an equation shows that it is used.
+    keys: Vec<&'static str>,
+}
+
+/// The letters of the text file: lines of id, LaTeX, keys, words and name, with bars between.
+pub(super) fn all() -> Result<Vec<Symbol>, String> {
+    include_str!("symbols.txt")
+        .lines()
+        .filter(|line| !line.is_empty())
+        .map(|line| {
+            let parts: Vec<&'static str> = line.split(" | ").collect();
+            let [id, latex, keys, words, name] = parts[..] else {
+                return Err(format!("{line:?} has not five parts"));
+            };
+            let keys: Vec<&'static str> = keys.split(' ').filter(|key| *key != "-").collect();
+            Ok(Symbol { id, latex, words, name, keys })
+        })
+        .collect()
+}
+
+/// Links to the letters that an equation uses.
+pub(super) fn used(latex: &str) -> Result<String, String> {
+    let plain = expand(latex).replace('\n', " ");
+    let mut links = Vec::new();
+    for Symbol { id, latex, keys, name, .. } in all()? {
+        if keys.iter().any(|key| plain.contains(&key.replace('~', " "))) {
+            links.push(format!("<a href=\"#sym-{id}\">{} {name}</a>", mathml(latex, false)?));
+        }
+    }
+    Ok(links.join(" "))
+}
+
+/// The id of the letter that a formula is, if it is no more than a letter.
+pub(super) fn of_letter(latex: &str) -> Result<Option<&'static str>, String> {
+    let is_letter = |symbol: &Symbol| symbol.latex.split(r",\;").any(|letter| letter == latex.trim());
+    Ok(all()?.iter().find(|symbol| is_letter(symbol)).map(|symbol| symbol.id))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{of_letter, used};
+
+    #[test]
+    fn letters_are_found_alone_and_in_formulas() {
+        assert_eq!(of_letter(r"\vtb").unwrap(), Some("t"));
+        assert_eq!(of_letter(r"\vd\cdot\vt").unwrap(), None);
+        let links = used(r"\vd\cdot\vt=0").unwrap();
+        assert!(links.contains("#sym-d") && links.contains("#sym-t") && !links.contains("#sym-u"), "{links}");
+    }
+}
