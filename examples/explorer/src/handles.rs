@@ -1,0 +1,108 @@
+//! The handles: where the points and tangents of a beam, and the directions at them, are grasped.
+
+use crate::state::{Dragged, State};
+use crate::view::View;
+use beamgap::check::CaseData;
+use beamgap::nalgebra::Vector3;
+use beamgap::test_beam::{Family, TestBeam, Unit};
+use serde::Serialize;
+
+/// The part of a tangent that is drawn.
+const TANGENT: f64 = 0.5;
+
+/// Three dofs that are moved together.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Handle {
+    /// 0 is the beam, 1 the bar beam.
+    pub(crate) beam: usize,
+    /// Its first dof.
+    pub(crate) start: usize,
+    /// How far the handle moves in space if the dofs grow by one.
+    pub(crate) factor: f64,
+    /// Where it is in the picture.
+    pub(crate) at: [f64; 2],
+    /// What it is held by.
+    #[serde(skip)]
+    pub(crate) from: [f64; 2],
+    /// Its name.
+    pub(crate) name: String,
+    /// Its dofs.
+    pub(crate) value: [f64; 3],
+}
+
+/// Three dofs of a beam as a vector in space.
+struct Triple {
+    start: usize,
+    /// What it is drawn from.
+    base: Vector3<f64>,
+    /// How long one is drawn.
+    factor: f64,
+    is_point: bool,
+    name: String,
+}
+
+/// All handles of both beams.
+pub(crate) fn handles(case: &CaseData, state: &State, view: &View) -> Vec<Handle> {
+    let mut all = Vec::new();
+    for (beam, test_beam) in case.test_beams.iter().enumerate() {
+        let (numbers, direction) = match state.dragged {
+            Dragged::Q => (&test_beam.q, None),
+            Dragged::Dq => (&test_beam.dq, Some("δq")),
+            Dragged::LinearDq => (&test_beam.linear_dq, Some("Δq")),
+        };
+        for triple in triples(test_beam, ["beam", "bar beam"][beam]) {
+            let value = vector(numbers, triple.start);
+            let place = triple.base + vector(&test_beam.q, triple.start) * triple.factor;
+            let (from, to) = match direction {
+                Some(_) => (place, place + value * triple.factor),
+                // Points hang on nothing.
+                None if triple.is_point => (place, place),
+                None => (triple.base, place),
+            };
+            let name = direction.map_or_else(|| triple.name.clone(), |of| format!("{of} of {}", triple.name));
+            let [at, from] = [to, from].map(|x| view.at(&x));
+            let Triple { start, factor, .. } = triple;
+            all.push(Handle { beam, start, factor, at, from, name, value: value.into() });
+        }
+    }
+    all
+}
+
+fn vector(numbers: &[f64], start: usize) -> Vector3<f64> {
+    Vector3::from_fn(|c, _| numbers[start + c])
+}
+
+/// The points, and the tangents of Hermite beams.
+fn triples(test_beam: &TestBeam, beam: &str) -> Vec<Triple> {
+    let units = test_beam.family.units();
+    let points: Vec<usize> = (0..units.len()).filter(|&i| units[i] == Unit::Point).step_by(3).collect();
+    let tangent = match test_beam.family {
+        Family::Hermite => Some(1.0),
+        Family::HermiteScaled => test_beam.parameters.first().copied(),
+        _ => None,
+    };
+    let mut triples = Vec::new();
+    for (i, &start) in points.iter().enumerate() {
+        let what = match test_beam.family {
+            Family::Arc | Family::Helix => "centre".to_owned(),
+            _ => format!("point {}", i + 1),
+        };
+        triples.push(Triple {
+            start,
+            base: Vector3::zeros(),
+            factor: 1.0,
+            is_point: true,
+            name: format!("{what} of the {beam}"),
+        });
+        if let Some(length) = tangent {
+            triples.push(Triple {
+                start: start + 3,
+                base: vector(&test_beam.q, start),
+                factor: TANGENT * length,
+                is_point: false,
+                name: format!("tangent {} of the {beam}", i + 1),
+            });
+        }
+    }
+    triples
+}

@@ -1,0 +1,187 @@
+//! What the reader has set: the beams, the directions, the view, the fault.
+
+use beamgap::check::CaseData;
+use beamgap::pair::Contact;
+use beamgap::test_beam::{Family, TestBeam};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::error::Error;
+
+/// All that the page depends on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct State {
+    /// The beam.
+    pub beam: BeamState,
+    /// The bar beam.
+    pub bar: BeamState,
+    /// Radii and reference parameters.
+    pub contact: ContactState,
+    /// From where the beams are seen.
+    pub view: ViewState,
+    /// The name of the fault in the closed form, if there is one.
+    pub fault: Option<String>,
+    /// How far the varied state is along the direction.
+    pub step: f64,
+    /// Whether the varied state goes along Delta q instead of delta q.
+    pub along_linear: bool,
+    /// The place of the closest point among the minima.
+    pub minimum: usize,
+    /// What handles move.
+    pub dragged: Dragged,
+    /// Whether the equations of the paper are evaluated, too.
+    pub equations: bool,
+}
+
+/// A beam, as `beamgap-case/1` has it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BeamState {
+    /// The name of its family.
+    pub family: String,
+    /// The fixed parameters of its curve by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub curve: BTreeMap<String, Parameter>,
+    /// The dofs.
+    pub q: Vec<f64>,
+    /// The direction delta q.
+    pub dq: Vec<f64>,
+    /// The direction Delta q.
+    pub linear_dq: Vec<f64>,
+}
+
+/// One number, or several.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Parameter {
+    /// One.
+    One(f64),
+    /// Several.
+    Many(Vec<f64>),
+}
+
+/// Radii and reference parameters, as `beamgap-case/1` has them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ContactState {
+    /// The radius of the beam.
+    pub radius: f64,
+    /// The radius of the bar beam.
+    pub radius_bar: f64,
+    /// The parameter of the beam that slips are measured from.
+    pub xi_0: f64,
+    /// The parameter of the bar beam that slips are measured from.
+    pub xi_bar_0: f64,
+}
+
+/// From where the beams are seen.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ViewState {
+    /// The angle about the vertical axis, in degrees.
+    pub azimuth: f64,
+    /// The angle above the horizon, in degrees.
+    pub elevation: f64,
+    /// Pixels a unit of length.
+    pub scale: f64,
+}
+
+/// What handles move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Dragged {
+    /// The dofs.
+    Q,
+    /// The direction delta q.
+    Dq,
+    /// The direction Delta q.
+    LinearDq,
+}
+
+/// The case as `beamgap check --case-file` reads it.
+#[derive(Serialize)]
+struct CaseFile<'a> {
+    schema: &'static str,
+    beam: &'a BeamState,
+    bar: &'a BeamState,
+    contact: ContactState,
+}
+
+impl State {
+    /// The state of a request.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn read(json: &str) -> Result<Self, String> {
+        let state: Self = serde_json::from_str(json).map_err(|error| error.to_string())?;
+        let ViewState { azimuth, elevation, scale } = state.view;
+        let is_finite = [azimuth, elevation, scale, state.step].into_iter().all(f64::is_finite);
+        if is_finite && (1.0..=1e5).contains(&scale) && (0.0..=1.0).contains(&state.step) {
+            Ok(state)
+        } else {
+            Err("view and step: a scale from 1 to 1e5 and a step from 0 to 1 expected".to_owned())
+        }
+    }
+
+    /// Both beams.
+    ///
+    /// # Errors
+    /// What is wrong with the numbers.
+    pub fn case(&self) -> Result<CaseData, String> {
+        let ContactState { radius, radius_bar, xi_0, xi_bar_0 } = self.contact;
+        if ![radius, radius_bar, xi_0, xi_bar_0].into_iter().all(f64::is_finite) {
+            return Err("contact: finite numbers expected".to_owned());
+        }
+        let contact = Contact { radius, radius_bar, xi_0, xi_bar_0 };
+        let test_beams = [self.beam.test_beam("beam")?, self.bar.test_beam("bar beam")?];
+        Ok(CaseData { test_beams, contact })
+    }
+
+    /// The command that checks this case.
+    pub(crate) fn command(&self) -> String {
+        let file =
+            CaseFile { schema: "beamgap-case/1", beam: &self.beam, bar: &self.bar, contact: self.contact };
+        let json = serde_json::to_string(&file).unwrap_or_default();
+        let fault = self.fault.as_ref().map(|fault| format!(" --plant '{fault}'")).unwrap_or_default();
+        format!("echo '{json}' | beamgap check --case-file -{fault}")
+    }
+}
+
+impl BeamState {
+    /// The beam; `name` is what errors call it.
+    ///
+    /// # Errors
+    /// What is wrong with the numbers.
+    pub fn test_beam(&self, name: &str) -> Result<TestBeam, String> {
+        let family = Family::from_name(&self.family)
+            .ok_or_else(|| format!("{name}: no family is called {:?}", self.family))?;
+        let known = family.parameters();
+        if let Some(unknown) = self.curve.keys().find(|key| known.iter().all(|(name, _)| key != name)) {
+            return Err(format!("{name}: the family has no parameter {unknown:?}"));
+        }
+        let mut parameters = Vec::new();
+        for (parameter, count) in known {
+            let found = match self.curve.get(*parameter) {
+                Some(Parameter::One(one)) => vec![*one],
+                Some(Parameter::Many(many)) => many.clone(),
+                None => return Err(format!("{name}: {parameter} is missing")),
+            };
+            if found.len() != *count {
+                return Err(format!("{name}: {parameter} is {count} numbers, not {}", found.len()));
+            }
+            parameters.extend(found);
+        }
+        let test_beam = TestBeam {
+            family,
+            parameters,
+            q: self.q.clone(),
+            dq: self.dq.clone(),
+            linear_dq: self.linear_dq.clone(),
+        };
+        test_beam.validate().map_err(|error| {
+            let source = error.source().map(|source| format!(": {source}")).unwrap_or_default();
+            format!("{name}: {error}{source}")
+        })?;
+        Ok(test_beam)
+    }
+}

@@ -1,0 +1,139 @@
+//! The module in the committed page is the library as it is: what it answers is compared with the native answers, byte by
+//! byte. `examples/explorer/build` makes the page anew.
+
+use beamgap::test_beam::Family;
+use beamgap_explorer::{Dragged, State, answer, preset};
+use serde_json::Value;
+use std::io::Read;
+use wasmi::{Engine, Instance, Linker, Memory, Module, Store, TypedFunc};
+
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reports/explorer.html");
+
+/// The module of the page, running.
+struct Running {
+    store: Store<()>,
+    memory: Memory,
+    reserve: TypedFunc<u32, u32>,
+    respond: TypedFunc<(), u32>,
+    answer_at: TypedFunc<(), u32>,
+}
+
+fn committed() -> String {
+    std::fs::read_to_string(PAGE).unwrap_or_else(|error| panic!("{PAGE}: {error}"))
+}
+
+/// What stands in the element of this id.
+fn element<'a>(page: &'a str, id: &str) -> &'a str {
+    let (_, from) = page.split_once(&format!("id=\"{id}\">")).unwrap();
+    from.split("</script>").next().unwrap()
+}
+
+impl Running {
+    fn of_page() -> Self {
+        let bytes = decoded(element(&committed(), "module"));
+        let engine = Engine::default();
+        let module = Module::new(&engine, &bytes[..]).unwrap();
+        assert_eq!(module.imports().count(), 0, "the module needs nothing from the page");
+        let mut store = Store::new(&engine, ());
+        let instance: Instance = Linker::new(&engine).instantiate_and_start(&mut store, &module).unwrap();
+        let function = |name| instance.get_typed_func(&store, name).unwrap();
+        let (respond, answer_at) = (function("respond"), function("answer_at"));
+        let reserve = instance.get_typed_func(&store, "reserve").unwrap();
+        let memory = instance.get_memory(&store, "memory").unwrap();
+        Self { store, memory, reserve, respond, answer_at }
+    }
+
+    fn answer(&mut self, request: &str) -> String {
+        let length = u32::try_from(request.len()).unwrap();
+        let at = self.reserve.call(&mut self.store, length).unwrap();
+        self.memory.write(&mut self.store, at as usize, request.as_bytes()).unwrap();
+        let length = self.respond.call(&mut self.store, ()).unwrap();
+        let at = self.answer_at.call(&mut self.store, ()).unwrap();
+        let mut bytes = vec![0; length as usize];
+        self.memory.read(&self.store, at as usize, &mut bytes).unwrap();
+        String::from_utf8(bytes).unwrap()
+    }
+}
+
+fn decoded(text: &str) -> Vec<u8> {
+    use base64::Engine;
+    let compressed = base64::prelude::BASE64_STANDARD.decode(text.trim()).unwrap();
+    let mut bytes = Vec::new();
+    flate2::read::GzDecoder::new(&compressed[..]).read_to_end(&mut bytes).unwrap();
+    bytes
+}
+
+/// States of every family, view and fault, and requests that are wrong.
+fn requests() -> Vec<String> {
+    let mut requests = Vec::new();
+    let mut add = |state: &State| requests.push(serde_json::to_string(state).unwrap());
+    add(&State::default());
+    for (i, family) in Family::ALL.into_iter().enumerate() {
+        let other = Family::ALL[(i + 4) % Family::ALL.len()];
+        add(&State { beam: preset(family, false), bar: preset(other, true), ..State::default() });
+    }
+    for (fault, dragged) in [
+        ("a: d.t,xi = dropped", Dragged::Dq),
+        ("Ddg_T: dt Dxi = dropped", Dragged::LinearDq),
+        ("H_d: a gg' = sign", Dragged::Q),
+        ("no such term = sign", Dragged::Q),
+    ] {
+        add(&State {
+            fault: Some(fault.to_owned()),
+            dragged,
+            along_linear: true,
+            step: 0.75,
+            ..State::default()
+        });
+    }
+    // Parallel, crossing, at an end, of no length.
+    for (q, q_bar) in [
+        ([-1.0, 0.0, 0.25, 1.0, 0.0, 0.25], [-1.0, 0.0, -0.25, 1.0, 0.0, -0.25]),
+        ([-1.0, 0.0, 0.0, 1.0, 0.0, 0.0], [0.0, -1.0, 0.0, 0.0, 1.0, 0.0]),
+        ([-1.5, 0.0, 0.25, -0.5, 0.25, 0.25], [0.25, -1.0, -0.25, 0.25, 1.0, -0.25]),
+        ([0.5; 6], [0.0, -1.0, 0.0, 0.0, 1.0, 0.0]),
+    ] {
+        let (mut beam, mut bar) = (preset(Family::Segment, false), preset(Family::Segment, true));
+        (beam.q, bar.q) = (q.into(), q_bar.into());
+        add(&State { beam, bar, ..State::default() });
+    }
+    let mut short = State::default();
+    short.beam.q.pop();
+    add(&short);
+    add(&State { step: 2.0, ..State::default() });
+    requests.extend(["".to_owned(), "{}".to_owned(), "no JSON".to_owned()]);
+    requests
+}
+
+#[test]
+fn the_module_of_the_page_answers_like_the_library() {
+    let mut running = Running::of_page();
+    for request in requests() {
+        let (native, module) = (answer(&request), running.answer(&request));
+        if native != module {
+            let [native, module] = [native, module].map(|text| serde_json::from_str::<Value>(&text).unwrap());
+            let differs =
+                native.as_object().unwrap().iter().find(|(key, value)| module[key.as_str()] != **value);
+            panic!("the page is stale, or the platform rounds otherwise: {differs:#?} for {request}");
+        }
+    }
+}
+
+#[test]
+fn the_page_shows_the_standard_case_before_the_module_runs() {
+    let page = committed();
+    let answer: Value =
+        serde_json::from_str(&answer(&serde_json::to_string(&State::default()).unwrap())).unwrap();
+    for piece in ["scene", "words", "points", "checks", "prediction", "plot", "numbers", "gap"] {
+        assert!(page.contains(answer[piece].as_str().unwrap()), "{piece} is stale: examples/explorer/build");
+    }
+    for file in ["page/explorer.js", "page/explorer.css"] {
+        let text = std::fs::read_to_string(format!("{}/{file}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+        assert!(page.contains(text.trim()), "{file} is stale: examples/explorer/build");
+    }
+    assert!(
+        !page.contains("http://")
+            || page.matches("http://").count() == page.matches("http://www.w3.org/").count()
+    );
+    assert!(page.len() < 1_000_000, "{} bytes", page.len());
+}
