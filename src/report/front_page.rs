@@ -5,6 +5,7 @@
 use super::ReportError;
 use super::derivation::mathml;
 use super::picture::picture;
+use std::fmt::Write;
 
 const TEXT: &str = include_str!("front_page.txt");
 const WORDS: &str =
@@ -27,9 +28,9 @@ fn page() -> Result<String, String> {
             page += line;
         } else if line == "@picture" {
             let svg = picture().map_err(|error| error.to_string())?;
-            page += &format!("<img alt=\"{WORDS}\" src=\"data:image/svg+xml,{}\">", in_address(&svg));
+            let _ = write!(page, "<img alt=\"{WORDS}\" src=\"data:image/svg+xml,{}\">", in_address(&svg));
         } else if let Some(latex) = line.strip_prefix("$$").and_then(|rest| rest.strip_suffix("$$")) {
-            page += &format!("<div style=\"overflow-x:auto\">{}</div>", in_line(&mathml(latex, true)?));
+            let _ = write!(page, "<div style=\"overflow-x:auto\">{}</div>", in_line(&mathml(latex, true)?));
         } else {
             for (i, part) in line.split('$').enumerate() {
                 page += &if i % 2 == 1 { in_line(&mathml(part, false)?) } else { part.to_owned() };
@@ -51,7 +52,7 @@ fn in_address(svg: &str) -> String {
         '%' | '#' | '<' | '>' | '"' | '{' | '}' | '`' | '\\' | '^' | '|' => format!("%{:02X}", u32::from(c)),
         c if c.is_ascii_whitespace() => "%20".to_owned(),
         c if c.is_ascii() => c.to_string(),
-        c => c.to_string().bytes().map(|byte| format!("%{byte:02X}")).collect(),
+        c => c.to_string().bytes().fold(String::new(), |all, byte| all + &format!("%{byte:02X}")),
     };
     svg.chars().map(escape).collect()
 }

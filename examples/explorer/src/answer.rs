@@ -87,7 +87,7 @@ impl Answer {
             ..Self::default()
         };
         let Some(found) = found else {
-            answer.gap = "none".to_owned();
+            "none".clone_into(&mut answer.gap);
             answer.equations = state.equations.then(Vec::new);
             return Ok(answer);
         };

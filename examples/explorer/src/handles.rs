@@ -24,6 +24,9 @@ pub(crate) struct Handle {
     /// What it is held by.
     #[serde(skip)]
     pub(crate) from: [f64; 2],
+    /// Whether it is held by anything but itself.
+    #[serde(skip)]
+    pub(crate) is_rod: bool,
     /// Its name.
     pub(crate) name: String,
     /// Its dofs.
@@ -60,9 +63,10 @@ pub(crate) fn handles(case: &CaseData, state: &State, view: &View) -> Vec<Handle
                 None => (triple.base, place),
             };
             let name = direction.map_or_else(|| triple.name.clone(), |of| format!("{of} of {}", triple.name));
+            let is_rod = from != to;
             let [at, from] = [to, from].map(|x| view.at(&x));
             let Triple { start, factor, .. } = triple;
-            all.push(Handle { beam, start, factor, at, from, name, value: value.into() });
+            all.push(Handle { beam, start, factor, at, from, is_rod, name, value: value.into() });
         }
     }
     all

@@ -1,5 +1,7 @@
 //! Pieces of HTML: numbers, verdicts, links to equations.
 
+use std::fmt::Write;
+
 /// A text with what HTML takes for its own replaced.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
@@ -69,7 +71,7 @@ pub(crate) fn linked(words: &str) -> String {
             rest = &from[1..];
             continue;
         };
-        out += &format!("<a href=\"derivation.html#eq-{number}\">({number})</a>");
+        let _ = write!(out, "<a href=\"derivation.html#eq-{number}\">({number})</a>");
         rest = &from[number.len() + 2..];
     }
     out + rest
@@ -77,7 +79,8 @@ pub(crate) fn linked(words: &str) -> String {
 
 /// A table that is scrolled where it is too wide.
 pub(crate) fn table(name: &str, heads: &[&str], rows: &str) -> String {
-    let heads: String = heads.iter().map(|head| format!("<th scope=\"col\">{head}</th>")).collect();
+    let heads: Vec<_> = heads.iter().map(|head| format!("<th scope=\"col\">{head}</th>")).collect();
+    let heads = heads.concat();
     format!(
         "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"{name}\"><table><thead><tr>{heads}</tr></thead>\
          <tbody>\n{rows}</tbody></table></div>\n"

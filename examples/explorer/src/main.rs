@@ -126,7 +126,9 @@ fn escaped(text: &str) -> String {
 }
 
 fn options<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
-    names.into_iter().map(|name| format!("<option>{}</option>", escaped(name))).collect()
+    let options: Vec<_> =
+        names.into_iter().map(|name| format!("<option>{}</option>", escaped(name))).collect();
+    options.concat()
 }
 
 fn buttons<'a>(what: &str, names: impl IntoIterator<Item = (&'a str, &'a str)>) -> String {

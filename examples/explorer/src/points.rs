@@ -57,7 +57,8 @@ pub(crate) fn points(
     };
     let mut rows = String::new();
     let mut row = |name: &str, of: &dyn Fn(&ClosestPoint) -> String| {
-        let cells: String = all.iter().map(|point| format!("<td>{}</td>", of(point))).collect();
+        let cells: Vec<_> = all.iter().map(|point| format!("<td>{}</td>", of(point))).collect();
+        let cells = cells.concat();
         let _ = writeln!(rows, "<tr><th scope=\"row\">{name}</th>{cells}</tr>");
     };
     row("kind", &|point| kind(point.kind).to_owned());

@@ -34,7 +34,7 @@ pub(crate) fn scene(
         body += &of_varied(view, varied);
     }
     for handle in handles {
-        if handle.from != handle.at {
+        if handle.is_rod {
             body += &path(&format!("rod {}", COLOURS[handle.beam]), [handle.from, handle.at]);
         }
     }

@@ -37,7 +37,8 @@ pub(crate) fn words(case: &CaseData, closest: &ClosestPoints, found: Option<&Fou
                 .to_owned(),
         );
     }
-    all.iter().map(|words| format!("<p>{}</p>\n", linked(words))).collect()
+    let paragraphs: Vec<_> = all.iter().map(|words| format!("<p>{}</p>\n", linked(words))).collect();
+    paragraphs.concat()
 }
 
 fn of_point(case: &CaseData, found: &Found, all: &mut Vec<String>) {

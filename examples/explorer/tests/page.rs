@@ -101,7 +101,7 @@ fn requests() -> Vec<String> {
     short.beam.q.pop();
     add(&short);
     add(&State { step: 2.0, ..State::default() });
-    requests.extend(["".to_owned(), "{}".to_owned(), "no JSON".to_owned()]);
+    requests.extend([String::new(), "{}".to_owned(), "no JSON".to_owned()]);
     requests
 }
 

@@ -73,10 +73,10 @@ fn line(text: &str, with_letters: bool) -> Result<String, String> {
     for (i, part) in text.split('$').enumerate() {
         if i % 2 == 1 {
             let math = mathml(part, false)?;
-            out += &match of_letter(part)?.filter(|_| with_letters) {
-                Some(id) => format!("<a class=\"letter\" href=\"#sym-{id}\">{math}</a>"),
-                None => math,
-            };
+            match of_letter(part)?.filter(|_| with_letters) {
+                Some(id) => drop(write!(out, "<a class=\"letter\" href=\"#sym-{id}\">{math}</a>")),
+                None => out += &math,
+            }
             continue;
         }
         for (i, part) in part.split('`').enumerate() {
