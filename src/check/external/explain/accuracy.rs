@@ -170,12 +170,6 @@ fn explained(
         [_] if words(&named[0]).into_iter().collect::<BTreeSet<_>>() == own_names => Naming::First,
         all if all.iter().all(|one| *one == own) => Naming::Equivalent,
         all if all.contains(&own) => Naming::Among,
-        // Of kinds of faults of one term that predict the same numbers one is named.
-        _ if named.iter().any(|name| name.starts_with(&format!("{} = ", faults[0].label)))
-            && faults.len() == 1 =>
-        {
-            Naming::Among
-        }
         all if all.iter().any(|one| one.len() < own.len()) => Naming::Fewer,
         _ => Naming::Other,
     };
