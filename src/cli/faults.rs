@@ -174,13 +174,34 @@ fn words(record: &Faults) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Check, Faults, Record, terminal, words};
+    use super::{Check, Exit, Faults, Record, outcome, terminal, words};
+    use crate::cli::formats::{junit, sarif};
     use std::path::Path;
+
+    fn committed() -> Faults {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/faults.json");
+        Faults::from_json(&std::fs::read_to_string(path).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_fault_that_is_missed_is_an_entry() {
+        let right = committed();
+        assert_eq!(outcome(&right).wrong().count(), 0);
+        let mut wrong = right.clone();
+        wrong.holds = false;
+        let undetected = wrong.operations.iter_mut().flat_map(|row| &mut row.undetected).next();
+        undetected.unwrap().reason = None;
+        let outcome = outcome(&wrong);
+        assert_eq!((outcome.verdict.exit, outcome.wrong().count()), (Exit::Untrusted, 1));
+        // One of the entry, one of the verdict.
+        assert_eq!(junit(&outcome).matches("<failure ").count(), 2);
+        let log: serde_json::Value = serde_json::from_str(&sarif(&outcome).unwrap()).unwrap();
+        assert_eq!(log["runs"][0]["results"].as_array().unwrap().len(), 1);
+    }
 
     #[test]
     fn the_committed_record_is_shown_in_80_columns() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/faults.json");
-        let record = Faults::from_json(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let record = committed();
         let text = terminal::page(&record.page(), &words(&record));
         assert!(text.contains("\nDETECTED: all "), "{text}");
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
