@@ -9,7 +9,7 @@ pub(super) struct Symbol {
     /// What it is, in prose.
     pub(super) words: &'static str,
     /// Its name in words.
-    name: &'static str,
+    pub(super) name: &'static str,
     /// What in the LaTeX of an equation shows that it is used.
     keys: Vec<&'static str>,
 }
@@ -42,10 +42,10 @@ pub(super) fn used(latex: &str) -> Result<String, String> {
     Ok(links.join(" "))
 }
 
-/// The id of the letter that a formula is, if it is no more than a letter.
-pub(super) fn of_letter(latex: &str) -> Result<Option<&'static str>, String> {
+/// The letter that a formula is, if it is no more than a letter.
+pub(super) fn of_letter(latex: &str) -> Result<Option<Symbol>, String> {
     let is_letter = |symbol: &Symbol| symbol.latex.split(r",\;").any(|letter| letter == latex.trim());
-    Ok(all()?.iter().find(|symbol| is_letter(symbol)).map(|symbol| symbol.id))
+    Ok(all()?.into_iter().find(is_letter))
 }
 
 #[cfg(test)]
@@ -54,8 +54,8 @@ mod tests {
 
     #[test]
     fn letters_are_found_alone_and_in_formulas() {
-        assert_eq!(of_letter(r"\vtb").unwrap(), Some("t"));
-        assert_eq!(of_letter(r"\vd\cdot\vt").unwrap(), None);
+        assert_eq!(of_letter(r"\vtb").unwrap().map(|symbol| symbol.id), Some("t"));
+        assert!(of_letter(r"\vd\cdot\vt").unwrap().is_none());
         let links = used(r"\vd\cdot\vt=0").unwrap();
         assert!(links.contains("#sym-d") && links.contains("#sym-t") && !links.contains("#sym-u"), "{links}");
     }

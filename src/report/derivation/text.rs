@@ -1,6 +1,6 @@
 //! The markup of the prose: paragraphs, headings, lists, formulas, and commands that the page carries out.
 
-use super::letters::{of_letter, used};
+use super::letters::{Symbol, of_letter, used};
 use super::math::mathml;
 use std::fmt::Write;
 
@@ -74,7 +74,10 @@ fn line(text: &str, with_letters: bool) -> Result<String, String> {
         if i % 2 == 1 {
             let math = mathml(part, false)?;
             match of_letter(part)?.filter(|_| with_letters) {
-                Some(id) => drop(write!(out, "<a class=\"letter\" href=\"#sym-{id}\">{math}</a>")),
+                // Screen readers do not read the formula of a link.
+                Some(Symbol { id, name, .. }) => {
+                    drop(write!(out, "<a class=\"letter\" title=\"{name}\" href=\"#sym-{id}\">{math}</a>"))
+                }
                 None => out += &math,
             }
             continue;
