@@ -76,7 +76,7 @@ fn line(text: &str, with_letters: bool) -> Result<String, String> {
             match of_letter(part)?.filter(|_| with_letters) {
                 // Screen readers do not read the formula of a link.
                 Some(Symbol { id, name, .. }) => {
-                    drop(write!(out, "<a class=\"letter\" title=\"{name}\" href=\"#sym-{id}\">{math}</a>"))
+                    let _ = write!(out, "<a class=\"letter\" title=\"{name}\" href=\"#sym-{id}\">{math}</a>");
                 }
                 None => out += &math,
             }
