@@ -28,7 +28,7 @@ fn power<T: Real>(x: T, n: u32) -> [T; 4] {
 impl Curve<15> for Quartic {
     type Dofs<T: Real> = Shapes<T, 5>;
 
-    /// By repeated interpolation: another way than the shape functions, so that each checks the other.
+    /// By repeated interpolation, without the shape functions: each checks the other.
     fn position<T: Real>(&self, q: &SVector<T, 15>, xi: T) -> Vector3<T> {
         let u = (T::one() + xi) * T::from(0.5);
         let mut points: [Vector3<T>; 5] = std::array::from_fn(|i| q.fixed_rows::<3>(3 * i).into_owned());

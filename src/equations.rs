@@ -13,7 +13,7 @@
 //! - Refuted: the correction is refuted. The table does not hold then.
 //! - Definitions, lists, assumptions and equations that the scan has lost need no evidence.
 //!
-//! A print without a meaning is read in several ways, and each reading is evaluated.
+//! A print without a meaning has several readings. Each reading is evaluated.
 //!
 //! # Symmetry
 //! Formulas of second order are evaluated again with delta and Delta exchanged: at stationary pairs, and with random numbers

@@ -1,4 +1,4 @@
-//! Fault injection: whether a check fails when a term is wrong, and passes when a formula is only written in another way.
+//! Fault injection: whether a check fails when a term is wrong, and passes when a formula is only rewritten equivalently.
 //!
 //! Every fault of the [catalogue](crate::variant::catalogue) and every [`Rewrite`](crate::variant::Rewrite) is put
 //! through the gate and through the checks that are used elsewhere. All checks evaluate the same closest points in every

@@ -101,7 +101,7 @@ def sympy(to):
         return body + [f"    {target} = {print_c(e)};" for (target, _), e in zip(assignments, reduced)]
 
     # Half the squares: their derivatives are polynomials, those of the lengths follow.
-    half_square = [parts(dot(v, v) / 2, n) for v, n in [(d, "d"), (t, "t"), (t_bar, "u")]]
+    half_squared = [parts(dot(v, v) / 2, n) for v, n in [(d, "d"), (t, "t"), (t_bar, "u")]]
     residuals = [parts(dot(d, t), "r"), parts(dot(d, t_bar), "s")]
     inverse, length = sp.symbols("i:4"), sp.symbols("l:3")
     Y = [sp.symbols("Y:24"), sp.symbols("Z:24")]
@@ -137,8 +137,8 @@ def sympy(to):
     common += write([(f"const double {Y[k][i]}", -(inverse[2 * k] * residuals[0][1][i] + inverse[2 * k + 1] * residuals[1][1][i]))
                      for k in range(2) for i in range(24)], "y")
     n = sp.symbols("n:24")
-    common += write([(f"const double {n[i]}", half_square[0][1][i] / length[0]) for i in range(24)], "g")
-    h = half_square[0][2]
+    common += write([(f"const double {n[i]}", half_squared[0][1][i] / length[0]) for i in range(24)], "g")
+    h = half_squared[0][2]
     of_d = write(block(0, length[0], n, lambda i, j: (h[i][j] + h[i][24] * Y[0][j] + h[i][25] * Y[1][j] - n[i] * n[j]) / length[0]), "a")
     task_d = common + of_d
     task_all = task_d[:]
@@ -154,7 +154,7 @@ def sympy(to):
     for k, parameter in enumerate([xi, xib]):
         task_all += write(block(1 + k, parameter, Y[k], lambda i, j: H[k][i, j]), f"b{k}_")
     for k in range(2):
-        of = half_square[1 + k]
+        of = half_squared[1 + k]
         value, slope = sp.Symbol(f"l{k + 1}"), of[1][24:]
         g = sp.symbols(f"m{k}_:24")
         lines = write([(f"const double {value}", sp.sqrt(2 * of[0]))], "e")

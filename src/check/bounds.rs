@@ -105,7 +105,7 @@ pub struct Bounds {
     pub violations: BTreeMap<u64, Violation>,
 }
 
-/// What is counted on the way.
+/// The counts.
 #[derive(Debug, Default)]
 struct Counted {
     points: BTreeMap<Regime, Points>,

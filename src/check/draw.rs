@@ -50,14 +50,15 @@ impl Selection {
         self.regimes.iter().flat_map(|&regime| self.of_regime(regime)).collect()
     }
 
-    /// The numbers of the cases of a shard, through the regimes in turn.
+    /// The numbers of the cases of a shard, from each regime alternately.
     pub fn part(&self, shard: Shard) -> Vec<u64> {
         let mut regimes: Vec<_> = self.regimes.iter().map(|&regime| self.of_regime(regime)).collect();
         let mut numbers = Vec::new();
-        for turn in 0..self.cases {
+        for round in 0..self.cases {
             // Each regime is spread over all shards.
-            let of_turn = regimes.iter_mut().zip(turn..).map(|(regime, place)| (regime.next(), place));
-            numbers.extend(of_turn.filter(|(_, place)| shard.holds(*place)).filter_map(|(number, _)| number));
+            let of_round = regimes.iter_mut().zip(round..).map(|(regime, place)| (regime.next(), place));
+            numbers
+                .extend(of_round.filter(|(_, place)| shard.holds(*place)).filter_map(|(number, _)| number));
         }
         numbers
     }
@@ -69,9 +70,9 @@ impl Selection {
 
     /// The numbers of the cases of a regime.
     fn of_regime(&self, regime: Regime) -> impl Iterator<Item = u64> + use<> {
-        let number = move |turn| match regime {
-            Regime::BadlyScaled => BADLY_SCALED + turn,
-            _ => turn * REGIMES + regime as u64,
+        let number = move |place| match regime {
+            Regime::BadlyScaled => BADLY_SCALED + place,
+            _ => place * REGIMES + regime as u64,
         };
         let family = self.family;
         let of_family = move |&number: &u64| family.is_none_or(|family| families(number).contains(&family));
@@ -92,10 +93,10 @@ pub(super) fn place_in_regime(number: u64) -> u64 {
     if number >= BADLY_SCALED { number - BADLY_SCALED } else { number / REGIMES }
 }
 
-/// The families of a case: all pairs in turn.
+/// The families of a case: all pairs alternate.
 fn families(number: u64) -> [Family; 2] {
-    let turn = place_in_regime(number);
-    [turn / FAMILIES, turn].map(|i| Family::ALL[usize::try_from(i % FAMILIES).unwrap_or(0)])
+    let place = place_in_regime(number);
+    [place / FAMILIES, place].map(|i| Family::ALL[usize::try_from(i % FAMILIES).unwrap_or(0)])
 }
 
 impl Case {

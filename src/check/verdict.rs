@@ -139,7 +139,7 @@ pub enum Inconclusive {
     IllConditioned,
     /// Rounding explains differences of more than a thousandth of some scale.
     NotMeaningful,
-    /// A number, or a product on the way to it, is larger or smaller than an `f64` can be: bounds on rounding mean nothing.
+    /// A number, or a product that it is computed from, is larger or smaller than an `f64` can be: bounds on rounding mean nothing.
     OutOfRange,
 }
 

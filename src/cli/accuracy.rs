@@ -3,7 +3,7 @@
 use super::arguments::seed;
 use super::exit::Exit;
 use super::outcome::{Outcome, Verdict};
-use super::output::Written;
+use super::output::OutputOptions;
 use super::progress::Progress;
 use super::terminal;
 use beamgap::check::accuracy;
@@ -25,13 +25,13 @@ pub(crate) struct Accurate {
     #[arg(value_parser = value_parser!(u32).range(1..=100_000))]
     pairs: u32,
     #[command(flatten)]
-    written: Written,
+    output: OutputOptions,
 }
 
 impl Accurate {
     /// Measures and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let mut outputs = self.written.open()?;
+        let mut outputs = self.output.open()?;
         outputs.begin("Accuracy\n")?;
         let pairs = usize::try_from(self.pairs)?;
         let command = format!("beamgap accuracy --seed {:#x} --pairs {pairs}", self.seed);

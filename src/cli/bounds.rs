@@ -3,7 +3,7 @@
 use super::arguments::{families, regimes, seed};
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, State, Verdict};
-use super::output::Written;
+use super::output::OutputOptions;
 use super::progress::Progress;
 use super::terminal;
 use beamgap::check::{Family, Order, Regime, Selection, bounds};
@@ -29,13 +29,13 @@ pub(crate) struct MeasureBounds {
     #[arg(long, value_parser = regimes())]
     regime: Vec<Regime>,
     #[command(flatten)]
-    written: Written,
+    output: OutputOptions,
 }
 
 impl MeasureBounds {
     /// Measures and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let mut outputs = self.written.open()?;
+        let mut outputs = self.output.open()?;
         outputs.begin("Bounds\n")?;
         let asked = |regime: &Regime| self.regime.is_empty() || self.regime.contains(regime);
         let regimes = Regime::ALL.into_iter().filter(asked).collect();

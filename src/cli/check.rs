@@ -7,7 +7,7 @@ use super::checked::{Checked, MOST_CASES, Oracle};
 use super::exit::Exit;
 use super::human;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
-use super::output::{Outputs, Written};
+use super::output::{OutputOptions, Outputs};
 use super::progress::Progress;
 use beamgap::check::{
     Arbitration, Case, CaseData, CheckConfig, Compared, Family, Oracles, Regime, Selection, Shard,
@@ -61,7 +61,7 @@ pub(crate) struct Check {
     #[arg(long, value_name = "TIME", value_parser = seconds, conflicts_with = "one")]
     time_budget: Option<Duration>,
     #[command(flatten)]
-    written: Written,
+    output: OutputOptions,
     /// How many threads work; the result is the same [default: all cores]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
@@ -71,7 +71,7 @@ pub(crate) struct Check {
 impl Check {
     /// Does the comparison and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let outputs = self.written.open()?;
+        let outputs = self.output.open()?;
         work_with(self.threads)?;
         match (&self.case_file, self.case) {
             (Some(path), _) => self.one(outputs, &case_file::read(path)?, None),

@@ -4,7 +4,7 @@ use super::arguments::seed;
 use super::exit::Exit;
 use super::formula;
 use super::outcome::{Entry, Outcome, Source, State, Verdict as Amounts};
-use super::output::Written;
+use super::output::OutputOptions;
 use super::progress::Progress;
 use beamgap::equations::{
     self as record, CASES, Counts, DRAWS, EquationRow, Order, Reading, Run, Score, Verdict,
@@ -47,13 +47,13 @@ pub(crate) struct ListEquations {
     #[arg(long, requires = "to")]
     allow_dirty: bool,
     #[command(flatten)]
-    written: Written,
+    output: OutputOptions,
 }
 
 impl ListEquations {
     /// Runs the equations and writes what became of them.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let mut outputs = self.written.open()?;
+        let mut outputs = self.output.open()?;
         if self.to.is_some() {
             Environment::is_clean(self.allow_dirty)?;
         }

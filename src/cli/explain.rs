@@ -1,6 +1,6 @@
 //! `beamgap explain`: which term is wrong in the answers of a program; and how well such explanations are.
 
-use super::answered::{cause, verdict};
+use super::answered::{cause, head, verdict};
 use super::arguments::{seed, work_with};
 use super::exit::Exit;
 use super::export::source;
@@ -62,6 +62,8 @@ impl Explain {
         let (from, command) = source(answers)?;
         let mut answers = AnswerReader::new(from, &command)?;
         let demands = Demands { conventions: *answers.conventions(), digits: self.digits };
+        // An explanation takes seconds.
+        to_stdout(&head(&command, self.digits, None))?;
         let mut matching = Matching::new(demands, 4096).of_program(answers.program());
         while let Some(answers) = answers.next_answers()? {
             matching.take(answers, || vectors.next_vector())?;
@@ -92,6 +94,7 @@ impl Explain {
         if pairs != PAIRS {
             let _ = write!(command, " --pairs {pairs}");
         }
+        to_stdout("Faults of the catalogue, in the answers of programs that have them\n")?;
         let sample = report::ExplainSample { seed: self.seed, every, pairs };
         let record = report::explain(&self.to, sample, &command)?;
         let mut text = String::new();

@@ -3,7 +3,7 @@
 use super::arguments::{regimes, seed, work_with};
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
-use super::output::{Written, to_stdout};
+use super::output::{OutputOptions, to_stdout};
 use super::progress::Progress;
 use super::terminal;
 use beamgap::check::Regime;
@@ -37,7 +37,7 @@ pub(crate) struct InjectFaults {
     #[arg(long, requires = "to")]
     allow_dirty: bool,
     #[command(flatten)]
-    written: Written,
+    output: OutputOptions,
     /// How many threads work; the result is the same [default: all cores]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
@@ -53,7 +53,7 @@ impl InjectFaults {
             to_stdout(&(names.join("\n") + "\n"))?;
             return Ok(Exit::Agree);
         }
-        let mut outputs = self.written.open()?;
+        let mut outputs = self.output.open()?;
         if self.to.is_some() {
             Environment::is_clean(self.allow_dirty)?;
         }

@@ -3,7 +3,7 @@
 use super::checked::Checked;
 use super::exit::Exit;
 use super::human;
-use super::output::Written;
+use super::output::OutputOptions;
 use anyhow::Context;
 use clap::Args;
 use std::path::PathBuf;
@@ -16,13 +16,13 @@ pub(crate) struct Merge {
     #[arg(value_name = "PART", required = true)]
     parts: Vec<PathBuf>,
     #[command(flatten)]
-    written: Written,
+    output: OutputOptions,
 }
 
 impl Merge {
     /// Merges and writes the result: to the last byte that of a run on one machine.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let mut outputs = self.written.open()?;
+        let mut outputs = self.output.open()?;
         let read = |path: &PathBuf| {
             let name = path.display().to_string();
             let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;

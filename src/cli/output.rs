@@ -29,7 +29,7 @@ pub(crate) enum Format {
 
 /// The options that say what is written, and where.
 #[derive(Args, Clone, Debug)]
-pub(crate) struct Written {
+pub(crate) struct OutputOptions {
     /// How the result is written
     #[arg(long, value_enum, default_value_t = Format::Human, hide_possible_values = true)]
     #[arg(help = "How the result is written: human, json, junit, sarif, github or markdown")]
@@ -64,7 +64,7 @@ pub(crate) struct Outputs {
     head: String,
 }
 
-impl Written {
+impl OutputOptions {
     /// Opens all files, so that a wrong path is noticed first and not last.
     pub(crate) fn open(&self) -> anyhow::Result<Outputs> {
         let open = |(format, path): &(Option<Format>, PathBuf)| {

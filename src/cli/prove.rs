@@ -2,7 +2,7 @@
 
 use super::arguments::{families, seed, variant, work_with};
 use super::exit::Exit;
-use super::output::Written;
+use super::output::OutputOptions;
 use super::progress::Progress;
 use super::proof;
 use beamgap::prove::{Proof, prove};
@@ -29,7 +29,7 @@ pub(crate) struct Prove {
     #[arg(long, value_name = "FAULT")]
     plant: Vec<String>,
     #[command(flatten)]
-    written: Written,
+    output: OutputOptions,
     /// How many threads work; the result is the same [default: all cores]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
@@ -48,7 +48,7 @@ pub(super) struct Proved {
 impl Prove {
     /// Does the proof and writes the result, and to stderr the time it took: that is not the same every time.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let mut outputs = self.written.open()?;
+        let mut outputs = self.output.open()?;
         work_with(self.threads)?;
         let named = |family: &Family| self.family.is_empty() || self.family.contains(family);
         let families: Vec<_> = Family::ALL.into_iter().filter(named).collect();

@@ -4,7 +4,7 @@ use super::answered;
 use super::arguments::work_with;
 use super::exit::Exit;
 use super::export::source;
-use super::output::{Outputs, Written};
+use super::output::{OutputOptions, Outputs};
 use anyhow::anyhow;
 use beamgap::check::external::{
     AnswerReader, Conventions, Demands, Matching, ProcessError, Report, Runner, VectorReader,
@@ -43,7 +43,7 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "TEXT")]
     reason: Option<String>,
     #[command(flatten)]
-    written: Written,
+    output: OutputOptions,
     /// Do not look for the wrong term
     #[arg(long)]
     no_explanation: bool,
@@ -64,7 +64,7 @@ pub(super) struct Verified {
 impl Verify {
     /// Compares and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let mut outputs = self.written.open()?;
+        let mut outputs = self.output.open()?;
         work_with(self.threads)?;
         let mut failed = None;
         let verified = match self.verified(&mut outputs) {

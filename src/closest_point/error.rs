@@ -1,4 +1,4 @@
-//! The ways in which a projection of one centroid onto the other can fail. None depends on the unit of length.
+//! Why a projection of one centroid onto the other can fail. No reason depends on the unit of length.
 
 use super::Side;
 use crate::number::Which;

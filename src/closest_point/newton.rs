@@ -20,7 +20,7 @@ const REACH: f64 = 0.5;
 ///
 /// # Errors
 /// [`ProjectionError::NonFinite`] if the start, a curve or a square of its numbers is not finite,
-/// [`ProjectionError::Singular`] if the Hessian is singular on the way, or so nearly that its steps say nothing,
+/// [`ProjectionError::Singular`] if the Hessian becomes singular, or so nearly that its steps say nothing,
 /// [`ProjectionError::AtEnd`] if the steps lead out of a beam, [`ProjectionError::NotConverged`] if they do not become small.
 pub fn refine(
     beam: &dyn Centroid,
@@ -137,7 +137,7 @@ impl Iterate {
         [about(&self.geometry[0], at.0 - self.at.0), about(&self.geometry[1], at.1 - self.at.1)]
     }
 
-    /// Where Newton's method leads from here by way of `next`, with Taylor's polynomials for the curves.
+    /// Where Newton's method leads from here through `next`, with Taylor's polynomials for the curves.
     ///
     /// They are the curves themselves where these are cubic, and a step of any curve is worth two or three of
     /// Newton's. Where a step is not much smaller than the one before, the polynomials are left.

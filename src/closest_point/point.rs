@@ -216,7 +216,7 @@ impl Kind {
         }
         let held = Held { xi: strict(end), xi_bar: strict(end_bar) };
         if let (Some(end), Some(end_bar), false, false) = (end, end_bar, held.xi, held.xi_bar) {
-            // In a corner both parameters go one way only: the Hessian need but be copositive.
+            // In a corner both parameters can only move into the square: the Hessian has to be copositive only.
             let b = if end.side == end_bar.side { -p.b } else { p.b };
             if p.a > 0.0 && p.a_bar < 0.0 && b >= 0.0 {
                 return Self::Minimum;

@@ -244,7 +244,7 @@ impl SquaredDistance {
 
     /// A Newton step only in the directions in which the Hessian, for unit tangents, is clearly not singular.
     ///
-    /// It leads to a continuum of stationary points along the shortest way, where [`Self::step`] would have no meaning.
+    /// It leads to a continuum of stationary points by the shortest step, where [`Self::step`] would have no meaning.
     pub(super) fn valley_step(&self, held: Held) -> (f64, f64) {
         const CLEAR: f64 = 1e-9;
         let lengths = self.squares.map(f64::sqrt);

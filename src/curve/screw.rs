@@ -130,7 +130,7 @@ impl<T: Real> ScrewDofs<T> {
         }
     }
 
-    /// The k-th derivative of the way along the axis.
+    /// The k-th derivative of the translation along the axis.
     fn axis(&self, k: usize, pitch: T) -> Vector3<T> {
         let rise = if k < 2 { self.rise[k] * pitch } else { T::zero() };
         Vector3::new(T::zero(), T::zero(), rise)
@@ -175,10 +175,10 @@ impl<T: Real> ScrewDofs<T> {
         // Δδy^(k) = α^k [(δr Δφ + Δr δφ) e_(k+1) + r δφ Δφ e_(k+2)]
         let tangential = d.radius * linear.phase + linear.radius * d.phase;
         let radial = self.screw.radius * d.phase * linear.phase;
-        let way = (self.circle(k + 1) * tangential + self.circle(k + 2) * radial) * self.powers[k];
+        let plane = (self.circle(k + 1) * tangential + self.circle(k + 2) * radial) * self.powers[k];
         self.rotation_varied_twice(&d.quaternion, &linear.quaternion, &self.y[k])
             + self.rotation_varied(&d.quaternion, &self.way_varied(k, linear))
             + self.rotation_varied(&linear.quaternion, &self.way_varied(k, d))
-            + self.rotated(&way)
+            + self.rotated(&plane)
     }
 }

@@ -64,12 +64,12 @@ pub(super) fn triangle<T: Real, const D: usize, const P: usize>(
     points[0]
 }
 
-/// Moves a point towards another by the fraction `u` of the way, with one product.
+/// Moves a point towards another by the fraction `u` of the difference, with one product.
 #[inline]
 pub(super) fn go<T: Real, const D: usize>(point: &mut SVector<T, D>, to: &SVector<T, D>, u: T) {
     let from: &SVector<T, D> = point;
-    let way = (to - from) * u;
-    *point += way;
+    let step = (to - from) * u;
+    *point += step;
 }
 
 /// f times g, both by value and derivatives up to the third, by Leibniz' rule.

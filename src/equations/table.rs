@@ -38,9 +38,9 @@ pub enum Order {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reading {
-    /// As printed; one way of reading it, if what is printed has no meaning or more than one.
+    /// As printed; one reading, if what is printed has no meaning or more than one.
     Printed,
-    /// Read in another way than is printed.
+    /// A reading that is not printed.
     Other,
     /// With the misprint corrected.
     Corrected,
@@ -163,7 +163,7 @@ impl<T: Real> Equation<T> {
         self.line(Reading::Printed, "", left, right)
     }
 
-    /// Both sides as printed, read in this way.
+    /// Both sides as printed, in this reading.
     pub(super) fn read(
         &mut self,
         words: &'static str,
@@ -173,7 +173,7 @@ impl<T: Real> Equation<T> {
         self.line(Reading::Printed, words, left, right)
     }
 
-    /// Both sides in a way that is not printed.
+    /// Both sides in a reading that is not printed.
     pub(super) fn other(
         &mut self,
         words: &'static str,

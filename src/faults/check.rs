@@ -10,7 +10,7 @@ use crate::test_beam::RunningError2;
 use crate::variant::{Rewrite, Step, Variant, by_invariance};
 use std::cell::Cell;
 
-/// A way of checking derivatives.
+/// A check of derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Check {
     /// Equality with AD over the prime field; it knows no regime.

@@ -67,7 +67,7 @@ pub struct Undetected {
     pub operations: usize,
 }
 
-/// How an operation is lost on its way to the numbers that come out, found by marking its result.
+/// Why no result depends on an operation, found by marking its result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lost {

@@ -85,7 +85,7 @@ pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
     regimes.iter().flat_map(of_regime).collect()
 }
 
-/// What is counted on the way.
+/// The counts.
 #[derive(Default)]
 struct Counts {
     operations: usize,

@@ -88,7 +88,7 @@ impl Crosscheck {
         vec![
             Block::heading("Regimes"),
             Block::text(
-                "A regime is a way to draw pairs of beams; [symbols](symbols.md) describes each. A closest point lies inside both \
+                "A regime is a distribution of random pairs of beams; [symbols](symbols.md) describes each. A closest point lies inside both \
                  beams, or at an end of one or both. The error is |closed form - other| over the sum of the absolute values of \
                  the terms. *Error / tolerance* above 1 is a mismatch.",
             ),

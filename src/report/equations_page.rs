@@ -43,7 +43,7 @@ impl Equations {
                      values of their terms.",
                     count(table.points.iter().sum())
                 ),
-                "A misprint may be read in several ways. An equation is refuted as printed if every reading is refuted.",
+                "A misprint may have several readings. An equation is refuted as printed if every reading is refuted.",
                 "As corrected, an equation holds for curves that are linear in their dofs. As completed, it holds for all curves.",
             ]),
         ];

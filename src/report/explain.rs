@@ -27,7 +27,7 @@ pub struct ExplainProgram {
     pub faults: usize,
     /// What they answer.
     pub answers: String,
-    /// How many faults are named in which way.
+    /// How many programs have their faults named how well.
     pub counts: Vec<NamingCount>,
     /// Those whose faults are not named first alone, and not undetected.
     pub others: Vec<NotFirst>,
@@ -37,10 +37,10 @@ pub struct ExplainProgram {
     pub largest_left: Option<f64>,
 }
 
-/// How many programs have their faults named in a way.
+/// How many programs have their faults named so well.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NamingCount {
-    /// The way.
+    /// How well.
     pub naming: String,
     /// How many.
     pub programs: usize,
@@ -94,7 +94,7 @@ impl ExplainProgram {
         }
     }
 
-    /// How many programs have their faults named in this way.
+    /// How many programs have their faults named so well.
     pub fn count(&self, naming: Naming) -> usize {
         self.counts.iter().filter(|count| count.naming == naming.name()).map(|count| count.programs).sum()
     }

@@ -1,4 +1,4 @@
-//! The catalogue of faults: every term of the closed form, made wrong in every way that makes a difference.
+//! The catalogue of faults: every term of the closed form with every kind of fault that changes a result.
 //!
 //! No list is kept: the terms are those that the code names when it runs, and whether a change of one is a fault is
 //! decided over the prime field. A change after which every result is the same number is none, and two changes of one

@@ -1,4 +1,4 @@
-//! One term made wrong: the ways in which terms derived by hand go wrong.
+//! A fault: one term is wrong, as terms derived by hand are.
 
 use crate::number::Label;
 use std::fmt;

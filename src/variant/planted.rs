@@ -69,7 +69,7 @@ pub(super) fn mistaken<T: Real, B>(
     }
 }
 
-/// A run with faults; `run` runs the code with operands mistaken in the way it is told.
+/// A run with faults; `run` runs the code with the operands mistaken that it is told.
 pub(super) fn with<R>(faults: &[(Label, Planted)], run: impl Fn(Option<Kind>) -> R) -> R {
     let mut known: Vec<(Kind, Rc<[u64]>)> = Vec::new();
     let mut changes = Vec::with_capacity(faults.len());

@@ -1,4 +1,4 @@
-//! Formulas written another way: equal to those of the library, so that a check must let them pass.
+//! Equivalent formulas: equal to those of the library, so that a check must let them pass.
 
 use super::invariance::by_invariance;
 use super::rewrites::by_term;

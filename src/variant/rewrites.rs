@@ -128,7 +128,7 @@ pub(super) fn by_term<T: Real>(
     all
 }
 
-/// delta xi and delta xi_bar by another way of solving the system, where no end is held.
+/// delta xi and delta xi_bar with another solution of the system, where no end is held.
 fn solve<T: Real>(
     all: &mut Quantities<Varied<T>>,
     [beam, bar]: [&PartialVariations<T>; 2],

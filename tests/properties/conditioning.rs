@@ -225,7 +225,7 @@ fn nearly_parallel_segments_keep_their_digits() {
     }
 }
 
-/// Next to the angle at which the system is solved otherwise, either way is good to a few digits of the last.
+/// Next to the angle at which the system is solved otherwise, both solutions are good to a few units of the last digit.
 #[test]
 fn the_choice_of_the_system_is_continuous() {
     let switch = 0.25_f64.asin();

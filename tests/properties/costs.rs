@@ -97,7 +97,7 @@ impl Centroid for OperationCount<'_> {
     }
 }
 
-/// How often Newton's method evaluates a curve on its way to the closest points, from so far away.
+/// How often Newton's method evaluates a curve until it has the closest points, from so far away.
 fn evaluations(are_cubic: [bool; 2], away: f64) -> usize {
     let mut curves = cubics();
     let mut count = 0;

@@ -1,4 +1,4 @@
-//! Families of pairs that degenerate in a known way: parallel, coaxial, crossing, collapsed or at an end.
+//! Families of pairs with a known degeneracy: parallel, coaxial, crossing, collapsed or at an end.
 
 use crate::centroids::{Cubic, Winding, close, ellipse, line};
 use beamgap::closest_point::{

@@ -93,7 +93,7 @@ fn every_file_that_names_an_equation_is_searched() {
     for path in found {
         let name = path.strip_prefix(&source).unwrap().to_str().unwrap().replace('\\', "/");
         let names_one = std::fs::read_to_string(&path).unwrap().lines().any(|line| !named(line).is_empty());
-        // The table quotes the paper, a rewrite is another way to what the closed form computes, and the story on the front
+        // The table quotes the paper, a rewrite computes what the closed form computes by other formulas, and the story on the front
         // page computes nothing.
         let others = ["equations", "variant", "front_page", "report/front_page"];
         if names_one && !others.iter().any(|start| name.starts_with(start)) {

@@ -28,7 +28,7 @@ fn distance(a: DoubleDouble, b: DoubleDouble) -> f64 {
     (a - b).abs().value()
 }
 
-/// Two ways of rounding lie no farther apart than a few times the bound of one of them.
+/// Two roundings lie no farther apart than a few times the bound of one of them.
 fn assert_near(what: &str, ours: RunningError, theirs: f64) -> Result<(), TestCaseError> {
     let error = (ours.value - theirs).abs();
     let conclusive = ours.value.is_finite() && ours.bound.is_finite() && theirs.is_finite();

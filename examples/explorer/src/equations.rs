@@ -40,7 +40,7 @@ fn right(part: &WorkedPart) -> Option<&WorkedReading> {
 fn cell(worked: &Worked) -> EquationCells {
     let by_error = |x: &&WorkedReading, y: &&WorkedReading| error(x).total_cmp(&error(y));
     let worst = worked.parts.iter().filter_map(right).max_by(by_error);
-    // Of several ways to read a print the best counts; of several parts the worst.
+    // Of several readings of a print the best counts; of several parts the worst.
     let printed = |part: &WorkedPart| {
         let of_print = part.readings.iter().filter(|reading| reading.reading == Reading::Printed);
         of_print.map(error).reduce(f64::min)

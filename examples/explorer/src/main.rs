@@ -167,7 +167,7 @@ fn data(standard: &State) -> Result<String, serde_json::Error> {
     Ok(data.to_string().replace("</", "<\\/"))
 }
 
-/// Beams that lie in a special way: pieces of a state by name.
+/// Beams in a special position: pieces of a state by name.
 fn situations() -> Vec<(&'static str, Value)> {
     let directed = |q: &[f64], bar: bool| {
         let family = if q.len() == 6 { Family::Segment } else { Family::Quadratic };

@@ -14,14 +14,14 @@ const STEPS: i32 = 18;
 const SHORT: f64 = 0.125;
 /// Errors below this many units in the last place are rounding.
 const ROUNDING: f64 = 1e3;
-/// A Taylor test rejects what does not converge at least this fast: half-way between the rates 2 and 3.
+/// A Taylor test rejects what does not converge at least this fast: the mean of the rates 2 and 3.
 const RATE: f64 = 2.5;
 
 /// The state at the step.
 pub(crate) struct Varied {
     /// Both centroids.
     pub(crate) centroids: [Box<dyn Centroid>; 2],
-    /// Where the closest point went; nothing if it is lost on the way.
+    /// Where the closest point went; nothing if a step does not find it.
     pub(crate) point: Option<ClosestPoint>,
 }
 
@@ -68,7 +68,7 @@ pub(crate) fn varied(case: &CaseData, state: &State, found: &Found) -> Option<Va
     }
     let mut at = (found.point.xi, found.point.xi_bar);
     let mut point = None;
-    // In eight steps, so that a long way does not end at another point.
+    // In eight steps, so that a large variation does not end at another point.
     for part in 1..=8 {
         let centroids = moved(case, state, state.step * f64::from(part) / 8.0)?;
         point = refine(&*centroids[0], &*centroids[1], at, found.point.held()).ok();

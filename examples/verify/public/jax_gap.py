@@ -27,13 +27,13 @@ def difference(q, at):
     return point(q[:12], at[0]) - point(q[12:], at[1])
 
 
-def half_square(at, q):
+def half_squared(at, q):
     return 0.5 * jnp.sum(difference(q, at) ** 2)
 
 
 def condition(at, q, start, free):
     """Zero at the closest point; a parameter that an end holds stays where it is."""
-    return jnp.where(free, jax.grad(half_square)(at, q), at - start)
+    return jnp.where(free, jax.grad(half_squared)(at, q), at - start)
 
 
 def solved(matrix, b):

@@ -1,4 +1,4 @@
-//! The closed form simplified as a whole, in the ways in which derivations are: several terms are missing at once.
+//! The closed form simplified as a whole, as derivations are: several terms are missing at once.
 
 use super::{EvaluationPoint, of_value};
 use crate::closest_point::Held;

@@ -34,7 +34,7 @@ pub enum Length {
     /// Its square.
     Square,
     /// Half its square.
-    HalfSquare,
+    HalfSquared,
 }
 
 /// The order of the dofs of a beam.
@@ -141,7 +141,7 @@ impl Conventions {
         match key {
             "parameter" => self.parameter = [Range::Symmetric, Range::Unit][choice()?],
             "d" => self.d_is_negative = choice()? == 1,
-            "distance" => self.length = [Length::Distance, Length::Square, Length::HalfSquare][choice()?],
+            "distance" => self.length = [Length::Distance, Length::Square, Length::HalfSquared][choice()?],
             "dofs" => self.dofs = [Dofs::NodeMajor, Dofs::ComponentMajor][choice()?],
             "beams" => self.bar_first = choice()? == 1,
             "matrix" => self.column_major = choice()? == 1,
@@ -186,7 +186,7 @@ impl Conventions {
         match self.length {
             Length::Distance => {}
             Length::Square => converted[15] = square(converted[15], T::one()),
-            Length::HalfSquare => converted[15] = square(converted[15], half),
+            Length::HalfSquared => converted[15] = square(converted[15], half),
         }
         let zero = T::zero();
         let energy = self

@@ -11,12 +11,12 @@
 //! is named.
 
 mod accuracy;
+mod answered_case;
 mod equation;
 mod fit;
 mod hypothesis;
 mod pairs;
 mod search;
-mod site;
 
 use super::answers::Answers;
 use super::compare::Demands;
@@ -26,12 +26,12 @@ use crate::closest_point::ClosestPoint;
 use crate::test_beam::AnyBeam;
 use crate::variant::Variant;
 pub use accuracy::{ExplainedFault, Naming, Programs, explained_faults};
+use answered_case::{AnsweredCase, Memo};
 pub use equation::equation_of;
 use fit::{Fit, near, race};
 use hypothesis::Change;
 use rayon::prelude::*;
 use search::{KEPT, measured_factor, ranked, search};
-use site::{Memo, Site};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -70,25 +70,25 @@ pub fn explain(cases: &[(Vector, Answers)], demands: &Demands) -> Option<Explana
 
 fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Option<Explanation> {
     let known: Vec<Known> = cases.iter().filter_map(Known::new).collect();
-    let sites: Vec<(usize, Site)> = (0..known.len())
+    let all: Vec<(usize, AnsweredCase)> = (0..known.len())
         .into_par_iter()
-        .filter_map(|i| Some((i, known[i].site(demands)?.with_memo(memo.get(&known[i].vector.id)))))
+        .filter_map(|i| Some((i, known[i].case(demands)?.with_memo(memo.get(&known[i].vector.id)))))
         .collect();
-    let sites = clearest(sites);
-    if sites.is_empty() {
+    let clear = clearest(all);
+    if clear.is_empty() {
         return None;
     }
-    let cases: Vec<&Site> = sites.iter().map(|(_, site)| site).collect();
+    let cases: Vec<&AnsweredCase> = clear.iter().map(|(_, case)| case).collect();
     let mut fits = search(&cases);
     // More data, only where they are needed to tell several apart.
     if near(&fits).len() > 1 {
         let of_entries: Vec<Known> =
-            sites.iter().take(PROBED).flat_map(|(i, _)| known[*i].entries()).collect();
-        let entries: Vec<Site> = of_entries
+            clear.iter().take(PROBED).flat_map(|(i, _)| known[*i].entries()).collect();
+        let entries: Vec<AnsweredCase> = of_entries
             .par_iter()
-            .filter_map(|known| known.site(demands))
-            .map(Site::of_arrays)
-            .filter(|site| !site.data.is_empty())
+            .filter_map(|known| known.case(demands))
+            .map(AnsweredCase::of_arrays)
+            .filter(|case| !case.data.is_empty())
             .collect();
         fits = race(fits, &entries.iter().collect::<Vec<_>>(), KEPT);
     }
@@ -120,19 +120,19 @@ const PROBED: usize = 12;
 /// How many entries of each.
 const ENTRIES: usize = 4;
 
-/// The cases at which rounding explains least: of each kind some, and all kinds in turn.
-fn clearest(mut sites: Vec<(usize, Site)>) -> Vec<(usize, Site)> {
-    sites.sort_by(|one, two| one.1.blur().total_cmp(&two.1.blur()));
-    let mut turns = BTreeMap::new();
-    let mut placed: Vec<(usize, (usize, Site))> = Vec::new();
-    for site in sites {
-        let turn: &mut usize = turns.entry(site.1.kind()).or_default();
-        placed.push((*turn, site));
-        *turn += 1;
+/// The cases at which rounding explains least: of each kind some; the kinds alternate.
+fn clearest(mut cases: Vec<(usize, AnsweredCase)>) -> Vec<(usize, AnsweredCase)> {
+    cases.sort_by(|one, two| one.1.blur().total_cmp(&two.1.blur()));
+    let mut counts = BTreeMap::new();
+    let mut placed: Vec<(usize, (usize, AnsweredCase))> = Vec::new();
+    for case in cases {
+        let count: &mut usize = counts.entry(case.1.kind()).or_default();
+        placed.push((*count, case));
+        *count += 1;
     }
     // What is wrong in most numbers says most.
-    placed.sort_by_key(|(turn, site)| (*turn, Reverse(site.1.wrong())));
-    placed.into_iter().map(|(_, site)| site).take(USED).collect()
+    placed.sort_by_key(|(count, case)| (*count, Reverse(case.1.wrong())));
+    placed.into_iter().map(|(_, case)| case).take(USED).collect()
 }
 
 /// A case with its answers, its beams and its closest point.
@@ -150,10 +150,11 @@ impl Known {
         Some(Self { vector: vector.clone(), answers: answers.clone(), beams, point })
     }
 
-    fn site(&self, demands: &Demands) -> Option<Site<'_>> {
+    fn case(&self, demands: &Demands) -> Option<AnsweredCase<'_>> {
         let beams = self.beams.each_ref().map(|beam| &**beam);
         let evaluate = || EvaluationPoint::new(beams, &self.vector.case.contact, &self.point).ok();
-        Site::new((&self.vector, &self.answers), demands, evaluate).filter(|site| !site.data.is_empty())
+        AnsweredCase::new((&self.vector, &self.answers), demands, evaluate)
+            .filter(|case| !case.data.is_empty())
     }
 
     /// The same case along pairs of single dofs, so that contractions of gradients and Hessians are their entries.

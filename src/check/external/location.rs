@@ -103,7 +103,7 @@ fn expected(
             (residual, tangent)
         }
         Quantity::D if conventions.length == Length::Square => square(2.0, value),
-        Quantity::D if conventions.length == Length::HalfSquare => square(1.0, value),
+        Quantity::D if conventions.length == Length::HalfSquared => square(1.0, value),
         Quantity::Xi | Quantity::XiBar if is_unit => times(0.5),
         Quantity::T | Quantity::TBar if is_unit => times(2.0),
         _ => times(1.0),

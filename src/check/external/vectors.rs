@@ -88,8 +88,8 @@ impl Drawing {
         let (regimes, families) = (self.regimes.len() as u64, self.families.len() as u64);
         let of = |i: u64| usize::try_from(i).unwrap_or(0);
         let regime = self.regimes[of(number % regimes)];
-        let turn = number / regimes;
-        let pair = [turn / families % families, turn % families].map(|i| self.families[of(i)]);
+        let place = number / regimes;
+        let pair = [place / families % families, place % families].map(|i| self.families[of(i)]);
         let mut vector = Vector {
             id: number.to_string(),
             regime: regime.name().to_owned(),

@@ -41,30 +41,30 @@ impl Spot {
 }
 
 impl Pair {
-    /// Of the `turn`-th case of a regime: all families and the curve itself alternate, on either side.
+    /// Of the `place`-th case of a regime: all families and the curve itself alternate, on either side.
     pub(super) fn draw<C, const N: usize>(
         curve: &C,
         beams: &[[f64; N]],
-        (regime, turn): (Regime, u64),
+        (regime, place): (Regime, u64),
         rng: &mut ChaCha8Rng,
     ) -> Self
     where
         C: Curve<N> + Clone + Debug + Send + Sync + 'static,
     {
-        let turn = usize::try_from(turn).unwrap_or(0);
+        let place = usize::try_from(place).unwrap_or(0);
         let draw = regime.draw(rng);
         let unit = match regime {
             Regime::Metres => Some(1e-6),
             Regime::Millimetres => Some(1e3),
             _ => None,
         };
-        let own = varied(curve, &beams[turn % beams.len()], rng);
+        let own = varied(curve, &beams[place % beams.len()], rng);
         let q = own.q.iter().copied().collect();
         let own: Box<dyn AnyBeam> = match unit {
             Some(unit) => placed(own, Matrix3::identity() * unit),
             None => Box::new(own),
         };
-        let partner = Family::ALL.get(turn % (Family::ALL.len() + 1)).copied();
+        let partner = Family::ALL.get(place % (Family::ALL.len() + 1)).copied();
         let spot = Spot::on(&*own, draw.at[0]);
         let frame = crossing_frame(&spot.t, &draw, rng);
         let other: Box<dyn AnyBeam> = if let Some(family) = partner {
@@ -74,7 +74,7 @@ impl Pair {
             test_beam.translate(&shift(&spot, &Spot::beyond(&*test_beam.drawn(), draw.at[1]), &draw));
             test_beam.drawn()
         } else {
-            let second = varied(curve, &beams[(turn + 1) % beams.len()], rng);
+            let second = varied(curve, &beams[(place + 1) % beams.len()], rng);
             let there = Spot::on(&second, draw.at[1]);
             // Its tangent, and any two vectors normal to it, fall on those of the frame.
             let tangent = there.t.normalize();

@@ -272,7 +272,7 @@ fn tangent<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     )
     .remark(
         "Two misprints: a sign is missing between the bracket and Δt·δt, and the last term, the product of a vector and \
-         a number, lacks a t. Each is read in two ways, and each is left alone while the other is corrected.",
+         a number, lacks a t. Each has two readings. Each is also kept while the other is corrected.",
     )
     .part(Order::Second, "")
     .read("[..] times Δt·δt; Δt·t t·δt", left, [bracket / t * product - last])

@@ -81,7 +81,7 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     hyper_dual(route, beams.0, beams.1, at, point.held(), &pair.contact).map(Varied::from)
 }
 
-/// Both curves with their families forgotten: what solves for the closest point is long, and is compiled once this way.
+/// Both curves with their families forgotten: what solves for the closest point is long code, and is compiled once.
 fn nameless<'a>(beam: &'a impl HyperBeam, bar: &'a impl HyperBeam) -> (&'a dyn HyperBeam, &'a dyn HyperBeam) {
     (beam, bar)
 }

@@ -17,7 +17,7 @@ impl Conventions {
         add(Self { d_is_negative: !self.d_is_negative, ..*self }, &format!("d is {d} (d)"));
         add(Self { length: Length::Distance, ..*self }, "d is the distance (distance)");
         add(Self { length: Length::Square, ..*self }, "d is the squared distance (distance)");
-        add(Self { length: Length::HalfSquare, ..*self }, "d is half the squared distance (distance)");
+        add(Self { length: Length::HalfSquared, ..*self }, "d is half the squared distance (distance)");
         add(Self { dofs: Dofs::NodeMajor, ..*self }, "the dofs come node by node (dofs)");
         add(Self { dofs: Dofs::ComponentMajor, ..*self }, "the dofs come component by component (dofs)");
         let first = if self.bar_first { "beam" } else { "bar beam" };

@@ -1,7 +1,7 @@
 //! How good explanations are: faults of the catalogue, alone and in pairs, answered by programs that have them.
 
+use super::answered_case::Memo;
 use super::search::memo;
-use super::site::Memo;
 use super::{Cause, Known, with_memo};
 use crate::check::Regime;
 use crate::check::external::answers::Answers;
@@ -95,7 +95,7 @@ pub fn explained_faults(programs: Programs) -> Vec<ExplainedFault> {
     let known: Vec<_> = answered(&plain, &vectors).iter().filter_map(Known::new).collect();
     let memo: Memo = known
         .iter()
-        .filter_map(|known| Some((known.vector.id.clone(), memo(&known.site(&demands)?))))
+        .filter_map(|known| Some((known.vector.id.clone(), memo(&known.case(&demands)?))))
         .collect();
     let catalogue = catalogue();
     let classes = classes(&catalogue);

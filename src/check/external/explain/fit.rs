@@ -1,7 +1,7 @@
-//! How well a change explains the answers, case by case; what explains them worse than the best is dropped on the way.
+//! How well a change explains the answers, case by case; after each case the changes that explain them worse than the best are dropped.
 
+use super::answered_case::{AnsweredCase, Datum, Predicted};
 use super::hypothesis::Change;
-use super::site::{Datum, Predicted, Site};
 use rayon::prelude::*;
 
 /// By how much a sum of squares exceeds the least one before its change is told from the best: five standard deviations.
@@ -30,36 +30,36 @@ impl Fit {
     }
 
     /// The fit of one change at some cases.
-    pub(super) fn of(change: Change, sites: &[&Site]) -> Self {
+    pub(super) fn of(change: Change, cases: &[&AnsweredCase]) -> Self {
         let mut fit = Self::new(0, change);
-        for site in sites {
-            fit.add(site, |change| site.predicted(change).into_owned(), &|_| true);
+        for case in cases {
+            fit.add(case, |change| case.predicted(change).into_owned(), &|_| true);
         }
         fit
     }
 
-    /// Adds a case, its numbers made in the way that fits best; only those that are asked for.
+    /// Adds a case, its numbers made by the method that fits best; only those that are asked for.
     pub(super) fn add(
         &mut self,
-        site: &Site,
+        case: &AnsweredCase,
         predicted: impl Fn(&Change) -> Vec<Predicted>,
         is_asked: &dyn Fn(&Datum) -> bool,
     ) {
-        self.add_best(site, &predicted(&self.change), is_asked);
+        self.add_best(case, &predicted(&self.change), is_asked);
     }
 
-    fn add_best(&mut self, site: &Site, predicted: &[Predicted], is_asked: &dyn Fn(&Datum) -> bool) {
+    fn add_best(&mut self, case: &AnsweredCase, predicted: &[Predicted], is_asked: &dyn Fn(&Datum) -> bool) {
         let of = |predicted: &Predicted| {
-            let asked = site.data.iter().filter(|datum| is_asked(datum));
+            let asked = case.data.iter().filter(|datum| is_asked(datum));
             asked.fold([0.0_f64; 3], |[worst, over, sum], datum| {
-                let misfit = datum.misfit(Site::number(predicted, datum));
+                let misfit = datum.misfit(AnsweredCase::number(predicted, datum));
                 [worst.max(misfit.scaled), over.max(misfit.over), sum + misfit.square]
             })
         };
         let best = predicted.iter().map(of).min_by(|one, two| one[2].total_cmp(&two[2]));
         let [worst, over, sum] = best.unwrap_or([f64::INFINITY; 3]);
         (self.worst, self.over, self.sum) = (self.worst.max(worst), self.over.max(over), self.sum + sum);
-        self.count += site.data.iter().filter(|datum| is_asked(datum)).count();
+        self.count += case.data.iter().filter(|datum| is_asked(datum)).count();
     }
 
     /// The mean of the squares.
@@ -95,11 +95,11 @@ pub(super) fn near(fits: &[Fit]) -> &[Fit] {
 
 /// Tries changes at one case after the other. Those that are told from the best are dropped, but for so many that are
 /// `kept`, the nearest ones. What is left was tried at all cases, and comes in the order of the sums of squares.
-pub(super) fn race(mut fits: Vec<Fit>, sites: &[&Site], kept: usize) -> Vec<Fit> {
-    for site in sites {
+pub(super) fn race(mut fits: Vec<Fit>, cases: &[&AnsweredCase], kept: usize) -> Vec<Fit> {
+    for case in cases {
         fits.par_iter_mut().for_each(|fit| {
-            let predicted = site.predicted(&fit.change);
-            fit.add_best(site, &predicted, &|_| true);
+            let predicted = case.predicted(&fit.change);
+            fit.add_best(case, &predicted, &|_| true);
         });
         fits.sort_by(|one, two| one.sum.total_cmp(&two.sum));
         fits.truncate(near(&fits).len().max(kept));

@@ -3,10 +3,10 @@
 //! Numbers are evaluated in an order, and a fault changes only what comes after it. So either one fault explains the first
 //! wrong numbers, and the other changes later ones; or both change the first wrong numbers, and nothing before them.
 
+use super::answered_case::{AnsweredCase, Datum, Predicted};
 use super::fit::Fit;
 use super::hypothesis::Change;
 use super::search::{of_faults, singles};
-use super::site::{Datum, Predicted, Site};
 use crate::check::verdict::Order;
 use crate::variant::{Fault, Variant};
 use rayon::prelude::*;
@@ -30,17 +30,17 @@ fn key(datum: &Datum) -> Key {
     (datum.rank.0, datum.rank.1)
 }
 
-/// The pairs that are worth a trial.
-pub(super) fn pairs(cases: &[&Site]) -> Vec<Change> {
-    let sites = &cases[..cases.len().min(SCREENED)];
+/// The pairs that are to be tried.
+pub(super) fn pairs(cases: &[&AnsweredCase]) -> Vec<Change> {
+    let cases = &cases[..cases.len().min(SCREENED)];
     let none = Change::Variant(Variant::Unmodified);
-    let Some(start) = first_wrong(sites, &none) else { return Vec::new() };
+    let Some(start) = first_wrong(cases, &none) else { return Vec::new() };
     let singles = singles();
     let mut firsts: Vec<(Key, Fault)> = singles
         .par_iter()
         .filter_map(|&fault| {
             let change = of_faults(&[fault]);
-            let end = first_wrong(sites, &change)?;
+            let end = first_wrong(cases, &change)?;
             (end > start).then_some((end, fault))
         })
         .collect();
@@ -55,53 +55,53 @@ pub(super) fn pairs(cases: &[&Site]) -> Vec<Change> {
 }
 
 /// The first wrong numbers after a change, at any of these cases.
-fn first_wrong(sites: &[&Site], change: &Change) -> Option<Key> {
-    let of_site = |site: &&Site| {
+fn first_wrong(cases: &[&AnsweredCase], change: &Change) -> Option<Key> {
+    let of_site = |case: &&AnsweredCase| {
         let wrong = |predicted: &Predicted| {
-            let is_wrong = |datum: &&Datum| datum.misfit(Site::number(predicted, datum)).over > 1.0;
-            site.data.iter().filter(is_wrong).map(key).min()
+            let is_wrong = |datum: &&Datum| datum.misfit(AnsweredCase::number(predicted, datum)).over > 1.0;
+            case.data.iter().filter(is_wrong).map(key).min()
         };
-        // The way that goes farthest; one without a wrong number goes to the end.
-        let ways = site.predicted(change);
-        ways.iter().map(wrong).max_by_key(|wrong| (wrong.is_none(), *wrong)).flatten()
+        // The method whose first wrong number comes last; one without a wrong number comes after all others.
+        let methods = case.predicted(change);
+        methods.iter().map(wrong).max_by_key(|wrong| (wrong.is_none(), *wrong)).flatten()
     };
-    sites.iter().filter_map(of_site).min()
+    cases.iter().filter_map(of_site).min()
 }
 
 /// Of each kind the first case with such a wrong number.
-fn kinds<'a>(cases: &[&'a Site<'a>], start: Key) -> Vec<&'a Site<'a>> {
-    let mut chosen: Vec<&Site> = Vec::new();
-    for site in cases {
-        let has_wrong = site.data.iter().any(|datum| datum.is_wrong && key(datum) == start);
-        if has_wrong && chosen.len() < KINDS && chosen.iter().all(|known| known.kind() != site.kind()) {
-            chosen.push(site);
+fn kinds<'a>(cases: &[&'a AnsweredCase<'a>], start: Key) -> Vec<&'a AnsweredCase<'a>> {
+    let mut chosen: Vec<&AnsweredCase> = Vec::new();
+    for case in cases {
+        let has_wrong = case.data.iter().any(|datum| datum.is_wrong && key(datum) == start);
+        if has_wrong && chosen.len() < KINDS && chosen.iter().all(|known| known.kind() != case.kind()) {
+            chosen.push(case);
         }
     }
     chosen
 }
 
 /// The pairs of faults that change nothing before the first wrong numbers, and explain these.
-fn both(sites: &[&Site], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
+fn both(cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
     // Most programs evaluate the paper's formulas.
-    let found = (0..FORMULATIONS).map(|formulation| both_in(formulation, sites, singles, start));
+    let found = (0..FORMULATIONS).map(|formulation| both_in(formulation, cases, singles, start));
     found.into_iter().find(|pairs| !pairs.is_empty()).unwrap_or_default()
 }
 
-fn both_in(formulation: usize, sites: &[&Site], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
-    let changes_start_alone = |site: &Site, fault: Fault| {
-        site.computed_in(formulation, &of_faults(&[fault])).iter().any(|predicted| {
+fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
+    let changes_start_alone = |case: &AnsweredCase, fault: Fault| {
+        case.computed_in(formulation, &of_faults(&[fault])).iter().any(|predicted| {
             let is_same = |datum: &&Datum| {
-                let off = (Site::number(predicted, datum) - datum.reference).abs();
+                let off = (AnsweredCase::number(predicted, datum) - datum.reference).abs();
                 off <= 1e-9 * datum.scale + 8.0 * datum.tolerance
             };
-            let mut of_start = site.data.iter().filter(|datum| key(datum) == start);
-            let mut before = site.data.iter().filter(|datum| key(datum) < start);
+            let mut of_start = case.data.iter().filter(|datum| key(datum) == start);
+            let mut before = case.data.iter().filter(|datum| key(datum) < start);
             !of_start.all(|datum| is_same(&datum)) && before.all(|datum| is_same(&datum))
         })
     };
     // The faults that change the first wrong numbers, each with the cases at which it does.
     let changing = |&fault: &Fault| {
-        let at: Vec<bool> = sites.iter().map(|site| changes_start_alone(site, fault)).collect();
+        let at: Vec<bool> = cases.iter().map(|case| changes_start_alone(case, fault)).collect();
         at.contains(&true).then_some((fault, at))
     };
     let changing: Vec<(Fault, Vec<bool>)> = singles.par_iter().filter_map(changing).collect();
@@ -114,11 +114,11 @@ fn both_in(formulation: usize, sites: &[&Site], singles: &[Fault], start: Key) -
         }
         let mut fit = Fit::new(0, of_faults(&[*one, *two]));
         // First where both are at work, then where one of them is.
-        let both = (0..sites.len()).find(|&k| at_one[k] && at_two[k]);
-        let other = (0..sites.len()).find(|&k| at_one[k] != at_two[k]);
+        let both = (0..cases.len()).find(|&k| at_one[k] && at_two[k]);
+        let other = (0..cases.len()).find(|&k| at_one[k] != at_two[k]);
         for k in [both, other].into_iter().flatten() {
-            let predicted = |change: &Change| sites[k].computed_in(formulation, change);
-            fit.add(sites[k], predicted, &|datum| key(datum) <= start);
+            let predicted = |change: &Change| cases[k].computed_in(formulation, change);
+            fit.add(cases[k], predicted, &|datum| key(datum) <= start);
             if !fit.explains() {
                 return None;
             }

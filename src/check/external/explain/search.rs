@@ -1,9 +1,9 @@
 //! The search for what is wrong: each fault of the catalogue, then factors, then pairs.
 
+use super::answered_case::{AnsweredCase, Datum, Known, Predicted};
 use super::fit::{Fit, limit, near, race};
 use super::hypothesis::Change;
 use super::pairs::pairs;
-use super::site::{Datum, Known, Predicted, Site};
 use crate::check::evaluation_point::Structure;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
@@ -35,39 +35,39 @@ pub(super) fn of_faults(faults: &[Fault]) -> Change {
 }
 
 /// The predictions at a case that every search asks for.
-pub(super) fn memo(site: &Site) -> Known {
-    singles().into_par_iter().map(|fault| (fault, site.computed(&of_faults(&[fault])))).collect()
+pub(super) fn memo(case: &AnsweredCase) -> Known {
+    singles().into_par_iter().map(|fault| (fault, case.computed(&of_faults(&[fault])))).collect()
 }
 
 /// All that is tried first: one fault of the catalogue, a simplification, a factor; and nothing at all.
-fn candidates(sites: &[&Site]) -> Vec<Change> {
+fn candidates(cases: &[&AnsweredCase]) -> Vec<Change> {
     let mut all: Vec<_> = singles().iter().map(|&fault| of_faults(&[fault])).collect();
     all.push(Change::Variant(Variant::Unmodified));
     all.extend(Structure::ALL.map(Change::Structure));
     all.extend([true, false].map(|is_geometric| Change::Tangent { is_geometric }));
     all.push(Change::BeamsExchanged);
-    let wrong: BTreeSet<_> = of(sites).filter(|datum| datum.is_wrong).map(|datum| datum.quantity).collect();
+    let wrong: BTreeSet<_> = of(cases).filter(|datum| datum.is_wrong).map(|datum| datum.quantity).collect();
     for quantity in wrong {
         all.extend(
             [Order::Value, Order::First, Order::Second, Order::Matrix]
                 .into_iter()
-                .filter_map(|order| Some(Change::Factor(quantity, order, factor(sites, quantity, order)?))),
+                .filter_map(|order| Some(Change::Factor(quantity, order, factor(cases, quantity, order)?))),
         );
     }
     all
 }
 
-fn of<'a>(sites: &'a [&Site]) -> impl Iterator<Item = &'a Datum> {
-    sites.iter().flat_map(|site| &site.data)
+fn of<'a>(cases: &'a [&AnsweredCase]) -> impl Iterator<Item = &'a Datum> {
+    cases.iter().flat_map(|case| &case.data)
 }
 
 /// The factor that fits best; first and second variations together for the order [`Order::Matrix`].
-fn factor(sites: &[&Site], quantity: Quantity, order: Order) -> Option<f64> {
+fn factor(cases: &[&AnsweredCase], quantity: Quantity, order: Order) -> Option<f64> {
     let is_of = |datum: &&Datum| {
         let is_order = datum.order == order || (order == Order::Matrix && datum.order != Order::Value);
         datum.quantity == quantity && is_order && datum.scale > 0.0 && datum.answer.is_finite()
     };
-    let sums = of(sites).filter(is_of).fold([0.0, 0.0], |[one, two], datum| {
+    let sums = of(cases).filter(is_of).fold([0.0, 0.0], |[one, two], datum| {
         let (answer, reference) = (datum.answer / datum.scale, datum.reference / datum.scale);
         [one + answer * reference, two + reference * reference]
     });
@@ -87,7 +87,7 @@ pub(super) struct Found {
 }
 
 /// The changes that explain the answers best, by the sums of squares, tried at all these cases.
-pub(super) fn search(cases: &[&Site]) -> Vec<Fit> {
+pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
     let before = before(cases);
     let is_found = |fits: &[Fit]| {
         // Where right answers are among the best, two faults explain no more. Where a fault explains all but leaves more
@@ -121,12 +121,12 @@ pub(super) fn search(cases: &[&Site]) -> Vec<Fit> {
 }
 
 /// The deviation of the answers as they are.
-fn before(cases: &[&Site]) -> f64 {
+fn before(cases: &[&AnsweredCase]) -> f64 {
     Fit::of(Change::Variant(Variant::Unmodified), cases).worst
 }
 
 /// The explanations among what was found.
-pub(super) fn ranked(fits: Vec<Fit>, cases: &[&Site]) -> Found {
+pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
     let before = before(cases);
     // A simpler change is preferred to a better one, up to a point: two faults can imitate rounding.
     let best = fits.first().map_or((0.0, 0.0, 0), |best| (best.sum, limit(best), best.change.class()));
@@ -150,7 +150,7 @@ pub(super) fn ranked(fits: Vec<Fit>, cases: &[&Site]) -> Found {
 }
 
 /// Leaves out further kinds of faults of one term that predict the same numbers.
-fn without_twins(equal: &mut Vec<Fit>, sites: &[&Site]) {
+fn without_twins(equal: &mut Vec<Fit>, cases: &[&AnsweredCase]) {
     let label = |of: &Fit| match &of.change {
         Change::Variant(Variant::Faulty(faults)) => faults.iter().map(|fault| fault.label).collect(),
         _ => Vec::new(),
@@ -159,7 +159,7 @@ fn without_twins(equal: &mut Vec<Fit>, sites: &[&Site]) {
     for of in equal.drain(..) {
         let is_twin = |known: &Fit| {
             let (one, two) = (label(known), label(&of));
-            !one.is_empty() && one == two && predict_the_same(&known.change, &of.change, sites)
+            !one.is_empty() && one == two && predict_the_same(&known.change, &of.change, cases)
         };
         if !kept.iter().any(is_twin) {
             kept.push(of);
@@ -168,12 +168,12 @@ fn without_twins(equal: &mut Vec<Fit>, sites: &[&Site]) {
     *equal = kept;
 }
 
-fn predict_the_same(one: &Change, two: &Change, sites: &[&Site]) -> bool {
-    sites.iter().all(|site| {
-        let (one, two) = (site.predicted(one), site.predicted(two));
-        site.data.iter().all(|datum| {
+fn predict_the_same(one: &Change, two: &Change, cases: &[&AnsweredCase]) -> bool {
+    cases.iter().all(|case| {
+        let (one, two) = (case.predicted(one), case.predicted(two));
+        case.data.iter().all(|datum| {
             one.iter().zip(two.iter()).all(|(one, two)| {
-                let (one, two) = (Site::number(one, datum), Site::number(two, datum));
+                let (one, two) = (AnsweredCase::number(one, datum), AnsweredCase::number(two, datum));
                 (one - two).abs() <= 1e-9 * datum.scale.max(one.abs()) || one.to_bits() == two.to_bits()
             })
         })
@@ -181,27 +181,27 @@ fn predict_the_same(one: &Change, two: &Change, sites: &[&Site]) -> bool {
 }
 
 /// The factor of a term that fits best, by Gauss-Newton iterations; nothing if the term changes nothing.
-fn weight(sites: &[&Site], label: Label) -> Option<f64> {
+fn weight(cases: &[&AnsweredCase], label: Label) -> Option<f64> {
     const STEP: f64 = 1e-4;
-    let (start, next) = (misfits(sites, label, 1.0), misfits(sites, label, 1.0 + STEP));
+    let (start, next) = (misfits(cases, label, 1.0), misfits(cases, label, 1.0 + STEP));
     let sums = |own: &[f64], next: &[f64]| {
         own.iter().zip(next).fold([0.0; 3], |[gr, gg, rr], (own, next)| {
             let slope = (next - own) / STEP;
             [gr + slope * own, gg + slope * slope, rr + own * own]
         })
     };
-    // The way of making that the first step explains most of.
-    let gain = |way: usize| {
-        let [gr, gg, _] = sums(&start[way], &next[way]);
+    // The method of which the first step explains most.
+    let gain = |method: usize| {
+        let [gr, gg, _] = sums(&start[method], &next[method]);
         if gg > 0.0 { gr * gr / gg } else { 0.0 }
     };
-    let way = (0..start.len()).max_by(|&one, &two| gain(one).total_cmp(&gain(two)))?;
-    if gain(way) == 0.0 {
+    let method = (0..start.len()).max_by(|&one, &two| gain(one).total_cmp(&gain(two)))?;
+    if gain(method) == 0.0 {
         return None;
     }
     let mut factor = 1.0;
     for _ in 0..8 {
-        let of = |factor| misfits(sites, label, factor).swap_remove(way);
+        let of = |factor| misfits(cases, label, factor).swap_remove(method);
         let [gr, gg, _] = sums(&of(factor), &of(factor + STEP));
         let step = gr / gg;
         factor -= step;
@@ -212,27 +212,29 @@ fn weight(sites: &[&Site], label: Label) -> Option<f64> {
     factor.is_finite().then_some(factor)
 }
 
-/// The misfits of all data over their scales, with a term multiplied; in each way of making, the same at all cases.
-fn misfits(sites: &[&Site], label: Label, factor: f64) -> Vec<Vec<f64>> {
+/// The misfits of all data over their scales, with a term multiplied; by each method, the same at all cases.
+fn misfits(cases: &[&AnsweredCase], label: Label, factor: f64) -> Vec<Vec<f64>> {
     let change = Change::Variant(Variant::Weighted(label, factor));
-    let per_site = sites.iter().map(|site| {
+    let per_site = cases.iter().map(|case| {
         let of = |predicted: &Predicted| {
             let misfit = |datum: &Datum| {
-                let off = (Site::number(predicted, datum) - datum.answer) / datum.scale;
+                let off = (AnsweredCase::number(predicted, datum) - datum.answer) / datum.scale;
                 if off.is_finite() { off } else { 0.0 }
             };
-            site.data.iter().map(misfit).collect::<Vec<f64>>()
+            case.data.iter().map(misfit).collect::<Vec<f64>>()
         };
-        site.predicted(&change).iter().map(of).collect::<Vec<_>>()
+        case.predicted(&change).iter().map(of).collect::<Vec<_>>()
     });
     let per_site: Vec<_> = per_site.collect();
-    let ways = per_site.iter().map(Vec::len).max().unwrap_or(0);
-    (0..ways).map(|way| per_site.iter().flat_map(|of| of[way.min(of.len() - 1)].clone()).collect()).collect()
+    let methods = per_site.iter().map(Vec::len).max().unwrap_or(0);
+    (0..methods)
+        .map(|method| per_site.iter().flat_map(|of| of[method.min(of.len() - 1)].clone()).collect())
+        .collect()
 }
 
 /// The factor that a term seems to have had, near that of a fault: 0 if it is missing, -1 if its sign is wrong.
-pub(super) fn measured_factor(sites: &[&Site], fault: Fault) -> Option<f64> {
-    let all = &sites[..sites.len().min(FITTED)];
+pub(super) fn measured_factor(cases: &[&AnsweredCase], fault: Fault) -> Option<f64> {
+    let all = &cases[..cases.len().min(FITTED)];
     matches!(fault.kind, Kind::Sign | Kind::Dropped | Kind::Doubled | Kind::Halved).then_some(())?;
     let factor = weight(all, fault.label)?;
     let nominal = match fault.kind {

@@ -86,7 +86,7 @@ pub(super) type Memo = HashMap<String, Known>;
 pub(super) type Known = HashMap<Fault, Vec<Predicted>>;
 
 /// A case that is to be explained.
-pub(super) struct Site<'a> {
+pub(super) struct AnsweredCase<'a> {
     memo: Option<&'a Known>,
     paper: EvaluationPoint<'a>,
     /// In other formulations, where they differ.
@@ -97,7 +97,7 @@ pub(super) struct Site<'a> {
     pub(super) data: Vec<Datum>,
 }
 
-impl<'a> Site<'a> {
+impl<'a> AnsweredCase<'a> {
     /// All numbers of the answers to a case that can be compared; `evaluate` makes the closest point.
     pub(super) fn new(
         (vector, answers): (&Vector, &Answers),
@@ -187,7 +187,7 @@ impl<'a> Site<'a> {
         self
     }
 
-    /// What the closed form with this change would have answered, in each way in which the program may have made its
+    /// What the closed form with this change would have answered, by each method by which the program may have made its
     /// numbers: by the paper's formulas or by those that keep more digits, gradients and Hessians by formulas of their own
     /// or from the variations.
     pub(super) fn predicted(&self, change: &Change) -> Cow<'_, [Predicted]> {

@@ -1,0 +1,123 @@
+//! What is wrong with the answers of a program, and why, for people.
+
+use super::name_of;
+use crate::cli::human::error;
+use crate::cli::verify::Verified;
+use beamgap::check::external::{Cause, Explanation, Judged, Location, explain, locate, other_conventions};
+use beamgap::check::{Order, look_at};
+use beamgap::linearization::Quantity;
+use std::fmt::Write;
+
+/// What is wrong, and why.
+pub(in crate::cli) fn explained(verified: &Verified) -> String {
+    let Verified { report, demands, .. } = verified;
+    let mut text = String::new();
+    let Some((vector, answers, judged)) = &report.first else { return text };
+    text += &first(judged, &vector.id, &answers.place.to_string());
+    if let Some(location) = locate(vector, answers, judged, &demands.conventions) {
+        text += &entry(&location, demands.conventions.first_index);
+    }
+    if let Some(((order, quantity, part), count)) = report.beginning() {
+        let _ = writeln!(
+            text,
+            "The first wrong number is {part} of {} in {count} of {} wrong cases: look at {}",
+            quantity.name(),
+            report.wrong,
+            at(order, quantity)
+        );
+    }
+    if judged.is_rounding {
+        text += "Rounding of the textbook formulas explains it: the formulas are right, but keep too few digits here.\n";
+    } else if let Some(words) = other_conventions(&report.kept, demands) {
+        let _ = writeln!(text, "The answers agree if {words}.\nState it in the head of the answers.");
+    } else if let Some(explanation) = explain(&report.kept, demands) {
+        text += &cause(&explanation);
+    }
+    text + "\n"
+}
+
+/// What is wrong, or that it is not known.
+pub(in crate::cli) fn cause(explanation: &Explanation) -> String {
+    let Explanation { causes, before, after, runner_up, cases, is_faint } = explanation;
+    let after = after.map_or_else(|| "-".into(), error);
+    let runner_up = runner_up.as_ref();
+    let mut text = String::new();
+    match causes.as_slice() {
+        [] if *is_faint => {
+            text += "Cause: not known. The answers are so little off that no wrong term is told from right answers by their \
+                     digits.\nIf you need fewer digits, ask for these: --digits.\n";
+            return text;
+        }
+        [] => {
+            let best = runner_up.map_or_else(String::new, |(words, left)| {
+                format!(" The best attempt leaves {}: {words}.", error(*left))
+            });
+            let _ =
+                writeln!(text, "Cause: not known. No fault of the catalogue explains {cases} cases.{best}");
+            return text;
+        }
+        [one] => {
+            let _ = writeln!(text, "Cause: {}{}.", one.words, coefficient(one));
+        }
+        several => {
+            let _ = writeln!(text, "Cause: one of {}, which these answers cannot tell apart:", several.len());
+            for one in several {
+                let _ = writeln!(text, "  - {}{}", one.words, coefficient(one));
+            }
+        }
+    }
+    let left = runner_up.map_or_else(|| "none".into(), |(_, left)| error(*left));
+    let _ = writeln!(
+        text,
+        "With it the deviation of {cases} cases falls from {} to {after}; runner-up {left}.",
+        error(*before)
+    );
+    let names: Vec<_> = causes.iter().map(|cause| format!("`{}`", cause.name)).collect();
+    let _ = writeln!(text, "In the catalogue: {}", names.join(", "));
+    text
+}
+
+fn coefficient(cause: &Cause) -> String {
+    cause.coefficient.map_or_else(String::new, |of| format!(" (coefficient {of:+.3})"))
+}
+
+fn at(order: Order, quantity: Quantity) -> &'static str {
+    match (order, quantity) {
+        (Order::Value, Quantity::Xi | Quantity::XiBar) => {
+            "the closest point: another minimum, or an iteration that has not converged"
+        }
+        _ => look_at(order, quantity),
+    }
+}
+
+fn first(judged: &Judged, case: &str, place: &str) -> String {
+    let comparison = &judged.comparison;
+    format!(
+        "First wrong number, {place}, case {case}: {} of {}\n  answered {:e}\n  expected {:e}\n  difference {}, tolerance {}, scaled error {}\n",
+        comparison.part,
+        name_of(comparison),
+        comparison.closed,
+        comparison.other,
+        error(comparison.difference()),
+        error(comparison.tolerance),
+        error(comparison.scaled_error())
+    )
+}
+
+fn entry(location: &Location, first_index: usize) -> String {
+    let indices: Vec<_> = location.indices.iter().map(|i| (i + first_index).to_string()).collect();
+    let mut text = format!(
+        "Entry of the {} that differs most: [{}], {}\n  answered {:e}\n  expected {:e}\n  scaled error {}, {} entries differ\n",
+        location.what,
+        indices.join(","),
+        location.block.join(" x "),
+        location.answered,
+        location.expected,
+        error(location.scaled_error),
+        location.differing
+    );
+    if location.is_antisymmetric {
+        text += "The matrix of differences is antisymmetric: a term is transposed.\n";
+    }
+    text
+}
