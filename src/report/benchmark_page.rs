@@ -19,7 +19,7 @@ impl Benchmark {
 
     /// The page.
     pub fn page(&self) -> Page {
-        let mut blocks = vec![Block::text(&self.conclusion())];
+        let mut blocks = vec![Block::text(&self.conclusion()), Block::text(&self.others())];
         blocks.extend(picture("benchmark.svg", METHODS, self.methods_to_svg()));
         blocks.extend([
             Block::text("The methods differ in what they were given:"),

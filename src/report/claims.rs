@@ -17,7 +17,7 @@ impl Benchmark {
         claims
     }
 
-    /// Which method to take, in a few sentences.
+    /// Which method to take, in three sentences.
     pub(super) fn conclusion(&self) -> String {
         let [d, all] = [Task::Distance, Task::All].map(|task| {
             let closed = self.of_hermites(task).find(|of| of.method == CLOSED_FORM);
@@ -34,13 +34,15 @@ impl Benchmark {
         });
         format!(
             "**Use the closed form: d with gradient and Hessian takes {d} for two beams with 24 dofs, all quantities but the \
-             slips take {all}.**{}{} {} {} {}",
+             slips take {all}.**{}{}",
             self.contacts(),
-            generated.unwrap_or_default(),
-            self.automatic(),
-            self.differences(),
-            self.closest_point()
+            generated.unwrap_or_default()
         )
+    }
+
+    /// What the other methods take, and the closest point that all of them need.
+    pub(super) fn others(&self) -> String {
+        [self.automatic(), self.differences(), self.closest_point()].join(" ")
     }
 
     /// What a thousand contacts take.
@@ -53,10 +55,10 @@ impl Benchmark {
         let [Some(d), Some(all)] = by_one else { return String::new() };
         let lanes = find(Task::DistanceOfMany, "four at once").and_then(|of| of.ratio_to_closed_form);
         let lanes = lanes.map_or_else(String::new, |ratio| {
-            format!(" If only d is needed, four pairs at once take {} times as long.", plain(ratio.value))
+            format!("; if only d is needed, four pairs at once take {} times as long", plain(ratio.value))
         });
         format!(
-            " A thousand contacts take {} for d and {} for all on one thread, one pair after another.{lanes}",
+            " A thousand contacts take {} for d and {} for all on one thread, one pair after another{lanes}.",
             time(1000.0 * d.median),
             time(1000.0 * all.median)
         )

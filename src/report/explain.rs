@@ -99,9 +99,11 @@ impl ExplainProgram {
         self.counts.iter().filter(|count| count.naming == naming.name()).map(|count| count.programs).sum()
     }
 
-    /// Whether all faults that show are named, alone or with those that the answers cannot tell from them.
+    /// Whether no other fault is named, and each single fault that shows is named, alone or with those that the answers
+    /// cannot tell from it. Two faults may remain unnamed: the explanation then says that it knows none.
     pub fn holds(&self) -> bool {
-        self.count(Naming::Other) + self.count(Naming::None) == 0
+        let unnamed = if self.faults == 1 { self.count(Naming::None) } else { 0 };
+        self.count(Naming::Other) + unnamed == 0
     }
 }
 

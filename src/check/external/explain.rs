@@ -28,10 +28,10 @@ use crate::variant::Variant;
 pub use accuracy::{ExplainedFault, Naming, Programs, explained_faults};
 use answered_case::{AnsweredCase, Memo};
 pub use equation::equation_of;
-use fit::{Fit, near, race};
+use fit::{near, race};
 use hypothesis::Change;
 use rayon::prelude::*;
-use search::{KEPT, measured_factor, ranked, search};
+use search::{Equal, KEPT, measured_factor, ranked, search};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -61,6 +61,8 @@ pub struct Cause {
     pub words: String,
     /// The coefficient of the term in the deviation, as fitted: -2 wrong sign, -1 missing, 1 doubled, -1/2 halved.
     pub coefficient: Option<f64>,
+    /// The names of other kinds of faults of the same terms that lead to the same numbers at these cases.
+    pub alike: Vec<String>,
 }
 
 /// Explains the answers to these cases; nothing if none of them can be compared.
@@ -93,7 +95,7 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
         fits = race(fits, &entries.iter().collect::<Vec<_>>(), KEPT);
     }
     let found = ranked(fits, &cases);
-    let cause = |of: &Fit| {
+    let cause = |Equal { fit: of, alike }: &Equal| {
         let coefficient = match &of.change {
             Change::Variant(Variant::Faulty(faults)) if faults.len() == 1 && found.equal.len() <= 4 => {
                 measured_factor(&cases, faults[0]).map(|factor| factor - 1.0)
@@ -101,12 +103,13 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
             Change::Variant(Variant::Weighted(_, factor)) => Some(factor - 1.0),
             _ => None,
         };
-        Cause { name: of.change.name(), words: of.change.words(), coefficient }
+        let alike = alike.iter().map(Change::name).collect();
+        Cause { name: of.change.name(), words: of.change.words(), coefficient, alike }
     };
     Some(Explanation {
         causes: found.equal.iter().map(cause).collect(),
         before: found.before,
-        after: found.equal.first().map(|of| of.worst),
+        after: found.equal.first().map(|of| of.fit.worst),
         runner_up: found.runner_up.map(|of| (of.change.words(), of.worst)),
         cases: cases.len(),
         is_faint: found.is_faint,

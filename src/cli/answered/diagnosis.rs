@@ -72,8 +72,14 @@ pub(in crate::cli) fn cause(explanation: &Explanation) -> String {
         "With it the deviation of {cases} cases falls from {} to {after}; runner-up {left}.",
         error(*before)
     );
-    let names: Vec<_> = causes.iter().map(|cause| format!("`{}`", cause.name)).collect();
-    let _ = writeln!(text, "In the catalogue: {}", names.join(", "));
+    let quoted =
+        |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let names: Vec<_> = causes.iter().map(|cause| cause.name.clone()).collect();
+    let _ = writeln!(text, "In the catalogue: {}", quoted(&names));
+    let alike: Vec<_> = causes.iter().flat_map(|cause| cause.alike.clone()).collect();
+    if !alike.is_empty() {
+        let _ = writeln!(text, "The same numbers at these cases: {}", quoted(&alike));
+    }
     text
 }
 

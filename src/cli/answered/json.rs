@@ -100,7 +100,7 @@ pub(in crate::cli) fn explanation(of: &Explanation) -> Value {
     let causes = of
         .causes
         .iter()
-        .map(|cause| json!({ "name": cause.name, "words": cause.words, "coefficient": cause.coefficient }));
+        .map(|cause| json!({ "name": cause.name, "words": cause.words, "coefficient": cause.coefficient, "alike": cause.alike }));
     json!({
         "causes": causes.collect::<Vec<_>>(),
         "before": json::rounded(of.before),

@@ -16,6 +16,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
+use std::slice;
 
 /// Cases of each kind of pair: inside both beams, and with an end held.
 const OF_A_KIND: usize = 2;
@@ -158,7 +159,8 @@ fn explained(
     let Some(found) = found else {
         return ExplainedFault { faults, naming: Naming::Undetected, named: Vec::new(), deviation: [0.0; 2] };
     };
-    let named: Vec<String> = found.causes.iter().map(|Cause { name, .. }| name.clone()).collect();
+    let all_named = |Cause { name, alike, .. }: &Cause| [slice::from_ref(name), alike].concat();
+    let named: Vec<String> = found.causes.iter().flat_map(all_named).collect();
     let class = |name: &str| classes.get(name).map_or_else(|| name.to_owned(), ToString::to_string);
     let of_names = |names: &[String]| names.iter().map(|name| class(name)).collect::<BTreeSet<_>>();
     let words = |name: &String| name.split(" and ").map(str::to_owned).collect::<Vec<_>>();

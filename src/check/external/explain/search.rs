@@ -74,12 +74,19 @@ fn factor(cases: &[&AnsweredCase], quantity: Quantity, order: Order) -> Option<f
     (sums[1] > 0.0).then_some(sums[0] / sums[1]).filter(|factor| (factor - 1.0).abs() > 1e-9)
 }
 
+/// An explanation.
+pub(super) struct Equal {
+    pub(super) fit: Fit,
+    /// Other kinds of faults of the same terms that predict the same numbers.
+    pub(super) alike: Vec<Change>,
+}
+
 /// What the search came to.
 pub(super) struct Found {
     /// The deviation of the answers as they are.
     pub(super) before: f64,
     /// The explanations, none of which can be told from the first by these answers.
-    pub(super) equal: Vec<Fit>,
+    pub(super) equal: Vec<Equal>,
     /// The best of the others.
     pub(super) runner_up: Option<Fit>,
     /// Whether right answers explain these as well, within their digits.
@@ -142,30 +149,31 @@ pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
     if let Some(simplest) = equal.first().map(|of| of.change.class()) {
         equal.retain(|of| of.change.class() == simplest);
     }
-    without_twins(&mut equal, cases);
+    let equal = alike_together(equal, cases);
     others.sort_by(|one, two| one.worst.total_cmp(&two.worst));
     // What changes nothing is no runner-up.
     let runner_up = others.into_iter().find(|of| !of.change.is_none() && of.worst < before);
     Found { before, equal, runner_up, is_faint }
 }
 
-/// Leaves out further kinds of faults of one term that predict the same numbers.
-fn without_twins(equal: &mut Vec<Fit>, cases: &[&AnsweredCase]) {
-    let label = |of: &Fit| match &of.change {
+/// Puts kinds of faults of the same terms that predict the same numbers together.
+fn alike_together(equal: Vec<Fit>, cases: &[&AnsweredCase]) -> Vec<Equal> {
+    let labels = |of: &Change| match of {
         Change::Variant(Variant::Faulty(faults)) => faults.iter().map(|fault| fault.label).collect(),
         _ => Vec::new(),
     };
-    let mut kept: Vec<Fit> = Vec::new();
-    for of in equal.drain(..) {
-        let is_twin = |known: &Fit| {
-            let (one, two) = (label(known), label(&of));
-            !one.is_empty() && one == two && predict_the_same(&known.change, &of.change, cases)
+    let mut together: Vec<Equal> = Vec::new();
+    for fit in equal {
+        let is_alike = |known: &&mut Equal| {
+            let (one, two) = (&known.fit.change, &fit.change);
+            !labels(one).is_empty() && labels(one) == labels(two) && predict_the_same(one, two, cases)
         };
-        if !kept.iter().any(is_twin) {
-            kept.push(of);
+        match together.iter_mut().find(is_alike) {
+            Some(known) => known.alike.push(fit.change),
+            None => together.push(Equal { fit, alike: Vec::new() }),
         }
     }
-    *equal = kept;
+    together
 }
 
 fn predict_the_same(one: &Change, two: &Change, cases: &[&AnsweredCase]) -> bool {
