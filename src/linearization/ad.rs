@@ -17,7 +17,7 @@
 //!   for d alone not at all, by the envelope theorem.
 
 mod evaluate;
-mod lift;
+pub mod lift;
 mod orders;
 mod sweep;
 

@@ -24,7 +24,7 @@ pub mod paper;
 mod partial_variations;
 mod projection;
 mod sums;
-mod variations;
+pub mod variations;
 
 pub use formulation::Formulation;
 pub use matrices::{Matrices, VectorQuantity};

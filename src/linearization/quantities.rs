@@ -9,7 +9,6 @@ use num_dual::HyperDual64;
 ///
 /// Lengths are in the user's unit; xi and xi_bar have none.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[doc(alias = "Eq. (17)")]
 #[non_exhaustive]
 pub struct Quantities<S> {
     /// x_C, the closest point on the beam.
@@ -67,6 +66,7 @@ impl<S: Scalar> Quantities<S> {
     }
 
     /// All components in one row, the vectors first; [`Quantity::of_component`] names them.
+    #[doc(alias = "Eq. (17)")]
     pub fn components(self) -> [S; COMPONENTS] {
         let [[x0, x1, x2]] = self.x.data.0;
         let [[y0, y1, y2]] = self.x_bar.data.0;

@@ -1,4 +1,5 @@
 // The pages in a browser: the explorer is used by mouse, touch and keys, and both pages are looked at in every size and scheme.
+// The documentation, where it is built, is searched for the numbers of the equations.
 //
 // node browser.mjs REPORTS BEAMGAP [SCREENSHOTS]; playwright-core and axe-core are looked for in NODE_PATH.
 import { createRequire } from "node:module";
@@ -165,7 +166,24 @@ async function looks(name) {
   console.log(`${name}: no overflow and no violation at 400, 1200 and 1800 px, light and dark; not blank without scripts`);
 }
 
+/** Typing the number of an equation into the search of the documentation finds what computes it. */
+async function documentation() {
+  const root = path.resolve(reports, "..");
+  const front = path.join(root, "target/doc/beamgap/index.html");
+  if (!existsSync(front)) return console.log("SKIPPED: the documentation is not built, its search is not tried");
+  const aliases = execSync("grep -rhoE 'doc\\(alias = \"Eq\\. \\([0-9]+\\)' src", { cwd: root }).toString();
+  const numbers = [...new Set(aliases.match(/\d+/g))];
+  const page = await browser.newPage();
+  for (const number of numbers) {
+    await page.goto(`file://${front}?search=${encodeURIComponent(`Eq. (${number})`)}`);
+    const found = page.locator("a", { hasText: `Eq. (${number})` }).first();
+    await found.waitFor({ timeout: 20000 }).catch(() => assert.fail(`the search does not find Eq. (${number})`));
+  }
+  console.log(`documentation: the search finds ${numbers.length} equations`);
+}
+
 try {
+  await documentation();
   await explorer();
   console.log("explorer.html: mouse, touch, keys, link, faults, situations and command work");
   await speed();

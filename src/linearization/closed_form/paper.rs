@@ -10,10 +10,10 @@
 //! A formula that serves both beams takes the beam as its first argument. δ is `delta` in names, Δ is `linear`, and Δδ is
 //! `second`.
 
-mod distance;
-mod lengths;
-mod parameters;
-mod points;
+pub mod distance;
+pub mod lengths;
+pub mod parameters;
+pub mod points;
 
 pub use distance::{
     delta_distance, delta_distance_along_normal, delta_normal, second_distance, second_distance_along_normal,

@@ -8,7 +8,6 @@ use nalgebra::{SVector, Vector3};
 ///
 /// Whatever its family and its number of dofs, a beam enters the variations through these fifteen vectors only.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[doc(alias = "Eq. (24)")]
 pub struct PartialVariations<T> {
     /// x, t, t,xi and t,xixi.
     pub geometry: Geometry<T>,

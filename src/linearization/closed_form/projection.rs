@@ -21,10 +21,10 @@ pub struct Points<T> {
 ///
 /// At an end of a beam the parameter is held and its row and column drop out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[doc(alias = "Eq. (50)")]
-#[doc(alias = "Eq. (55)")]
 pub struct Projection<T> {
     /// a = t . t + d . t,xi.
+    #[doc(alias = "Eq. (50)")]
+    #[doc(alias = "Eq. (55)")]
     pub a: T,
     /// b = t . t_bar.
     pub b: T,
