@@ -51,6 +51,11 @@ fn alone(Packed { hessian, gradient, value }: &Packed<f64, 24, 300>) -> Vec<f64>
     [value].into_iter().chain(gradient).chain(hessian).copied().collect()
 }
 
+/// Beams whose tangents are those of the curve, or half of these.
+fn scaled() -> impl Strategy<Value = (Hermite, SVector<f64, 12>)> {
+    (prop_oneof![Just(Hermite::new()), Just(Hermite::scaled_by(4.0))], vector())
+}
+
 impl Movable<18> for Bezier<6> {
     const POINTS: &'static [usize] = &[0, 3, 6, 9, 12, 15];
 }
@@ -108,6 +113,12 @@ proptest! {
     /// Each lane is its pair, the last four and those at an end of a beam among them; whatever is too long is left.
     #[test]
     fn batches(cases in proptest::collection::vec(contacting(hermite(), hermite()), 1..=6)) {
+        equal_in_lanes(&cases);
+    }
+
+    /// Pairs of different curves, of which the lanes hold none.
+    #[test]
+    fn batches_of_different_curves(cases in proptest::collection::vec(contacting(scaled(), scaled()), 2..=6)) {
         equal_in_lanes(&cases);
     }
 
