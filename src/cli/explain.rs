@@ -106,9 +106,9 @@ impl Explain {
         }
         let holds = record.programs.iter().all(report::ExplainProgram::holds);
         let words = if holds {
-            "EXPLAINED: every single fault that shows is named, and no other fault is."
+            "EXPLAINED: every single fault that shows is named."
         } else {
-            "NOT EXPLAINED: some single faults are not named, or others are."
+            "NOT EXPLAINED: some single faults are not named."
         };
         to_stdout(&(text + words + "\n"))?;
         Ok(if holds { Exit::Agree } else { Exit::Untrusted })

@@ -99,11 +99,10 @@ impl ExplainProgram {
         self.counts.iter().filter(|count| count.naming == naming.name()).map(|count| count.programs).sum()
     }
 
-    /// Whether no other fault is named, and each single fault that shows is named, alone or with those that the answers
-    /// cannot tell from it. Two faults may remain unnamed: the explanation then says that it knows none.
+    /// Whether each single fault that shows is named, alone or with those that the answers cannot tell from it. Of two
+    /// faults the second may be too small for few digits.
     pub fn holds(&self) -> bool {
-        let unnamed = if self.faults == 1 { self.count(Naming::None) } else { 0 };
-        self.count(Naming::Other) + unnamed == 0
+        self.faults > 1 || self.count(Naming::Other) + self.count(Naming::None) == 0
     }
 }
 

@@ -80,6 +80,9 @@ fn ratio(one: f64, two: f64) -> f64 {
 /// All items, as a program answers them directly, and contracted.
 pub(super) type Predicted = [Vec<Varied<f64>>; 2];
 
+/// How many formulations a program may have taken.
+pub(super) const FORMULATIONS: usize = 3;
+
 /// Predictions of single faults that are used again, by case.
 pub(super) type Memo = HashMap<String, Known>;
 /// Those at a case.
@@ -91,6 +94,8 @@ pub(super) struct AnsweredCase<'a> {
     paper: EvaluationPoint<'a>,
     /// In other formulations, where they differ.
     others: Vec<EvaluationPoint<'a>>,
+    /// The places of the paper's formulation, of that which the library takes and of the robust one among all of these.
+    formulations: [usize; FORMULATIONS],
     conventions: Conventions,
     families: [Family; 2],
     is_closed: bool,
@@ -135,18 +140,21 @@ impl<'a> AnsweredCase<'a> {
         let chosen = evaluate()?.form;
         let robust = Formulation::robust(&paper.points(), paper.held);
         let inside = !paper.held.xi && !paper.held.xi_bar;
-        let mut forms = vec![paper.form];
-        for form in [chosen, robust].into_iter().filter(|_| inside) {
-            if !forms.contains(&form) {
+        let asked = if inside { [paper.form, chosen, robust] } else { [paper.form; FORMULATIONS] };
+        let mut forms: Vec<Formulation> = Vec::new();
+        let formulations = asked.map(|form| {
+            forms.iter().position(|known| *known == form).unwrap_or_else(|| {
                 forms.push(form);
-            }
-        }
+                forms.len() - 1
+            })
+        });
         let in_form = |&form: &Formulation| Some(evaluate()?.in_formulation(form));
         let others = forms[1..].iter().filter_map(in_form).collect();
         let is_closed = sides.reference[20].value.value < 0.0;
         Some(Self {
             paper,
             others,
+            formulations,
             conventions: demands.conventions,
             families: vector.families(),
             is_closed,
@@ -206,10 +214,10 @@ impl<'a> AnsweredCase<'a> {
         evaluations.flat_map(|evaluation| self.computed_by(evaluation, change)).collect()
     }
 
-    /// The same in one formulation: the paper's is the first; empty if there are not so many.
+    /// The same in one formulation: the paper's, that which the library takes, or the robust one.
     pub(super) fn computed_in(&self, formulation: usize, change: &Change) -> Vec<Predicted> {
-        let evaluation = [&self.paper].into_iter().chain(&self.others).nth(formulation);
-        evaluation.map_or_else(Vec::new, |evaluation| self.computed_by(evaluation, change))
+        let place = self.formulations[formulation];
+        self.computed_by(place.checked_sub(1).map_or(&self.paper, |i| &self.others[i]), change)
     }
 
     fn computed_by(&self, evaluation: &EvaluationPoint<'_>, change: &Change) -> Vec<Predicted> {

@@ -3,7 +3,7 @@
 //! Numbers are evaluated in an order, and a fault changes only what comes after it. So either one fault explains the first
 //! wrong numbers, and the other changes later ones; or both change the first wrong numbers, and nothing before them.
 
-use super::answered_case::{AnsweredCase, Datum, Predicted};
+use super::answered_case::{AnsweredCase, Datum, FORMULATIONS, Predicted};
 use super::fit::Fit;
 use super::hypothesis::Change;
 use super::search::{of_faults, singles};
@@ -16,8 +16,6 @@ use std::cmp::Reverse;
 const SCREENED: usize = 4;
 /// Cases at which both may change the first wrong numbers: one of each kind, as terms are at work at some kinds only.
 const KINDS: usize = 6;
-/// How many formulations there are.
-const FORMULATIONS: usize = 3;
 /// First faults to each of which all second faults are tried.
 const FIRST: usize = 12;
 /// Pairs of which both change the first wrong numbers that are taken on.
