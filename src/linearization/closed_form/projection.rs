@@ -23,8 +23,6 @@ pub struct Points<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection<T> {
     /// a = t . t + d . t,xi.
-    #[doc(alias = "Eq. (50)")]
-    #[doc(alias = "Eq. (55)")]
     pub a: T,
     /// b = t . t_bar.
     pub b: T,
@@ -95,6 +93,8 @@ impl<T: Real> Projection<T> {
 
     /// The same in the form asked for.
     #[inline]
+    #[doc(alias = "Eq. (50)")]
+    #[doc(alias = "Eq. (55)")]
     pub fn in_formulation(points: &Points<T>, form: Formulation) -> Self {
         let Points { beam: Geometry { t, t_xi, .. }, bar: y, d } = points;
         let (t_bar, t_bar_xi) = (&y.t, &y.t_xi);
