@@ -6,7 +6,7 @@ use beamgap::closest_point::Held;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
 use beamgap::linearization::closed_form::formulation::{Distance, System};
 use beamgap::linearization::closed_form::kernel::{
-    Full, Targets, write_all_with_slips, write_all_with_slips_over,
+    Full, Targets, write_all_over, write_all_with_slips, write_all_with_slips_over, write_d_over,
 };
 use beamgap::linearization::closed_form::{Formulation, Matrices, Points, jets};
 use beamgap::linearization::{Derivatives, Linearization};
@@ -113,6 +113,10 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
     for form in [Formulation::paper(held), robust, robust.reversed(), regular, regular.reversed()] {
         let blocks = by_blocks::<_, _, _, N, M, S>(pair, &q, at, form);
         assert!(blocks == by_matrices(pair, &q, at, form), "{form:?}");
+        let (mut alone, mut all) = (Full::<_, S>::zeros(), [Full::<_, S>::zeros(); 5]);
+        assert!(write_d_over(pair, &q, at, form, &mut alone) && flat(&alone) == blocks[0], "{form:?}");
+        assert!(write_all_over(pair, &q, at, form, &mut targets(&mut all)), "{form:?}");
+        assert!(all.iter().zip(&blocks).all(|(one, other)| flat(one) == *other), "{form:?}");
     }
 }
 
