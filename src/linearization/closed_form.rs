@@ -1,6 +1,6 @@
 //! The linearization by hand: the formulas of the paper, corrected where its print is wrong and completed where it stops.
 //!
-//! The [`derivation`] has them all. [`paper`] has one function for each of the paper's equations; [`variations`] evaluates
+//! The [`derivation`] has them all. [`paper`] has one function for each of the paper's equations; [`variations()`] evaluates
 //! them in two directions. [`Matrices`] has gradients and Hessians in all dofs, for every curve. The [`kernel`] has the same
 //! numbers in vector arithmetic: [`Pair::linearize`] is the kernel. Contracting a matrix with directions gives the
 //! variation; the kernel gives the matrices; each checks the others.

@@ -1,4 +1,4 @@
-//! The equations of the paper, one function for each group. [`variations`](super::variations) evaluates them in order.
+//! The equations of the paper, one function for each group. [`variations()`](super::variations()) evaluates them in order.
 //!
 //! | file | computes | equations |
 //! |---|---|---|
