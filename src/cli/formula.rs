@@ -3,8 +3,10 @@
 //! It knows what the equations of the paper need: accents, indices, fractions in a line, matrices, cases and aligned rows.
 
 mod area;
+mod letters;
 
 use area::{Area, columns};
+use letters::{bold, bracketed, subscript, superscript};
 
 /// The width of a line.
 const WIDTH: usize = 76;
@@ -240,39 +242,6 @@ fn joined(cells: &[String]) -> String {
         }
     }
     line
-}
-
-/// In brackets, if it is more than one factor.
-fn bracketed(part: &str) -> String {
-    let part = part.trim();
-    if part.contains([' ', '·']) { format!("({part})") } else { part.to_owned() }
-}
-
-fn bold(letter: char) -> char {
-    let from = |base: u32, first: u8| char::from_u32(base + u32::from(letter) - u32::from(first));
-    match letter {
-        'a'..='z' => from(0x1d41a, b'a'),
-        'A'..='Z' => from(0x1d400, b'A'),
-        _ => None,
-    }
-    .unwrap_or(letter)
-}
-
-fn subscript(index: &str) -> String {
-    match index {
-        "u" => "ᵤ".to_owned(),
-        "0" => "₀".to_owned(),
-        _ if index.starts_with(',') => index.to_owned(),
-        _ => format!("_{index}"),
-    }
-}
-
-fn superscript(index: &str) -> Result<String, String> {
-    match index {
-        "2" => Ok("²".to_owned()),
-        "3" => Ok("³".to_owned()),
-        _ => Err(format!("the exponent {index} is not known")),
-    }
 }
 
 #[cfg(test)]

@@ -159,14 +159,14 @@ impl<T: Real> ScrewDofs<T> {
     }
 
     /// δy^(k).
-    fn way_varied(&self, k: usize, d: &Screw<T>) -> Vector3<T> {
+    fn local_varied(&self, k: usize, d: &Screw<T>) -> Vector3<T> {
         let along = self.circle(k) * d.radius + self.circle(k + 1) * (self.screw.radius * d.phase);
         along * self.powers[k] + self.axis(k, d.pitch)
     }
 
     /// δx^(k) in one direction.
     pub(super) fn vary(&self, k: usize, d: &Screw<T>) -> Vector3<T> {
-        let turned = self.rotation_varied(&d.quaternion, &self.y[k]) + self.rotated(&self.way_varied(k, d));
+        let turned = self.rotation_varied(&d.quaternion, &self.y[k]) + self.rotated(&self.local_varied(k, d));
         if k == 0 { d.centre + turned } else { turned }
     }
 
@@ -175,10 +175,10 @@ impl<T: Real> ScrewDofs<T> {
         // Δδy^(k) = α^k [(δr Δφ + Δr δφ) e_(k+1) + r δφ Δφ e_(k+2)]
         let tangential = d.radius * linear.phase + linear.radius * d.phase;
         let radial = self.screw.radius * d.phase * linear.phase;
-        let plane = (self.circle(k + 1) * tangential + self.circle(k + 2) * radial) * self.powers[k];
+        let local = (self.circle(k + 1) * tangential + self.circle(k + 2) * radial) * self.powers[k];
         self.rotation_varied_twice(&d.quaternion, &linear.quaternion, &self.y[k])
-            + self.rotation_varied(&d.quaternion, &self.way_varied(k, linear))
-            + self.rotation_varied(&linear.quaternion, &self.way_varied(k, d))
-            + self.rotated(&plane)
+            + self.rotation_varied(&d.quaternion, &self.local_varied(k, linear))
+            + self.rotation_varied(&linear.quaternion, &self.local_varied(k, d))
+            + self.rotated(&local)
     }
 }

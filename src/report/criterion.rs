@@ -112,11 +112,11 @@ pub(super) fn rounds(
     };
     let rounds: Vec<(String, String, Rounds)> = serde_json::from_str(&text)
         .map_err(|source| ReportError::Format { what: path.display().to_string(), source })?;
-    let mut of_ways = BTreeMap::new();
+    let mut of_methods = BTreeMap::new();
     for (group, method, rounds) in rounds {
-        of_ways.entry((group, method)).or_insert_with(Vec::new).push(rounds);
+        of_methods.entry((group, method)).or_insert_with(Vec::new).push(rounds);
     }
-    Ok(of_ways)
+    Ok(of_methods)
 }
 
 /// All that criterion measured, by group and function.

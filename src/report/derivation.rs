@@ -10,6 +10,7 @@ mod page;
 mod record;
 mod source;
 mod symbols;
+mod tables;
 mod text;
 
 pub(super) use math::mathml;

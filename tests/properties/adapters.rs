@@ -2,7 +2,7 @@
 //!
 //! A language whose compiler is missing is left out, unless BEAMGAP_ADAPTERS is set: then it is an error.
 
-use crate::command_line::{run, stdout};
+use crate::program::{run, stdout};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

@@ -1,6 +1,6 @@
 //! Cases as files: read back as they were written, or refused with the place of what is wrong.
 
-use crate::command_line::{command, golden, run, stdout};
+use crate::program::{command, golden, run, stdout};
 use beamgap::check::{CaseData, CheckConfig, Comparison, Family, TestBeam, Verdict, test_source};
 use beamgap::pair::Contact;
 use serde_json::{Value, json};

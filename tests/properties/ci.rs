@@ -1,8 +1,8 @@
-//! Results for continuous integration: parts of a run, formats, and options from a file and from the environment.
+//! Results for continuous integration: parts of a run, and formats.
 //!
 //! A tool that is missing is left out, unless BEAMGAP_ADAPTERS is set: then it is an error.
 
-use crate::command_line::{command, golden, json, run, stdout};
+use crate::program::{command, golden, json, run, stdout};
 use crate::schemas::is_valid;
 use serde_json::Value;
 use std::fs;
@@ -12,7 +12,7 @@ use std::process::{Command, Output};
 const FAULT: [&str; 2] = ["--plant", "Dd|d|: d.turned = sign"];
 const FORMATS: [&str; 6] = ["human", "json", "junit", "sarif", "github", "markdown"];
 
-fn folder(name: &str) -> PathBuf {
+pub(crate) fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("ci-{name}"));
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
@@ -236,101 +236,4 @@ fn the_summary_of_a_step_is_appended() {
     let mut nowhere = command(&small);
     let output = nowhere.env("GITHUB_STEP_SUMMARY", "/nowhere/at/all").output().unwrap();
     assert!(output.status.success() && output.stderr.starts_with(b"warning: cannot write the step summary "));
-}
-
-#[test]
-fn flags_win_over_the_environment_and_it_over_the_file() {
-    let folder = folder("config");
-    let cases = |arguments: &[&str], environment: &[(&str, &str)]| {
-        let small = [&["check", "--family", "segment", "--format", "json"], arguments].concat();
-        let output = command(&small).envs(environment.iter().copied()).current_dir(&folder).output().unwrap();
-        (output.status.code(), String::from_utf8(output.stderr.clone()).unwrap(), output)
-    };
-    let count = |arguments: &[&str], environment: &[(&str, &str)]| {
-        let (code, error, output) = cases(arguments, environment);
-        assert_eq!((code, error.as_str()), (Some(0), ""));
-        json(&output)["selection"]["cases"].as_u64().unwrap()
-    };
-    fs::write(folder.join("beamgap.toml"), "[check]\ncases = 3\nregime = [\"metres\"]\n").unwrap();
-    fs::write(folder.join("other.toml"), "[check]\ncases = 4\n").unwrap();
-    assert_eq!(count(&[], &[]), 3);
-    assert_eq!(count(&["--config", "other.toml"], &[]), 4);
-    assert_eq!(count(&[], &[("BEAMGAP_CONFIG", "other.toml")]), 4);
-    assert_eq!(count(&[], &[("BEAMGAP_CHECK_CASES", "2")]), 2);
-    assert_eq!(count(&["--cases", "1"], &[("BEAMGAP_CHECK_CASES", "2")]), 1);
-    for (text, told) in [
-        ("[check]\ncsaes = 3", "error: beamgap.toml: check: no key `csaes`, the nearest is `cases`\n"),
-        (
-            "[check]\ncases = 0",
-            "error: beamgap.toml: check.cases: invalid value '0' for '--cases <N>': 0 is not in 1..=1000000 (see --help)\n",
-        ),
-        ("[check", "error: beamgap.toml:1: "),
-    ] {
-        fs::write(folder.join("beamgap.toml"), text).unwrap();
-        let (code, error, output) = cases(&[], &[]);
-        assert!(error.starts_with(told) && error.lines().count() == 1, "{error}");
-        assert_eq!((code, output.stdout.is_empty()), (Some(3), true));
-    }
-    assert_eq!(cases(&["--config", "none.toml"], &[]).0, Some(3));
-    // One case has no number of cases, whatever the file says of it.
-    fs::write(folder.join("beamgap.toml"), "[check]\ncases = 3\n").unwrap();
-    let one = command(&["check", "--case", "17"]).current_dir(&folder).output().unwrap();
-    assert!(one.status.success(), "{one:?}");
-}
-
-/// A tolerance that is loosened in the file stands in the result with its reason.
-#[test]
-fn few_digits_need_a_reason() {
-    let folder = folder("digits");
-    let in_folder = |arguments: &[&str]| command(arguments).current_dir(&folder).output().unwrap();
-    let export =
-        ["export", "--family", "segment", "--cases", "2", "--expected", "none", "-o", "vectors.jsonl"];
-    assert!(in_folder(&export).status.success());
-    let program = format!("'{}' evaluate", env!("CARGO_BIN_EXE_beamgap"));
-    let config = format!(
-        "[verify]\nrun = \"{program}\"\ndigits = {{ value = 6, reason = \"printed with few digits\" }}\n"
-    );
-    fs::write(folder.join("beamgap.toml"), config).unwrap();
-    let text = stdout(&in_folder(&["verify", "vectors.jsonl"]));
-    let told = "6 significant digits are asked for, wherever they are attainable: printed with few digits\n";
-    assert!(text.contains(told), "{text}");
-    let document = json(&in_folder(&["verify", "vectors.jsonl", "--format", "json"]));
-    assert_eq!((&document["digits"], &document["reason"]), (&6.into(), &"printed with few digits".into()));
-    fs::write(folder.join("beamgap.toml"), "[verify]\ndigits = 6\n").unwrap();
-    assert_eq!(in_folder(&["verify", "vectors.jsonl"]).status.code(), Some(3));
-}
-
-#[test]
-fn colours_are_for_who_wants_them() {
-    let small = ["check", "--cases", "1", "--family", "segment"];
-    let shown = |more: &[&str], variable: &str| {
-        let mut command = command(&[&small[..], more].concat());
-        command.env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
-        if !variable.is_empty() {
-            command.env(variable, "1");
-        }
-        String::from_utf8(command.output().unwrap().stdout).unwrap()
-    };
-    let plain = shown(&[], "");
-    let coloured = plain.replace("AGREE:", "\u{1b}[1;32mAGREE\u{1b}[0m:");
-    assert!(plain.contains("\nAGREE: at ") && !plain.contains('\u{1b}'), "{plain}");
-    assert_eq!(shown(&["--color", "always"], ""), coloured);
-    assert_eq!(shown(&[], "CLICOLOR_FORCE"), coloured);
-    assert_eq!(shown(&["--color", "never"], "CLICOLOR_FORCE"), plain);
-    assert_eq!(shown(&[], "NO_COLOR"), plain);
-    let document = shown(&["--format", "json", "--color", "always"], "");
-    assert!(!document.contains('\u{1b}'), "a document has no colours");
-}
-
-#[test]
-fn shells_and_man_know_the_commands() {
-    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
-        let script = stdout(&run(&["completions", shell]));
-        assert!(script.contains("time-budget") && script.contains("verify"), "{shell}");
-    }
-    let page = stdout(&run(&["man"]));
-    assert!(page.contains(".TH beamgap 1") && page.contains("beamgap\\-verify"), "{page}");
-    let page = stdout(&run(&["man", "check"]));
-    assert!(page.contains("\\-\\-time\\-budget"), "{page}");
-    assert_eq!(run(&["man", "chekc"]).status.code(), Some(3));
 }

@@ -3,7 +3,7 @@
 //! What is missing is left out, unless BEAMGAP_ADAPTERS is set: then it is an error. BEAMGAP_PYTHON names a Python with
 //! `dask.distributed`.
 
-use crate::command_line::{run, stdout};
+use crate::program::{run, stdout};
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};

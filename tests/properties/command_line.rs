@@ -1,92 +1,13 @@
 //! The command line: what it prints, how it ends, and that it prints the same again.
-//!
-//! The golden files hold real output. The last digits of sine and power depend on the machine, so errors and the cases
-//! that show the worst of them are left out of the comparison; all else must be equal. `BEAMGAP_BLESS=1` writes them.
 
-use serde_json::Value;
+use crate::program::{blind_json, blind_text, command, golden, json, run, stdout};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 const SMALL: [&str; 5] = ["check", "--cases", "11", "--family", "segment"];
 
-pub(crate) fn command(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_beamgap"));
-    command.args(arguments).env_remove("RAYON_NUM_THREADS").env_remove("GITHUB_STEP_SUMMARY");
-    command
-}
-
-pub(crate) fn run(arguments: &[&str]) -> Output {
-    command(arguments).output().unwrap()
-}
-
 fn small(more: &[&str]) -> Output {
     run(&[&SMALL, more].concat())
-}
-
-/// Standard output of a run that must succeed in silence.
-pub(crate) fn stdout(output: &Output) -> String {
-    assert!(output.stderr.is_empty() && output.status.success(), "{output:?}");
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-pub(crate) fn json(output: &Output) -> Value {
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-/// Compares with a golden file, both seen through `blind`; or writes it.
-pub(crate) fn golden(name: &str, output: &str, blind: impl Fn(&str) -> String) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
-    if std::env::var_os("BEAMGAP_BLESS").is_some() {
-        std::fs::write(&path, output).unwrap();
-    }
-    let expected = std::fs::read_to_string(&path).unwrap();
-    assert_eq!(blind(output), blind(&expected), "BEAMGAP_BLESS=1 writes {name} again");
-}
-
-/// Tables without errors and without the cases that showed them.
-pub(crate) fn blind_text(text: &str) -> String {
-    let mut kept = usize::MAX;
-    let mut blind = String::new();
-    for line in text.lines() {
-        if !line.starts_with(' ') {
-            kept = match line.split_whitespace().next() {
-                Some("Worst" | "The") => 1,
-                Some("Regimes:") => 5,
-                // A formula that is written otherwise has another degree.
-                Some("degree") => 4,
-                _ => usize::MAX,
-            };
-        }
-        let tokens = line.split_whitespace().enumerate().map(|(i, token)| {
-            let number = token == "-" || token.parse::<f64>().is_ok();
-            if i >= kept && number { "#" } else { token }
-        });
-        blind += &(tokens.collect::<Vec<_>>().join(" ") + "\n");
-    }
-    blind
-}
-
-/// The same for the document.
-pub(crate) fn blind_json(text: &str) -> String {
-    fn hide(value: &mut Value) {
-        match value {
-            Value::Array(values) => values.iter_mut().for_each(hide),
-            Value::Object(entries) => {
-                for (key, value) in entries {
-                    match key.as_str() {
-                        "scaled_error" | "over_tolerance" | "case" | "degree" | "log10_probability" => {
-                            *value = Value::Null;
-                        }
-                        _ => hide(value),
-                    }
-                }
-            }
-            _ => {}
-        }
-    }
-    let mut document = serde_json::from_str(text).unwrap();
-    hide(&mut document);
-    serde_json::to_string_pretty(&document).unwrap()
 }
 
 /// A file of this test alone.

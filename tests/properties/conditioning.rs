@@ -2,15 +2,18 @@
 //!
 //! Errors are those of `f64` at the closest point rounded to it, against double-double at the closest point refined there.
 
+mod forms;
+
+use self::forms::{Beams, all, errors, precise};
 use crate::pairs::{
     Contacting, Movable, any_arc, any_helix, contacting, hermite, nurbs, quadratic, refined, segment,
 };
 use beamgap::closest_point::{Degeneracy, Held};
-use beamgap::curve::{Curve, Hermite, Segment};
+use beamgap::curve::{Hermite, Segment};
+use beamgap::linearization::Derivatives;
 use beamgap::linearization::closed_form::formulation::{Distance, System};
-use beamgap::linearization::closed_form::{Formulation, Matrices, Points, Projection, jets};
-use beamgap::linearization::{BlockHessian, Derivatives, Linearization};
-use beamgap::number::{DoubleDouble, Real, RunningError};
+use beamgap::linearization::closed_form::{Formulation, Points, jets};
+use beamgap::number::{DoubleDouble, RunningError};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 use proptest::prelude::*;
@@ -22,85 +25,6 @@ const ROBUST: Formulation = Formulation {
     distance: Distance::Normal { reversed: false },
     system: System::CrossProducts,
 };
-
-/// A pair of beams.
-type Beams<A, B, const N: usize, const M: usize> = (Pair<A, B, N, M>, DofVector<f64, N, M>);
-
-/// All quantities over the scalar `T`.
-fn all<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    (pair, q): &Beams<A, B, N, M>,
-    at: (T, T),
-    form: impl FnOnce(&Points<T>) -> Formulation,
-) -> Linearization<T, N, M> {
-    let q = DofVector { beam: q.beam.map(T::from), bar: q.bar.map(T::from) };
-    let (jet, jet_bar) = jets(pair, &q, at);
-    let form = form(&Points::new(&jet.geometry, &jet_bar.geometry));
-    Matrices::in_formulation(&jet, &jet_bar, form).all(at, &pair.contact)
-}
-
-/// The closest point in double-double, by Newton's method.
-fn precise<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    (pair, q): &Beams<A, B, N, M>,
-    (xi, xi_bar): (f64, f64),
-) -> (DoubleDouble, DoubleDouble) {
-    let q = DofVector { beam: q.beam.map(DoubleDouble::from), bar: q.bar.map(DoubleDouble::from) };
-    let mut at = (DoubleDouble::from(xi), DoubleDouble::from(xi_bar));
-    for _ in 0..5 {
-        let (jet, jet_bar) = jets(pair, &q, at);
-        let Points { beam, bar, d } = Points::new(&jet.geometry, &jet_bar.geometry);
-        let (step, step_bar) = Projection::new(&beam, &bar, INSIDE).solve(-d.dot(&beam.t), -d.dot(&bar.t));
-        at = (at.0 + step, at.1 + step_bar);
-    }
-    at
-}
-
-/// The difference of two matrices over the size of the second, both in the norm of Frobenius.
-fn error<const N: usize, const M: usize>(
-    of: &BlockHessian<f64, N, M>,
-    exact: &BlockHessian<DoubleDouble, N, M>,
-) -> f64 {
-    let entries = (0..N + M).flat_map(|i| (0..N + M).map(move |j| (i, j)));
-    let (off, size) = entries.fold((0.0, 0.0), |(off, size), (i, j)| {
-        let exact = exact.entry(i, j);
-        let difference = (DoubleDouble::from(of.entry(i, j)) - exact).value();
-        (off + difference * difference, size + exact.value() * exact.value())
-    });
-    (off / size).sqrt()
-}
-
-/// The form of the choice, and the errors of the Hessians of d and xi in this and in other forms.
-fn errors<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const K: usize>(
-    beams: &Beams<A, B, N, M>,
-    near: (f64, f64),
-    forms: [Formulation; K],
-) -> (Formulation, [f64; 2], [[f64; 2]; K]) {
-    let at = precise(beams, near);
-    let rounded = (at.0.value(), at.1.value());
-    let mut choice = ROBUST;
-    all(beams, rounded, |points| {
-        choice = Formulation::at(points, INSIDE);
-        choice
-    });
-    // n of either side, the same in both numbers.
-    let reversed =
-        |form: Formulation| if is_reversed(choice, beams, rounded) { form.reversed() } else { form };
-    let exact = all(beams, at, |_| reversed(ROBUST));
-    let of = |form: Formulation| {
-        let found = all(beams, rounded, |_| form);
-        [error(&found.d.hessian, &exact.d.hessian), error(&found.xi.hessian, &exact.xi.hessian)]
-    };
-    (choice, of(choice), forms.map(|form| of(reversed(form))))
-}
-
-fn is_reversed<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    choice: Formulation,
-    (pair, q): &Beams<A, B, N, M>,
-    at: (f64, f64),
-) -> bool {
-    let (jet, jet_bar) = jets(pair, q, at);
-    let robust = Formulation::robust(&Points::new(&jet.geometry, &jet_bar.geometry), choice.held);
-    robust.sign() == Some(-1.0)
-}
 
 /// The beam moved along d until the gap is `gap`; none if the tangents are nearly parallel there.
 fn with_gap<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(

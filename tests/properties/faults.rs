@@ -1,6 +1,6 @@
 //! Planted faults: the checks turn red for each of them, and for nothing else.
 
-use crate::command_line::{json, run, stdout};
+use crate::program::{json, run, stdout};
 use beamgap::check::Regime;
 use beamgap::faults::Check;
 use beamgap::prove::Draw;

@@ -1,6 +1,6 @@
 //! The command line measures its own tolerances, and asks a third oracle.
 
-use crate::command_line::{json, run, stdout};
+use crate::program::{json, run, stdout};
 use serde_json::Value;
 
 #[test]

@@ -1,6 +1,6 @@
 //! Over a prime field the closed form and AD are equal, not nearly equal.
 
-use crate::command_line::{blind_json, blind_text, golden, run};
+use crate::program::{blind_json, blind_text, golden, run};
 use beamgap::number::PrimeField;
 use beamgap::prove::{Layer, Proof, prove};
 use beamgap::test_beam::Family;

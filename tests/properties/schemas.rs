@@ -1,6 +1,6 @@
 //! What is exported and answered is what the JSON Schemas say.
 
-use crate::command_line::{run, stdout};
+use crate::program::{run, stdout};
 use serde_json::Value;
 
 /// Whether a value is of a schema; an unknown keyword is an error of the schema.

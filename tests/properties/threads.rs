@@ -4,7 +4,7 @@
 #[cfg(target_os = "linux")]
 #[test]
 fn as_many_threads_work_as_are_asked_for() {
-    use crate::command_line::command;
+    use crate::program::command;
     use std::process::Stdio;
     use std::time::{Duration, Instant};
 

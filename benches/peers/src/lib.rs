@@ -5,3 +5,4 @@
 mod cases;
 mod reference;
 mod candidates;
+mod differences;

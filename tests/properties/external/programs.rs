@@ -1,0 +1,117 @@
+//! Programs that answer while they run, and results for other programs.
+
+use super::{drawing, vectors};
+use crate::program::{command, json, run};
+use beamgap::check::external::VectorWriter;
+use beamgap::check::{Family, Regime};
+use std::fmt::Write as _;
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::Stdio;
+
+fn scratch(name: &str, text: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+fn exported(name: &str, more: &[&str]) -> PathBuf {
+    let path = scratch(name, "");
+    let output = run(&[&["export", "-o", path.to_str().unwrap()], more].concat());
+    assert!(output.status.success(), "{output:?}");
+    path
+}
+
+#[test]
+fn a_program_is_run_and_its_exit_status_time_and_words_are_told() {
+    let path = exported("run.jsonl", &["--family", "segment", "--cases", "3", "--expected", "none"]);
+    let vectors = path.to_str().unwrap();
+    let own = format!("'{}' evaluate", env!("CARGO_BIN_EXE_beamgap"));
+    let verify = |program: &str, more: &[&str]| {
+        let output = run(&[&["verify", vectors, "--run", program], more].concat());
+        let told = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        (output.status.code(), told(&output.stdout), told(&output.stderr))
+    };
+    let (code, text, _) = verify(&own, &[]);
+    assert!(code == Some(0) && text.contains("AGREES: at "), "{text}");
+    let (code, text, _) = verify(&format!("{own} --plant 'b: t.t_bar = halved'"), &[]);
+    assert!(
+        code == Some(1) && text.contains("Cause: the term t.t_bar of b, eq. (50), counts half"),
+        "{text}"
+    );
+    assert!(
+        text.contains("`b: t.t_bar = halved`") && text.contains("Entry of the gradient that differs most: ["),
+        "{text}"
+    );
+    for (program, expected) in [
+        (
+            "sh -c 'echo broken >&2; exit 7'",
+            "exit status: 7, after 0 answers\nIts standard error ends:\nbroken",
+        ),
+        ("sh -c 'echo no; cat >/dev/null'", "standard output of sh:1:1: the titles `case,quantity,value`"),
+        ("/no/such/program", "cannot start /no/such/program"),
+        ("sh -c 'exit", "a program, with its arguments, expected"),
+        ("true", "expected, found the end of the text"),
+    ] {
+        let (code, _, told) = verify(program, &[]);
+        assert!(code == Some(3) && told.contains(expected), "{program}: {told}");
+    }
+    let (code, _, told) = verify("sleep 30", &["--time-out", "1"]);
+    assert!(code == Some(3) && told.contains("no answer within 1 s"), "{told}");
+}
+
+#[test]
+fn results_are_written_for_programs_too() {
+    let path = exported("json.jsonl", &["--family", "hermite", "--cases", "2", "--expected", "all"]);
+    let answers = scratch("json-answers.jsonl", "");
+    let (vectors, answered) = (path.to_str().unwrap(), answers.to_str().unwrap());
+    let output = run(&["evaluate", vectors, "--plant", "a: t.t = doubled", "-o", answered]);
+    assert!(output.status.success(), "{output:?}");
+    let output = run(&["verify", vectors, answered, "--format", "json"]);
+    let document = json(&output);
+    assert_eq!((output.status.code(), &document["verdict"]), (Some(1), &"disagree".into()));
+    assert_eq!(document["schema"], "beamgap-verify/1");
+    assert_eq!(document["explanation"]["causes"][0]["name"], "a: t.t = doubled");
+    assert!(
+        document["first"]["line"].as_u64().unwrap() >= 2 && document["first"]["entry"]["of"] == "gradient"
+    );
+    // What is expected is accepted as an answer.
+    let text = std::fs::read_to_string(&path).unwrap();
+    let mut expected = "{\"schema\":\"beamgap-answers/1\"}\n".to_owned();
+    for line in text.lines().skip(1) {
+        let line: serde_json::Value = serde_json::from_str(line).unwrap();
+        let mut answer = line["expected"].clone();
+        if answer.is_object() {
+            answer["id"] = line["id"].clone();
+            let _ = writeln!(expected, "{answer}");
+        }
+    }
+    let expected = scratch("json-expected.jsonl", &expected);
+    let output = run(&["verify", vectors, expected.to_str().unwrap(), "--format", "json"]);
+    assert_eq!(json(&output)["verdict"], "agree", "{output:?}");
+    // Nothing compared is no success.
+    let none = scratch("json-none.jsonl", "{\"schema\":\"beamgap-answers/1\"}\n");
+    let output = run(&["verify", vectors, none.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(4), "{output:?}");
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let mut child = command(&["evaluate"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let all = drawing(&[Family::Segment], &[Regime::Generic], 30);
+    let writer = VectorWriter::default();
+    let mut stdin = child.stdin.take().unwrap();
+    let _ = writeln!(stdin, "{}", writer.head(&all));
+    for vector in vectors(&all) {
+        let _ = writeln!(stdin, "{}", writer.line(&vector));
+    }
+    drop(stdin);
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+}
