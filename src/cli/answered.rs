@@ -116,7 +116,8 @@ pub(super) fn human(verified: &Verified) -> String {
             ]);
         }
         let _ = write!(text, "\n{table}");
-        text += "digits: of the number next to its tolerance or farthest beyond it; attainable: there, by the best formulas\n";
+        text += "digits: of the number next to its tolerance or farthest beyond it\n\
+                 attainable: there, by the best formulas\n";
     }
     let losing: Vec<_> =
         report.regimes.iter().filter_map(|(name, of)| Some((name, of, of.loss.as_ref()?))).collect();

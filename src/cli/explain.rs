@@ -106,9 +106,9 @@ impl Explain {
         }
         let holds = record.programs.iter().all(report::ExplainProgram::holds);
         let words = if holds {
-            "EXPLAINED: every single fault that shows is named."
+            "EXPLAINED: every single fault that shows is named, and no wrong one."
         } else {
-            "NOT EXPLAINED: some single faults are not named."
+            "NOT EXPLAINED: a single fault is not named, or a wrong one is."
         };
         to_stdout(&(text + words + "\n"))?;
         Ok(if holds { Exit::Agree } else { Exit::Untrusted })

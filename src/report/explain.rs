@@ -99,10 +99,11 @@ impl ExplainProgram {
         self.counts.iter().filter(|count| count.naming == naming.name()).map(|count| count.programs).sum()
     }
 
-    /// Whether each single fault that shows is named, alone or with those that the answers cannot tell from it. Of two
-    /// faults the second may be too small for few digits.
+    /// Whether no wrong fault is named, and each single fault that shows is named, alone or with those that the answers
+    /// cannot tell from it. Of two faults none may be named: the explanation then says that it knows none.
     pub fn holds(&self) -> bool {
-        self.faults > 1 || self.count(Naming::Other) + self.count(Naming::None) == 0
+        let unnamed = if self.faults == 1 { self.count(Naming::None) } else { 0 };
+        self.count(Naming::Other) + unnamed == 0
     }
 }
 

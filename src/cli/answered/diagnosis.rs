@@ -20,7 +20,7 @@ pub(in crate::cli) fn explained(verified: &Verified) -> String {
     if let Some(((order, quantity, part), count)) = report.beginning() {
         let _ = writeln!(
             text,
-            "The first wrong number is {part} of {} in {count} of {} wrong cases: look at {}",
+            "The first wrong number is {part} of {} in {count} of {} wrong cases:\nlook at {}",
             quantity.name(),
             report.wrong,
             at(order, quantity)

@@ -94,7 +94,7 @@ pub(super) struct AnsweredCase<'a> {
     paper: EvaluationPoint<'a>,
     /// In other formulations, where they differ.
     others: Vec<EvaluationPoint<'a>>,
-    /// The places of the paper's formulation, of that which the library takes and of the robust one among all of these.
+    /// The places of the paper's formulation, of that which the library takes and of the robust one among those that differ.
     formulations: [usize; FORMULATIONS],
     conventions: Conventions,
     families: [Family; 2],
@@ -214,10 +214,17 @@ impl<'a> AnsweredCase<'a> {
         evaluations.flat_map(|evaluation| self.computed_by(evaluation, change)).collect()
     }
 
+    /// The place of a formulation among those that differ at this case.
+    pub(super) fn place_of(&self, formulation: usize) -> usize {
+        self.formulations[formulation]
+    }
+
     /// The same in one formulation: the paper's, that which the library takes, or the robust one.
     pub(super) fn computed_in(&self, formulation: usize, change: &Change) -> Vec<Predicted> {
-        let place = self.formulations[formulation];
-        self.computed_by(place.checked_sub(1).map_or(&self.paper, |i| &self.others[i]), change)
+        self.computed_by(
+            self.place_of(formulation).checked_sub(1).map_or(&self.paper, |i| &self.others[i]),
+            change,
+        )
     }
 
     fn computed_by(&self, evaluation: &EvaluationPoint<'_>, change: &Change) -> Vec<Predicted> {

@@ -11,6 +11,7 @@ use crate::check::verdict::Order;
 use crate::variant::{Fault, Variant};
 use rayon::prelude::*;
 use std::cmp::Reverse;
+use std::collections::HashSet;
 
 /// Cases at which the first of two faults has to explain the first wrong numbers.
 const SCREENED: usize = 4;
@@ -30,15 +31,15 @@ fn key(datum: &Datum) -> Key {
 
 /// The pairs that are to be tried.
 pub(super) fn pairs(cases: &[&AnsweredCase]) -> Vec<Change> {
-    let cases = &cases[..cases.len().min(SCREENED)];
+    let screened = &cases[..cases.len().min(SCREENED)];
     let none = Change::Variant(Variant::Unmodified);
-    let Some(start) = first_wrong(cases, &none) else { return Vec::new() };
+    let Some(start) = first_wrong(screened, &none) else { return Vec::new() };
     let singles = singles();
     let mut firsts: Vec<(Key, Fault)> = singles
         .par_iter()
         .filter_map(|&fault| {
             let change = of_faults(&[fault]);
-            let end = first_wrong(cases, &change)?;
+            let end = first_wrong(screened, &change)?;
             (end > start).then_some((end, fault))
         })
         .collect();
@@ -80,9 +81,15 @@ fn kinds<'a>(cases: &[&'a AnsweredCase<'a>], start: Key) -> Vec<&'a AnsweredCase
 
 /// The pairs of faults that change nothing before the first wrong numbers, and explain these.
 fn both(cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
-    // Most programs evaluate the paper's formulas.
-    let found = (0..FORMULATIONS).map(|formulation| both_in(formulation, cases, singles, start));
-    found.into_iter().find(|pairs| !pairs.is_empty()).unwrap_or_default()
+    // Chance lets some pairs explain these numbers in a formulation that the program does not have: all are tried, each once.
+    let places = |formulation: usize| cases.iter().map(|case| case.place_of(formulation)).collect::<Vec<_>>();
+    let is_new = |&formulation: &usize| (0..formulation).all(|known| places(known) != places(formulation));
+    let formulations = (0..FORMULATIONS).filter(is_new);
+    let mut known = HashSet::new();
+    formulations
+        .flat_map(|formulation| both_in(formulation, cases, singles, start))
+        .filter(|pair| known.insert(*pair))
+        .collect()
 }
 
 fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
