@@ -70,8 +70,8 @@ pub(in super::super) fn varied_pair(step: f64) -> Result<String, ProjectionError
         let [u, v] = view.at(at);
         text([u + right, v + down], &format!("letter {class}"), words)
     };
-    body += &label(&t, [8.0, -4.0], "b", "t");
-    body += &label(&t_bar, [10.0, 12.0], "r", "t̄");
+    body += &label(&t, [-14.0, 24.0], "b", "t");
+    body += &label(&t_bar, [-18.0, -14.0], "r", "t̄");
     body += &label(&((x.x + y.x) * 0.5), [-38.0, 14.0], "d", "d");
     body += &label(&((x.x + y.x) * 0.5), [24.0, 14.0], "g", "g<tspan dy=\"5\" font-size=\"13\">N</tspan>");
     body += &label(&x.x, [6.0, -26.0], "b", "x<tspan dy=\"5\" font-size=\"13\">C</tspan>");
