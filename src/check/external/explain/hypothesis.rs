@@ -78,6 +78,11 @@ impl Change {
         matches!(self, Self::Variant(Variant::Unmodified))
     }
 
+    /// Whether two terms are changed.
+    pub(super) fn has_two_faults(&self) -> bool {
+        matches!(self, Self::Variant(Variant::Faulty(faults)) if faults.len() > 1)
+    }
+
     /// How simple it is: simpler explanations come first.
     pub(super) fn class(&self) -> usize {
         match self {

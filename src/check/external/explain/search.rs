@@ -143,7 +143,10 @@ pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
     };
     // Where right answers are told from the best no better than this, nothing is known.
     let is_faint = fits.iter().any(|of| is_near(of) && of.change.is_none() && of.explains());
-    let explains = |of: &Fit| !is_faint && is_near(of) && (of.explains() || of.is_close(before));
+    // Two faults that leave more than is likely are not those of the program.
+    let is_likely = |of: &Fit| !of.change.has_two_faults() || of.mean() <= LIKELY;
+    let explains =
+        |of: &Fit| !is_faint && is_near(of) && ((of.explains() && is_likely(of)) || of.is_close(before));
     let (mut equal, mut others): (Vec<_>, Vec<_>) = fits.into_iter().partition(explains);
     equal.sort_by_key(|of| (of.change.class(), of.order));
     if let Some(simplest) = equal.first().map(|of| of.change.class()) {
