@@ -23,6 +23,7 @@ use crate::test_beam::Family;
 use rayon::prelude::*;
 
 pub use found::{Digits, Example, Found};
+pub(super) use found::{contact_in_words, list};
 pub(super) use sides::{Entry, Sides, is_doubted};
 
 /// How many times the rounding of the textbook formulas a careful evaluation may lose, in another order of its sums.

@@ -6,6 +6,7 @@
 mod jet;
 mod pair;
 mod placed;
+mod shrink;
 
 use super::compare::compare_beams;
 use super::config::CheckConfig;
@@ -15,6 +16,7 @@ use super::verdict::{Inconclusive, Verdict};
 use crate::curve::Curve;
 use crate::test_beam::Drawn;
 use nalgebra::{SVector, Vector3};
+use pair::Pair;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -39,7 +41,7 @@ pub struct OwnCurve {
     pub compared: u64,
     /// Of these, those at which something differs beyond rounding.
     pub mismatches: u64,
-    /// What differs first there, one of each kind, with the pair in words.
+    /// What differs first there, one of each kind, with the pair in words, shrunk.
     pub findings: Vec<(String, Finding)>,
     /// Closest points or pairs that were not compared, by reason.
     pub inconclusive: BTreeMap<Inconclusive, u64>,
@@ -85,11 +87,14 @@ where
         return found;
     }
     let regimes = Regime::ALL.len() as u64;
-    let of_case = |number: u64| {
+    let drawn = |number: u64| {
         let mut rng = stream((1 << 32) + number);
         let regime = Regime::ALL[usize::try_from(number % regimes).unwrap_or(0)];
-        let pair = pair::Pair::draw(curve, beams, (regime, number / regimes), &mut rng);
-        let compared = compare_beams(&CheckConfig::default(), false, pair.beams(), &pair.contact);
+        (regime, Pair::draw(curve, beams, (regime, number / regimes), &mut rng))
+    };
+    let compared = |pair: &Pair| compare_beams(&CheckConfig::default(), false, pair.beams(), &pair.contact);
+    let of_case = |number: u64| {
+        let compared = compared(&drawn(number).1);
         let mut found = OwnCurve::default();
         for (_, verdict) in &compared {
             match verdict {
@@ -101,11 +106,25 @@ where
                 }
             }
         }
-        found.findings.extend(Finding::of(&compared).map(|finding| (pair.words(regime), finding)));
-        found
+        (found, Finding::of(&compared).map(|finding| (number, finding)))
     };
     let all = (0..cases * regimes).into_par_iter().map(of_case).collect::<Vec<_>>();
-    all.into_iter().fold(found, OwnCurve::and)
+    let mut findings: Vec<(u64, Finding)> = Vec::new();
+    for (of_case, finding) in all {
+        found = found.and(of_case);
+        let is_new = |(_, finding): &(u64, Finding)| {
+            findings.iter().all(|(_, known)| known.diagnosis != finding.diagnosis)
+        };
+        findings.extend(finding.filter(is_new));
+    }
+    let shrunk = |(number, finding): (u64, Finding)| {
+        let (regime, pair) = drawn(number);
+        let of = |pair: &Pair| Finding::of(&compared(pair));
+        let pair = shrink::shrunk(pair, |pair| of(pair).map(|finding| finding.diagnosis));
+        (pair.words(regime), of(&pair).unwrap_or(finding))
+    };
+    found.findings = findings.into_iter().map(shrunk).collect();
+    found
 }
 
 impl OwnCurve {
@@ -119,11 +138,6 @@ impl OwnCurve {
         self.mismatches += other.mismatches;
         for (reason, count) in other.inconclusive {
             *self.inconclusive.entry(reason).or_default() += count;
-        }
-        for (pair, finding) in other.findings {
-            if self.findings.iter().all(|(_, known)| known.diagnosis != finding.diagnosis) {
-                self.findings.push((pair, finding));
-            }
         }
         self
     }
@@ -141,14 +155,14 @@ impl fmt::Display for OwnCurve {
             let axis = entry.axis.map_or_else(String::new, |axis| format!(".{axis}"));
             writeln!(
                 f,
-                "{pair}\n  first {} of {}{axis} ({}): {:e}, not {:e}; rounding explains {:.1e}\n  against {}",
+                "{pair}\n  first wrong: {} of {}{axis} ({})\n  {:e}, not {:e}; rounding explains {:.1e}\n  compared with {}",
                 entry.part,
                 entry.quantity.name(),
                 entry.order.name(),
                 entry.closed,
                 entry.other,
                 entry.tolerance,
-                diagnosis.against.join(", ")
+                diagnosis.against.join(",\n    ")
             )?;
         }
         for (reason, count) in &self.inconclusive {

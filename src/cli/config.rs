@@ -24,18 +24,33 @@ struct Setting {
     values: Vec<String>,
 }
 
+/// The settings by command and option.
+type Settings = BTreeMap<(String, String), Setting>;
+
 /// The command line with the defaults of the file and of the environment.
 ///
 /// # Errors
 /// If the file cannot be read, or has a key or a value that no option takes.
 pub(super) fn configured(mut command: Command) -> anyhow::Result<Command> {
-    let mut settings: BTreeMap<(String, String), Setting> = BTreeMap::new();
     if let Some(path) = file() {
         let name = path.display().to_string();
         let text = std::fs::read_to_string(&path).with_context(|| format!("cannot read {name}"))?;
-        of_file(&command, &name, &text, &mut settings)?;
+        command = with_file(command, &name, &text)?;
     }
-    of_environment(&command, std::env::vars_os(), &mut settings)?;
+    let settings = of_environment(&command, std::env::vars_os())?;
+    with_settings(command, settings)
+}
+
+/// The command line with the defaults of a file of this name.
+///
+/// # Errors
+/// If the file has a key or a value that no option takes.
+pub(super) fn with_file(command: Command, name: &str, text: &str) -> anyhow::Result<Command> {
+    let settings = of_file(&command, name, text)?;
+    with_settings(command, settings)
+}
+
+fn with_settings(mut command: Command, settings: Settings) -> anyhow::Result<Command> {
     for ((of, option), Setting { from, values }) in settings {
         let is_taken = taken(&command, &of, &option, &values);
         is_taken.map_err(|wrong| {
@@ -79,12 +94,8 @@ fn unknown<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> String {
     format!("no key `{name}`{nearest}")
 }
 
-fn of_file(
-    command: &Command,
-    name: &str,
-    text: &str,
-    settings: &mut BTreeMap<(String, String), Setting>,
-) -> anyhow::Result<()> {
+fn of_file(command: &Command, name: &str, text: &str) -> anyhow::Result<Settings> {
+    let mut settings = Settings::new();
     let tables: toml::Table = toml::from_str(text).map_err(|error| {
         let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
         anyhow!("{name}:{line}: {}", error.message())
@@ -115,7 +126,7 @@ fn of_file(
             }
         }
     }
-    Ok(())
+    Ok(settings)
 }
 
 /// A tolerance that is another than the derived one.
@@ -158,8 +169,8 @@ fn values(arg: &Arg, value: &Value) -> anyhow::Result<Vec<String>> {
 fn of_environment(
     command: &Command,
     variables: impl Iterator<Item = (OsString, OsString)>,
-    settings: &mut BTreeMap<(String, String), Setting>,
-) -> anyhow::Result<()> {
+) -> anyhow::Result<Settings> {
+    let mut settings = Settings::new();
     for (name, value) in variables {
         let Some(name) = name.to_str() else { continue };
         let of_command = COMMANDS.into_iter().find_map(|of| {
@@ -178,7 +189,7 @@ fn of_environment(
         };
         settings.insert((of.to_owned(), option), Setting { from: name.to_owned(), values });
     }
-    Ok(())
+    Ok(settings)
 }
 
 /// Whether the option takes these values, by the words of the command line.
@@ -194,15 +205,12 @@ fn taken(command: &Command, of: &str, option: &str, values: &[String]) -> Result
 
 #[cfg(test)]
 mod tests {
-    use super::{Setting, of_environment, of_file};
+    use super::{Settings, of_environment, of_file, with_file};
     use crate::cli::Arguments;
     use clap::CommandFactory;
-    use std::collections::BTreeMap;
 
-    fn read(text: &str) -> anyhow::Result<BTreeMap<(String, String), Setting>> {
-        let mut settings = BTreeMap::new();
-        of_file(&Arguments::command(), "beamgap.toml", text, &mut settings)?;
-        Ok(settings)
+    fn read(text: &str) -> anyhow::Result<Settings> {
+        of_file(&Arguments::command(), "beamgap.toml", text)
     }
 
     #[test]
@@ -254,14 +262,39 @@ mod tests {
     #[test]
     fn the_environment_names_command_and_option() {
         let read = |name: &str, value: &str| {
-            let mut settings = BTreeMap::new();
-            let variables = [(name.into(), value.into())].into_iter();
-            of_environment(&Arguments::command(), variables, &mut settings).map(|()| settings)
+            of_environment(&Arguments::command(), [(name.into(), value.into())].into_iter())
         };
         let found = read("BEAMGAP_CHECK_CASES", "7").unwrap();
         assert_eq!(found[&("check".to_owned(), "cases".to_owned())].values, ["7"]);
         assert!(read("BEAMGAP_BLESS", "1").unwrap().is_empty());
         let Err(error) = read("BEAMGAP_CHECK_CSAES", "7") else { panic!("it is taken") };
         assert!(error.to_string().starts_with("BEAMGAP_CHECK_CSAES: check has no option --csaes"), "{error}");
+    }
+
+    /// The texts of the fuzz target, and pieces of them: cut anywhere, and with a byte changed.
+    #[test]
+    fn a_file_of_the_corpus_is_taken_or_rejected() {
+        let folder = format!("{}/tests/fuzz/seeds/config", env!("CARGO_MANIFEST_DIR"));
+        let (mut taken, mut rejected) = (0, 0);
+        for file in std::fs::read_dir(folder).unwrap() {
+            let text = std::fs::read_to_string(file.unwrap().path()).unwrap();
+            for at in 0..=text.len() {
+                let mut changed = text.clone().into_bytes();
+                changed.get_mut(at).into_iter().for_each(|byte| *byte ^= 1 << (at % 7));
+                for text in [&text[..at], &String::from_utf8(changed).unwrap()] {
+                    match with_file(Arguments::command(), "beamgap.toml", text) {
+                        Ok(command) => {
+                            command.try_get_matches_from(["beamgap", "check"]).unwrap();
+                            taken += 1;
+                        }
+                        Err(error) => {
+                            assert!(error.to_string().starts_with("beamgap.toml"), "{error:#}");
+                            rejected += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(taken > 50 && rejected > 200, "{taken} taken, {rejected} rejected");
     }
 }

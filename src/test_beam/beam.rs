@@ -33,6 +33,12 @@ pub(crate) trait AnyBeam:
     /// How many dofs it has.
     fn dofs(&self) -> usize;
 
+    /// Its dofs and the two directions.
+    fn numbers(&self) -> [&[f64]; 3];
+
+    /// The same curve with other dofs and directions, as many as it has.
+    fn with_numbers(&self, numbers: &[Vec<f64>; 3]) -> Box<dyn AnyBeam>;
+
     /// Point and tangent at any parameter, also beyond the ends.
     fn geometry_at(&self, xi: RunningError) -> Geometry<RunningError>;
 
@@ -162,6 +168,15 @@ impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<RunningError2>>> for Draw
 impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBeam for Drawn<C, N> {
     fn dofs(&self) -> usize {
         N
+    }
+
+    fn numbers(&self) -> [&[f64]; 3] {
+        [&self.q, &self.dq, &self.linear_dq].map(|v| v.as_slice())
+    }
+
+    fn with_numbers(&self, numbers: &[Vec<f64>; 3]) -> Box<dyn AnyBeam> {
+        let [q, dq, linear_dq] = numbers.each_ref().map(|v| SVector::from_column_slice(v));
+        Box::new(Self { q, dq, linear_dq, ..self.clone() })
     }
 
     fn geometry_at(&self, xi: RunningError) -> Geometry<RunningError> {

@@ -1,12 +1,17 @@
-//! The closed form and every method of automatic differentiation, through the gate that a user's linearization goes
+//! The closed form, in every layout of its kernel, and every method of automatic differentiation, through the gate that a user's linearization goes
 //! through: in every regime, within tolerances derived from rounding.
 
+use crate::kernel::targets;
 use beamgap::check::{self, Answer, Case, CheckConfig, Family, Situation, Verdict, compare};
 use beamgap::closest_point::ClosestPoint;
 use beamgap::curve::{Arc, Curve, Helix, Hermite, NurbsWeighted, Quadratic, Segment};
 use beamgap::linearization::ad::{self, Route};
+use beamgap::linearization::closed_form::kernel::{
+    Full, Gradient, Packed, PairAtPoint, Target, write_all, write_d_batch,
+};
 use beamgap::linearization::closed_form::{self, Matrices, VectorQuantity};
 use beamgap::linearization::{Derivatives, Quantities, Quantity, Varied};
+use beamgap::number::Lanes;
 use beamgap::pair::{DofVector, Pair};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
@@ -121,12 +126,60 @@ fn by_route<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     of_variations(&ad::vary(route, &at.pair, &at.q, &at.point, &at.dq, &at.linear_dq))
 }
 
+/// Of the scalars but the slips value, gradient and Hessian, as the kernel writes them to memory of some layout.
+fn of_kernel<A: Curve<N>, B: Curve<M>, W: Target<f64, N, M> + Copy, const N: usize, const M: usize>(
+    at: &At<A, B, N, M>,
+    zeros: W,
+    hessian: impl Fn(&W, usize, usize) -> f64,
+) -> Vec<Answer> {
+    let mut all = [zeros; 5];
+    write_all(&at.pair, &at.q, &at.point, &mut targets(&mut all));
+    let quantities = [Quantity::D, Quantity::Xi, Quantity::XiBar, Quantity::T, Quantity::TBar];
+    let of = |(quantity, memory): (Quantity, &mut W)| {
+        let places = || (0..N + M).flat_map(|i| (0..N + M).map(move |j| (i, j)));
+        let hessian = W::SECOND.then(|| places().map(|(i, j)| hessian(memory, i, j)).collect());
+        let (beam, bar) = memory.gradient();
+        let gradient = Some([&*beam, &*bar].concat());
+        Answer { value: Some(*memory.value()), gradient, hessian, ..Answer::of(quantity) }
+    };
+    quantities.into_iter().zip(&mut all).map(of).collect()
+}
+
+/// The layouts of the kernel beside blocks, which `linearize` returns.
+fn layouts<A: Curve<9>, B: Curve<12>>() -> [Method<A, B, 9, 12>; 3] {
+    [
+        ("kernel, full", |at| of_kernel(at, Full::<f64, 21>::zeros(), |full, i, j| full.hessian[i][j])),
+        ("kernel, packed", |at| of_kernel(at, Packed::<f64, 21, 231>::zeros(), Packed::entry)),
+        ("kernel, gradient", |at| of_kernel(at, Gradient::<f64, 21>::zeros(), |_, _, _| f64::NAN)),
+    ]
+}
+
+/// d in the last of four lanes; in the others the beam is another.
+fn in_lanes(at: &At<Hermite, Hermite, 12, 12>) -> Vec<Answer> {
+    let At { pair, point, q, .. } = at;
+    let other = DofVector { beam: q.beam * 1.5, bar: q.bar };
+    let of = |q| PairAtPoint { pair, q, point };
+    let mut four = [Packed::<Lanes, 24, 300>::zeros()];
+    write_d_batch(&[of(&other), of(q), of(&other), of(q)], &mut four);
+    let [four] = four;
+    let lane = |lanes: Lanes| lanes.0[3];
+    let hessian = (0..24 * 24).map(|i| lane(four.entry(i / 24, i % 24))).collect();
+    let gradient = Some(four.gradient.map(lane).to_vec());
+    vec![Answer {
+        value: Some(lane(four.value)),
+        gradient,
+        hessian: Some(hessian),
+        ..Answer::of(Quantity::D)
+    }]
+}
+
 /// All methods agree, for a pair of families whose curves are made of their parameters.
-fn agree<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const S: usize>(
+fn agree<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    methods: impl IntoIterator<Item = Method<A, B, N, M>>,
     families: [Family; 2],
     curves: impl Fn([&[f64]; 2]) -> (A, B) + Sync,
 ) {
-    for (name, method) in methods::<A, B, N, M, S>() {
+    for (name, method) in methods {
         let answers = |at: &Situation<'_>| {
             let (curve, curve_bar) = curves(at.parameters);
             let along = |dq: &[f64]| DofVector::from_slice(dq).unwrap();
@@ -150,24 +203,32 @@ fn agree<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const S: usiz
 
 #[test]
 fn two_segments() {
-    agree::<_, _, 6, 6, 12>([Family::Segment; 2], |_| (Segment::new(), Segment::new()));
+    agree(methods::<_, _, 6, 6, 12>(), [Family::Segment; 2], |_| (Segment::new(), Segment::new()));
 }
 
 #[test]
 fn two_hermites() {
-    agree::<_, _, 12, 12, 24>([Family::Hermite; 2], |_| (Hermite::new(), Hermite::new()));
+    let lanes: Method<_, _, 12, 12> = ("kernel in lanes, d alone", in_lanes);
+    let methods = methods::<_, _, 12, 12, 24>().into_iter().chain([lanes]);
+    agree(methods, [Family::Hermite; 2], |_| (Hermite::new(), Hermite::new()));
+}
+
+#[test]
+fn quadratic_and_hermite_in_every_layout() {
+    let families = [Family::Quadratic, Family::Hermite];
+    agree(layouts(), families, |_| (Quadratic::new(), Hermite::new()));
 }
 
 #[test]
 fn quadratic_and_helix() {
     let curves = |of: [&[f64]; 2]| (Quadratic::new(), Helix::new(of[1][0]));
-    agree::<_, _, 9, 10, 19>([Family::Quadratic, Family::Helix], curves);
+    agree(methods::<_, _, 9, 10, 19>(), [Family::Quadratic, Family::Helix], curves);
 }
 
 #[test]
 fn weighted_nurbs_and_arc() {
     let curves = |of: [&[f64]; 2]| (NurbsWeighted::<4>::new(of[0]).unwrap(), Arc::new(of[1][0]));
-    agree::<_, _, 16, 9, 25>([Family::NurbsWeighted, Family::Arc], curves);
+    agree(methods::<_, _, 16, 9, 25>(), [Family::NurbsWeighted, Family::Arc], curves);
 }
 
 proptest! {

@@ -116,36 +116,44 @@ impl Found {
 fn in_words(Example { number, regime, case, .. }: &Example) -> String {
     let [beam, bar] = &case.test_beams;
     let families = [beam, bar].map(|test_beam| test_beam.family.name());
-    let mut text = format!("case {number}, {}, shrunk: {} and {}", regime.name(), families[0], families[1]);
-    let Contact { radius, radius_bar, xi_0, xi_bar_0 } = case.contact;
-    let contact =
-        if case.contact == Contact::default() { vec![] } else { vec![radius, radius_bar, xi_0, xi_bar_0] };
-    for (name, numbers) in [
-        ("radius, radius_bar, xi_0, xi_bar_0", &contact),
-        ("curve", &beam.parameters),
-        ("curve_bar", &bar.parameters),
-        ("q", &beam.q),
-        ("q_bar", &bar.q),
-        ("dq", &beam.dq),
-        ("dq_bar", &bar.dq),
-        ("Dq", &beam.linear_dq),
-        ("Dq_bar", &bar.linear_dq),
-    ] {
-        if numbers.is_empty() {
-            continue;
-        }
-        let mut line = format!("  {name} =");
-        for number in numbers {
-            let word = format!(" {number:e}");
-            if line.len() + word.len() > 80 {
-                text = text + "\n" + &line;
-                line = "   ".into();
-            }
-            line += &word;
-        }
-        text = text + "\n" + &line;
+    format!("case {number}, {}, shrunk: {} and {}", regime.name(), families[0], families[1])
+        + &contact_in_words(&case.contact)
+        + &[
+            ("curve", &beam.parameters),
+            ("curve_bar", &bar.parameters),
+            ("q", &beam.q),
+            ("q_bar", &bar.q),
+            ("dq", &beam.dq),
+            ("dq_bar", &bar.dq),
+            ("Dq", &beam.linear_dq),
+            ("Dq_bar", &bar.linear_dq),
+        ]
+        .map(|(name, numbers)| list(name, numbers))
+        .concat()
+}
+
+/// Radii and reference parameters on a line of their own, if some are not zero.
+pub(in crate::check) fn contact_in_words(contact: &Contact) -> String {
+    let Contact { radius, radius_bar, xi_0, xi_bar_0 } = *contact;
+    let numbers = [radius, radius_bar, xi_0, xi_bar_0];
+    list("radius, radius_bar, xi_0, xi_bar_0", if *contact == Contact::default() { &[] } else { &numbers })
+}
+
+/// Numbers with their name on lines of their own; nothing for none.
+pub(in crate::check) fn list(name: &str, numbers: &[f64]) -> String {
+    if numbers.is_empty() {
+        return String::new();
     }
-    text
+    let (mut text, mut line) = (String::new(), format!("  {name} ="));
+    for number in numbers {
+        let word = format!(" {number:e}");
+        if line.len() + word.len() > 80 {
+            text = text + "\n" + &line;
+            line = "   ".into();
+        }
+        line += &word;
+    }
+    text + "\n" + &line
 }
 
 /// Decimal digits of a relative error.

@@ -126,18 +126,29 @@ pub(super) fn rounder<C, const N: usize>(
 where
     C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
 {
-    // Digits are those after the first of the largest dof, whatever the unit of length.
-    let unit = 10.0_f64.powf(beam.q.amax().log10().floor());
+    let largest = beam.q.amax();
     let at = |digits: i32| {
-        let factor = 10.0_f64.powi(digits);
-        let plain = |number: f64| (number * factor).round() / factor;
-        let round = |v: &SVector<f64, N>| v.map(|number| plain(number / unit) * unit);
+        let round = |v: &SVector<f64, N>| SVector::from_vec(rounded(v.as_slice(), largest, digits));
         let [q, dq, linear_dq] = [&beam.q, &beam.dq, &beam.linear_dq].map(round);
         let beam = Drawn { q, dq, linear_dq, ..beam.clone() };
         let same = |other: &JetFinding| other.part == finding.part;
+        let plain = |number: f64| rounded(&[number], 1.0, digits)[0];
         findings(&beam, &w.map(plain), plain(finding.xi)).into_iter().find(same)
     };
     (0..4).find_map(at).unwrap_or(finding)
+}
+
+/// The numbers with so many digits after the first of the largest dof, whatever the unit of length.
+pub(super) fn rounded(numbers: &[f64], largest: f64, digits: i32) -> Vec<f64> {
+    #[expect(clippy::cast_possible_truncation, reason = "an exponent of f64 is below 1100")]
+    let places = digits - largest.max(f64::MIN_POSITIVE).log10().floor() as i32;
+    let round = |&number: &f64| match usize::try_from(places) {
+        // Read from its digits, it is written with as few again.
+        Ok(places) => format!("{number:.places$}").parse().unwrap_or(number),
+        Err(_) => (number * 10.0_f64.powi(places)).round() * 10.0_f64.powi(-places),
+    };
+    // No minus in front of zero.
+    numbers.iter().map(|number| round(number) + 0.0).collect()
 }
 
 /// What the derivatives say of each other: Jacobians, gradients and Hessians against the variations, and the shape

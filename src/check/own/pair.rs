@@ -2,6 +2,7 @@
 
 use super::placed::Placed;
 use super::varied;
+use crate::check::candidate::{contact_in_words, list};
 use crate::check::draw::orthonormal;
 use crate::check::regime::{Draw, Regime};
 use crate::curve::Curve;
@@ -15,11 +16,9 @@ use std::fmt::Debug;
 
 /// Two beams.
 pub(super) struct Pair {
-    beams: [Box<dyn AnyBeam>; 2],
-    /// The family of the partner; none if that is the user's curve too.
-    partner: Option<Family>,
-    /// The dofs of the user's beam.
-    q: Vec<f64>,
+    pub(super) beams: [Box<dyn AnyBeam>; 2],
+    /// Their families; none for the user's curve.
+    families: [Option<Family>; 2],
     pub(super) contact: Contact,
 }
 
@@ -59,7 +58,6 @@ impl Pair {
             _ => None,
         };
         let own = varied(curve, &beams[place % beams.len()], rng);
-        let q = own.q.iter().copied().collect();
         let own: Box<dyn AnyBeam> = match unit {
             Some(unit) => placed(own, Matrix3::identity() * unit),
             None => Box::new(own),
@@ -98,18 +96,41 @@ impl Pair {
             xi_0: rng.random_range(-1.0..1.0),
             xi_bar_0: rng.random_range(-1.0..1.0),
         };
-        let beams = if rng.random() { [own, other] } else { [other, own] };
-        Self { beams, partner, q, contact }
+        let (mut beams, mut families) = ([own, other], [None, partner]);
+        if !rng.random::<bool>() {
+            beams.reverse();
+            families.reverse();
+        }
+        Self { beams, families, contact }
     }
 
     pub(super) fn beams(&self) -> [&dyn AnyBeam; 2] {
         self.beams.each_ref().map(|beam| &**beam)
     }
 
-    /// Which pair it is.
+    /// The same with other numbers of the beams, and other radii and reference parameters.
+    pub(super) fn with(&self, numbers: &[[Vec<f64>; 3]; 2], contact: Contact) -> Self {
+        let beams = [0, 1].map(|i| self.beams[i].with_numbers(&numbers[i]));
+        Self { beams, contact, families: self.families }
+    }
+
+    /// Which pair it is, with all its numbers, 80 columns wide.
     pub(super) fn words(&self, regime: Regime) -> String {
-        let partner = self.partner.map_or("itself", Family::name);
-        format!("with {partner}, {}: q = {:?}", regime.name(), self.q)
+        let [family, family_bar] = self.families.map(|family| family.map_or("your curve", Family::name));
+        let [[q, dq, linear_dq], [q_bar, dq_bar, linear_dq_bar]] =
+            self.beams.each_ref().map(|beam| beam.numbers());
+        format!("{}: {family} and {family_bar}", regime.name())
+            + &contact_in_words(&self.contact)
+            + &[
+                ("q", q),
+                ("q_bar", q_bar),
+                ("dq", dq),
+                ("dq_bar", dq_bar),
+                ("Dq", linear_dq),
+                ("Dq_bar", linear_dq_bar),
+            ]
+            .map(|(name, numbers)| list(name, numbers))
+            .concat()
     }
 }
 
