@@ -171,7 +171,7 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
     }
 
     fn numbers(&self) -> [&[f64]; 3] {
-        [&self.q, &self.dq, &self.linear_dq].map(|v| v.as_slice())
+        [&self.q, &self.dq, &self.linear_dq].map(nalgebra::Matrix::as_slice)
     }
 
     fn with_numbers(&self, numbers: &[Vec<f64>; 3]) -> Box<dyn AnyBeam> {

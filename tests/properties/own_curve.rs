@@ -147,8 +147,8 @@ const NARROW: std::ops::Range<f64> = -0.8..-0.7;
 /// The number that a scalar is about, of any type: no curve needs it, but this fault does.
 fn about<T: Real>(number: &T) -> f64 {
     let text = format!("{number:?}");
-    let words = text.split(|c: char| c.is_whitespace() || ",{}()".contains(c));
-    words.filter_map(|word| word.parse().ok()).next().unwrap_or(f64::NAN)
+    let mut words = text.split(|c: char| c.is_whitespace() || ",{}()".contains(c));
+    words.find_map(|word| word.parse().ok()).unwrap_or(f64::NAN)
 }
 
 #[test]
