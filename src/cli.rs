@@ -56,9 +56,9 @@ struct Arguments {
 enum Command {
     /// Compare the closed form with automatic differentiation on random pairs of beams.
     Check(check::Check),
-    /// Put the parts of a check together that several machines ran.
+    /// Merge the shards of a check into one result.
     Merge(merge::Merge),
-    /// Compare the two over a prime field, without a tolerance.
+    /// Compare the closed form with automatic differentiation over a prime field, without a tolerance.
     Prove(prove::Prove),
     /// Measure the overestimation factor of the tolerances, by double-double.
     Bounds(bounds::MeasureBounds),

@@ -1,4 +1,3 @@
-#![doc = include_str!("../README.md")]
 #![doc = include_str!("front_page.md")]
 
 pub mod closest_point;
@@ -23,6 +22,11 @@ pub mod teaching;
 pub mod test_beam;
 #[cfg(feature = "check")]
 pub mod variant;
+
+/// The examples of the README, which are tested with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 // Their types stand in signatures: vectors, dual numbers, and what a scalar of one's own implements.
 pub use nalgebra;

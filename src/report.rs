@@ -77,7 +77,7 @@ use std::path::Path;
 pub const SEED: u64 = 0x5eed;
 /// The cases of each regime in a report.
 pub const CASES: u64 = 10_000;
-/// The cases of each regime that the bounds on rounding are measured with: 100,008 in all.
+/// The cases of each regime that the bounds on rounding are measured with.
 pub const BOUNDS_CASES: u64 = 11_112;
 /// The pairs at each gap and angle that the accuracy of each form is measured with: all pairs of families, eight times.
 pub const ACCURACY_PAIRS: u32 = 968;

@@ -149,7 +149,7 @@ impl fmt::Display for OwnCurve {
             writeln!(f, "{jet}")?;
         }
         if !self.jets.is_empty() {
-            return write!(f, "DISAGREES: the jet is not the derivative of the position.");
+            return write!(f, "DISAGREE: the jet is not the derivative of the position.");
         }
         for (pair, Finding { entry, diagnosis, .. }) in self.findings.iter().take(SHOWN) {
             let axis = entry.axis.map_or_else(String::new, |axis| format!(".{axis}"));
@@ -169,12 +169,12 @@ impl fmt::Display for OwnCurve {
             writeln!(f, "not compared: {count}, {}", reason.reason())?;
         }
         if self.mismatches > 0 {
-            return write!(f, "DISAGREES: at {} of {} closest points.", self.mismatches, self.compared);
+            return write!(f, "DISAGREE: at {} of {} closest points.", self.mismatches, self.compared);
         }
         if self.compared == 0 {
             return write!(f, "NOTHING COMPARED: no closest point had derivatives.");
         }
-        write!(f, "AGREES: at {} closest points nothing differs beyond rounding.", self.compared)
+        write!(f, "AGREE: at {} closest points nothing differs beyond rounding.", self.compared)
     }
 }
 

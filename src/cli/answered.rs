@@ -20,24 +20,25 @@ pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
     let open = missing + unanswered;
     let open =
         if open == 0 { String::new() } else { format!(" {open} of {vectors} cases are not answered.") };
+    let losing: u64 = report.regimes.values().map(|of| of.losing).sum();
+    let right = match losing {
+        0 => "nothing differs beyond rounding.".to_owned(),
+        _ => format!("no number is wrong; at {losing} of them digits are lost."),
+    };
     let (exit, name, words) = match (*compared, *wrong) {
         (0, _) => (
             Exit::Nothing,
             "nothing-compared",
             format!("NOTHING COMPARED: of {vectors} cases none has an answer that can be.{open}"),
         ),
-        (_, 0) => (
-            Exit::Agree,
-            "agree",
-            format!("AGREES: at {compared} closest points nothing differs beyond rounding.{open}"),
-        ),
+        (_, 0) => (Exit::Agree, "agree", format!("AGREE: at {compared} closest points {right}{open}")),
         (_, wrong) if wrong == *doubted => (
             Exit::Untrusted,
-            "not-trusted",
-            format!("NOT TRUSTED: at {doubted} of {compared} closest points the references disagree."),
+            "untrusted",
+            format!("UNTRUSTED: at {doubted} of {compared} closest points the references disagree."),
         ),
         _ => {
-            let words = format!("DISAGREES: at {wrong} of {compared} closest points.{open}");
+            let words = format!("DISAGREE: at {wrong} of {compared} closest points.{open}");
             (Exit::Disagree, "disagree", words)
         }
     };
@@ -116,8 +117,8 @@ pub(super) fn human(verified: &Verified) -> String {
             ]);
         }
         let _ = write!(text, "\n{table}");
-        text += "digits: of the number next to its tolerance or farthest beyond it\n\
-                 attainable: there, by the best formulas\n";
+        text += "digits: correct digits of the worst number\n\
+                 attainable: digits of the best formulas at that closest point\n";
     }
     let losing: Vec<_> =
         report.regimes.iter().filter_map(|(name, of)| Some((name, of, of.loss.as_ref()?))).collect();
@@ -145,18 +146,22 @@ fn name_of(comparison: &beamgap::check::Comparison) -> String {
     super::human::name(comparison)
 }
 
+fn cases(count: u64) -> String {
+    if count == 1 { "1 case".to_owned() } else { format!("{count} cases") }
+}
+
 /// What was not compared.
 fn left_out(report: &Report) -> String {
     let mut text = String::new();
     for (reason, count) in &report.degenerate {
-        let _ = writeln!(text, "\nNot compared: {count} cases: {reason}");
+        let _ = writeln!(text, "\nNot compared: {}: {reason}", cases(*count));
     }
     if report.missing > 0 {
         let first = report.first_missing.as_deref().unwrap_or_default();
-        let _ = writeln!(text, "\nNot answered: {} cases, the first is {first}", report.missing);
+        let _ = writeln!(text, "\nNot answered: {}, the first is {first}", cases(report.missing));
     }
     if report.unanswered > 0 {
-        let _ = writeln!(text, "\nAnswered without a number: {} cases", report.unanswered);
+        let _ = writeln!(text, "\nAnswered without a number: {}", cases(report.unanswered));
     }
     let never = report.never_answered();
     if !never.is_empty() && !report.parts.is_empty() {

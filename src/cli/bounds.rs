@@ -18,7 +18,7 @@ pub(crate) struct MeasureBounds {
     /// Seed of the random pairs, decimal or 0x-hexadecimal
     #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
     seed: u64,
-    /// How many cases of each regime; the default makes 100,008 cases
+    /// How many cases of each regime; there are ten regimes
     #[arg(long, value_name = "N", default_value_t = BOUNDS_CASES, allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
     cases: u64,

@@ -29,8 +29,8 @@ pub(super) const SHOWN: usize = 5;
 pub(super) enum Oracle {
     /// Automatic differentiation
     Ad,
-    /// Also differences of the value in double-double: in every thirteenth
-    /// case, and where the tolerance for AD means nothing
+    /// AD, and finite differences in double-double: in every thirteenth case,
+    /// and where the tolerance for AD is too large
     All,
 }
 

@@ -41,7 +41,7 @@ impl Exit {
             Self::Input => "bad input, or an output that cannot be written",
             Self::Nothing => "nothing could be compared",
             Self::Untrusted => "the check itself cannot be trusted",
-            Self::Internal => "a fault of the program",
+            Self::Internal => "an internal error",
         }
     }
 

@@ -29,17 +29,17 @@ pub(crate) struct Explain {
     /// The significant digits that the answers have, if these are few
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=15))]
     digits: Option<u8>,
-    /// Measure instead how many faults of the catalogue are named, and write explain.json and explain.md
+    /// Measure how many faults of the catalogue are named, and write explain.json and explain.md
     #[arg(long, conflicts_with_all = ["vectors", "answers", "digits"])]
     catalogue: bool,
-    /// The directory to write them to
+    /// The directory that --catalogue writes to
     #[arg(long, value_name = "DIR", default_value = "reports", requires = "catalogue")]
     to: PathBuf,
     /// Measure only every N-th fault of the catalogue
     #[arg(long, value_name = "N", default_value = "1", value_parser = value_parser!(u16).range(1..))]
     #[arg(requires = "catalogue")]
     every: u16,
-    /// Measure also so many pairs of faults
+    /// How many pairs of faults are measured too
     #[arg(long, value_name = "N", default_value = "100", value_parser = value_parser!(u16), requires = "catalogue")]
     pairs: u16,
     /// Seed of the cases of --catalogue, decimal or 0x-hexadecimal

@@ -36,7 +36,7 @@ pub(crate) struct Export {
     /// Only this regime; may be repeated
     #[arg(long, value_parser = regimes())]
     regime: Vec<Regime>,
-    /// What is written beside each case: nothing, values and variations, or gradients and Hessians too
+    /// The expected answers that each case contains: none, values and variations, or gradients and Hessians too
     #[arg(long, value_enum, default_value_t = Beside::Variations)]
     expected: Beside,
     /// Write numbers as hexadecimal strings, as C's %a prints them
@@ -94,7 +94,7 @@ impl Export {
 /// The arguments of `schema`.
 #[derive(Args)]
 pub(crate) struct Schema {
-    /// Of the cases or of the answers
+    /// Which schema: that of the cases, or that of the answers
     #[arg(value_enum, default_value_t = Of::Vectors)]
     of: Of,
 }

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = Exit::help())]
 pub(crate) struct Merge {
-    /// What `beamgap check --shard I/N --format json` wrote, for all parts in any order
+    /// The results of `beamgap check --shard I/N --format json` of all shards, in any order
     #[arg(value_name = "PART", required = true)]
     parts: Vec<PathBuf>,
     #[command(flatten)]

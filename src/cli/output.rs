@@ -34,8 +34,8 @@ pub(crate) struct OutputOptions {
     #[arg(long, value_enum, default_value_t = Format::Human, hide_possible_values = true)]
     #[arg(help = "How the result is written: human, json, junit, sarif, github or markdown")]
     format: Format,
-    /// Write the result to this file, as --format says or as FORMAT; may be repeated. Standard output has what no file has
-    /// of --format, or else the verdict
+    /// Write the result to this file, as FORMAT or as --format says; may be repeated. If a file gets the format of --format,
+    /// standard output gets only the verdict
     #[arg(long, value_name = "[FORMAT=]PATH", value_parser = destination)]
     output: Vec<(Option<Format>, PathBuf)>,
 }

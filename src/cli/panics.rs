@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 /// A fault of the program.
 #[derive(Debug, thiserror::Error)]
-#[error("this is a fault of the program, please report it: {0}")]
+#[error("internal error, please report it: {0}")]
 pub(crate) struct Panic(String);
 
 /// Runs `work` with panics turned into errors.

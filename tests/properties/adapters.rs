@@ -82,7 +82,7 @@ fn verified(adapter: &Adapter) {
     let text = stdout(&run(&["adapter", adapter.language]));
     let Some(program) = made(adapter, &folder, &text) else { return };
     let told = stdout(&run(&["verify", vectors, "--run", &program]));
-    assert!(told.ends_with("nothing differs beyond rounding.\n") && told.contains("AGREES: at "), "{told}");
+    assert!(told.lines().last().is_some_and(|line| line.starts_with("AGREE: at ")), "{told}");
     let [right, wrong] = adapter.term;
     assert_eq!(text.matches(right).count(), 1, "{right}");
     let program = made(adapter, &folder, &text.replace(right, wrong)).unwrap();
@@ -139,7 +139,7 @@ fn the_matlab_program_agrees_until_a_term_is_wrong() {
         (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
     };
     let (code, right) = told(&text);
-    assert!(code == Some(0) && right.contains("AGREES: at "), "{right}");
+    assert!(code == Some(0) && right.contains("AGREE: at "), "{right}");
     assert_eq!(text.matches("r = -Gt - A1d;").count(), 1);
     let (code, wrong) = told(&text.replace("r = -Gt - A1d;", "r = -Gt;"));
     assert!(code == Some(1) && wrong.contains("In the catalogue: `R: du,xi.d = dropped`\n"), "{wrong}");

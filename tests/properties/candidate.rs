@@ -95,7 +95,7 @@ fn the_first_wrong_number_is_named_with_its_equations() {
         assert!((1..20).contains(&not_zero) && example.entry.is_wrong(), "{found}");
         assert_eq!((example.entry.quantity, example.entry.order), (quantity, order));
         let text = found.to_string();
-        assert!(text.contains(words) && text.contains("WRONG") && text.contains("DISAGREES"), "{text}");
+        assert!(text.contains(words) && text.contains("WRONG") && text.contains("DISAGREE"), "{text}");
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     }
 }
@@ -105,12 +105,12 @@ fn answers_of_another_shape_are_refused_in_words() {
     let short = |_: &Situation<'_>| vec![Answer { gradient: Some(vec![0.0; 11]), ..Answer::of(Quantity::D) }];
     let found = check::linearization(&short, [Family::Segment; 2], 1);
     assert!(!found.agrees());
-    assert_eq!(found.to_string(), "DISAGREES: gradient of d: 12 numbers expected, found 11");
+    assert_eq!(found.to_string(), "DISAGREE: gradient of d: 12 numbers expected, found 11");
     let vector = |_: &Situation<'_>| vec![Answer::of(Quantity::DVector)];
     let found = check::linearization(&vector, [Family::Segment; 2], 1);
     assert_eq!(
         found.to_string(),
-        "DISAGREES: d_vector: of a vector a component, x, y or z, and of a scalar none expected, found none"
+        "DISAGREE: d_vector: of a vector a component, x, y or z, and of a scalar none expected, found none"
     );
 }
 

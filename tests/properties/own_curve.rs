@@ -134,7 +134,7 @@ fn what_is_wrong_with_a_curve_is_named() {
         (Fault::Hessian, "hessian, against the second_variation"),
     ] {
         let found = check::curve(&Parabola { fault: Some(fault) }, &BEAMS, 1);
-        assert!(!found.agrees() && found.to_string().contains("DISAGREES"), "{fault:?}: {found}");
+        assert!(!found.agrees() && found.to_string().contains("DISAGREE"), "{fault:?}: {found}");
         let jet = found.jets.iter().find(|jet| jet.part.starts_with(part));
         let jet = jet.unwrap_or_else(|| panic!("{fault:?}: {found}"));
         // Shown where the numbers are round: three digits after the point at the most.

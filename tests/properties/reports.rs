@@ -105,6 +105,33 @@ fn the_front_page_claims_what_was_measured() {
     }
 }
 
+/// The packages that users of the library compile, this one not counted.
+#[test]
+fn the_front_page_counts_packages() {
+    let packages = |features: &[&str]| {
+        let tree =
+            ["tree", "--offline", "--package", "beamgap", "--edges", "normal,build", "--prefix", "none"];
+        let mut cargo = std::process::Command::new(env!("CARGO"));
+        let output =
+            cargo.args([&tree, features].concat()).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let name_and_version = |line: &str| line.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
+        text.lines().map(name_and_version).collect::<std::collections::BTreeSet<_>>().len() - 1
+    };
+    let [alone, with_check, all] =
+        [&["--no-default-features"][..], &["--no-default-features", "--features", "check"], &[]]
+            .map(packages);
+    let front = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
+    let words = front.split_whitespace().collect::<Vec<_>>().join(" ");
+    for claim in [
+        format!("These are the formulas alone, with {alone} other packages."),
+        format!("with {with_check} other packages. The command line has {all}."),
+    ] {
+        assert!(words.contains(&claim), "README.md is to say:\n{claim}");
+    }
+}
+
 /// The rows of the table at the top of the front page.
 fn claims_of_the_table() -> [String; 7] {
     let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
@@ -141,13 +168,13 @@ fn claims_of_the_table() -> [String; 7] {
             count(left.sum())
         ),
         format!(
-            "| The tolerances are bounds. | {} closest points: {} errors exceed their bound. | [bounds](reports/bounds.md) |",
+            "| The tolerances are bounds on rounding error. | {} closest points: {} errors exceed their bound. | [bounds](reports/bounds.md) |",
             count(bounds.points.values().map(|points| points.measured).sum()),
             bounds.violations.len()
         ),
         format!(
             "| The check detects wrong terms. | {} of {} faults in each regime; {} of {} equivalent formulas rejected. \
-             Symmetry alone detects {} of {}. | [faults](reports/faults.md) |",
+             A test of symmetry alone detects {} of {}. | [faults](reports/faults.md) |",
             count(of_terms as u64),
             count(of_terms as u64),
             of_gate().map(|row| row.false_positives.len()).max().unwrap(),
@@ -156,8 +183,8 @@ fn claims_of_the_table() -> [String; 7] {
             most.planted
         ),
         format!(
-            "| The check covers every operation. | {} faults of single operations: each is detected or has a reason. | \
-             [faults](reports/faults.md) |",
+            "| The check covers every operation. | {} faults of single operations: each is detected, or the report says why it \
+             changes no result. | [faults](reports/faults.md) |",
             count(operations as u64)
         ),
         format!(
@@ -167,7 +194,7 @@ fn claims_of_the_table() -> [String; 7] {
         ),
         format!("AGREE: at {} closest points nothing differs beyond rounding.", crosscheck.compared()),
         format!(
-            "At a gap of 1e-6 lengths the second variation of d has a median relative error of {}; the paper's formula has \
+            "At a distance of 1e-6 beam lengths the second variation of d has a median relative error of {}; the paper's formula has \
              {}. Between straight beams at an angle of 1e-5 that of xi has {}; the paper's formula has {}.",
             error(gap.d.chosen),
             error(gap.d.paper),

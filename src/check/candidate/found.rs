@@ -164,7 +164,7 @@ fn digits(error: f64) -> f64 {
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(misshapen) = &self.misshapen {
-            return write!(f, "DISAGREES: {misshapen}");
+            return write!(f, "DISAGREE: {misshapen}");
         }
         writeln!(
             f,
@@ -207,11 +207,11 @@ impl fmt::Display for Found {
             )?;
         }
         if self.mismatches > 0 {
-            return write!(f, "DISAGREES: at {} of {} closest points.", self.mismatches, self.compared);
+            return write!(f, "DISAGREE: at {} of {} closest points.", self.mismatches, self.compared);
         }
         if self.compared == 0 {
             return write!(f, "NOTHING COMPARED: {} closest points without an answer.", self.unanswered);
         }
-        write!(f, "AGREES: at {} closest points nothing differs beyond rounding.", self.compared)
+        write!(f, "AGREE: at {} closest points nothing differs beyond rounding.", self.compared)
     }
 }

@@ -57,6 +57,8 @@ pub struct Conventions {
     pub d_is_negative: bool,
     /// What is called d.
     pub length: Length,
+    /// Whether the gap is the penetration r + r_bar - d.
+    pub gap_is_negative: bool,
     /// The order of the dofs of a beam.
     pub dofs: Dofs,
     /// Whether the dofs of the bar beam come first.
@@ -90,6 +92,7 @@ impl Default for Conventions {
             parameter: Range::default(),
             d_is_negative: false,
             length: Length::default(),
+            gap_is_negative: false,
             dofs: Dofs::default(),
             bar_first: false,
             column_major: false,
@@ -103,10 +106,11 @@ impl Default for Conventions {
 }
 
 /// The keys of the head, each with its values; the first one holds if nothing is said.
-pub(super) const KEYS: [(&str, &[&str]); 12] = [
+pub(super) const KEYS: [(&str, &[&str]); 13] = [
     ("parameter", &["[-1,1]", "[0,1]"]),
     ("d", &["x - x_bar", "x_bar - x"]),
     ("distance", &["d", "d^2", "d^2/2"]),
+    ("gap", &["d - r - r_bar", "r + r_bar - d"]),
     ("dofs", &["node-major", "component-major"]),
     ("beams", &["beam first", "bar first"]),
     ("matrix", &["row-major", "column-major"]),
@@ -142,6 +146,7 @@ impl Conventions {
             "parameter" => self.parameter = [Range::Symmetric, Range::Unit][choice()?],
             "d" => self.d_is_negative = choice()? == 1,
             "distance" => self.length = [Length::Distance, Length::Square, Length::HalfSquared][choice()?],
+            "gap" => self.gap_is_negative = choice()? == 1,
             "dofs" => self.dofs = [Dofs::NodeMajor, Dofs::ComponentMajor][choice()?],
             "beams" => self.bar_first = choice()? == 1,
             "matrix" => self.column_major = choice()? == 1,
@@ -173,6 +178,9 @@ impl Conventions {
         let mut converted = all.to_vec();
         if self.d_is_negative {
             converted[6..9].iter_mut().for_each(|v| *v = times(*v, -T::one()));
+        }
+        if self.gap_is_negative {
+            converted[20] = times(converted[20], -T::one());
         }
         if self.parameter == Range::Unit {
             // η = (ξ + 1)/2, so that dx/dη = 2 dx/dξ; the slips stay.

@@ -17,7 +17,9 @@ pub(super) fn shrunk<D: PartialEq>(pair: Pair, diagnose: impl Fn(&Pair) -> D) ->
         let dofs = [0, 1].into_iter().flat_map(|beam| (0..before[beam][0].len()).map(move |i| (beam, i)));
         let one_alone = dofs.map(|(beam, i)| {
             let mut numbers = before.clone();
-            numbers.iter_mut().for_each(|beam| beam[direction].fill(0.0));
+            for beam in &mut numbers {
+                beam[direction].fill(0.0);
+            }
             numbers[beam][direction][i] = 1.0;
             pair.with(&numbers, pair.contact)
         });

@@ -74,6 +74,11 @@ fn other_conventions_are_converted_if_they_are_stated_and_named_if_not() {
             "hessian": hessian,
         });
     });
+    let penetration = changed(&text, |line| {
+        for part in ["value"].iter().chain(&parts) {
+            map(&mut line["g_N"][part], &|x| -x);
+        }
+    });
     // Of the dof k of the program the place among ours.
     let reordered = |place: &dyn Fn(usize) -> usize, factor: &dyn Fn(usize) -> f64| {
         changed(&text, |line| {
@@ -99,6 +104,7 @@ fn other_conventions_are_converted_if_they_are_stated_and_named_if_not() {
         (unit, "\"parameter\":[0,1]", "the parameters run over [0,1]"),
         (negative, "\"d\":\"x_bar - x\"", "d is x_bar - x"),
         (square, "\"distance\":\"d^2\"", "d is the squared distance"),
+        (penetration, "\"gap\":\"r + r_bar - d\"", "the gap is r + r_bar - d (gap)"),
         (by_component, "\"dofs\":\"component-major\"", "the dofs come component by component"),
         (bar_first, "\"beams\":\"bar first\"", "the dofs of the bar beam come first"),
         (tangents, "\"hermite_tangent\":0.5", "dx/dxi is 0.5 times the tangent dofs"),

@@ -33,7 +33,7 @@ fn a_program_is_run_and_its_exit_status_time_and_words_are_told() {
         (output.status.code(), told(&output.stdout), told(&output.stderr))
     };
     let (code, text, _) = verify(&own, &[]);
-    assert!(code == Some(0) && text.contains("AGREES: at "), "{text}");
+    assert!(code == Some(0) && text.contains("AGREE: at "), "{text}");
     let (code, text, _) = verify(&format!("{own} --plant 'b: t.t_bar = halved'"), &[]);
     assert!(
         code == Some(1) && text.contains("Cause: the term t.t_bar of b, eq. (50), counts half"),

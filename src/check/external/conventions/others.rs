@@ -18,6 +18,8 @@ impl Conventions {
         add(Self { length: Length::Distance, ..*self }, "d is the distance (distance)");
         add(Self { length: Length::Square, ..*self }, "d is the squared distance (distance)");
         add(Self { length: Length::HalfSquared, ..*self }, "d is half the squared distance (distance)");
+        let gap = if self.gap_is_negative { "d - r - r_bar" } else { "r + r_bar - d" };
+        add(Self { gap_is_negative: !self.gap_is_negative, ..*self }, &format!("the gap is {gap} (gap)"));
         add(Self { dofs: Dofs::NodeMajor, ..*self }, "the dofs come node by node (dofs)");
         add(Self { dofs: Dofs::ComponentMajor, ..*self }, "the dofs come component by component (dofs)");
         let first = if self.bar_first { "beam" } else { "bar beam" };
@@ -63,6 +65,7 @@ impl Conventions {
             d_is_negative: choose(self.d_is_negative, other.d_is_negative, base.d_is_negative),
             length: if other.length == base.length { self.length } else { other.length },
             dofs: if other.dofs == base.dofs { self.dofs } else { other.dofs },
+            gap_is_negative: choose(self.gap_is_negative, other.gap_is_negative, base.gap_is_negative),
             bar_first: choose(self.bar_first, other.bar_first, base.bar_first),
             column_major: choose(self.column_major, other.column_major, base.column_major),
             #[expect(clippy::float_cmp, reason = "a choice among constants")]
