@@ -104,7 +104,7 @@ impl Benchmark {
         let [d, all] = [Task::Distance, Task::All]
             .map(|task| ratios(self.of_hermites(task).filter(|of| of.method.contains("dual"))));
         format!(
-            "Automatic differentiation takes {d} times as long as the closed form for d, and {all} times for all, depending \
+            "The automatic differentiation of this crate takes {d} times as long as the closed form for d, and {all} times for all, depending \
              on the method."
         )
     }
