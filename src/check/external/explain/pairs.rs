@@ -55,7 +55,7 @@ pub(super) fn pairs(cases: &[&AnsweredCase]) -> Vec<Change> {
 
 /// The first wrong numbers after a change, at any of these cases.
 fn first_wrong(cases: &[&AnsweredCase], change: &Change) -> Option<Key> {
-    let of_site = |case: &&AnsweredCase| {
+    let of_case = |case: &&AnsweredCase| {
         let wrong = |predicted: &Predicted| {
             let is_wrong = |datum: &&Datum| datum.misfit(AnsweredCase::number(predicted, datum)).over > 1.0;
             case.data.iter().filter(is_wrong).map(key).min()
@@ -64,7 +64,7 @@ fn first_wrong(cases: &[&AnsweredCase], change: &Change) -> Option<Key> {
         let methods = case.predicted(change);
         methods.iter().map(wrong).max_by_key(|wrong| (wrong.is_none(), *wrong)).flatten()
     };
-    cases.iter().filter_map(of_site).min()
+    cases.iter().filter_map(of_case).min()
 }
 
 /// Of each kind the first case with such a wrong number.
