@@ -18,6 +18,10 @@ use crate::pair::{DofVector, Pair};
 #[doc = include_str!("closed_form/derivation.md")]
 pub mod derivation {}
 pub mod formulation;
+#[cfg_attr(
+    not(target_arch = "x86_64"),
+    allow(unused, reason = "other processors run the kernel in scalar arithmetic, without lanes")
+)]
 pub mod kernel;
 mod matrices;
 pub mod paper;

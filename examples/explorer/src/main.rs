@@ -18,7 +18,16 @@ use std::process::ExitCode;
 use std::{env, fs};
 
 const TEMPLATE: &str = include_str!("../page/page.html");
-const SCRIPT: &str = include_str!("../page/explorer.js");
+/// The parts of the script, which share one scope.
+const SCRIPT: &str = concat!(
+    "\"use strict\";\n(() => {\n",
+    include_str!("../page/picture.js"),
+    "\n",
+    include_str!("../page/controls.js"),
+    "\n",
+    include_str!("../page/link.js"),
+    "})();\n"
+);
 const STYLES: [&str; 2] =
     [include_str!("../../../src/report/derivation/style.css"), include_str!("../page/explorer.css")];
 

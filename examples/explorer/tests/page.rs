@@ -127,7 +127,7 @@ fn the_page_shows_the_standard_case_before_the_module_runs() {
     for piece in ["scene", "words", "points", "checks", "prediction", "plot", "numbers", "gap"] {
         assert!(page.contains(answer[piece].as_str().unwrap()), "{piece} is stale: examples/explorer/build");
     }
-    for file in ["page/explorer.js", "page/explorer.css"] {
+    for file in ["page/picture.js", "page/controls.js", "page/link.js", "page/explorer.css"] {
         let text = std::fs::read_to_string(format!("{}/{file}", env!("CARGO_MANIFEST_DIR"))).unwrap();
         assert!(page.contains(text.trim()), "{file} is stale: examples/explorer/build");
     }
