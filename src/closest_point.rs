@@ -1,15 +1,15 @@
 //! Closest points of two centroids: the minima of the distance over the square of both parameters.
 //!
 //! The square [-1, 1]² is closed, so a minimum may lie inside it, on an edge (one parameter held at an end of its
-//! beam) or in a corner. [`closest_points`] finds all of them, [`refine`] follows one. Here, and only here, does the
-//! fails in this module only. All of it is computed in `f64`, and no test depends on the unit of length.
+//! beam) or in a corner. [`closest_points`] finds all of them, [`refine`] finds one. The geometry iterates, branches
+//! and fails in this module only. All of it is computed in `f64`, and no test depends on the unit of length.
 //!
 //! # What is guaranteed
 //! A region is discarded only if Taylor's theorem, with [`Centroid::third_derivative_bound`], excludes a stationary
 //! point in it. One point settles a region only if the theorem excludes a second one. If
-//! [`ClosestPoints::is_complete`], every minimum is therefore listed, and every saddle and maximum inside. Otherwise
+//! [`ClosestPoints::is_complete`], every minimum is listed, and every saddle and maximum inside. Otherwise the missing
 //! the missing ones lie in [`ClosestPoints::unresolved`]. The bounds are computed in floating point with a margin of
-//! and with no directed rounding. A point whose scaled eigenvalue is far above [`Search::resolution`] is resolved.
+//! without directed rounding. A point whose scaled eigenvalue is far above [`Search::resolution`] is resolved.
 
 mod bounds;
 mod ends;
@@ -190,7 +190,7 @@ pub struct Statistics {
 /// Finds all minima of the distance between two curves over the square [-1, 1]², and all interior stationary points.
 ///
 /// # Errors
-/// [`ProjectionError::NonFinite`], or [`ProjectionError::ZeroTangent`] if a curve is a single point. That centroids are
+/// [`ProjectionError::NonFinite`], or [`ProjectionError::ZeroTangent`] if a curve is a single point. Parallel or
 /// crossing centroids and the lack of an interior minimum are not errors of the search but properties of its result:
 /// see [`ClosestPoint::degeneracy`], [`ClosestPoints::unresolved`] and [`ClosestPoints::interior`].
 #[doc(alias = "closest point projection")]

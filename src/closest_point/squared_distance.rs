@@ -107,7 +107,7 @@ impl SquaredDistance {
                 let root = ((first - second).powi(2) + 4.0 * (self.b / t2) * (self.b / t_bar2)).sqrt();
                 let (trace, det) = (first + second, self.det / t2 / t_bar2);
                 let large = 0.5 * (trace + root.copysign(trace));
-                // The determinant has no cancellation between parallel tangents, but rounds as if large were 1.
+                // The determinant does not cancel between parallel tangents, but rounds as if large were 1.
                 let small = if large.abs() > 0.5 { det / large } else { trace - large };
                 if trace < 0.0 { [large, small] } else { [small, large] }
             }
@@ -200,8 +200,8 @@ impl SquaredDistance {
     /// The relative error of the parameters' gradients from the rounding of the positions. `eigenvalue` is the smallest
     /// eigenvalue for unit tangents.
     ///
-    /// The closest point is off by rounding / eigenvalue along the eigenvector v, and the eigenvalue changes by the third
-    /// times the third derivative of F along v. That derivative is zero for straight beams and for symmetric ones.
+    /// The error of the closest point is rounding / eigenvalue along the eigenvector v. The eigenvalue changes by this
+    /// error times the third derivative of F along v, which is zero for straight beams and for symmetric ones.
     pub(super) fn gradient_error(&self, eigenvalue: f64, held: Held) -> f64 {
         let [t, t_bar] = self.squares.map(f64::sqrt);
         let (a, b, c) = (self.a / self.squares[0], -self.b / t / t_bar, -self.a_bar / self.squares[1]);
