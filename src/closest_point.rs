@@ -6,9 +6,9 @@
 //!
 //! # What is guaranteed
 //! A region is discarded only if Taylor's theorem, with [`Centroid::third_derivative_bound`], excludes a stationary
-//! point in it. One point settles a region only if the theorem excludes a second one. If
+//! point in it. One point settles a region only if the theorem excludes a second one. So if
 //! [`ClosestPoints::is_complete`], every minimum is listed, and every saddle and maximum inside. Otherwise the missing
-//! the missing ones lie in [`ClosestPoints::unresolved`]. The bounds are computed in floating point with a margin of
+//! ones lie in [`ClosestPoints::unresolved`]. The bounds are computed in floating point with a margin of some percent,
 //! without directed rounding. A point whose scaled eigenvalue is far above [`Search::resolution`] is resolved.
 
 mod bounds;
@@ -250,7 +250,7 @@ fn assemble(
     Ok(ClosestPoints { minima, stationary, unresolved, statistics })
 }
 
-/// Adds a point unless it is known, be it from both sides of an end; of those that rounding cannot tell apart a minimum stays.
+/// Adds a point unless it is known, also from the other side of an end. Of equal points a minimum is kept.
 fn add(points: &mut Vec<ClosestPoint>, point: ClosestPoint) {
     match points.iter_mut().find(|known| known.is_same(&point)) {
         Some(known) if known.kind != Kind::Minimum => *known = point,
