@@ -91,7 +91,7 @@ impl<'a> EvaluationPoint<'a> {
         Ok(evaluation.in_formulation(form))
     }
 
-    /// Widens the bounds for those who solve for the closest point in `f64` again, from positions alone: the rounding of
+    /// Widens the bounds for methods that solve for the closest point in `f64` again, from positions alone. Rounding of
     /// of their conditions, whose tangents are derivatives of positions, moves the parameters too.
     fn widen(&mut self) {
         let Self { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *self;

@@ -1,4 +1,4 @@
-//! JSON as programs print it: numbers of any language, lists of numbers without a box for each, columns for messages.
+//! JSON as programs print it: numbers of any language, lists of numbers without boxes, columns for messages.
 //!
 //! serde_json rejects number formats that JSON does not have (`NaN`, `-Infinity`, `0.1D+00`, `1.0-101`) before a
 //! visitor sees them, keeps the last of two entries of one name, and gives a place in the text for syntax errors only.

@@ -26,7 +26,7 @@ pub struct Location {
     pub scaled_error: f64,
     /// The number of entries that differ by more than a thousandth of this one's difference.
     pub differing: usize,
-    /// Whether the matrix of differences is antisymmetric, or nearly all its rows are zero, as far as visible.
+    /// Whether the matrix of differences is antisymmetric.
     pub is_antisymmetric: bool,
 }
 

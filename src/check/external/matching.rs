@@ -13,7 +13,7 @@ const AT_ONCE: usize = 64;
 
 /// Matches answers with cases, and compares them.
 ///
-/// Cases may be left out, and answered in another order as long as no more than the look-ahead of them are open.
+/// Cases may be left out. Answers may come in another order, if no more cases are open than the look-ahead allows.
 #[derive(Debug)]
 pub struct Matching {
     demands: Demands,

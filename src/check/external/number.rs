@@ -1,7 +1,7 @@
 //! Numbers as programs print them: read leniently and exactly, and written without loss of a bit.
 //!
-//! Beside decimal numbers with an exponent E, these are read: Fortran's exponents D and Q, its three-digit exponents
-//! without a letter (`1.0-101`), hexadecimal numbers of C99 (`0x1.8p+1`), and what languages print for infinity and for
+//! In addition to decimal numbers with an exponent E, it reads Fortran's exponents D and Q, its three-digit exponents
+//! without a letter (`1.0-101`), hexadecimal numbers of C99 (`0x1.8p+1`), and what languages print for infinity and
 //! for NaN. A decimal number is rounded correctly.
 
 /// The reason why a word is not a number.

@@ -117,7 +117,7 @@ where
     pairs.into_iter().filter_map(wrong).collect()
 }
 
-/// The same finding at numbers with few digits, if it shows there: they are easier to read and to repeat.
+/// The same finding at numbers with few digits, if it occurs there: they are easier to read and to repeat.
 pub(super) fn rounder<C, const N: usize>(
     beam: &Drawn<C, N>,
     w: &Vector3<f64>,
@@ -138,20 +138,20 @@ where
     (0..4).find_map(at).unwrap_or(finding)
 }
 
-/// The numbers with so many digits after the first of the largest dof, whatever the unit of length.
+/// The numbers with this number of digits after the first of the largest dof, for any unit of length.
 pub(super) fn rounded(numbers: &[f64], largest: f64, digits: i32) -> Vec<f64> {
     #[expect(clippy::cast_possible_truncation, reason = "an exponent of f64 is below 1100")]
     let places = digits - largest.max(f64::MIN_POSITIVE).log10().floor() as i32;
     let round = |&number: &f64| match usize::try_from(places) {
-        // Read from its digits, it is written with as few again.
+        // Parsed from its digits, it is written with as few digits again.
         Ok(places) => format!("{number:.places$}").parse().unwrap_or(number),
         Err(_) => (number * 10.0_f64.powi(places)).round() * 10.0_f64.powi(-places),
     };
-    // No minus in front of zero.
+    // Avoids a minus sign in front of zero.
     numbers.iter().map(|number| round(number) + 0.0).collect()
 }
 
-/// What the derivatives say of each other: Jacobians, gradients and Hessians against the variations, and the shape
+/// The consistency of the derivatives: Jacobians, gradients and Hessians against the variations, and the shape
 /// functions, if there are any, against the points.
 fn consistent<C: Curve<N>, const N: usize>(
     beam: &Drawn<C, N>,

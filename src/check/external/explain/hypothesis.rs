@@ -17,9 +17,9 @@ pub(super) enum Change {
     Structure(Structure),
     /// A quantity is multiplied, in this order.
     Factor(Quantity, Order, f64),
-    /// The tangent of the contact element lacks stiffness g_N H. If not geometric, it lacks all other terms.
+    /// The tangent of the contact element lacks one of its two parts.
     Tangent {
-        /// Whether g_N H is missing, and not the product of the gradients.
+        /// Whether the missing part is stiffness g_N H, and not stiffness times the product of the gradients.
         is_geometric: bool,
     },
     /// Beam and bar beam are exchanged.

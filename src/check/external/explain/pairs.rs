@@ -1,7 +1,7 @@
 //! Pairs of faults that may explain the answers.
 //!
 //! Numbers are evaluated in an order, and a fault changes only later numbers. Therefore, either one fault explains the
-//! wrong numbers, and the other changes later ones; or both change the first wrong numbers, and nothing before them.
+//! first wrong numbers and the other changes later ones, or both change the first wrong numbers and nothing before.
 
 use super::answered_case::{AnsweredCase, Datum, FORMULATIONS, Predicted};
 use super::fit::Fit;
@@ -15,7 +15,7 @@ use std::collections::HashSet;
 
 /// The number of cases at which the first of two faults has to explain the first wrong numbers.
 const SCREENED: usize = 4;
-/// Cases at which both may change the first wrong numbers: one of each kind, as terms are at work at some kinds only.
+/// The number of cases at which both may change the first wrong numbers: one of each kind, as terms differ by kind.
 const KINDS: usize = 6;
 /// The number of first faults that are combined with all second faults.
 const FIRST: usize = 12;
@@ -81,7 +81,7 @@ fn kinds<'a>(cases: &[&'a AnsweredCase<'a>], start: Key) -> Vec<&'a AnsweredCase
 
 /// The pairs of faults that change nothing before the first wrong numbers, and explain these.
 fn both(cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
-    // Chance lets some pairs explain these numbers in a formulation that the program does not have: all are tried, each once.
+    // By chance, some pairs explain these numbers in a formulation that the program does not have. All are tried once.
     let places = |formulation: usize| cases.iter().map(|case| case.place_of(formulation)).collect::<Vec<_>>();
     let is_new = |&formulation: &usize| (0..formulation).all(|known| places(known) != places(formulation));
     let formulations = (0..FORMULATIONS).filter(is_new);

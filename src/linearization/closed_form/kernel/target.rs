@@ -19,8 +19,8 @@ pub trait Target<T, const N: usize, const M: usize> {
 
     /// The row of the Hessian that belongs to coordinate `i` of the beam's control vector `a`.
     ///
-    /// Its lengths depend on `a` alone. Of a control vector the rows of x, y and z are asked for in this order, again and
-    /// and a row may be written beyond its end, into the memory of later rows, which overwrite these numbers.
+    /// Its lengths depend on `a` alone. The rows x, y and z of a control vector are requested in this order, again and
+    /// again. A row may be written beyond its end, into the memory of later rows, which overwrite these numbers.
     fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
 
     /// The row of the Hessian that belongs to coordinate `i` of the bar beam's control vector `a`.
