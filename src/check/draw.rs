@@ -148,7 +148,7 @@ impl Case {
     }
 }
 
-/// Two beams that cross at the drawn angle, gap and parameters. d is normal to both tangents
+/// Two beams that cross at the drawn angle, gap and parameters. The vector d is normal to both tangents
 /// there.
 pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng) -> [TestBeam; 2] {
     // The tangents span a plane with d normal to it; beams bend in any direction.

@@ -92,7 +92,7 @@ impl<'a> EvaluationPoint<'a> {
     }
 
     /// Widens the bounds for methods that solve for the closest point in `f64` again, from positions alone. Rounding of
-    /// of their conditions, whose tangents are derivatives of positions, moves the parameters too.
+    /// their conditions, whose tangents are derivatives of positions, moves the parameters too.
     fn widen(&mut self) {
         let Self { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *self;
         let exact = (RunningError2::from(xi.value), RunningError2::from(xi_bar.value));

@@ -178,7 +178,7 @@ impl fmt::Display for OwnCurve {
     }
 }
 
-/// A generator that belongs to a number.
+/// The generator of this number.
 fn stream(number: u64) -> ChaCha8Rng {
     let mut rng = ChaCha8Rng::seed_from_u64(0x5eed);
     rng.set_stream(number);

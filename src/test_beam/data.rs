@@ -29,7 +29,7 @@ pub struct TestBeam {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TestBeamError {
-    /// The number of numbers is wrong.
+    /// There are too many or too few numbers.
     #[error("{what}: {expected} numbers expected for the family {}, found {found}", family.name())]
     Count {
         /// Parameters, q, dq or linear_dq.

@@ -20,7 +20,7 @@ pub(crate) type Contracted<T> = [[Option<T>; 4]; SCALARS];
 /// The numbers in the layouts, by the names of the layouts.
 pub(crate) type Layouts<T> = Vec<(&'static str, Contracted<T>)>;
 
-/// One number after the other, in the form given and in memory of this kind; nothing if a curve has no shape functions.
+/// In scalar arithmetic, in the given formulation and this kind of memory; nothing if a curve has no shape functions.
 fn contracted_kernel<T: Real, W: Memory<T>>(
     beams: &[PaddedBeam<T>; 2],
     at: (T, T),

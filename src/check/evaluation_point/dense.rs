@@ -48,7 +48,7 @@ impl EvaluationPoint<'_> {
         }
     }
 
-    /// Without the padding of the beams.
+    /// Removes the padding of the beams.
     fn listed<T: Real, const D: usize>(
         &self,
         all: &Linearization<T, D, D>,

@@ -22,7 +22,7 @@ pub struct PartFound {
     pub losing: u64,
     /// The number of wrong numbers.
     pub wrong: u64,
-    /// The number of numbers that are not meaningful, because rounding explains more than a thousandth of their scale.
+    /// The count of numbers that are not meaningful, because rounding explains more than a thousandth of their scale.
     pub unclear: u64,
     /// The number that comes closest to its tolerance, or exceeds it most.
     pub worst: Judged,

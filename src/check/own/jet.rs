@@ -1,4 +1,4 @@
-//! A jet against the derivatives of the position.
+//! Compares a jet with the derivatives of the position.
 
 use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::PositionAt;
@@ -18,14 +18,14 @@ const VARIATIONS: [&str; 3] = [
     "variation of x,xixi (k = 2), against the derivative of the position",
 ];
 
-/// A number of a jet that is not what it should be.
+/// A wrong number of a jet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JetFinding {
-    /// What it is.
+    /// The name of the number.
     pub part: &'static str,
     /// The jet's number.
     pub jet: f64,
-    /// What it should be.
+    /// The expected number.
     pub other: f64,
     /// The largest difference that rounding explains.
     pub tolerance: f64,
@@ -45,7 +45,7 @@ impl fmt::Display for JetFinding {
     }
 }
 
-/// What of the jet of a curve is not the derivative of its position, beyond rounding: nothing, if the jet is right.
+/// The numbers of the jet of a curve that differ from the derivatives of its position beyond rounding.
 ///
 /// At the parameter `xi` of a beam with the dofs `q`, varied along the two `directions`; Jacobians, gradients and Hessians
 /// are compared with the variations, the last two for the vector `w`. [`curve`](super::curve) does this at many points.
@@ -63,7 +63,7 @@ where
     findings(&Drawn { curve: curve.clone(), q: *q, dq, linear_dq, points: Vec::new() }, w, xi)
 }
 
-/// What is wrong with the jet of a beam at a parameter.
+/// The wrong numbers of the jet of a beam at a parameter.
 pub(super) fn findings<C, const N: usize>(beam: &Drawn<C, N>, w: &Vector3<f64>, xi: f64) -> Vec<JetFinding>
 where
     C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
@@ -74,7 +74,7 @@ where
     let lifted = |value: HyperDual<RunningError2>| Lifted::new(value, number(one, zero));
     let still = |dq, linear_dq| Drawn { dq, linear_dq, ..beam.clone() };
     let none = SVector::zeros();
-    // Nilpotents along ξ, once, twice and three times; dofs as they are, or varied along one direction, or along both.
+    // Nilpotents along ξ, once, twice and three times; dofs unchanged, or varied along one direction, or along both.
     let along = still(none, none).position_at(lifted(HyperDual::new(at, one, one, zero)));
     let vary = |dq| still(none, dq).position_at(lifted(number(at, one)));
     let (delta, linear) = (vary(beam.dq), vary(beam.linear_dq));

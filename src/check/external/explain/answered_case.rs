@@ -208,7 +208,7 @@ impl<'a> AnsweredCase<'a> {
         known.map_or_else(|| Cow::Owned(self.computed(change)), |known| Cow::Borrowed(known.as_slice()))
     }
 
-    /// The same, computed anew.
+    /// The same, computed again.
     pub(super) fn computed(&self, change: &Change) -> Vec<Predicted> {
         let evaluations = [&self.paper].into_iter().chain(&self.others);
         evaluations.flat_map(|evaluation| self.computed_by(evaluation, change)).collect()

@@ -19,7 +19,7 @@ pub(super) struct Fit {
     pub(super) over: f64,
     /// The sum of the squares of the deviations over the probable rounding errors.
     pub(super) sum: f64,
-    /// The number of numbers.
+    /// The count of the numbers.
     pub(super) count: usize,
 }
 
