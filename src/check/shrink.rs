@@ -112,7 +112,7 @@ fn not_zero(numbers: &[f64]) -> usize {
     numbers.iter().filter(|&&number| number != 0.0).count()
 }
 
-/// The length of the written numbers, with 0 for zero and 1 for one as the least.
+/// The length of the written numbers. Zero counts 0, one counts 1, and any other number counts more.
 fn digits(numbers: &[f64]) -> usize {
     let length = |&number: &f64| match number {
         0.0 => 0,
