@@ -1,15 +1,15 @@
 //! Closest points of two centroids: the minima of the distance over the square of both parameters.
 //!
 //! The square [-1, 1]² is closed, so a minimum may lie inside it, on an edge (one parameter held at an end of its
-//! beam) or in a corner. [`closest_points`] finds all of them, [`refine`] follows one. Here, and only here, does the
-//! geometry iterate, branch and fail; all of it in `f64`, and with tests that do not depend on the unit of length.
+//! beam) or in a corner. [`closest_points`] finds all of them, [`refine`] finds one. The geometry iterates, branches
+//! and fails in this module only. All of it is computed in `f64`, and no test depends on the unit of length.
 //!
 //! # What is guaranteed
-//! A region is dismissed only where Taylor's theorem, with [`Centroid::third_derivative_bound`], leaves no room for a
-//! stationary point, and settled by one point only where it leaves no room for a second. So if
-//! [`ClosestPoints::is_complete`], every minimum is listed, and every saddle and maximum inside; else those not listed
-//! are in [`ClosestPoints::unresolved`]. The bounds are computed in floating point with a margin of several percent,
-//! and with no directed rounding. A point whose scaled eigenvalue is far above [`Search::resolution`] is resolved.
+//! A region is discarded only if Taylor's theorem, with [`Centroid::third_derivative_bound`], excludes a stationary
+//! point in it. One point settles a region only if the theorem excludes a second one. So if
+//! [`ClosestPoints::is_complete`], every minimum is listed, and every saddle and maximum inside. Otherwise the missing
+//! ones lie in [`ClosestPoints::unresolved`]. The bounds are computed in floating point with a margin of some percent,
+//! without directed rounding. A point whose scaled eigenvalue is far above [`Search::resolution`] is resolved.
 
 mod bounds;
 mod ends;
@@ -34,7 +34,7 @@ use nalgebra::SVector;
 use search::{Inside, Pair};
 use tree::{ROOT, Tree};
 
-/// A curve whose degrees of freedom are settled: all that the search sees.
+/// A curve with fixed degrees of freedom, as the search uses it.
 pub trait Centroid {
     /// The point and its derivatives at `xi`, which lies in [-1, 1].
     fn geometry(&self, xi: f64) -> Geometry<f64>;
@@ -42,7 +42,7 @@ pub trait Centroid {
     /// An upper bound of ‖x,xixixi‖ over [-1, 1].
     fn third_derivative_bound(&self) -> f64;
 
-    /// Whether it is a polynomial of third degree at most.
+    /// Whether the curve is a polynomial of third degree at most.
     fn is_cubic(&self) -> bool {
         false
     }
@@ -80,7 +80,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> pair::Pair<A, B, 
         self.closest_points_with(q, &Search::default())
     }
 
-    /// The same with other limits.
+    /// All minima of the distance between the two curves: [`closest_points`] with these limits.
     ///
     /// # Errors
     /// Those of [`closest_points`].
@@ -107,7 +107,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> pair::Pair<A, B, 
         refine(&beam, &bar, start, held)
     }
 
-    /// Both curves as the search sees them.
+    /// Both curves as the search uses them.
     pub fn centroids<'a>(
         &'a self,
         q: &'a DofVector<f64, N, M>,
@@ -117,13 +117,13 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> pair::Pair<A, B, 
     }
 }
 
-/// How far the search goes before it leaves a question open.
+/// The limits of the search. At a limit it leaves a region unresolved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Search {
-    /// The most boxes it looks at.
+    /// The maximum number of boxes.
     pub boxes: usize,
-    /// The half-width, in the parameters, below which a box is not divided any more.
+    /// The half-width, in the parameters, below which a box is no longer divided.
     pub resolution: f64,
 }
 
@@ -134,20 +134,20 @@ impl Default for Search {
 }
 
 impl Search {
-    /// The same with another number of boxes.
+    /// These limits with another number of boxes.
     #[must_use]
     pub fn with_boxes(self, boxes: usize) -> Self {
         Self { boxes, ..self }
     }
 
-    /// The same with another resolution.
+    /// These limits with another resolution.
     #[must_use]
     pub fn with_resolution(self, resolution: f64) -> Self {
         Self { resolution, ..self }
     }
 }
 
-/// All that is stationary in the distance of two centroids.
+/// The minima and the interior stationary points of the distance of two centroids.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ClosestPoints {
@@ -155,13 +155,13 @@ pub struct ClosestPoints {
     pub minima: Vec<ClosestPoint>,
     /// The saddles and maxima inside the square, the nearest first.
     pub stationary: Vec<ClosestPoint>,
-    /// Regions in which the search could not tell how many points are stationary.
+    /// Regions for which the search did not determine the number of stationary points.
     pub unresolved: Vec<Unresolved>,
-    /// What the search cost.
+    /// The cost of the search.
     pub statistics: Statistics,
 }
 
-/// A region in which more points may be stationary than are reported; infinitely many, if the centroids are parallel.
+/// A region that may contain more stationary points than are reported: infinitely many, if the centroids are parallel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Unresolved {
@@ -169,9 +169,9 @@ pub struct Unresolved {
     pub xi: [f64; 2],
     /// The smallest and the largest xi_bar.
     pub xi_bar: [f64; 2],
-    /// The number of boxes that the region was covered with.
+    /// The number of boxes that cover the region.
     pub boxes: usize,
-    /// A point near the smallest distance in it.
+    /// A point near the smallest distance in the region.
     pub point: ClosestPoint,
 }
 
@@ -179,19 +179,19 @@ pub struct Unresolved {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct Statistics {
-    /// Boxes looked at inside the square.
+    /// The number of boxes examined inside the square.
     pub boxes: usize,
-    /// Intervals looked at on its edges.
+    /// The number of intervals examined on its edges.
     pub intervals: usize,
-    /// Evaluations of a curve.
+    /// The number of evaluations of a curve.
     pub evaluations: usize,
 }
 
-/// Finds all minima of the distance between two curves over the square [-1, 1]², and what else is stationary inside.
+/// Finds all minima of the distance between two curves over the square [-1, 1]², and all interior stationary points.
 ///
 /// # Errors
-/// [`ProjectionError::NonFinite`], or [`ProjectionError::ZeroTangent`] if a curve is a single point. That centroids are
-/// parallel, that they cross or that no minimum is interior is no error of the search but a property of what it finds:
+/// [`ProjectionError::NonFinite`], or [`ProjectionError::ZeroTangent`] if a curve is a single point. Parallel or
+/// crossing centroids and the lack of an interior minimum are not errors of the search but properties of its result:
 /// see [`ClosestPoint::degeneracy`], [`ClosestPoints::unresolved`] and [`ClosestPoints::interior`].
 #[doc(alias = "closest point projection")]
 #[doc(alias = "CPP")]
@@ -217,7 +217,7 @@ pub fn closest_points(
     assemble(&pair, inside, rim, statistics)
 }
 
-/// Sorts what was found, each point once.
+/// Collects all results, each point once.
 fn assemble(
     pair: &Pair,
     inside: Inside,
@@ -233,13 +233,13 @@ fn assemble(
         unresolved.push(region.unresolved(region.point(pair)?));
     }
     for region in &rim.open {
-        // What is open inside and reaches an edge is open on the edge as well.
+        // An open region inside that touches an edge already covers the open region of the edge.
         if !inside.open.iter().any(|known| known.touches(region)) {
             unresolved.push(region.unresolved(region.point(pair)?));
         }
     }
     for point in rim.minima {
-        // Where a continuum meets an edge, the edge has a weak minimum that is no point of its own.
+        // Where a continuum of points meets an edge, the edge has a weak minimum, which is not a separate point.
         let part = inside.open.iter().any(|region| region.contains(point.xi, point.xi_bar));
         if point.is_strict() || !part {
             add(&mut points, ends::at_end(pair, &point).unwrap_or(point));
@@ -250,7 +250,7 @@ fn assemble(
     Ok(ClosestPoints { minima, stationary, unresolved, statistics })
 }
 
-/// Adds a point unless it is known, be it from both sides of an end; of those that rounding cannot tell apart a minimum stays.
+/// Adds a point unless it is known, also from the other side of an end. Of equal points a minimum is kept.
 fn add(points: &mut Vec<ClosestPoint>, point: ClosestPoint) {
     match points.iter_mut().find(|known| known.is_same(&point)) {
         Some(known) if known.kind != Kind::Minimum => *known = point,
@@ -262,11 +262,11 @@ fn add(points: &mut Vec<ClosestPoint>, point: ClosestPoint) {
 impl ClosestPoints {
     /// The nearest minimum with both parameters inside their beams.
     ///
-    /// It is the nearest of those listed: whether there may be others is for [`Self::is_complete`] to say.
+    /// It is the nearest of the listed minima. [`Self::is_complete`] says whether others may exist.
     ///
     /// # Errors
     /// [`ProjectionError::Singular`] if a continuum of points is at least as near,
-    /// [`ProjectionError::IllConditioned`] if rounding takes most digits of the derivatives of its parameters,
+    /// [`ProjectionError::IllConditioned`] if rounding destroys most digits of the derivatives of its parameters,
     /// [`ProjectionError::NoInteriorMinimum`] if every minimum is at an end.
     pub fn interior(&self) -> Result<&ClosestPoint, ProjectionError> {
         let nearest = self.minima.iter().find(|point| point.is_interior());

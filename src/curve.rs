@@ -1,7 +1,7 @@
 //! The centroid of a beam: a space curve x(xi; q) over xi in [-1, 1], with its degrees of freedom as an argument.
 //!
-//! Every curve shows two faces. [`Curve::position`] is all that automatic differentiation sees; [`Curve::jet`] is all
-//! that the closed form sees. Both are written by hand and independently, so each checks the other.
+//! Every curve has two descriptions. Automatic differentiation uses [`Curve::position`] only. The closed form uses
+//! [`Curve::jet`] only. Both are written by hand and independently of each other, so each checks the other.
 
 mod arc;
 mod bezier;
@@ -32,9 +32,9 @@ use nalgebra::{SMatrix, SVector, Vector3};
 
 /// A curve family with `N` degrees of freedom.
 ///
-/// # A curve of one's own
-/// Curves that are linear in their dofs take [`Shapes`] as [`Curve::Dofs`]; all it needs are the shape functions and
-/// their first three derivatives. Curves that are not implement [`DofDerivatives`] for a type of their own.
+/// # User-defined curves
+/// Curves that are linear in their dofs use [`Shapes`] as [`Curve::Dofs`]. [`Shapes`] needs the shape functions and
+/// their first three derivatives. Other curves implement [`DofDerivatives`] for a type of their own.
 pub trait Curve<const N: usize> {
     /// The derivatives with respect to the dofs at one point of the curve.
     type Dofs<T: Real>: DofDerivatives<T, N>;
@@ -46,14 +46,14 @@ pub trait Curve<const N: usize> {
     /// The point with its derivatives in xi (up to the third) and in the dofs.
     fn jet<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Jet<T, Self::Dofs<T>>;
 
-    /// An upper bound of ‖x,xixixi‖ over [-1, 1]: what the search for closest points needs so as not to miss one.
+    /// An upper bound of ‖x,xixixi‖ over [-1, 1]. The search for closest points needs it, so that it misses no point.
     ///
-    /// It need not be sharp, and it is good up to the rounding of its own computation. A bound that is too small voids the guarantee; one that is too large costs time.
+    /// It may be wrong by rounding. A bound that is too small voids the guarantee; one that is too large costs time.
     fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64;
 
-    /// Whether x is a polynomial in xi of third degree at most, so that it is its own Taylor polynomial.
+    /// Whether x is a polynomial in xi of third degree at most. Such a curve equals its own Taylor polynomial.
     ///
-    /// It saves the search for closest points some evaluations, no more.
+    /// It only saves the search for closest points some evaluations.
     fn is_cubic(&self) -> bool {
         false
     }
@@ -74,7 +74,7 @@ pub struct Geometry<T> {
     pub t_xixi: Vector3<T>,
 }
 
-/// All that the closed form sees of a curve at one parameter.
+/// What the closed form uses of a curve at one parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct Jet<T, U> {
     /// The point and its xi-derivatives.
@@ -93,7 +93,7 @@ pub trait DofDerivatives<T: Real, const N: usize> {
     /// The k-th xi-derivatives of the shape functions, if x is a sum of control vectors times shape functions and the
     /// dofs are the coordinates of one control vector after the other.
     ///
-    /// A_k consists of multiples of the unit matrix then, and products of two such matrices take a ninth of the work.
+    /// Then A_k consists of multiples of the unit matrix, and a product of two such matrices takes a ninth of the work.
     #[inline]
     fn shapes(&self, _k: usize) -> Option<&[T]> {
         None

@@ -1,8 +1,8 @@
 //! The scalars: one trait, [`Real`], over which every curve and every formula is written.
 //!
 //! `Real` is a field with a square root and with sine and cosine, and it has *no order*. Without an order the
-//! geometry cannot branch, so every scalar runs the very operations that `f64` runs, and whatever holds for one
-//! holds for all of them. Everything that iterates, branches or fails stays in `f64`, in
+//! geometry cannot branch. Every scalar therefore runs the same operations as `f64`, and what is shown for one scalar
+//! is valid for all of them. Everything that iterates, branches or fails stays in `f64`, in
 //! [`closest_point`](crate::closest_point).
 
 mod double_double;
@@ -48,10 +48,10 @@ use num_dual::DualNum;
 use num_traits::{One, Zero};
 use std::ops::Neg;
 
-/// A number that the geometry of contact can be computed with: a field with `sqrt` and `sin_cos`, and no order.
+/// A number type for the geometry of contact: a field with `sqrt` and `sin_cos`, and without an order.
 ///
 /// It is implemented for `f64` and every (nested) dual number of [`num_dual`], by one blanket implementation, and for
-/// the scalars of this module. A scalar of one's own implements the operators, [`Zero`], [`One`], `From<f64>`,
+/// the scalars of this module. A user-defined scalar implements the operators, [`Zero`], [`One`], `From<f64>`,
 /// [`Real::sqrt`] and [`Real::sin_cos`], nothing else.
 ///
 /// `==` on dual numbers compares the real part only; compare the parts instead.
@@ -75,14 +75,14 @@ pub trait Real:
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
-    /// This number as a term of a formula. A scalar that makes terms wrong on purpose returns another one.
+    /// This number as a term of a formula. A scalar for fault injection returns a wrong number.
     #[inline(always)]
     #[must_use]
     fn named(self, _: Label) -> Self {
         self
     }
 
-    /// The orders of two Jacobians whose product is a term. A scalar that makes terms wrong on purpose exchanges them.
+    /// The orders of two Jacobians whose product is a term. A scalar for fault injection exchanges them.
     #[inline(always)]
     fn orders(_: Label, orders: [usize; 2]) -> [usize; 2] {
         orders
@@ -102,7 +102,7 @@ impl<T: DualNum<Primitive = f64> + Copy> Real for T {
 }
 
 /// Derives the assigning operators, `Zero`, `One` and `From<f64>` of a scalar from its `+ - * /`, its
-/// `constant(f64)` and its `is_exact_zero`; the generics stand first, in brackets.
+/// `constant(f64)` and its `is_exact_zero`. The generics come first, in brackets.
 macro_rules! field_from_operators {
     ([$($generics:tt)*] $type:ty) => {
         impl<$($generics)*> std::ops::AddAssign for $type {

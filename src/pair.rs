@@ -19,12 +19,12 @@ pub struct Pair<A, B, const N: usize, const M: usize> {
 }
 
 impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
-    /// Two curves without thickness, whose slips are measured from their middles.
+    /// Two curves with zero radii. Slips are measured from the middle of each curve.
     pub fn new(curve: A, curve_bar: B) -> Self {
         Self { curve, curve_bar, contact: Contact::default() }
     }
 
-    /// The same with radii and reference parameters.
+    /// The same pair with radii and reference parameters.
     #[must_use]
     pub fn with_contact(self, contact: Contact) -> Self {
         Self { contact, ..self }
@@ -43,24 +43,24 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("{found} numbers where {expected} were expected")]
 pub struct LengthError {
-    /// How many numbers there should be.
+    /// The required length.
     pub expected: usize,
-    /// How many there are.
+    /// The actual length.
     pub found: usize,
 }
 
 impl LengthError {
-    /// Whether a slice has this length.
+    /// Checks the length of a slice.
     ///
     /// # Errors
-    /// If it has another.
+    /// If the length is another one.
     pub(crate) fn check<T>(slice: &[T], expected: usize) -> Result<(), Self> {
         let found = slice.len();
         if found == expected { Ok(()) } else { Err(Self { expected, found }) }
     }
 }
 
-/// What a pair of beams has besides its centroids.
+/// The properties of a pair of beams other than its centroids.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[doc(alias = "gap")]
 pub struct Contact {
@@ -68,7 +68,7 @@ pub struct Contact {
     pub radius: f64,
     /// r_bar, the radius of the other beam.
     pub radius_bar: f64,
-    /// xi_C0, where the contact began: the parameter that slips are measured from; constant under variation.
+    /// xi_C0, the parameter where the contact began. Slips are measured from it; constant under variation.
     pub xi_0: f64,
     /// xi_bar_C0, the same on the other beam.
     pub xi_bar_0: f64,
@@ -96,19 +96,19 @@ impl<T: Real, const N: usize, const M: usize> DofVector<T, N, M> {
         Self { beam: SVector::zeros(), bar: SVector::zeros() }
     }
 
-    /// The vector with nothing on the bar beam.
+    /// The vector that is zero on the bar beam.
     #[inline]
     pub fn of_beam(beam: SVector<T, N>) -> Self {
         Self { beam, bar: SVector::zeros() }
     }
 
-    /// The vector with nothing on the beam.
+    /// The vector that is zero on the beam.
     #[inline]
     pub fn of_bar(bar: SVector<T, M>) -> Self {
         Self { beam: SVector::zeros(), bar }
     }
 
-    /// The vector of the numbers of each beam.
+    /// The vector from the numbers of each beam.
     ///
     /// # Errors
     /// [`LengthError`] if there are not `N` and `M` numbers.
@@ -118,7 +118,7 @@ impl<T: Real, const N: usize, const M: usize> DofVector<T, N, M> {
         Ok(Self { beam: SVector::from_column_slice(beam), bar: SVector::from_column_slice(bar) })
     }
 
-    /// The vector of all numbers, beam before bar beam.
+    /// The vector from all numbers, beam before bar beam.
     ///
     /// # Errors
     /// [`LengthError`] if there are not `N` + `M` numbers.
@@ -131,7 +131,7 @@ impl<T: Real, const N: usize, const M: usize> DofVector<T, N, M> {
     /// Writes all numbers, beam before bar beam.
     ///
     /// # Errors
-    /// [`LengthError`] if there is not room for just `N` + `M` numbers.
+    /// [`LengthError`] if `to` does not have exactly `N` + `M` numbers.
     pub fn write_to(&self, to: &mut [T]) -> Result<(), LengthError> {
         LengthError::check(to, N + M)?;
         let (beam, bar) = to.split_at_mut(N);

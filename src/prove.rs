@@ -9,12 +9,12 @@
 //! [`Formulation`](crate::linearization::closed_form::Formulation).
 //!
 //! # What equality proves
-//! The difference of the two sides is a function of the drawn numbers, rational but for three square roots. If it is
-//! not identically zero, then, multiplied by its conjugates in the roots and its denominators, it is a polynomial of
-//! degree at most 8 n, where n bounds the degree of numerator and denominator of either side; the bound is computed by
+//! The difference of the two sides is a function of the drawn numbers, rational except for three square roots. If it is
+//! not identically zero, its product with its conjugates in the roots and with its denominators is a polynomial of
+//! degree at most 8 n, where n bounds the degree of numerator and denominator of either side. The bound is computed by
 //! running both sides over [`PolynomialDegree`](crate::number::PolynomialDegree). A polynomial of degree m vanishes at a random point with probability m / p at
-//! most (Schwartz and Zippel), and one point in eight at least is not drawn again, so one draw overlooks a wrong
-//! formula with probability 64 n / p at most, and independent draws multiply.
+//! most (Schwartz and Zippel), and at least one point in eight is not drawn again. One draw therefore misses a wrong
+//! formula with probability 64 n / p at most, and the probabilities of independent draws multiply.
 
 mod draw;
 mod entry;
@@ -36,9 +36,9 @@ use crate::variant::{Layouts, SCALARS};
 struct Sides<T> {
     closed: [Varied<T>; COMPONENTS],
     ad: [Varied<T>; COMPONENTS],
-    /// Gradients (along both directions) and Hessians of the scalars, contracted; on request.
+    /// Gradients (along both directions) and Hessians of the scalars, contracted; if requested.
     matrices: Option<[[T; 3]; SCALARS]>,
-    /// The kernel in its layouts, of curves with shape functions; on request.
+    /// The kernel in its layouts, for curves with shape functions; if requested.
     kernel: Layouts<T>,
 }
 

@@ -1,6 +1,6 @@
 //! The closed form under check: unmodified, with faults, or with a formula rewritten equivalently.
 //!
-//! Every check takes a [`Variant`] and runs the library's own code through it. It must fail for each fault of the
+//! Every check takes a [`Variant`] and runs the library's own code with it. It must fail for each fault of the
 //! [`catalogue`] and pass for each [`Rewrite`].
 
 mod catalogue;
@@ -31,24 +31,24 @@ use crate::pair::{Contact, DofVector};
 use crate::test_beam::PaddedBeam;
 use planted::{Planted, mistaken};
 
-/// How far the parameters of a stale point lag behind.
+/// The distance of the parameters of a stale point from the current ones.
 const LAG: f64 = 1.0 / 128.0;
 
-/// The number of scalar quantities that the matrices are made for.
+/// The number of scalar quantities that have matrices.
 pub(crate) const SCALARS: usize = 7;
 
-/// The components (of the variations) that the matrices are made for.
+/// The components (of the variations) that have matrices.
 pub(crate) const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 22];
 
 /// The closed form under check.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Variant {
-    /// As it is.
+    /// Without a change.
     #[default]
     Unmodified,
     /// With all of these faults at once.
     Faulty(Vec<Fault>),
-    /// With one formula replaced by another that is equal to it.
+    /// With one formula replaced by an equal one.
     Rewritten(Rewrite),
     /// With one term multiplied.
     Weighted(Label, f64),
@@ -66,7 +66,7 @@ pub enum Code {
 }
 
 impl Code {
-    /// Both.
+    /// Both codes.
     pub const ALL: [Self; 2] = [Self::Equations, Self::Matrices];
 
     /// The name, as tables have it.
@@ -79,7 +79,7 @@ impl Code {
 }
 
 impl Variant {
-    /// The faults that are planted in these terms; nothing if there are none.
+    /// The faults that are injected into these terms; nothing if there are none.
     fn planted(&self, terms: &[Label]) -> Option<Vec<(Label, Planted)>> {
         let mut planted: Vec<_> = match self {
             Self::Unmodified | Self::Rewritten(_) | Self::Operation(..) => return None,
@@ -92,7 +92,7 @@ impl Variant {
         (!planted.is_empty()).then_some(planted)
     }
 
-    /// Whether something other than the closed form as it is follows, where these terms are evaluated.
+    /// Whether the variant differs from the unmodified closed form where these terms are evaluated.
     pub(crate) fn changes(&self, terms: &[Label]) -> bool {
         matches!(self, Self::Rewritten(_) | Self::Operation(..)) || self.planted(terms).is_some()
     }
@@ -105,7 +105,7 @@ impl Variant {
         }
     }
 
-    /// All quantities with their variations, of beams at fixed parameters, over a scalar that faults can be planted in.
+    /// All quantities with their variations, of beams at fixed parameters, over a scalar that allows fault injection.
     pub(crate) fn quantities<T: Bits>(
         &self,
         partial: impl Fn(Step) -> [PartialVariations<T>; 2],
@@ -146,8 +146,8 @@ impl Variant {
         }
     }
 
-    /// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up; nothing if they are
-    /// what they are without faults.
+    /// Gradients (along both directions) and Hessians of the scalars, contracted, of padded beams; nothing if the
+    /// variant does not change them.
     pub(crate) fn matrices<T: Bits, const D: usize>(
         &self,
         padded: impl Fn(Step) -> [PaddedBeam<Faulty<T>, D>; 2],
@@ -170,7 +170,7 @@ impl Variant {
         self.of_beams(padded, at, form, contact, linearized)
     }
 
-    /// What `of` makes of beams filled up, where terms of the matrices are wrong; nothing if they are not.
+    /// The result of `of` for padded beams if terms of the matrices have faults; nothing if none has.
     fn of_beams<T: Bits, R, const D: usize>(
         &self,
         padded: impl Fn(Step) -> [PaddedBeam<Faulty<T>, D>; 2],
@@ -190,7 +190,7 @@ impl Variant {
     }
 }
 
-/// Gradients and Hessians of the scalars, of beams filled up.
+/// Gradients and Hessians of the scalars, of padded beams.
 #[expect(clippy::unnecessary_box_returns, reason = "a hundred thousand bytes")]
 pub(crate) fn linearized<T: Real, const D: usize>(
     [(jet, _), (jet_bar, _)]: &[PaddedBeam<T, D>; 2],
@@ -203,7 +203,7 @@ pub(crate) fn linearized<T: Real, const D: usize>(
     all
 }
 
-/// Gradients (along both directions) and Hessians of the scalars, contracted, of beams filled up.
+/// Gradients (along both directions) and Hessians of the scalars, contracted, of padded beams.
 pub(crate) fn contracted<T: Real, const D: usize>(
     [(jet, [_, dq, linear_dq]), (jet_bar, [_, dq_bar, linear_dq_bar])]: &[PaddedBeam<T, D>; 2],
     at: (T, T),

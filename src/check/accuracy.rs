@@ -1,9 +1,9 @@
-//! How many digits each form of the closed form keeps, over the gap and over the angle between the beams.
+//! The digits that each formulation of the closed form keeps, over the gap and over the angle between the beams.
 //!
 //! Second variations in `f64`, at the closest point rounded to it, are compared with those in double-double at the closest
-//! point refined there. What is told of a level is the median over many random pairs: of beams of all families over the
-//! gap, of straight ones over the angle, as of curved ones the curvature is known to rounding only, and what that does to
-//! nearly parallel beams no formula mends.
+//! point refined there. Each level shows the median over many random pairs: of beams of all families over the gap, of
+//! straight beams over the angle. The curvature of curved beams is known to rounding only, and no formula can correct
+//! its effect on nearly parallel beams.
 
 use super::draw::crossing;
 use super::regime::{Draw, Regime};
@@ -22,10 +22,10 @@ use serde::{Deserialize, Serialize, Serializer};
 const GAPS: i32 = 12;
 /// Angles, in radians, are 1, 0.1, .. down to this power of ten.
 const ANGLES: i32 = 8;
-/// The most steps of Newton's method in double-double.
+/// The maximum number of steps of Newton's method in double-double.
 const STEPS: usize = 8;
 
-/// What was measured.
+/// The results of the measurement.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
     /// Over the gap, in lengths of a beam: pairs of all families.
@@ -34,33 +34,33 @@ pub struct Accuracy {
     pub angles: Vec<Level>,
 }
 
-/// What was measured at one gap or angle.
+/// The results at one gap or angle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Level {
     /// The gap or the angle.
     pub at: f64,
-    /// How many pairs have a closest point near where they were to cross.
+    /// The number of pairs with a closest point near the intended crossing.
     pub pairs: usize,
-    /// For how many the choice is the distance along the normal.
+    /// The number of pairs for which the choice is the distance along the normal.
     pub normal: usize,
-    /// For how many it is the system by cross products.
+    /// The number of pairs for which the choice is the system by cross products.
     pub cross_products: usize,
-    /// Of Delta-delta d.
+    /// The errors of Delta-delta d.
     pub d: Errors,
-    /// Of Delta-delta xi.
+    /// The errors of Delta-delta xi.
     pub xi: Errors,
 }
 
-/// Medians of relative errors; none if nothing was measured, or if it is not finite. Records have two digits of them.
+/// Medians of relative errors; none if nothing was measured, or if it is not finite. Records have two digits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
-    /// Of the paper's form.
+    /// The error of the paper's formulation.
     #[serde(serialize_with = "two_digits")]
     pub paper: Option<f64>,
-    /// Of the form along the normal and by cross products.
+    /// The error of the formulation along the normal and by cross products.
     #[serde(serialize_with = "two_digits")]
     pub robust: Option<f64>,
-    /// Of the form that is chosen.
+    /// The error of the chosen formulation.
     #[serde(serialize_with = "two_digits")]
     pub chosen: Option<f64>,
 }
@@ -71,7 +71,7 @@ fn two_digits<S: Serializer>(error: &Option<f64>, to: S) -> Result<S::Ok, S::Err
 }
 
 impl Errors {
-    /// What the choice loses over what the better form loses, which is a rounding unit at least.
+    /// The loss of the choice over the loss of the better formulation, which is at least a rounding unit.
     fn of_choice(&self) -> f64 {
         let [paper, robust, chosen] =
             [self.paper, self.robust, self.chosen].map(|x| x.unwrap_or(f64::INFINITY));
@@ -80,7 +80,7 @@ impl Errors {
 }
 
 impl Accuracy {
-    /// The largest ratio of what the choice loses to what the better form loses, over all rows and both quantities;
+    /// The largest ratio of the loss of the choice to the loss of the better formulation, over all rows and quantities;
     /// infinite if something was not measured.
     pub fn worst_choice(&self) -> f64 {
         let rows = self.gaps.iter().chain(&self.angles);
@@ -88,7 +88,7 @@ impl Accuracy {
     }
 }
 
-/// Measures both forms, and the choice between them, with so many pairs at each level.
+/// Measures both formulations, and the choice between them, with this number of pairs at each level.
 ///
 /// The result depends on the seed and the number of pairs, not on the number of threads.
 pub fn accuracy(seed: u64, pairs: usize) -> Accuracy {
@@ -138,14 +138,14 @@ impl Level {
     }
 }
 
-/// The errors at one closest point, of the paper's form, of the other, and of the choice.
+/// The errors at one closest point, of the paper's formulation, of the other one, and of the choice.
 struct Measured {
     choice: Formulation,
     d: [f64; 3],
     xi: [f64; 3],
 }
 
-/// Draws a pair and measures it; nothing if no closest point is found near where the beams were to cross.
+/// Draws a pair and measures it; nothing if no closest point is found near the intended crossing.
 fn measure(seed: u64, stream: u64, families: [Family; 2], change: impl Fn(Draw) -> Draw) -> Option<Measured> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     rng.set_stream(stream);

@@ -1,18 +1,18 @@
-//! Who is wrong: where the closed form and automatic differentiation disagree, the third oracle sides with one of them.
+//! Which side is wrong: where the closed form and automatic differentiation disagree, the third oracle decides.
 //!
-//! The closed form is what is checked; automatic differentiation and the differences in double-double are the oracles.
+//! The closed form is checked. Automatic differentiation and the differences in double-double are the oracles.
 //! Where the two oracles agree and the closed form does not, the closed form is wrong. Where the oracles, or the routes
-//! of automatic differentiation, disagree among themselves, the check itself cannot be trusted, whatever the closed form
-//! says. Where the differences' own estimate is too wide to tell, nobody is blamed but the disagreement stands.
+//! of automatic differentiation, disagree among themselves, the check itself cannot be trusted, and the closed form is
+//! not judged. Where the differences have too large an error estimate, no side is wrong, but the disagreement stands.
 
 use super::serialized::by_name;
 use super::verdict::{Comparison, Order};
 use std::collections::BTreeMap;
 
-/// What [`Comparison::against`] says of the third oracle.
+/// The name of the third oracle in [`Comparison::against`].
 pub(super) const DIFFERENCES: &str = "differences in double-double";
 
-/// Which side of a disagreement the third oracle takes.
+/// The side that the third oracle finds wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Arbitration {
     /// The oracles agree with each other and not with the closed form; or the closed form contradicts itself.
@@ -21,7 +21,7 @@ pub enum Arbitration {
     Ad,
     /// The differences agree with neither.
     Both,
-    /// The differences are not known well enough to tell, or not known.
+    /// The differences are not accurate enough to decide, or are not known.
     Undecided,
 }
 
@@ -31,7 +31,7 @@ impl Arbitration {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::ClosedForm, Self::Ad, Self::Both, Self::Undecided];
 
-    /// Who is wrong, in words.
+    /// The wrong side, in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::ClosedForm => "the closed form is wrong",
@@ -41,7 +41,7 @@ impl Arbitration {
         }
     }
 
-    /// The same for programs.
+    /// The name for programs.
     pub fn name(self) -> &'static str {
         match self {
             Self::ClosedForm => "closed-form-wrong",
@@ -56,7 +56,7 @@ impl Arbitration {
         matches!(self, Self::Ad | Self::Both)
     }
 
-    /// Arbitrates over all entries of a closest point; nothing if all that means anything agrees.
+    /// Arbitrates over all entries of a closest point; nothing if all meaningful comparisons agree.
     pub fn of(entries: &[Comparison]) -> Option<Self> {
         let mut groups: BTreeMap<_, Vec<&Comparison>> = BTreeMap::new();
         for entry in entries {
@@ -88,7 +88,7 @@ impl Arbitration {
         })
     }
 
-    /// What is to be said of both.
+    /// The result of two arbitrations.
     pub(super) fn and(self, other: Self) -> Self {
         match (self, other) {
             (Self::Undecided, one) | (one, Self::Undecided) => one,
@@ -128,8 +128,8 @@ mod tests {
         }
     }
 
-    /// The closed form is 1 + 0 ± 1e-12, the routes of AD and the differences are 1 + these; nothing of each is known
-    /// beyond its bound.
+    /// The closed form is 1 + 0 ± 1e-12, the routes of AD and the differences are 1 + these. Only the bound of each is
+    /// known besides.
     fn arbitrated(ad: [f64; 3], differences: Option<(f64, f64)>) -> Option<Arbitration> {
         let routes = ROUTES.into_iter().zip(ad).map(|(route, off)| entry(route, 1.0 + off, 1e-11));
         let third = differences.map(|(off, bound)| entry(DIFFERENCES, 1.0 + off, bound));
@@ -140,7 +140,7 @@ mod tests {
     fn who_agrees_is_not_blamed() {
         assert_eq!(arbitrated([0.0; 3], None), None);
         assert_eq!(arbitrated([1e-12; 3], Some((1e-13, 1e-12))), None);
-        // A tolerance that means nothing rejects nobody.
+        // A tolerance that is not meaningful rejects no side.
         assert_eq!(arbitrated([0.0; 3], Some((0.5, 0.1))), None);
     }
 
@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn routes_are_near_within_their_own_bounds() {
-        // What is not known of the closed form excuses no difference between two routes.
+        // The bound of the closed form does not excuse a difference between two routes.
         let route = |other| Comparison { bound: 1e-4, tolerance: 1e-4 + 1e-11, ..entry("route", other, 0.0) };
         assert_eq!(Arbitration::of(&[route(1.01), route(1.01)]), Some(Arbitration::Undecided));
         assert_eq!(Arbitration::of(&[route(1.01), route(1.010_05)]), Some(Arbitration::Ad));

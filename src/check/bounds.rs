@@ -1,7 +1,7 @@
-//! How sharp the tolerances are: the rounding that the bounds allow for, against the rounding that there is.
+//! How sharp the tolerances are: the rounding that the bounds allow, compared with the actual rounding.
 //!
 //! The true error of a number is its distance from the closed form in double-double, at the closest point refined
-//! there. A bound below it is no bound; a bound far above it hides faults.
+//! there. A bound below the true error is violated. A bound far above it hides faults.
 
 use super::distribution::{Distribution, Quantiles};
 use super::draw::{Case, Selection};
@@ -17,12 +17,12 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Errors below this part of the closed form's bound are noise of double-double: there is no error.
+/// Errors below this part of the closed form's bound are noise of double-double and count as no error.
 const NOISE: f64 = 1e-14;
-/// A tolerance above this part of the scale means nothing.
+/// A tolerance above this part of the scale is not meaningful.
 const MEANINGFUL: f64 = 1e-3;
 
-/// Whose bounds are measured.
+/// The side whose bounds are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
     /// The closed form.
@@ -46,7 +46,7 @@ impl Side {
 
 by_name!(Side);
 
-/// What was measured of one side and one order.
+/// The results for one side and one order.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
     /// Numbers with an error.
@@ -72,10 +72,10 @@ pub struct Points {
     pub left_out: u64,
 }
 
-/// A bound that is none.
+/// A violated bound.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Violation {
-    /// Whose bound.
+    /// The side of the bound.
     pub side: Side,
     /// The quantity.
     pub quantity: Quantity,
@@ -90,12 +90,12 @@ pub struct Violation {
     pub error: f64,
 }
 
-/// All that was measured.
+/// All results of the measurement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bounds {
     /// The closest points, by regime.
     pub points: BTreeMap<Regime, Points>,
-    /// Over all regimes, by side and order.
+    /// The results over all regimes, by side and order.
     #[serde(with = "nested")]
     pub all: BTreeMap<(Side, Order), Measured>,
     /// The same in each regime.
@@ -123,7 +123,7 @@ struct Counts {
 
 /// Measures all cases of a selection.
 ///
-/// `done` is called after each. The result depends on the seed and the selection, not on the number of threads.
+/// `done` is called after each case. The result depends on the seed and the selection, not on the number of threads.
 pub fn bounds(seed: u64, selection: &Selection, done: impl Fn() + Sync) -> Bounds {
     let add = |mut all: Counted, number: u64| {
         all.add(&Case::draw(seed, number));
@@ -156,7 +156,7 @@ impl Counted {
         sum.left_out += points.left_out;
     }
 
-    /// Measures a point, and tells whether some tolerance means nothing there.
+    /// Measures a point, and returns whether some tolerance is not meaningful there.
     fn add_point(
         &mut self,
         case: &Case,
@@ -227,7 +227,7 @@ impl Counted {
 }
 
 impl Counts {
-    /// Counts a number; false if its bound is none.
+    /// Counts a number; false if its bound is violated.
     fn add(&mut self, number: RunningError, error: f64, scale: f64) -> bool {
         if !number.bound.is_finite() {
             self.unbounded += 1;

@@ -1,11 +1,11 @@
-//! A linearization of the user's own against automatic differentiation.
+//! The check of a user's linearization against automatic differentiation.
 //!
 //! # The tolerance
 //! A number may differ from that of automatic differentiation by the bound on the rounding of the latter, by [`CAREFUL`]
-//! times the bound on the rounding of the paper's formulas at the same point, and by what solving for the closest point in
-//! `f64` again may change: what a careful evaluation of the textbook formulas loses there. Their shape functions may be
-//! written as sums of powers: near an end of a beam those cancel, and a point is known to half an ulp of its largest
-//! control vectors only. What the contraction with the directions rounds is added.
+//! times the bound on the rounding of the paper's formulas at the same point, and by the change from solving for the
+//! closest point in `f64` again. A careful evaluation of the textbook formulas loses as much. Their shape functions may
+//! be sums of powers. These cancel near an end of a beam, and a point is accurate only to half an ulp of its largest
+//! control vectors. The rounding of the contraction with the directions is added.
 
 mod found;
 mod sides;
@@ -26,7 +26,7 @@ pub use found::{Digits, Example, Found};
 pub(super) use found::{contact_in_words, list};
 pub(super) use sides::{Entry, Sides, is_doubted};
 
-/// How many times the rounding of the textbook formulas a careful evaluation may lose, in another order of its sums.
+/// How many times the rounding of the textbook formulas a careful evaluation in another order of sums may lose.
 pub const CAREFUL: f64 = 8.0;
 
 /// A pair of beams at a closest point.
@@ -34,17 +34,17 @@ pub const CAREFUL: f64 = 8.0;
 pub struct Situation<'a> {
     /// The families of beam and bar beam.
     pub families: [Family; 2],
-    /// The fixed parameters of their curves, as [`Family::parameters`] has them.
+    /// The fixed parameters of their curves, in the order of [`Family::parameters`].
     pub parameters: [&'a [f64]; 2],
     /// The dofs of the beam.
     pub q: &'a [f64],
     /// The dofs of the bar beam.
     pub q_bar: &'a [f64],
-    /// The closest point, with all that is known of it.
+    /// The closest point, with its properties.
     pub point: ClosestPoint,
     /// Its parameters.
     pub at: (f64, f64),
-    /// Which of them an end holds.
+    /// Which of them are held at an end.
     pub held: Held,
     /// Radii and reference parameters.
     pub contact: Contact,
@@ -54,12 +54,12 @@ pub struct Situation<'a> {
     pub linear_dq: &'a [f64],
 }
 
-/// What a linearization says of a scalar, or of a component of a vector: all of it, or some. Dofs are those of the beam, then of the bar beam.
+/// The answer of a linearization for a scalar, or for a component of a vector, in full or in part. Beam dofs are first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The quantity.
     pub quantity: Quantity,
-    /// Of a vector the component, x, y or z.
+    /// The component of a vector: x, y or z.
     pub axis: Option<char>,
     /// Its value.
     pub value: Option<f64>,
@@ -72,7 +72,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Nothing yet of a scalar.
+    /// An empty answer for a scalar.
     pub fn of(quantity: Quantity) -> Self {
         Self { quantity, axis: None, value: None, gradient: None, hessian: None, variations: [None; 3] }
     }
@@ -80,7 +80,7 @@ impl Answer {
 
 /// A linearization under check.
 pub trait Candidate: Sync {
-    /// All that it answers at a closest point; nothing where it has no answer.
+    /// All its answers at a closest point; empty if it has none.
     fn answers(&self, at: &Situation<'_>) -> Vec<Answer>;
 }
 
@@ -138,18 +138,18 @@ fn first_wrong(candidate: &impl Candidate, case: &CaseData) -> Option<Comparison
 fn shrunk(candidate: &impl Candidate, case: &CaseData) -> CaseData {
     let families = |case: &CaseData| case.test_beams.each_ref().map(|test_beam| test_beam.family);
     shrink(case, |smaller| {
-        // The candidate may know these families alone.
+        // The candidate may support these families only.
         let is_known = families(smaller) == families(case);
         let entry = is_known.then(|| first_wrong(candidate, smaller)).flatten()?;
         Some((entry.order, entry.quantity))
     })
 }
 
-/// What was compared at a closest point.
+/// The comparison at a closest point.
 struct AtPoint {
-    /// All numbers; none if there was no answer.
+    /// All numbers; empty if there was no answer.
     entries: Vec<Comparison>,
-    /// What is wrong with the shape of an answer.
+    /// The error in the shape of an answer, if there is one.
     misshapen: Option<String>,
     /// Whether the oracles disagree among themselves.
     doubted: bool,
@@ -187,7 +187,7 @@ fn at_closest_points(candidate: &impl Candidate, case: &CaseData) -> Vec<AtPoint
                 Err(wrong) => misshapen = misshapen.or(Some(wrong)),
             }
         }
-        // The reference itself is doubted where the differences in double-double say so.
+        // The reference itself is doubted if the differences in double-double contradict it.
         let doubted = entries.iter().any(Comparison::is_wrong) && is_doubted(&paper, &sides.reference);
         Some(AtPoint { entries, misshapen, doubted })
     };

@@ -34,7 +34,7 @@ impl CaseData {
     /// Compares it with the oracles at each of its closest points.
     ///
     /// # Errors
-    /// If the numbers make no beam.
+    /// If the numbers define no beam.
     pub fn compare(&self, config: &CheckConfig) -> Result<Compared, TestBeamError> {
         let beams = self.beams()?;
         let asked = config.oracles == Oracles::All;
@@ -44,10 +44,10 @@ impl CaseData {
     /// The closed form at one of its closest points: all components with their variations, in the order of
     /// [`Quantities::components`](crate::linearization::Quantities::components).
     ///
-    /// Nothing but a reason if the point has no derivatives.
+    /// Only a reason if the point has no derivatives.
     ///
     /// # Errors
-    /// If the numbers make no beam.
+    /// If the numbers define no beam.
     pub fn vary(
         &self,
         variant: &Variant,

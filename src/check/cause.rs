@@ -1,4 +1,4 @@
-//! The likely cause of mismatches: the closed form is taken for a program, and its answers are explained.
+//! The likely cause of mismatches: the closed form is treated as a program, and its answers are explained.
 
 use super::draw::Case;
 use super::external::{
@@ -6,22 +6,22 @@ use super::external::{
 };
 use crate::variant::Variant;
 
-/// Mismatches whose cases are answered.
+/// The number of mismatches whose cases are answered.
 const ANSWERED: usize = 60;
 
-/// What explains that closed form and automatic differentiation differ.
+/// The explanation of the difference between closed form and automatic differentiation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LikelyCause {
     /// The explanation.
     pub explanation: Explanation,
-    /// Whether it says how the closed form would agree, and not what is wrong with it.
+    /// Whether it says how the closed form would agree, instead of what is wrong with it.
     pub is_remedy: bool,
 }
 
-/// Explains the mismatches at the cases with these numbers; nothing if there is nothing to be compared at them.
+/// Explains the mismatches at the cases with these numbers; nothing if there is nothing to compare at them.
 ///
-/// Faults that were injected are known to the closed form without them. If there are none, the closed form itself is
-/// wrong, and the change is looked for with which it agrees with automatic differentiation.
+/// For injected faults, the closed form without them is the reference. Without injected faults, the closed form is
+/// wrong, and the search looks for the change with which it agrees with automatic differentiation.
 pub fn likely_cause(variant: &Variant, seed: u64, numbers: &[u64]) -> Option<LikelyCause> {
     let step = numbers.len().div_ceil(ANSWERED).max(1);
     let vector = |number: &u64| {

@@ -19,7 +19,7 @@ use num_dual::HyperDual64;
 pub(super) const ROUTES: [&str; 3] =
     ["hyper-dual, Newton", "hyper-dual, stationary", "own hyper-dual, chord"];
 
-/// What [`Comparison::against`] says of the matrices.
+/// The name of the matrices in [`Comparison::against`].
 pub(super) const MATRICES: &str = "gradient and Hessian";
 
 /// A verdict for each closest point, and one without a point if there is none or there may be more.
@@ -30,7 +30,7 @@ pub fn compare(config: &CheckConfig, case: &Case) -> Compared {
     compare_beams(config, config.oracles.asks_differences(case.number), case.beams(), &case.contact)
 }
 
-/// Compares two beams with the oracles; with the differences in any case if `asked`.
+/// Compares two beams with the oracles. The differences are always included if `asked`.
 pub(super) fn compare_beams(
     config: &CheckConfig,
     asked: bool,
@@ -61,7 +61,7 @@ fn verdict(config: &CheckConfig, asked: bool, evaluation: &EvaluationPoint) -> V
     if closed.is_out_of_range() || references.is_out_of_range() {
         return Verdict::Inconclusive(Inconclusive::OutOfRange, entries);
     }
-    // Faults are planted in the formulas that the kernel is compared with.
+    // Faults are injected into the formulas that the kernel is compared with.
     if config.variant == Variant::Unmodified {
         entries.extend(closed.kernel(evaluation));
     }
@@ -72,7 +72,7 @@ fn verdict(config: &CheckConfig, asked: bool, evaluation: &EvaluationPoint) -> V
     judged(entries)
 }
 
-/// The verdict that the entries of a closest point amount to.
+/// The verdict from the entries of a closest point.
 pub(crate) fn judged(entries: Vec<Comparison>) -> Verdict {
     if is_apart(&entries) {
         Verdict::Mismatch(entries)
@@ -83,7 +83,7 @@ pub(crate) fn judged(entries: Vec<Comparison>) -> Verdict {
     }
 }
 
-/// Whether some entry tells a difference beyond rounding.
+/// Whether some entry differs beyond rounding.
 fn is_apart(entries: &[Comparison]) -> bool {
     entries.iter().any(Comparison::is_wrong)
 }
@@ -96,13 +96,13 @@ fn by_differences(evaluation: &EvaluationPoint, entries: &mut Vec<Comparison>) {
     let told = differences.into_iter().flat_map(Varied::parts);
     entries.extend(first.into_iter().zip(told).map(|(entry, told)| {
         let other = told.value.value();
-        // Half an ulp for what is shown of the double-double.
+        // Half an ulp is added for the `f64` that shows the double-double number.
         let tolerance = entry.bound + told.error + 0.5 * f64::EPSILON * other.abs();
         Comparison { against: DIFFERENCES, other, tolerance, ..entry }
     }));
 }
 
-/// The closed form under check, in all that the comparison asks for.
+/// The closed form under check, with all results that the comparison needs.
 pub(crate) struct Closed {
     plain: [Varied<f64>; COMPONENTS],
     exchanged: [Varied<f64>; COMPONENTS],
@@ -118,7 +118,7 @@ pub(crate) struct References {
     chord: [Varied<RunningError2>; COMPONENTS],
 }
 
-/// Scales below this are of products that may have lost digits to underflow.
+/// Products below this scale may have lost digits to underflow.
 const SMALLEST: f64 = 1e-280;
 
 fn is_finite(varied: &Varied<RunningError2>) -> bool {
@@ -178,7 +178,7 @@ impl Closed {
                 references.stationary[i].parts(),
                 own.map(|bounded| bounded.value),
             ];
-            // num-dual solves for the closest point in `f64` again, and is as far off as that may take it.
+            // num-dual solves for the closest point in `f64` again, so its bound includes the resulting error.
             let [near, far] =
                 [0, 1].map(|l| std::array::from_fn::<f64, 4, _>(|k| bounds[k][l] + own[k].bound[l]));
             for ((against, other), tolerance) in ROUTES.into_iter().zip(routes).zip([far, far, near]) {
@@ -226,7 +226,7 @@ impl Closed {
         [1, 2, 3].map(|k| self.contracted(MATRICES, [scalar, k], self.matrices[scalar][k - 1]))
     }
 
-    /// What each layout of the kernel holds, contracted with the directions, against the variations.
+    /// The numbers of each layout of the kernel, contracted with the directions, against the variations.
     fn kernel(&self, evaluation: &EvaluationPoint) -> Vec<Comparison> {
         let of_layout =
             |(layout, numbers, bounds): (&'static str, Contracted<f64>, Contracted<RunningError>)| {
@@ -239,7 +239,7 @@ impl Closed {
         evaluation.kernel().into_iter().flat_map(of_layout).collect()
     }
 
-    /// A part of a scalar that was contracted, against the variation.
+    /// A contracted part of a scalar, against the variation.
     fn contracted(&self, against: &'static str, [scalar, k]: [usize; 2], other: RunningError) -> Comparison {
         let i = SCALAR_COMPONENTS[scalar];
         let bound = self.bounds[i].parts()[k].bound[0];

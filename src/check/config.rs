@@ -1,4 +1,4 @@
-//! What is checked, and by what.
+//! The code under check, and the oracles.
 
 use super::draw::place_in_regime;
 use crate::variant::Variant;
@@ -6,22 +6,22 @@ use crate::variant::Variant;
 /// The closed form under check, and the oracles that it is compared with.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CheckConfig {
-    /// The closed form: as it is, if nothing else is said.
+    /// The closed form: unmodified by default.
     pub variant: Variant,
-    /// Automatic differentiation, if nothing else is said.
+    /// Automatic differentiation by default.
     pub oracles: Oracles,
 }
 
 /// Which oracles the closed form is compared with.
 ///
-/// Where it disagrees with automatic differentiation the differences are always asked, to arbitrate.
+/// Where it disagrees with automatic differentiation, the differences are always computed, to arbitrate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Oracles {
     /// Automatic differentiation.
     #[default]
     Ad,
-    /// Also the differences in double-double: in every thirteenth case of each regime, which meets all pairs of
-    /// families, and wherever the tolerance for AD means nothing.
+    /// Also the differences in double-double: in every thirteenth case of each regime, which reaches all pairs of
+    /// families, and wherever the tolerance for AD is not meaningful.
     Sample,
     /// Also the differences in double-double, in every case.
     All,
@@ -44,7 +44,7 @@ mod tests {
 
     #[test]
     fn a_sample_is_every_thirteenth_case_of_each_regime() {
-        // Badly scaled cases have numbers of their own.
+        // Badly scaled cases have their own numbers.
         let regimes = Regime::ALL.len() as u64 - 1;
         for number in 0..40 * regimes {
             assert!(!Oracles::Ad.asks_differences(number) && Oracles::All.asks_differences(number));

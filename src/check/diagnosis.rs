@@ -1,43 +1,43 @@
-//! What a mismatch is at heart: the first wrong number in the order in which they are computed.
+//! The identity of a mismatch: the first wrong number in the order in which numbers are computed.
 
 use super::compare::MATRICES;
 use super::verdict::{Comparison, Order, Verdict};
 use crate::closest_point::{ClosestPoint, Held};
 use crate::linearization::Quantity;
 
-/// What is wrong, in a few words.
+/// The identity of a mismatch, in a few words.
 ///
-/// Whatever is computed from a wrong number is wrong too, so the whole list of wrong numbers says less than its first:
-/// values come before first variations, those before second ones, the matrices last; and within an order the
-/// parameters come before the vectors, these before lengths, and slips last. A case that is shrunker step by step
-/// must keep all of this, lest it ends in another fault: the same first number, wrong by the word of the same
-/// references, at a closest point with the same ends held. How many numbers are wrong after it may change.
+/// A number that is computed from a wrong number is wrong too, so only the first wrong number counts. The order is:
+/// values, first variations, second variations, matrices. Within an order, the parameters come before the
+/// vectors, the vectors before the lengths, and the slips last. A case that is shrunk step by step
+/// must keep all of this, or it ends in another fault: the same first number, wrong against the same
+/// references, at a closest point with the same ends held. The number of later wrong numbers may change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnosis {
     /// The order of the first wrong number.
     pub order: Order,
     /// Its quantity.
     pub quantity: Quantity,
-    /// Its part, in the words of [`Varied::PARTS`](crate::linearization::Varied::PARTS).
+    /// Its part, with the names of [`Varied::PARTS`](crate::linearization::Varied::PARTS).
     pub part: &'static str,
-    /// All that it was compared with and does not agree with.
+    /// All references that it does not agree with.
     pub against: Vec<&'static str>,
     /// Which parameters are held at an end.
     pub held: Held,
 }
 
-/// A diagnosis and where it shows.
+/// A diagnosis and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// What is wrong.
     pub diagnosis: Diagnosis,
-    /// The place of the closest point among the minima.
+    /// The index of the closest point among the minima.
     pub minimum: usize,
     /// The closest point.
     pub point: ClosestPoint,
     /// The first wrong number.
     pub entry: Comparison,
-    /// Whether all numbers at this point can be compared, so that the case passes once they are right.
+    /// Whether all numbers at this point can be compared, so that the case passes after the correction.
     pub is_clear: bool,
 }
 
@@ -53,7 +53,7 @@ impl Finding {
         let mut against: Vec<_> = entries.iter().filter(same).map(|entry| entry.against).collect();
         against.sort_unstable();
         against.dedup();
-        // Curves that have shape functions and others are one diagnosis where the matrices tell the same as the kernel.
+        // Curves with and without shape functions have one diagnosis if matrices and kernel differ in the same way.
         if against.contains(&MATRICES) {
             against = vec![MATRICES];
         }
@@ -64,7 +64,7 @@ impl Finding {
     }
 }
 
-/// Where to look if this is the first number that is wrong: the equations of the paper.
+/// The equations of the paper to look at if this is the first wrong number.
 pub fn look_at(order: Order, quantity: Quantity) -> &'static str {
     match (order, quantity) {
         (Order::First, Quantity::Xi | Quantity::XiBar) => "the 2 x 2 system, eq. (50)-(52)",
@@ -89,7 +89,7 @@ fn first(entries: &[Comparison]) -> Option<Comparison> {
     entries.iter().filter(|entry| entry.is_wrong()).min_by_key(|entry| place(entry)).copied()
 }
 
-/// The place of a number in the order of computation; components of a vector share one, as axes mean nothing.
+/// The place of a number in the order of computation. Components of a vector share one, as the axes are arbitrary.
 pub(super) fn place(entry: &Comparison) -> (Order, usize, usize) {
     const QUANTITIES: [Quantity; 13] = [
         Quantity::Xi,

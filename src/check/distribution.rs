@@ -1,13 +1,13 @@
-//! How positive numbers are spread over many powers of ten, counted so that the order of counting does not matter.
+//! The distribution of positive numbers over many powers of ten, independent of the order of counting.
 
 use super::serialized::short;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Bins to a factor of ten: a quantile is good to 1.2 %.
+/// Bins per factor of ten. The error of a quantile is at most 1.2 %.
 const BINS: f64 = 100.0;
 
-/// A distribution in five numbers; two digits of them are written.
+/// A distribution in five numbers, which are written with two digits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Quantiles {
     /// The smallest.
@@ -51,7 +51,7 @@ impl Distribution {
         self.max = self.max.max(other.max);
     }
 
-    /// How many numbers were counted.
+    /// The number of counted numbers.
     pub(super) fn count(&self) -> u64 {
         self.count
     }
@@ -62,7 +62,7 @@ impl Distribution {
         Some(Quantiles { min: min?, low: low?, median: median?, high: high?, max: self.max })
     }
 
-    /// The number below which the share `p` of all lies, from the middle of its bin; nothing if there is none.
+    /// The number below which the share `p` of all lies, from the middle of its bin; nothing if there is no number.
     fn quantile(&self, p: f64) -> Option<f64> {
         #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
         let wanted = p * self.count as f64;

@@ -1,4 +1,4 @@
-//! From the number of a case to the case: a counter-based generator, so that shards, threads and reruns agree.
+//! Draws the case of a given number with a counter-based generator, so that shards, threads and reruns agree.
 
 use super::case_data::CaseData;
 use super::regime::{Draw, Regime};
@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 /// A pair of beams to be checked.
 #[derive(Debug)]
 pub struct Case {
-    /// Its number; with the seed it decides all the rest.
+    /// Its number. With the seed, it determines all other fields.
     pub number: u64,
     /// Its regime.
     pub regime: Regime,
@@ -27,19 +27,19 @@ pub struct Case {
     beams: [Box<dyn AnyBeam>; 2],
 }
 
-/// Which cases are wanted: all pairs of families in all regimes alternate, so a selection leaves the others out.
+/// The selected cases. All pairs of families in all regimes alternate, so a selection omits the others.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Selection {
     /// The regimes, not empty.
     pub regimes: Vec<Regime>,
     /// If given, beam or bar beam is of this family.
     pub family: Option<Family>,
-    /// How many cases of each regime.
+    /// The number of cases of each regime.
     pub cases: u64,
 }
 
-/// The regimes whose cases alternate; the last one counts its own from [`BADLY_SCALED`] on, so that the numbers of the others
-/// stay what they were before there was one more.
+/// The regimes whose cases alternate. The last regime counts its cases from [`BADLY_SCALED`] on, so that the numbers of
+/// the other regimes did not change when it was added.
 const REGIMES: u64 = Regime::ALL.len() as u64 - 1;
 const BADLY_SCALED: u64 = 1 << 40;
 const FAMILIES: u64 = Family::ALL.len() as u64;
@@ -55,7 +55,7 @@ impl Selection {
         let mut regimes: Vec<_> = self.regimes.iter().map(|&regime| self.of_regime(regime)).collect();
         let mut numbers = Vec::new();
         for round in 0..self.cases {
-            // Each regime is spread over all shards.
+            // Each regime is distributed over all shards.
             let of_round = regimes.iter_mut().zip(round..).map(|(regime, place)| (regime.next(), place));
             numbers
                 .extend(of_round.filter(|(_, place)| shard.holds(*place)).filter_map(|(number, _)| number));
@@ -63,7 +63,7 @@ impl Selection {
         numbers
     }
 
-    /// How many cases a shard has.
+    /// The number of cases of a shard.
     pub fn count(&self, shard: Shard) -> u64 {
         (0..self.regimes.len() as u64).map(|regime| shard.count(regime..regime + self.cases)).sum()
     }
@@ -88,7 +88,7 @@ fn regime(number: u64) -> Regime {
     Regime::ALL[usize::try_from(number % REGIMES).unwrap_or(0)]
 }
 
-/// Which of the cases of its regime a case is.
+/// The index of a case among the cases of its regime.
 pub(super) fn place_in_regime(number: u64) -> u64 {
     if number >= BADLY_SCALED { number - BADLY_SCALED } else { number / REGIMES }
 }
@@ -112,7 +112,7 @@ impl Case {
 
     /// Draws the case with this number.
     ///
-    /// Where the two beams cross is a stationary point. Whether it is the minimum, the search will tell.
+    /// The crossing of the two beams is a stationary point. The search decides whether it is the minimum.
     pub fn draw(seed: u64, number: u64) -> Self {
         Self::of(seed, number, regime(number), families(number))
     }
@@ -127,7 +127,7 @@ impl Case {
             for _ in 0..rng.random_range(1..4) {
                 let beam = &mut test_beams[rng.random_range(0..2)];
                 let factor = 10_f64.powf(rng.random_range(-8.0..8.0)) * if rng.random() { 1.0 } else { -1.0 };
-                // Mostly dofs: directions enter linearly.
+                // Dofs are chosen most often, because directions enter linearly.
                 let numbers = match rng.random_range(0..6) {
                     0 => &mut beam.dq,
                     1 => &mut beam.linear_dq,
@@ -148,7 +148,7 @@ impl Case {
     }
 }
 
-/// Two beams that cross under the angle, at the gap and at the parameters that were drawn: d is normal to both tangents
+/// Two beams that cross at the drawn angle, gap and parameters. The vector d is normal to both tangents
 /// there.
 pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng) -> [TestBeam; 2] {
     // The tangents span a plane with d normal to it; beams bend in any direction.
@@ -171,7 +171,7 @@ pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng)
         families[i].draw(&target, rng)
     };
     let mut test_beams = [beam(0), beam(1)];
-    // What was drawn passes near its target only: measure, and move the first beam to where it belongs.
+    // The drawn curves pass only near their targets, so the first beam is moved by the measured difference.
     let [x, x_bar] = [0, 1].map(|i| test_beams[i].drawn().geometry_at(RunningError::from(draw.at[i])));
     let [x, t, x_bar, t_bar] = [x.x, x.t, x_bar.x, x_bar.t].map(|v| v.map(|c| c.value));
     let across = t.cross(&t_bar).normalize();

@@ -1,4 +1,4 @@
-//! A closest point at which both linearizations are evaluated, in every scalar that the check asks for.
+//! A closest point at which both linearizations are evaluated, in every scalar that the check needs.
 
 mod dense;
 mod refined;
@@ -19,7 +19,7 @@ use refined::Refined;
 use std::sync::OnceLock;
 pub(super) use structure::Structure;
 
-/// A closest point that has derivatives, and is known well enough.
+/// A closest point that has derivatives and is accurate enough.
 #[derive(Debug)]
 pub(crate) struct EvaluationPoint<'a> {
     pub(crate) beams: [&'a dyn AnyBeam; 2],
@@ -27,26 +27,26 @@ pub(crate) struct EvaluationPoint<'a> {
     pub(crate) held: Held,
     /// The closest point, with the parameters refined.
     pub(super) point: ClosestPoint,
-    /// The formulas under check: those that the library takes here, unless it is told others.
+    /// The formulas under check: those that the library uses here, unless others are given.
     pub(crate) form: Formulation,
-    /// The parameters, refined in double-double and rounded, with bounds on how far they are from the exact closest
-    /// point; the second ones as far as `f64` can tell, for those who solve for the closest point in `f64` again.
+    /// The parameters, refined in double-double and rounded, with bounds on their distance from the exact closest
+    /// point. The second bounds are those of `f64`, for methods that solve for the closest point in `f64` again.
     pub(crate) at: (RunningError2, RunningError2),
     caches: [Cache; 3],
     unmodified: OnceLock<Box<Unmodified>>,
 }
 
-/// Both beams at some parameters, in the scalars that the check asks for; evaluated once, when they are asked for.
+/// Both beams at some parameters, in the scalars that the check needs. Each is evaluated once, at the first request.
 #[derive(Debug, Default)]
 struct Cache {
     plain: OnceLock<[PartialVariations<f64>; 2]>,
     bounded: OnceLock<[PartialVariations<RunningError2>; 2]>,
-    // Large, and the evaluation point is passed on by value.
+    // Boxed, because it is large and the evaluation point is passed by value.
     padded: OnceLock<Box<[PaddedBeam<RunningError>; 2]>>,
     padded_few: OnceLock<Box<[PaddedBeam<RunningError, FEW_DOFS>; 2]>>,
 }
 
-/// The closed form as it is, in all that the comparison asks for.
+/// The closed form without faults, with all results that the comparison needs.
 #[derive(Clone, Debug)]
 struct Unmodified {
     plain: [Varied<f64>; COMPONENTS],
@@ -56,14 +56,14 @@ struct Unmodified {
 }
 
 impl<'a> EvaluationPoint<'a> {
-    /// A closest point of two beams, or why it has no derivatives that can be compared.
+    /// A closest point of two beams, or the reason why it has no derivatives that can be compared.
     pub(crate) fn new(
         beams: [&'a dyn AnyBeam; 2],
         contact: &'a Contact,
         point: &ClosestPoint,
     ) -> Result<Self, Inconclusive> {
         match point.degeneracy() {
-            // What few digits there are is what the tolerances say.
+            // The tolerances account for the loss of digits.
             None | Some(Degeneracy::IllConditioned { .. }) => {}
             Some(Degeneracy::Crossing) => return Err(Inconclusive::Crossing),
             Some(Degeneracy::WeakEnd { .. }) => return Err(Inconclusive::WeakEnd),
@@ -91,7 +91,7 @@ impl<'a> EvaluationPoint<'a> {
         Ok(evaluation.in_formulation(form))
     }
 
-    /// Widens the bounds for those who solve for the closest point in `f64` again, from positions alone: the rounding of
+    /// Widens the bounds for methods that solve for the closest point in `f64` again, from positions alone. Rounding of
     /// their conditions, whose tangents are derivatives of positions, moves the parameters too.
     fn widen(&mut self) {
         let Self { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *self;
@@ -105,7 +105,7 @@ impl<'a> EvaluationPoint<'a> {
         }
     }
 
-    /// With these formulas.
+    /// The evaluation point with these formulas.
     pub(crate) fn in_formulation(self, form: Formulation) -> Self {
         Self { form, unmodified: OnceLock::new(), ..self }
     }
@@ -116,7 +116,7 @@ impl<'a> EvaluationPoint<'a> {
         Points::new(&beam.geometry, &bar.geometry)
     }
 
-    /// The parameters with the sharper bounds alone.
+    /// The parameters with the smaller bounds alone.
     fn sharp(&self) -> (RunningError, RunningError) {
         let sharp = |RunningError2 { value, bound: [bound, _] }| RunningError { value, bound };
         (sharp(self.at.0), sharp(self.at.1))
@@ -181,7 +181,7 @@ impl<'a> EvaluationPoint<'a> {
         variant.quantities(partial, at, self.form, self.contact).components()
     }
 
-    /// The closed form with bounds on its error: those of the formulas without faults.
+    /// The closed form with bounds on its error. The bounds are those of the formulas without faults.
     pub(crate) fn closed(&self, variant: &Variant) -> [Varied<RunningError2>; COMPONENTS] {
         let bounded = || {
             let partial = self.bounded(Step::Now);
@@ -197,7 +197,7 @@ impl<'a> EvaluationPoint<'a> {
 
     pub(super) fn sized(&self, variant: &Variant) -> [Varied<TermScale>; COMPONENTS] {
         let at = (TermScale::parameter(self.at.0.value), TermScale::parameter(self.at.1.value));
-        // A position has the size of the curve at least: where the origin is says nothing of rounding.
+        // A position has at least the size of the curve, because the choice of the origin is no measure of rounding.
         let sized = |partial: PartialVariations<f64>| {
             let mut sizes = partial.map(TermScale::vector);
             let of_curve = sizes.geometry.t.map(|t| t.scale).min();
@@ -210,8 +210,8 @@ impl<'a> EvaluationPoint<'a> {
         variant.formulas(&partial, at, self.form, self.contact).components()
     }
 
-    /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors: those of the
-    /// formulas without faults.
+    /// Gradients and Hessians of the scalars, contracted with the directions, with bounds on their errors. The bounds
+    /// are those of the formulas without faults.
     pub(super) fn matrices(&self, variant: &Variant) -> [[RunningError; 3]; SCALARS] {
         let (at, form, contact) = ((self.at.0.value, self.at.1.value), self.form, self.contact);
         let planted = if self.has_few_dofs() {
@@ -232,13 +232,13 @@ impl<'a> EvaluationPoint<'a> {
 
     /// The kernel in all its layouts, each with bounds on the errors of its numbers; empty if a curve has no shape functions.
     ///
-    /// The kernel chooses the form itself: this is for evaluations in the form that is chosen.
+    /// The kernel chooses the formulation itself, so this only applies to evaluations in the chosen formulation.
     pub(super) fn kernel(&self) -> Vec<(&'static str, Contracted<f64>, Contracted<RunningError>)> {
         let beams = self.padded(Step::Now);
         let bounds = every_layout(beams, self.sharp(), self.form, self.contact);
         let beams = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
         let of = |(name, numbers): (&'static str, Contracted<f64>)| {
-            // Other layouts hold the same numbers, summed in another order.
+            // Other layouts contain the same numbers, summed in another order.
             let same = |(of, _): &&(&str, Contracted<RunningError>)| {
                 name.rsplit(' ').next() == of.rsplit(' ').next()
             };
@@ -271,9 +271,9 @@ impl<'a> EvaluationPoint<'a> {
         chord.evaluate_by_orders(beam, bar, at, contact).map(Varied::from).components()
     }
 
-    /// The closed form in double-double, at the closest point refined there: what its errors are measured against.
+    /// The closed form in double-double, at the closest point refined there. Its errors are measured against this.
     ///
-    /// Nothing if Newton's method does not settle within the bounds of the parameters.
+    /// Nothing if Newton's method does not converge within the bounds of the parameters.
     pub(super) fn precise(&self) -> Option<[Varied<DoubleDouble>; COMPONENTS]> {
         let Self { beams: [beam, bar], contact, form, .. } = *self;
         let [xi, xi_bar] = self.refined()?.map(|refined| refined.value);

@@ -1,4 +1,4 @@
-//! The check for linearizations in any language: cases out, answers in, through the comparison of
+//! The check for linearizations in any language. It writes cases and compares the answers as in
 //! [`linearization`](super::linearization).
 //!
 //! [`Vector`]s are written for another program ([`VectorWriter`]). It answers some of the quantities that they allow

@@ -1,18 +1,18 @@
 //! The third oracle: central differences of the *value* in double-double, the closest point solved again for every dof
 //! vector.
 //!
-//! It sees positions and nothing else. Tangents are differences of positions; the closest point is found by chord
+//! It uses positions and nothing else. Tangents are differences of positions; the closest point is found by chord
 //! iterations whose matrix is a difference of the orthogonality conditions; variations are differences of the
 //! quantities at q ± h dq ± k Dq. No derivative is shared with the closed form or with automatic differentiation.
 //!
 //! # Steps
-//! How far the problem may be moved before it becomes another is measured: the rate at which the chord iterations
-//! converge after a first step, and the changes of xi, d, t and t_bar relative to themselves, give a radius for each
-//! direction. The steps are that part of it at which rounding and truncation are about equal, twice and four times that,
-//! extrapolated to sixth order (L. F. Richardson).
+//! The distance over which the problem remains similar is measured. The rate at which the chord iterations
+//! converge after a first step, and the relative changes of xi, d, t and t_bar, give a radius for each
+//! direction. The first step is the part of the radius at which rounding and truncation are about equal. Twice and four
+//! times this step are used too, and extrapolated to sixth order (L. F. Richardson).
 //!
 //! # Its error
-//! Each number comes with an estimate: the difference of the extrapolations of fourth and of sixth order, the rounding
+//! Each number has an error estimate: the difference of the extrapolations of fourth and of sixth order, the rounding
 //! of the positions (from their running error bound) carried through the solution and divided by the steps, and the
 //! truncation of the tangents.
 
@@ -26,11 +26,11 @@ use crate::number::{DoubleDouble, Real};
 use moved::Base;
 use noise::Noise;
 
-/// The largest step over the radius of the direction: four times that must be well within it.
+/// The largest step over the radius of the direction. Four times the step must be well within the radius.
 const WIDEST: f64 = 1.0 / 64.0;
 
-/// How many times the difference of the two extrapolations the error may be: the steps are for what the problem is at the
-/// closest point, and badly scaled beams change faster.
+/// The safety factor on the difference of the two extrapolations. The steps suit the problem at the closest point, and
+/// badly scaled beams change faster.
 const CAUTION: f64 = 8.0;
 
 /// A number with an estimate of its error.
@@ -40,7 +40,7 @@ pub(super) struct Estimated {
     pub(super) error: f64,
 }
 
-/// All quantities with their variations; nothing where the closest point cannot be solved for again.
+/// All quantities with their variations; nothing if the closest point cannot be solved for again.
 pub(super) fn differences(evaluation: &EvaluationPoint) -> Option<[Varied<Estimated>; COMPONENTS]> {
     let base = Base::new(evaluation)?;
     let radii = [base.radius([1.0, 0.0])?, base.radius([0.0, 1.0])?];
@@ -55,7 +55,7 @@ pub(super) fn differences(evaluation: &EvaluationPoint) -> Option<[Varied<Estima
     let Noise { rounding, truncation } = base.noise();
     let estimated = |i: usize, k: usize| {
         let [fine, middle, coarse] = levels.map(|level| level[k][i]);
-        // A second-order difference is exact but for h² and h⁴: from h, 2h, 4h first h² goes, then h⁴.
+        // The error of a second-order difference has terms h² and h⁴. From h, 2h, 4h first h² is removed, then h⁴.
         let fourth = extrapolated(fine, middle, 4.0);
         let sixth = extrapolated(fourth, extrapolated(middle, coarse, 4.0), 16.0);
         // 16/15 (4/3 + 1/3 · 1/2) + ... < 2 times the rounding of the finest difference.
@@ -84,12 +84,12 @@ fn corners(base: &Base, steps: [f64; 2]) -> Option<[[DoubleDouble; COMPONENTS]; 
     ])
 }
 
-/// Without the term that grows by `ratio` from `fine` to `coarse`.
+/// Removes the term that grows by `ratio` from `fine` to `coarse`.
 fn extrapolated(fine: DoubleDouble, coarse: DoubleDouble, ratio: f64) -> DoubleDouble {
     fine + (fine - coarse) / DoubleDouble::from(ratio - 1.0)
 }
 
-/// The power of two below: products and quotients with it are exact.
+/// The largest power of two below: products and quotients with it are exact.
 fn power_of_two(x: f64) -> f64 {
     2.0_f64.powf(x.log2().floor())
 }

@@ -1,7 +1,7 @@
-//! A curve of the user's own through the gate.
+//! The check of a user's curve.
 //!
-//! First its jet is compared with the derivatives of its position, then pairs of it with itself and with the built-in
-//! families go through the comparison that the gate makes, in all regimes.
+//! First its jet is compared with the derivatives of its position. Then pairs of it with itself and with the built-in
+//! families are compared as in the check, in all regimes.
 
 mod jet;
 mod pair;
@@ -25,32 +25,32 @@ use std::fmt;
 
 pub use jet::{JetFinding, jet};
 
-/// How much the dofs of a beam are varied, over the largest of them.
+/// The relative variation of the dofs of a beam, over the largest of them.
 const SPREAD: f64 = 0.02;
-/// How many points of a jet are compared for each beam that is given.
+/// The number of points of a jet that are compared for each given beam.
 const JETS: u64 = 16;
-/// How many findings are written out.
+/// The number of findings that are written out.
 const SHOWN: usize = 3;
 
-/// What the gate found of a curve.
+/// The result of the check of a curve.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OwnCurve {
-    /// What of the jet is not the derivative of the position, the first of each kind.
+    /// The parts of the jet that are not the derivative of the position, the first of each kind.
     pub jets: Vec<JetFinding>,
     /// Closest points that were compared.
     pub compared: u64,
     /// Of these, those at which something differs beyond rounding.
     pub mismatches: u64,
-    /// What differs first there, one of each kind, with the pair in words, shrunk.
+    /// The first differences there, one of each kind, with the pair in words, shrunk.
     pub findings: Vec<(String, Finding)>,
     /// Closest points or pairs that were not compared, by reason.
     pub inconclusive: BTreeMap<Inconclusive, u64>,
 }
 
-/// Puts a curve through the gate: its jet against its position, then `cases` pairs of it in every regime.
+/// Checks a curve: its jet against its position, then `cases` pairs of it in every regime.
 ///
-/// `beams` are dofs of typical beams, one at least; they are varied by a few percent, and moved and turned. What the
-/// curve's dofs mean need not be known. The result depends on the arguments alone.
+/// `beams` are dofs of typical beams, at least one. They are varied by a few percent, moved and turned. The meaning of
+/// the curve's dofs need not be known. The result depends on the arguments alone.
 ///
 /// ```
 /// use beamgap::check;
@@ -178,7 +178,7 @@ impl fmt::Display for OwnCurve {
     }
 }
 
-/// A generator that belongs to a number.
+/// The generator of this number.
 fn stream(number: u64) -> ChaCha8Rng {
     let mut rng = ChaCha8Rng::seed_from_u64(0x5eed);
     rng.set_stream(number);

@@ -1,4 +1,4 @@
-//! A case as the source of a Rust test, to be pasted into the tests of whoever calls the library.
+//! A case as the source of a Rust test, to be pasted into the tests of a user of the library.
 
 use super::CaseData;
 use super::compare::MATRICES;
@@ -7,16 +7,16 @@ use crate::linearization::{Quantity, Varied};
 use crate::pair::Contact;
 use crate::test_beam::{Family, TestBeam};
 
-/// A test of one entry at one of the minima of a case: green if the two sides agree, in the gate's tolerance.
+/// A test of one entry at one of the minima of a case. It passes if the two sides agree in the tolerance of the check.
 ///
-/// It needs nothing but the library without its features. Numbers are written with as many digits as they have.
+/// It only needs the library without its features. Numbers are written with all their digits.
 pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison) -> String {
     let [beam, bar] = &case.test_beams;
     let mut curves = [beam, bar].map(|test_beam| type_name(test_beam.family)).to_vec();
     curves.sort_unstable();
     curves.dedup();
     let curves = if let [one] = curves[..] { one.into() } else { format!("{{{}}}", curves.join(", ")) };
-    // Other layouts hold the numbers of `linearize`; lanes compute them in another order.
+    // Other layouts contain the numbers of `linearize`; lanes compute them in another order.
     let layout = match (entry.order, entry.against) {
         (Order::Matrix, MATRICES | D_ALONE) => String::new(),
         (Order::Matrix, layout) => {
@@ -70,7 +70,7 @@ fn {name}() {{
 /// The kernel where it computes d without the other quantities.
 const D_ALONE: &str = "kernel, d alone";
 
-/// What the number is compared with, as an expression.
+/// The reference of the number, as an expression.
 fn other(entry: &Comparison) -> String {
     let route = match (entry.order, entry.against) {
         (Order::Symmetry, _) => {
@@ -99,7 +99,7 @@ fn other(entry: &Comparison) -> String {
     format!("ad::vary({route}, &pair, &q, point, &dq, &linear_dq).{}", field(entry))
 }
 
-/// The number among the quantities that vary.
+/// The number among the varied quantities.
 fn field(entry: &Comparison) -> String {
     let part = match Varied::<f64>::PARTS.iter().position(|&part| part == entry.part) {
         Some(0) => "value",
@@ -115,7 +115,7 @@ fn quantity(quantity: Quantity) -> String {
     quantity.name().to_lowercase()
 }
 
-/// What is tested, as the name of a function.
+/// The tested number, as the name of a function.
 fn name(entry: &Comparison) -> String {
     let order = match entry.order {
         Order::Symmetry => "symmetry_of_",
@@ -159,7 +159,7 @@ fn constructor(test_beam: &TestBeam) -> String {
     }
 }
 
-/// Two digits, and no less than the number.
+/// Two digits, rounded up.
 fn rounded_up(number: f64) -> String {
     let text = format!("{number:.1e}");
     if text.parse().is_ok_and(|rounded: f64| rounded >= number) {

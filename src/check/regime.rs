@@ -1,10 +1,10 @@
-//! The regimes: what kinds of pairs the gate draws.
+//! The regimes: the kinds of pairs that the check draws.
 
 use super::serialized::by_name;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// A kind of pair, chosen for the faults that hide elsewhere.
+/// A kind of pair, chosen for the faults that other kinds do not detect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Regime {
     /// Lengths near 1, moderate bending, crossing at a wide angle.
@@ -30,7 +30,7 @@ pub enum Regime {
     BadlyScaled,
 }
 
-/// The numbers that a regime draws.
+/// The drawn numbers of a regime.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Draw {
     /// Length of a beam.
@@ -151,7 +151,7 @@ impl Regime {
     }
 }
 
-/// Where the beams cross: mostly within both, once in eight times beyond an end of one, which is then held.
+/// The crossing of the beams: mostly within both, in one of eight cases beyond an end of one, which is then held.
 fn crossing(rng: &mut ChaCha8Rng) -> [f64; 2] {
     let mut at = [rng.random_range(-0.8..0.8), rng.random_range(-0.8..0.8)];
     if rng.random_ratio(1, 8) {

@@ -1,4 +1,4 @@
-//! The parameters of a closest point as bounded numbers: how far they may be from the exact closest point.
+//! The parameters of a closest point, with bounds on their distance from the exact closest point.
 
 use crate::closest_point::ClosestPoint;
 use crate::curve::Geometry;
@@ -9,7 +9,7 @@ use crate::test_beam::AnyBeam;
 /// xi and xi_bar with bounds, from the residual of the orthogonality conditions.
 ///
 /// The residual and its rounding, multiplied by the inverse of the projection matrix, bound the step to the exact
-/// closest point; the matrix over the whole uncertain region must stay regular. Nothing if it does not.
+/// closest point. The matrix must stay regular over the whole uncertain region. Nothing if it does not.
 pub(super) fn parameters(
     beams: [&dyn AnyBeam; 2],
     point: &ClosestPoint,
@@ -17,7 +17,7 @@ pub(super) fn parameters(
     let held = point.held();
     let geometry = |xi, xi_bar| [beams[0].geometry_at(xi), beams[1].geometry_at(xi_bar)];
     let centre = geometry(point.xi.into(), point.xi_bar.into());
-    // The residual is that of the parameters as they are; the matrix that of the region they may be in.
+    // The residual is taken at the given parameters, the matrix over the region in which the exact ones may be.
     let d = centre[0].x - centre[1].x;
     let residual = [d.dot(&centre[0].t), d.dot(&centre[1].t)].map(|f| f.value.abs() + f.bound);
     let steps = |[x, x_bar]: [Geometry<RunningError>; 2]| {
@@ -25,7 +25,7 @@ pub(super) fn parameters(
             row.into_iter().zip(residual).map(|(entry, f)| (entry.value.abs() + entry.bound) * f).sum::<f64>()
         })
     };
-    // The region is guessed from the matrix at its centre, doubled, and must then contain the step it yields.
+    // The region is guessed as twice the step from the matrix at its centre. It must contain the step that it yields.
     let [guess, guess_bar] = steps(centre).map(|step| 2.0 * step);
     let (xi, xi_bar) = (RunningError::new(point.xi, guess), RunningError::new(point.xi_bar, guess_bar));
     let [step, step_bar] = steps(geometry(xi, xi_bar));
@@ -67,7 +67,7 @@ mod tests {
             (point.xi, point.xi_bar) = (exact.xi + off, exact.xi_bar + off_bar);
             let (xi, xi_bar) = parameters(beams, &point).unwrap();
             assert_eq!((xi.value, xi_bar.value), (point.xi, point.xi_bar));
-            // One parameter's distance bounds the other's too, by the ratio of the half-lengths; twice the step.
+            // The distance of one parameter bounds the other one too, by the ratio of the half-lengths; twice the step.
             let (far, far_bar) = (off + off_bar.abs() / 8.0, 8.0 * off + off_bar.abs());
             assert!(xi.bound >= off && xi.bound < 5.0 * far + 1e-13, "{xi:?}");
             assert!(xi_bar.bound >= off_bar.abs() && xi_bar.bound < 5.0 * far_bar + 1e-12, "{xi_bar:?}");

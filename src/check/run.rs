@@ -8,20 +8,20 @@ use super::summary::Summary;
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// Cases between two looks at the clock.
+/// The number of cases between two checks of the time.
 const BLOCK: usize = 256;
 
-/// Draws all cases of a selection and compares them; `done` is called after each.
+/// Draws all cases of a selection and compares them; `done` is called after each case.
 ///
 /// The result depends on the config, the seed and the selection, not on the number of threads.
 pub fn run(config: &CheckConfig, seed: u64, selection: &Selection, done: impl Fn() + Sync) -> Summary {
     run_part(config, seed, &selection.part(Shard::WHOLE), None, done)
 }
 
-/// Compares the cases with these numbers, in their order, until the deadline if there is one; `done` is called after each.
+/// Compares the cases with these numbers, in order, until the deadline if there is one; `done` is called after each.
 ///
-/// The counts of the summary tell how many cases were reached: the first ones of the list. [`Summary::merge`] puts parts
-/// together.
+/// The counts of the summary show how many cases were reached: the first ones of the list. [`Summary::merge`] combines
+/// parts.
 pub fn run_part(
     config: &CheckConfig,
     seed: u64,

@@ -1,16 +1,16 @@
-//! How results are serialized: enums by name, maps by their keys, and as words the numbers that JSON does not have.
+//! How results are serialized: enums by name, maps by their keys, and numbers that JSON does not have as words.
 //!
-//! A result that is read back is the same to the last bit. So parts of a run can be merged, and pages are made again.
+//! A result that is read back is equal to the last bit. Therefore parts of a run can be merged, and pages made again.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-/// A name that the code gives. As `&'static str` it would make serde ask for text that lives as long.
+/// A name from the code. As `&'static str` it would make serde require text of static lifetime.
 pub(crate) type Name = &'static str;
 
-/// Serializes enums by their `name`, and looks for it in `ALL` when they are read.
+/// Serializes enums by their `name`, and finds them by name in `ALL` for deserialization.
 macro_rules! by_name {
     ($($type:ty),* $(,)?) => {$(
         impl serde::Serialize for $type {
@@ -57,7 +57,7 @@ pub(crate) mod number {
     }
 }
 
-/// The same with two digits, where the others say nothing.
+/// The same with two digits, for measured numbers without more meaningful digits.
 pub(crate) mod short {
     pub(crate) use super::number::deserialize;
     use serde::Serializer;
@@ -102,7 +102,7 @@ pub(crate) mod nested {
     }
 }
 
-/// A name of the code, which is kept once for all that are equal.
+/// A name of the code. Equal names are stored once.
 pub(crate) fn name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Name, D::Error> {
     static NAMES: Mutex<BTreeSet<Name>> = Mutex::new(BTreeSet::new());
     let name = String::deserialize(deserializer)?;

@@ -28,7 +28,7 @@ impl Shard {
         before(places.end) - before(places.start)
     }
 
-    /// Whether some case may belong to both.
+    /// Whether some case may belong to both shards.
     pub fn overlaps(self, other: Self) -> bool {
         let (mut a, mut b) = (self.of, other.of);
         while b > 0 {

@@ -1,9 +1,9 @@
-//! From a case with a fault to a small one with the same fault.
+//! Shrinks a case with a fault to a small case with the same fault.
 //!
-//! A drawn case has some sixty numbers of seventeen digits; what is wrong mostly shows in two straight beams and two
-//! unit directions. So the case is edited, and an edit stays if it makes the case smaller and leaves the diagnosis as
-//! it is; greedily, until no edit does or the budget is spent. The closest point is searched for anew each time: a
-//! case without a regular one has no diagnosis.
+//! A drawn case has some sixty numbers of seventeen digits. Most faults occur in two straight beams with two
+//! unit directions too. So the case is edited, and an edit stays if it makes the case smaller and does not change the
+//! diagnosis. This greedy search ends when no edit helps or the budget is spent. The closest point is searched for anew
+//! each time: a case without a regular one has no diagnosis.
 
 mod edit;
 mod frame;
@@ -18,17 +18,17 @@ use crate::test_beam::TestBeam;
 use crate::variant::Variant;
 use edit::edits;
 
-/// Most comparisons that a case is worth; one takes about half a millisecond.
+/// The maximum number of comparisons for a case. One takes about half a millisecond.
 const BUDGET: usize = 1000;
 
-/// A mismatch shrunk.
+/// A shrunk mismatch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shrunk {
     /// The number of the case that it comes from.
     pub number: u64,
-    /// What is left of it.
+    /// The shrunk case.
     pub case: CaseData,
-    /// What is wrong.
+    /// The first wrong number.
     pub finding: Finding,
 }
 
@@ -41,7 +41,7 @@ pub fn shrink_mismatches(variant: &Variant, seed: u64, summary: &Summary, most: 
         let case = Case::draw(seed, number).data();
         let Some(Finding { diagnosis, minimum, is_clear, .. }) = find(&case) else { continue };
         if shrunk.iter().all(|known| known.finding.diagnosis != diagnosis) {
-            // What is left must be a case that can pass, and have no more minima before the one in question.
+            // The shrunk case must be able to pass, and must have no more minima before the one in question.
             let simple = |found: &Finding| found.minimum <= minimum && (found.is_clear || !is_clear);
             let case = shrink(&case, |case| Some(find(case).filter(simple)?.diagnosis));
             shrunk.extend(find(&case).map(|finding| Shrunk { number, case, finding }));
@@ -50,13 +50,13 @@ pub fn shrink_mismatches(variant: &Variant, seed: u64, summary: &Summary, most: 
     shrunk
 }
 
-/// The smallest case found for which `diagnose` says the same as for `case`; the case itself if it makes no beams.
+/// The smallest case found for which `diagnose` returns the same as for `case`; `case` itself if it defines no beams.
 pub fn shrink<D: PartialEq>(case: &CaseData, diagnose: impl Fn(&CaseData) -> D) -> CaseData {
     if case.beams().is_err() {
         return case.clone();
     }
     let diagnosis = diagnose(case);
-    // Edits put ones and whole numbers, so lengths must be near one first; a verdict knows no unit.
+    // Edits insert ones and whole numbers, so lengths must be near one first. A verdict does not depend on the unit.
     let mut case = frame::near_one(case).filter(|case| diagnose(case) == diagnosis).unwrap_or(case.clone());
     let (mut size, mut budget) = (Size::of(&case), BUDGET);
     loop {
@@ -80,8 +80,8 @@ pub fn shrink<D: PartialEq>(case: &CaseData, diagnose: impl Fn(&CaseData) -> D) 
     }
 }
 
-/// How large a case is: the families count first, in the order of [`Family`](crate::test_beam::Family), then the dofs
-/// that vary, then those that are not zero, then how long the numbers are when written.
+/// The size of a case: the families count first, in the order of [`Family`](crate::test_beam::Family), then the dofs
+/// that vary, then those that are not zero, then the lengths of the written numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Size {
     families: usize,
@@ -112,7 +112,7 @@ fn not_zero(numbers: &[f64]) -> usize {
     numbers.iter().filter(|&&number| number != 0.0).count()
 }
 
-/// What the numbers take to write, with 0 for nothing and 1 for less than any other.
+/// The length of the written numbers. Zero counts 0, one counts 1, and any other number counts more.
 fn digits(numbers: &[f64]) -> usize {
     let length = |&number: &f64| match number {
         0.0 => 0,

@@ -1,4 +1,4 @@
-//! What a run of the gate found, gathered so that the order of the cases does not matter.
+//! The result of a run of the check, independent of the order of the cases.
 
 use super::arbitration::{Arbitration, DIFFERENCES};
 use super::compare::MATRICES;
@@ -13,18 +13,18 @@ use crate::test_beam::Family;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// The worst of one order of one quantity.
+/// The worst comparison of one order of one quantity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Cell {
     /// The largest error relative to its scale.
     #[serde(with = "number")]
     pub scaled_error: f64,
-    /// The case that showed it.
+    /// The case with this error.
     pub case: u64,
     /// The largest error relative to its tolerance.
     #[serde(with = "number")]
     pub over_tolerance: f64,
-    /// How many entries were compared.
+    /// The number of compared entries.
     pub entries: u64,
 }
 
@@ -33,7 +33,7 @@ impl Cell {
         if other.entries == 0 {
             return;
         }
-        // Of equals the smallest case number, so that threads do not matter.
+        // Of equal errors the smallest case number is kept, so that the result does not depend on threads.
         if (other.scaled_error, std::cmp::Reverse(other.case))
             > (self.scaled_error, std::cmp::Reverse(self.case))
             || self.entries == 0
@@ -54,7 +54,7 @@ fn merge(cells: &mut BTreeMap<(Quantity, Order), Cell>, others: &BTreeMap<(Quant
 /// Points or cases that were not compared for one reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NotCompared {
-    /// How many.
+    /// The number of points or cases.
     pub count: u64,
     /// The first case of them.
     pub first_case: u64,
@@ -73,12 +73,12 @@ pub struct Tally {
     pub mismatches: u64,
     /// The worst scaled error of all.
     pub worst: Cell,
-    /// What was not compared, by reason.
+    /// The points or cases that were not compared, by reason.
     pub not_compared: BTreeMap<Inconclusive, NotCompared>,
 }
 
 impl Tally {
-    /// How many points or cases were not compared.
+    /// The number of points or cases that were not compared.
     pub fn left_out(&self) -> u64 {
         self.not_compared.values().map(|what| what.count).sum()
     }
@@ -101,7 +101,7 @@ impl Tally {
     }
 }
 
-/// All that is reported of a run.
+/// The result of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// The worst errors, by quantity and order; those with respect to the differences are in `differences`.
@@ -109,29 +109,29 @@ pub struct Summary {
     pub quantities: BTreeMap<(Quantity, Order), Cell>,
     /// The counts, by regime.
     pub regimes: BTreeMap<Regime, Tally>,
-    /// How many closest points were compared, by family of either beam.
+    /// The number of compared closest points, by family of either beam.
     pub families: BTreeMap<Family, u64>,
-    /// How many closest points were compared, by pair of families.
+    /// The number of compared closest points, by pair of families.
     #[serde(with = "nested")]
     pub pairs: BTreeMap<(Family, Family), u64>,
     /// The cases that did not agree, by number.
     pub mismatches: BTreeMap<u64, Mismatch>,
-    /// What the differences in double-double were asked, and answered.
+    /// The results of the differences in double-double.
     pub differences: Differences,
 }
 
 /// A case that did not agree.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mismatch {
-    /// What is wrong first.
+    /// The first wrong number.
     pub kind: Option<MismatchKind>,
-    /// Who is wrong.
+    /// The wrong side.
     pub arbitration: Option<Arbitration>,
-    /// The entry that is furthest off.
+    /// The entry with the largest error.
     pub worst: Comparison,
 }
 
-/// What is wrong first, in the order in which numbers are computed.
+/// The first wrong number, in the order of computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct MismatchKind {
     /// The code that computes the number.
@@ -144,7 +144,7 @@ pub struct MismatchKind {
 }
 
 impl MismatchKind {
-    /// The kind of a mismatch that begins with this number.
+    /// The kind of a mismatch whose first wrong number is this one.
     pub fn of(&Comparison { order, quantity, against, .. }: &Comparison) -> Self {
         // The matrices and the kernel are compared with the equations, the equations with the references.
         let candidate = match (order, against) {
@@ -156,14 +156,14 @@ impl MismatchKind {
     }
 }
 
-/// Closest points at which the differences in double-double were asked.
+/// Closest points at which the differences in double-double were computed.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Differences {
-    /// Points where they were asked and had an answer.
+    /// Points with a result.
     pub points: u64,
-    /// Of these, points where no tolerance for AD means anything, for some number.
+    /// Of these, points where the tolerance for AD is not meaningful, for some number.
     pub unclear: u64,
-    /// Of these, points that they decided.
+    /// Of these, points where the differences decided.
     pub decided: u64,
     /// The worst errors with respect to them, by quantity and order.
     #[serde(with = "nested")]
@@ -216,7 +216,7 @@ impl Summary {
                 Verdict::Mismatch(entries) => {
                     tally.mismatches += 1;
                     let earlier = self.mismatches.remove(&case.number);
-                    // What the differences tell is listed only where nothing else is wrong.
+                    // A comparison with the differences is listed only if no other one is wrong.
                     let rank = |entry: &Comparison| (entry.is_wrong(), entry.against != DIFFERENCES);
                     let meaningful = entries.iter().filter(|entry| entry.is_meaningful()).copied();
                     let worst = meaningful.chain(earlier.map(|earlier| earlier.worst)).max_by(|a, b| {
@@ -267,7 +267,7 @@ impl Summary {
         }
     }
 
-    /// The summary of both.
+    /// The sum of both summaries.
     #[must_use]
     pub fn merge(mut self, other: Self) -> Self {
         merge(&mut self.quantities, &other.quantities);

@@ -1,11 +1,11 @@
-//! What a comparison finds: single entries, and the verdict on a closest point.
+//! The results of a comparison: single entries, and the verdict on a closest point.
 
 use super::serialized::{Name, by_name, name, number};
 use crate::linearization::Quantity;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// Which part of a quantity is compared.
+/// The part of a quantity that is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Order {
     /// The value.
@@ -38,20 +38,20 @@ impl Order {
 
 by_name!(Order);
 
-/// One entry, as the two sides have it.
+/// One entry, with the numbers of both sides.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// The quantity.
     pub quantity: Quantity,
-    /// The component, of a vector.
+    /// The component, if the quantity is a vector.
     #[serde(rename = "component")]
     pub axis: Option<char>,
-    /// Which part of it.
+    /// The part of the quantity.
     pub order: Order,
-    /// The same in the words of [`Varied::PARTS`](crate::linearization::Varied::PARTS), which tell the two first variations apart.
+    /// Its name in [`Varied::PARTS`](crate::linearization::Varied::PARTS), which differs for the two first variations.
     #[serde(deserialize_with = "name")]
     pub part: Name,
-    /// What it was compared with.
+    /// The reference.
     #[serde(deserialize_with = "name")]
     pub against: Name,
     /// The closed form's number.
@@ -63,16 +63,16 @@ pub struct Comparison {
     /// The sum of the absolute values of the closed form's terms.
     #[serde(with = "number")]
     pub scale: f64,
-    /// How far rounding may have taken the closed form's number.
+    /// The largest rounding error of the closed form's number.
     #[serde(with = "number")]
     pub bound: f64,
-    /// The largest difference that rounding of both explains.
+    /// The largest difference that the rounding of both explains.
     #[serde(with = "number")]
     pub tolerance: f64,
 }
 
 impl Comparison {
-    /// The absolute difference. What is not a number is infinitely far from everything.
+    /// The absolute difference. It is infinite if one of the two is not a number.
     pub fn difference(&self) -> f64 {
         let error = (self.closed - self.other).abs();
         if error.is_nan() { f64::INFINITY } else { error }
@@ -88,7 +88,7 @@ impl Comparison {
         relative(self.difference(), self.tolerance)
     }
 
-    /// Whether the two agree. What is not a number agrees with nothing.
+    /// Whether the two agree. A value that is not a number agrees with none.
     pub fn agrees(&self) -> bool {
         let difference = self.difference();
         difference == 0.0 || (difference.is_finite() && difference <= self.tolerance)
@@ -99,10 +99,10 @@ impl Comparison {
         self.is_meaningful() && !self.agrees()
     }
 
-    /// Whether the tolerance is small enough to mean anything: below a thousandth of the scale, or of the other number,
-    /// as the scale is the closed form's own and may be what is wrong with it.
+    /// Whether the tolerance is meaningful: below a thousandth of the scale, or of the other number. The scale alone
+    /// does not suffice, because it belongs to the closed form and may be wrong.
     ///
-    /// A closed form that is infinite or no number where the other one is finite is wrong, whatever its tolerance.
+    /// A closed form that is infinite or not a number while the other one is finite is wrong, for any tolerance.
     pub fn is_meaningful(&self) -> bool {
         let size = self.scale.max(self.other.abs());
         let is_small = self.tolerance <= 1e-3 * size && self.tolerance.is_finite();
@@ -119,7 +119,7 @@ fn relative(error: f64, to: f64) -> f64 {
     }
 }
 
-/// Why a closest point, or a whole case, was not compared.
+/// The reason why a closest point, or a whole case, was not compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Inconclusive {
@@ -133,13 +133,13 @@ pub enum Inconclusive {
     Crossing,
     /// A tangent has no length.
     ZeroTangent,
-    /// A parameter is just about to leave its end: a kink.
+    /// A parameter is about to leave its end: a kink.
     WeakEnd,
-    /// The projection is regular, but not over the region that the closest point is known to lie in.
+    /// The projection is regular, but not over the region that contains the closest point.
     IllConditioned,
     /// Rounding explains differences of more than a thousandth of some scale.
     NotMeaningful,
-    /// A number, or a product that it is computed from, is larger or smaller than an `f64` can be: bounds on rounding mean nothing.
+    /// A number, or a product in its computation, is beyond the range of `f64`. Bounds on rounding are not meaningful.
     OutOfRange,
 }
 
@@ -160,19 +160,19 @@ impl Inconclusive {
     }
 }
 
-/// What became of a closest point.
+/// The verdict on a closest point.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// All entries agree.
     Pass(Vec<Comparison>),
-    /// Some do not.
+    /// Some entries do not agree.
     Mismatch(Vec<Comparison>),
-    /// They could not be compared, or to no avail: then the entries show where.
+    /// They could not be compared, or not meaningfully. In the second case the entries show where.
     Inconclusive(Inconclusive, Vec<Comparison>),
 }
 
 impl Verdict {
-    /// What was compared.
+    /// The compared entries.
     pub fn entries(&self) -> &[Comparison] {
         match self {
             Self::Pass(entries) | Self::Mismatch(entries) | Self::Inconclusive(_, entries) => entries,
@@ -180,7 +180,7 @@ impl Verdict {
     }
 }
 
-/// Whether each number was compared, with one oracle at least, to a tolerance that means something.
+/// Whether each number was compared with at least one oracle to a meaningful tolerance.
 pub(super) fn is_decided<'a>(mut entries: impl Iterator<Item = &'a Comparison> + Clone) -> bool {
     if entries.clone().all(Comparison::is_meaningful) {
         return true;
@@ -232,7 +232,7 @@ mod tests {
     fn a_tolerance_above_a_thousandth_means_nothing() {
         let with = |tolerance, scale, other| Comparison { other, scale, tolerance, ..NUMBERS };
         assert!(with(4e-3, 4.0, 2.5).is_meaningful() && !with(4.1e-3, 4.0, 2.5).is_meaningful());
-        // The closed form's own scale may be what is wrong with it.
+        // The scale of the closed form may itself be wrong.
         assert!(with(8e-3, 4.0, -8.0).is_meaningful() && !with(8.1e-3, 4.0, -8.0).is_meaningful());
         assert!(
             with(0.0, 0.0, 0.0).is_meaningful() && !with(f64::INFINITY, f64::INFINITY, 0.0).is_meaningful()

@@ -1,14 +1,14 @@
-//! What the gradient of the squared distance can do over a box of parameters, from Taylor's theorem at its centre.
+//! Bounds on the gradient of the squared distance over a box of parameters, from Taylor's theorem at its centre.
 
 use super::SquaredDistance;
 use super::point::SINGULAR;
 use super::tree::Node;
 
-/// Room for rounding, relative to the half-widths of a box.
+/// A margin for rounding, relative to the half-widths of a box.
 const SLACK: f64 = 1.0 + 1.0 / 16.0;
-/// The inflation of a box in which a zero is unique, over which the bounds grow by its cube at most.
+/// The inflation of a box in which a zero is unique. The bounds grow at most by its cube.
 pub(super) const INFLATION: f64 = 1.25;
-/// A zero on the rim of an inflated box may be known from the box next door, up to rounding.
+/// A zero on the boundary of an inflated box may be a known zero of a neighbouring box, up to rounding.
 pub(super) const NEXT_DOOR: f64 = INFLATION * (1.0 + 1e-6);
 const INFLATED: f64 = INFLATION * INFLATION * INFLATION;
 
@@ -16,14 +16,14 @@ const INFLATED: f64 = INFLATION * INFLATION * INFLATION;
 ///
 /// # Derivation
 /// Write u, v for the distances from the centre, |u| <= h, |v| <= k. With t(u) = t + u t,xi + ρ₁, ‖ρ₁‖ <= h²M/2, and
-/// alike for d and t,xi, where M bounds ‖x,xixixi‖, the Hessian differs from that at the centre by at most
+/// likewise for d and t,xi, where M bounds ‖x,xixixi‖, the Hessian differs from that at the centre by at most
 ///
 /// ```math
 /// |Δa| ≤ 3h|t·t,ξ| + k|t̄·t,ξ| + ‖Δt‖² + 2‖ρ₁‖‖t‖ + ‖ρ₀‖‖t,ξ‖ + ‖d‖ hM
 /// |Δb| ≤ h|t̄·t,ξ| + k|t·t̄,ξ| + ‖ρ₁‖‖t̄‖ + ‖ρ̄₁‖‖t‖ + ‖Δt‖‖Δt̄‖
 /// ```
 ///
-/// where ρ₀ is the remainder of d, and Δā like Δa with the beams swapped. All terms vanish at the centre and grow at
+/// where ρ₀ is the remainder of d, and Δā is Δa with the beams exchanged. All terms vanish at the centre and grow at
 /// least linearly along rays, so that the mean of ΔH over a ray is at most half of the bound at its end, and the
 /// gradient differs from its linear part by at most (Δa h + Δb k)/2 and (Δb h + Δā k)/2.
 #[derive(Clone, Copy)]
@@ -59,7 +59,7 @@ impl Bounds {
         let da_bar = own(y, k, h, cross_bar);
         let db = h * cross + k * cross_bar + x.twist * y.speed + y.twist * x.speed + x.turn * y.turn;
         let SquaredDistance { a, b, a_bar, det, .. } = squared_distance;
-        // H⁻¹H is off by the rounding of a a_bar + b² next to det H.
+        // The error of H⁻¹H is the rounding of a a_bar + b² relative to det H.
         let invertible = det.abs() > SINGULAR * ((a * a_bar).abs() + b * b);
         let scale = if invertible { 1.0 / det } else { f64::NAN };
         Self {
@@ -99,7 +99,7 @@ impl Bounds {
         INFLATED * (first / h).max(second / k)
     }
 
-    /// Whether the Hessian is singular to rounding all over the box, so that halving it is of no use.
+    /// Whether the Hessian is singular to rounding in the whole box, so that halving the box is of no use.
     pub(super) fn is_flat(&self) -> bool {
         let [t2, t_bar2] = self.squared_distance.squares;
         let [da, db, da_bar] = self.change;
@@ -109,18 +109,18 @@ impl Bounds {
             && self.squared_distance.smallest_magnitude(super::Held::default()) <= SINGULAR
     }
 
-    /// The Lipschitz constant for component `i` as a function of its own parameter; the other one has no width.
+    /// The Lipschitz constant for component `i` as a function of its own parameter. The other parameter has no width.
     pub(super) fn contraction_along(&self, i: usize) -> f64 {
         INFLATED * self.change[2 * i] / self.curvature(i).abs()
     }
 
-    /// Whether the curvature in parameter `i` is zero to rounding all over the interval.
+    /// Whether the curvature in parameter `i` is zero to rounding in the whole interval.
     pub(super) fn is_flat_along(&self, i: usize) -> bool {
         let scale = SINGULAR * self.squared_distance.squares[i];
         self.change[2 * i] <= scale && self.curvature(i).abs() <= scale
     }
 
-    /// Whether F is concave in parameter `i` all over the box, so that there is no minimum along it.
+    /// Whether F is concave in parameter `i` in the whole box, so that there is no minimum along it.
     pub(super) fn is_concave_along(&self, i: usize) -> bool {
         self.curvature(i) < -self.change[2 * i]
     }

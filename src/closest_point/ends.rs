@@ -6,7 +6,7 @@ use super::tree::{ENDS, ROOT};
 use super::unresolved::{Region, gather};
 use super::{ClosestPoint, End, Held, Kind, ProjectionError, Search, SquaredDistance};
 
-/// What the edges and corners hold.
+/// The results for the edges and corners.
 #[derive(Default)]
 pub(super) struct Rim {
     pub(super) minima: Vec<ClosestPoint>,
@@ -35,7 +35,7 @@ pub(super) fn rim(pair: &mut Pair, search: &Search) -> Result<Rim, ProjectionErr
     Ok(rim)
 }
 
-/// The same search as over the square, along parameter `free` with the other one held at `end`.
+/// The search of the square, along parameter `free` alone, with the other one held at `end`.
 fn edge(
     pair: &mut Pair,
     search: &Search,
@@ -98,7 +98,7 @@ fn edge(
 impl Rim {
     /// Takes a point that is stationary along its edge if the gradient across points outward.
     ///
-    /// If it points inward ever so slightly, the zero is inside the square and found there.
+    /// If it points inward, however slightly, the zero is inside the square and is found there.
     fn accept(&mut self, point: ClosestPoint) {
         let outward = [point.end, point.end_bar].into_iter().flatten().all(|end| end.multiplier >= 0.0);
         if outward && point.kind == Kind::Minimum {
@@ -107,7 +107,7 @@ impl Rim {
     }
 }
 
-/// The point with more ends held that a stationary point is so near to that only rounding tells them apart.
+/// The point with more parameters held that equals a stationary point up to rounding, if there is one.
 pub(super) fn at_end(pair: &Pair, zero: &ClosestPoint) -> Option<ClosestPoint> {
     const NEAR: f64 = 1.0 - 1e-7;
     let now = zero.held();

@@ -4,11 +4,11 @@ use super::Side;
 use crate::number::Which;
 use thiserror::Error;
 
-/// Why there is no closest point to work with.
+/// The reasons why there is no usable closest point.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ProjectionError {
-    /// A position, a derivative, a bound or a start is infinite or not a number, or a square of one is.
+    /// A position, a derivative, a bound or a start is infinite or not a number, or its square is.
     #[error("a curve, its bound or the start is not finite, or too large to be squared")]
     NonFinite,
     /// All points of one curve coincide, so that it has no tangent.
@@ -17,7 +17,7 @@ pub enum ProjectionError {
         /// The beam of the curve.
         which: Which,
     },
-    /// The closest point is not isolated, or not to be told from one that is not: parallel or coaxial centroids.
+    /// The closest point is not isolated, or not within rounding: parallel or coaxial centroids.
     #[error("the closest point is not unique: the smallest scaled eigenvalue is {conditioning:e}")]
     Singular {
         /// The smallest eigenvalue of the Hessian for unit tangents.

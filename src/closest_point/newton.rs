@@ -4,23 +4,23 @@ use super::{Centroid, ClosestPoint, Held, ProjectionError, Side, SquaredDistance
 use crate::curve::Geometry;
 use crate::number::Which;
 
-/// The most steps. A simple zero takes two or three from nearby, a multiple one gains a bit a step.
+/// The maximum number of steps. A simple zero takes two or three from nearby. A multiple one gains one bit a step.
 const STEPS: usize = 60;
-/// Steps below this, in the parameters, are the last ones.
+/// A step below this, in the parameters, is the last one.
 const SMALL: f64 = 1e-7;
-/// Steps below this leave an error of their square: rounding.
+/// After a step below this, the error is the square of the step, which is rounding.
 const LAST: f64 = 1e-8;
-/// The widest step, in both parameters together, that Taylor's polynomials are trusted for.
+/// The widest step, in both parameters together, for which Taylor polynomials are used.
 const REACH: f64 = 0.5;
 
-/// Follows Newton's method from `start` to the last digit, with the `held` parameters held at their ends.
+/// Iterates Newton's method from `start` to the last digit, with the `held` parameters held at their ends.
 ///
-/// The parameters that are free stay in [-1, 1]; those that are held are put to the end they are nearest to. Whether
-/// the point is a minimum is for [`ClosestPoint::kind`] to say.
+/// The free parameters stay in [-1, 1]. The held parameters are set to the nearest end. [`ClosestPoint::kind`] says
+/// whether the point is a minimum.
 ///
 /// # Errors
 /// [`ProjectionError::NonFinite`] if the start, a curve or a square of its numbers is not finite,
-/// [`ProjectionError::Singular`] if the Hessian becomes singular, or so nearly that its steps say nothing,
+/// [`ProjectionError::Singular`] if the Hessian becomes singular, or so nearly that the steps have no meaning,
 /// [`ProjectionError::AtEnd`] if the steps lead out of a beam, [`ProjectionError::NotConverged`] if they do not become small.
 pub fn refine(
     beam: &dyn Centroid,
@@ -35,7 +35,7 @@ pub fn refine(
     let start = (place(held.xi, start.0), place(held.xi_bar, start.1));
     let cubic = beam.is_cubic() && bar.is_cubic();
     let mut current = Iterate::at(beam, bar, start)?;
-    // At rounding level the least gradient is the best, and the steps may go on from a point that is worse.
+    // At rounding level the iterate with the smallest gradient is the best one. Later iterates may be worse.
     let mut best: Option<Iterate> = None;
     let mut previous = f64::INFINITY;
     for _ in 0..STEPS {
@@ -63,7 +63,7 @@ pub fn refine(
         } else {
             Iterate::at(beam, bar, at)?
         };
-        // Far away the gradient may grow for a while.
+        // Far from the zero the gradient may grow for some steps.
         let least = &best.as_ref().unwrap_or(&current).squared_distance;
         if size >= SMALL || new.squared_distance.slope(held) < least.slope(held) {
             best = None;
@@ -77,12 +77,12 @@ pub fn refine(
     settled(end.at, &end.squared_distance, held)
 }
 
-/// The point where the steps have ended, if they have become small.
+/// The point where the iteration ended, if the steps have become small.
 #[inline]
 fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoint, ProjectionError> {
     let point = ClosestPoint::new(at, p, held);
-    // Where positions carry much rounding the slope stays large; then the step that it still asks for is judged, unless
-    // it leads out of the square.
+    // If the positions have large rounding errors, the slope stays large. Then the next step has to be small, and must
+    // not leave the square.
     let (step, step_bar) = p.step(held);
     let free = [(0, held.xi, at.0, step), (1, held.xi_bar, at.1, step_bar)];
     let free = || free.into_iter().filter(|&(i, held, ..)| !held && !p.is_weak(i));
@@ -99,7 +99,7 @@ fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoi
     Ok(point)
 }
 
-/// A pair of parameters with all that is known there.
+/// A pair of parameters with the quantities computed there.
 struct Iterate {
     at: (f64, f64),
     geometry: [Geometry<f64>; 2],
@@ -119,7 +119,7 @@ impl Iterate {
         Ok(Self { at, geometry, squared_distance, evaluated: true })
     }
 
-    /// The same by Taylor's polynomials of third degree.
+    /// The iterate at other parameters, with the curves from their Taylor polynomials of third degree.
     #[inline(always)]
     fn extrapolated(&self, at: (f64, f64)) -> Self {
         let geometry = self.geometry_at(at);
@@ -131,23 +131,23 @@ impl Iterate {
         }
     }
 
-    /// The curves by these polynomials.
+    /// The curves from these polynomials.
     #[inline(always)]
     fn geometry_at(&self, at: (f64, f64)) -> [Geometry<f64>; 2] {
         [about(&self.geometry[0], at.0 - self.at.0), about(&self.geometry[1], at.1 - self.at.1)]
     }
 
-    /// Where Newton's method leads from here through `next`, with Taylor's polynomials for the curves.
+    /// The result of Newton's method from here through `next`, with Taylor polynomials in place of the curves.
     ///
-    /// They are the curves themselves where these are cubic, and a step of any curve is worth two or three of
-    /// Newton's. Where a step is not much smaller than the one before, the polynomials are left.
+    /// The polynomials are exact if the curves are cubic. For other curves, this result replaces two or three Newton
+    /// steps. The loop stops if a step is not much smaller than the one before.
     #[inline]
     fn ahead(&self, mut next: (f64, f64), mut size: f64, held: Held) -> (f64, f64) {
         while size > LAST && size < REACH {
             let [x, x_bar] = self.geometry_at(next);
             let further = moved(next, SquaredDistance::new(&x, &x_bar).step(held));
             let step = apart(next, further);
-            // Not a number: the polynomials are singular there.
+            // If the step is not a number, the polynomials are singular there.
             if step.is_nan() || step > 0.25 * size {
                 break;
             }
@@ -157,7 +157,7 @@ impl Iterate {
     }
 }
 
-/// Taylor's polynomial of third degree, `h` away from where the geometry is known.
+/// The Taylor polynomial of third degree, at the distance `h` from the point of the known geometry.
 #[inline]
 fn about(at: &Geometry<f64>, h: f64) -> Geometry<f64> {
     let Geometry { x, t, t_xi, t_xixi } = at;
@@ -170,13 +170,13 @@ fn about(at: &Geometry<f64>, h: f64) -> Geometry<f64> {
     }
 }
 
-/// Parameters after a step, which does not leave the square.
+/// The parameters after a step, limited to the square.
 #[inline]
 fn moved(at: (f64, f64), step: (f64, f64)) -> (f64, f64) {
     ((at.0 + step.0).clamp(-1.0, 1.0), (at.1 + step.1).clamp(-1.0, 1.0))
 }
 
-/// How far two pairs of parameters are from each other; not a number if one of the four is not.
+/// The distance of two pairs of parameters; not a number if one of the four is not.
 #[inline]
 fn apart(one: (f64, f64), other: (f64, f64)) -> f64 {
     (one.0 - other.0).abs() + (one.1 - other.1).abs()

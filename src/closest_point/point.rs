@@ -1,4 +1,4 @@
-//! One closest (or otherwise stationary) point: where it is, what it is and how well it is determined.
+//! One closest (or otherwise stationary) point: its parameters, its kind and its conditioning.
 
 use super::SquaredDistance;
 use crate::number::Which;
@@ -10,11 +10,11 @@ pub(super) const STANDSTILL: f64 = 9e-13;
 /// Scaled multipliers below this are zero: the end is weakly held.
 pub(super) const WEAK: f64 = 9e-13;
 
-/// Scaled eigenvalues from this on leave gradients of the parameters most of their digits.
+/// From this scaled eigenvalue on, the gradients of the parameters keep most of their digits.
 const CLEAR: f64 = 1e-3;
-/// The relative error of these gradients from which on a point is ill-conditioned.
+/// From this relative error of these gradients on, a point is ill-conditioned.
 const TOO_LARGE: f64 = 1e-6;
-/// The parameters of a minimum of fourth order are known to the fourth root of the rounding of d².
+/// The parameters of a minimum of fourth order are accurate to the fourth root of the rounding of d².
 const FOURTH_ORDER: f64 = 1.7e-4;
 
 /// A stationary point of the distance over the square of the two parameters, or over one of its edges or corners.
@@ -26,11 +26,11 @@ pub struct ClosestPoint {
     /// xi_bar, the parameter on the bar beam.
     #[doc(alias = "eta")]
     pub xi_bar: f64,
-    /// The end of the first beam that holds xi, if one does.
+    /// The end of the first beam at which xi is held, if it is held.
     pub end: Option<End>,
-    /// The end of the bar beam that holds xi_bar, if one does.
+    /// The end of the bar beam at which xi_bar is held, if it is held.
     pub end_bar: Option<End>,
-    /// What kind of stationary point it is within the square.
+    /// The kind of stationary point within the square.
     pub kind: Kind,
     /// d = ‖x - x_bar‖, in the user's unit of length.
     pub distance: f64,
@@ -41,11 +41,11 @@ pub struct ClosestPoint {
     /// It is 1 - |cos θ| for straight beams at the angle θ, and infinite if no parameter is free.
     pub conditioning: f64,
     degeneracy: Option<Degeneracy>,
-    /// How far xi and xi_bar may be off, where that is more than some digits.
+    /// The possible errors of xi and xi_bar, if they exceed a few digits.
     uncertainty: [f64; 2],
 }
 
-/// What a stationary point of the distance is.
+/// The kind of a stationary point of the distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A local minimum.
@@ -56,12 +56,12 @@ pub enum Kind {
     Maximum,
 }
 
-/// The end of a beam that holds a parameter.
+/// The end of a beam at which a parameter is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// Which end.
     pub side: Side,
-    /// Whether the multiplier is clearly not zero. If it is not, derivatives exist to one side only.
+    /// Whether the multiplier is clearly not zero. If it is not, only one-sided derivatives exist.
     pub strict: bool,
     /// The cosine of the angle between d and the tangent, positive where leaving the end would increase the distance.
     pub multiplier: f64,
@@ -85,7 +85,7 @@ pub struct Held {
     pub xi_bar: bool,
 }
 
-/// What keeps a point from having derivatives that can be trusted.
+/// The reasons why the derivatives at a point are unreliable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Degeneracy {
@@ -94,19 +94,19 @@ pub enum Degeneracy {
         /// The beam of the tangent.
         which: Which,
     },
-    /// D = 0 to rounding: the parameters have no derivative.
+    /// D = 0 up to rounding: the parameters have no derivative.
     Singular {
         /// The scaled eigenvalue of the Hessian that is smallest in size.
         conditioning: f64,
     },
-    /// A parameter is just about to leave its end: derivatives exist to one side only.
+    /// A parameter is about to leave its end: only one-sided derivatives exist.
     WeakEnd {
         /// The scaled multiplier.
         multiplier: f64,
     },
     /// The centroids cross, d = 0: the parameters have derivatives, the distance has none.
     Crossing,
-    /// D is so near 0 that rounding takes most digits of the parameters' derivatives; those of the distance keep theirs.
+    /// D is so near 0 that rounding destroys most digits of the parameters' derivatives, but not those of the distance.
     IllConditioned {
         /// The scaled eigenvalue of the Hessian that is smallest in size.
         conditioning: f64,
@@ -116,7 +116,7 @@ pub enum Degeneracy {
 }
 
 impl ClosestPoint {
-    /// Describes the point at the parameters (`xi`, `xi_bar`), of which `held` ones are held.
+    /// Describes the point at the parameters (`xi`, `xi_bar`), with the `held` ones held.
     pub(super) fn new((xi, xi_bar): (f64, f64), p: &SquaredDistance, held: Held) -> Self {
         let end = held.xi.then(|| End::new(p, 0, xi));
         let end_bar = held.xi_bar.then(|| End::new(p, 1, xi_bar));
@@ -165,7 +165,7 @@ impl ClosestPoint {
         self.held() == Held::default()
     }
 
-    /// Whether two descriptions are of the same point, as far as rounding lets them be told apart.
+    /// Whether two points are equal up to rounding.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         let near = |i: usize, difference: f64| {
             difference.abs() < (self.uncertainty[i] + other.uncertainty[i]).max(1e-9)
@@ -173,12 +173,12 @@ impl ClosestPoint {
         self.held() == other.held() && near(0, self.xi - other.xi) && near(1, self.xi_bar - other.xi_bar)
     }
 
-    /// Whether all ends that hold a parameter do so strictly.
+    /// Whether every held parameter is strictly held.
     pub fn is_strict(&self) -> bool {
         [self.end, self.end_bar].into_iter().flatten().all(|end| end.strict)
     }
 
-    /// The gravest reason not to trust derivatives at this point, if there is one.
+    /// The most severe reason why derivatives at this point are unreliable, if there is one.
     pub fn degeneracy(&self) -> Option<Degeneracy> {
         self.degeneracy
     }
@@ -192,7 +192,7 @@ impl End {
 }
 
 impl Side {
-    /// The end that a parameter is nearest to.
+    /// The end nearest to a parameter.
     pub(super) fn nearest(at: f64) -> Self {
         if at < 0.0 { Self::Lower } else { Self::Upper }
     }
@@ -207,7 +207,7 @@ impl Side {
 }
 
 impl Kind {
-    /// The kind of a stationary point: the sign of the Hessian over the parameters that no end holds strictly.
+    /// The kind of a stationary point: the sign of the Hessian over the parameters that are not strictly held.
     fn new(p: &SquaredDistance, end: Option<End>, end_bar: Option<End>) -> Self {
         let strict = |end: Option<End>| end.is_some_and(|end| end.strict);
         let inward = |end: Option<End>| end.is_some_and(|end| end.strict && end.multiplier < 0.0);
@@ -216,7 +216,7 @@ impl Kind {
         }
         let held = Held { xi: strict(end), xi_bar: strict(end_bar) };
         if let (Some(end), Some(end_bar), false, false) = (end, end_bar, held.xi, held.xi_bar) {
-            // In a corner both parameters can only move into the square: the Hessian has to be copositive only.
+            // In a corner both parameters can only move into the square, so the Hessian only has to be copositive.
             let b = if end.side == end_bar.side { -p.b } else { p.b };
             if p.a > 0.0 && p.a_bar < 0.0 && b >= 0.0 {
                 return Self::Minimum;

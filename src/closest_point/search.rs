@@ -5,22 +5,22 @@ use super::tree::{Node, ROOT, Tree};
 use super::unresolved::{Region, gather};
 use super::{Centroid, ClosestPoint, Degeneracy, Held, ProjectionError, Search, refine};
 
-/// Below this Lipschitz constant Newton's method finds the zero of a box if there is one; below 1 there is one at most.
+/// Below this Lipschitz constant Newton's method finds the zero of a box, if it has one. Below 1 it has at most one.
 pub(super) const CERTAIN: f64 = 0.25;
-/// Below 1 with room for the rounding of the Hessian's inverse.
+/// Below 1, with a margin for the rounding of the Hessian's inverse.
 pub(super) const UNIQUE: f64 = 0.75;
 
-/// The most boxes left open that Newton's method is tried from.
+/// The maximum number of open boxes from which Newton's method starts.
 const SAMPLES: usize = 64;
 
-/// What the boxes of the square hold.
+/// The results for the boxes of the square.
 pub(super) struct Inside {
     pub(super) zeros: Vec<ClosestPoint>,
     pub(super) open: Vec<Region>,
     pub(super) boxes: usize,
 }
 
-/// The two curves, as the search sees them.
+/// The two curves, as the search uses them.
 pub(super) struct Pair<'a> {
     pub(super) curves: [&'a dyn Centroid; 2],
     pub(super) trees: [Tree<'a>; 2],
@@ -38,9 +38,9 @@ impl Pair<'_> {
 
 /// Finds the zeros of the gradient in the square.
 ///
-/// A box is discarded if the gradient provably has no zero in it. If it provably has one at most, Newton's method
-/// decides: either it converges to the zero, or the map that it starts with contracts so strongly that it would have
-/// converged, had there been one. All other boxes are halved, up to the limits of `search`.
+/// A box is discarded if the gradient provably has no zero in it. If it provably has at most one, Newton's method
+/// decides. Either it converges to the zero, or there is none, because the first map contracts so strongly that the
+/// method would have converged to it. All other boxes are halved, up to the limits of `search`.
 pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, ProjectionError> {
     let mut zeros: Vec<ClosestPoint> = Vec::new();
     let mut queue = vec![[ROOT, ROOT]];
@@ -103,7 +103,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
     Ok(Inside { zeros, open: gather(open), boxes: next })
 }
 
-/// Adds the regular zeros that Newton's method finds from some of the boxes that are left open.
+/// Adds the regular zeros that Newton's method finds from some of the open boxes.
 fn sample(pair: &Pair, open: &[Region], zeros: &mut Vec<ClosestPoint>) {
     for region in open.iter().step_by(open.len() / SAMPLES + 1) {
         if let Ok(zero) = pair.refine(region.nearest, Held::default())

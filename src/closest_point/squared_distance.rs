@@ -5,7 +5,7 @@ use super::point::{SINGULAR, STANDSTILL, WEAK};
 use crate::curve::Geometry;
 use nalgebra::{Matrix2, Vector2, Vector3};
 
-/// Lengths below this, relative to the positions and tangents, are rounding.
+/// Lengths below this, relative to the positions and tangents, are zero to rounding.
 const ROUNDING: f64 = 9e-16;
 
 /// F = |d|²/2 with its derivatives in (xi, xi_bar) at a pair of points.
@@ -68,7 +68,7 @@ impl SquaredDistance {
         }
     }
 
-    /// Whether the squares of all numbers of both curves are finite, and with them the numbers.
+    /// Whether the squares of all numbers of both curves are finite, and hence the numbers themselves.
     pub(super) fn is_finite(&self) -> bool {
         let [bend, bend_bar] = self.bends;
         let [twist, twist_bar] = self.twists;
@@ -88,14 +88,14 @@ impl SquaredDistance {
         self.eigenvalues(held)[0]
     }
 
-    /// The size of the eigenvalue of smallest size.
+    /// The smallest absolute value of the eigenvalues.
     pub(super) fn smallest_magnitude(&self, held: Held) -> f64 {
         let [low, high] = self.eigenvalues(held);
         low.abs().min(high.abs())
     }
 
-    /// The eigenvalues for unit tangents in ascending order, each to its own last digits; one free parameter has two
-    /// equal ones.
+    /// The eigenvalues for unit tangents in ascending order, each with a small relative error. One free parameter gives
+    /// two equal ones.
     pub(super) fn eigenvalues(&self, held: Held) -> [f64; 2] {
         let [t2, t_bar2] = self.squares;
         let (first, second) = (self.a / t2, -self.a_bar / t_bar2);
@@ -107,7 +107,7 @@ impl SquaredDistance {
                 let root = ((first - second).powi(2) + 4.0 * (self.b / t2) * (self.b / t_bar2)).sqrt();
                 let (trace, det) = (first + second, self.det / t2 / t_bar2);
                 let large = 0.5 * (trace + root.copysign(trace));
-                // The determinant has no cancellation between parallel tangents, but rounds as if large were 1.
+                // The determinant does not cancel between parallel tangents, but rounds as if large were 1.
                 let small = if large.abs() > 0.5 { det / large } else { trace - large };
                 if trace < 0.0 { [large, small] } else { [small, large] }
             }
@@ -121,27 +121,27 @@ impl SquaredDistance {
         if self.is_crossing() || still { 0.0 } else { self.gradient[i] / scale }
     }
 
-    /// t·t + t,xi·t,xi: the size of tangent `i` even about a point where it vanishes.
+    /// t·t + t,xi·t,xi: the size of tangent `i`, even near a point where it vanishes.
     fn size2_about(&self, i: usize) -> f64 {
         self.squares[i] + self.bends[i]
     }
 
-    /// Whether the rounding of d may be what keeps a scaled eigenvalue of this size from being zero.
+    /// Whether a scaled eigenvalue of this size may be zero up to the rounding of d.
     ///
-    /// What it contributes to the scaled Hessian is its error times the curvature, ‖t,xi‖ / t² at most.
+    /// The rounding of d contributes to the scaled Hessian its error times the curvature, which is ‖t,xi‖ / t² at most.
     pub(super) fn rounds_to_zero(&self, eigenvalue: f64) -> bool {
         let [t2, t_bar2] = self.squares;
         let [bend, bend_bar] = self.bends;
-        // 2 u v <= u² + v² settles it without a root wherever it is not close.
+        // 2 u v <= u² + v² decides without a root unless both sides are close.
         let high = (self.size2 + bend) * t_bar2 + (self.size2 + bend_bar) * t2;
         (eigenvalue - SINGULAR) * (t2 * t_bar2) <= 8.0 * ROUNDING * high
             && eigenvalue <= SINGULAR + 16.0 * self.rounding() * (bend.sqrt() / t2 + bend_bar.sqrt() / t_bar2)
     }
 
-    /// Whether tangent `i` has no length, next to its change along the beam.
+    /// Whether tangent `i` has no length, relative to its change along the beam.
     pub(super) fn stands_still(&self, i: usize) -> bool {
         let (t2, bend, twist) = (self.squares[i], self.bends[i], self.twists[i]);
-        // (u + v)² <= 2 (u² + v²) settles it without a root wherever it is not close.
+        // (u + v)² <= 2 (u² + v²) decides without a root unless both sides are close.
         t2 <= 2.0 * STANDSTILL * STANDSTILL * (bend + twist)
             && t2.sqrt() <= STANDSTILL * (bend.sqrt() + twist.sqrt())
     }
@@ -174,7 +174,7 @@ impl SquaredDistance {
         self.distance * self.distance <= ROUNDING * ROUNDING * self.size2
     }
 
-    /// Whether the gradient in parameter `i` is zero to the tolerance of a multiplier.
+    /// Whether the gradient in parameter `i` is zero within the tolerance of a multiplier.
     pub(super) fn is_weak(&self, i: usize) -> bool {
         let t = self.size2_about(i).sqrt();
         self.gradient[i].abs() <= t * (WEAK * (self.distance + t) + self.rounding())
@@ -187,21 +187,21 @@ impl SquaredDistance {
             && (held.xi || held.xi_bar || self.det > 0.0)
     }
 
-    /// The length that the positions are exact to.
+    /// The absolute error of the positions.
     pub(super) fn rounding(&self) -> f64 {
         ROUNDING * self.size2.sqrt()
     }
 
-    /// How far parameter `i` may be off, by the rounding of the gradient over an eigenvalue of this size.
+    /// The possible error of parameter `i`: the rounding of the gradient divided by an eigenvalue of this size.
     pub(super) fn uncertainty(&self, i: usize, eigenvalue: f64) -> f64 {
         self.rounding() / eigenvalue / self.squares[i].sqrt()
     }
 
-    /// The relative error of the parameters' gradients by the rounding of the positions, where the smallest eigenvalue, for
-    /// unit tangents, is this.
+    /// The relative error of the parameters' gradients from the rounding of the positions. `eigenvalue` is the smallest
+    /// eigenvalue for unit tangents.
     ///
-    /// The closest point is off by rounding / eigenvalue along the eigenvector v, and the eigenvalue changes by the third
-    /// derivative of F along v times that. Straight beams have none, nor have symmetric ones.
+    /// The error of the closest point is rounding / eigenvalue along the eigenvector v. The eigenvalue changes by this
+    /// error times the third derivative of F along v, which is zero for straight beams and for symmetric ones.
     pub(super) fn gradient_error(&self, eigenvalue: f64, held: Held) -> f64 {
         let [t, t_bar] = self.squares.map(f64::sqrt);
         let (a, b, c) = (self.a / self.squares[0], -self.b / t / t_bar, -self.a_bar / self.squares[1]);
@@ -220,9 +220,9 @@ impl SquaredDistance {
         self.rounding() * third.abs() / (eigenvalue * eigenvalue)
     }
 
-    /// Whether the gradient in parameter `i` is what so small a step makes of it: g = -H step.
+    /// Whether a step of this size explains the gradient in parameter `i`: g = -H step.
     ///
-    /// It is not where the numerators of the step cancel, between nearly parallel tangents.
+    /// It does not where the numerators of the step cancel, between nearly parallel tangents.
     pub(super) fn explains_gradient(&self, i: usize, step: f64) -> bool {
         let own = [self.a, self.a_bar][i];
         self.gradient[i].abs() <= 2.0 * step * (own.abs() + self.b.abs())
@@ -244,7 +244,7 @@ impl SquaredDistance {
 
     /// A Newton step only in the directions in which the Hessian, for unit tangents, is clearly not singular.
     ///
-    /// It leads to a continuum of stationary points by the shortest step, where [`Self::step`] would have no meaning.
+    /// It leads to a continuum of stationary points by the shortest step, where [`Self::step`] has no meaning.
     pub(super) fn valley_step(&self, held: Held) -> (f64, f64) {
         const CLEAR: f64 = 1e-9;
         let lengths = self.squares.map(f64::sqrt);

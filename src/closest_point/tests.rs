@@ -1,4 +1,4 @@
-//! Points that rounding leaves few digits, and steps that lead nowhere: each has an outcome of its own.
+//! Tests of points with few correct digits, and of steps that do not converge. Each case has its own result.
 
 use super::{Centroid, ClosestPoints, Held, ProjectionError, Search, Side, closest_points, refine};
 use crate::curve::Geometry;
@@ -52,7 +52,7 @@ fn a_minimum_of_fourth_order_is_one_point_without_derivatives() {
             let found = fold(1.0 + e, scale, swapped);
             let count = found.minima.iter().filter(|point| point.is_interior()).count();
             assert!(count <= 1 || e >= 1e-11, "{count} minima at {e:e}: {:?}", found.minima);
-            // Below 1 the minimum s = 0 is symmetric: rounding moves it nowhere until its eigenvalue is rounding.
+            // Below 1 the minimum s = 0 is symmetric. Rounding does not move it while its eigenvalue exceeds rounding.
             let refused = (e < -1e-13)
                 | matches!(
                     found.interior(),
@@ -74,7 +74,7 @@ fn the_error_of_gradients_is_told_before_it_is_large() {
             Ok(point) => {
                 assert!(e > 4e-7 && point.degeneracy().is_none(), "{e:e}");
                 assert!((point.xi.abs() - s).abs() < 1e-14 / e, "{e:e}");
-                // The eigenvalue is 1/(1 + s²) d²F/ds², and the gradient of xi is as wrong as it is.
+                // The eigenvalue is 1/(1 + s²) d²F/ds², and the gradient of xi has the same relative error.
                 let exact = 2.0 * e / (1.0 + 2.0 * e);
                 assert!((point.conditioning - exact).abs() < 1e-6 * exact, "{} at {e:e}", point.conditioning);
             }

@@ -4,7 +4,7 @@ use super::{Centroid, ProjectionError};
 use crate::curve::Geometry;
 use nalgebra::Vector3;
 
-/// An interval of xi, and how far the curve strays from its Taylor polynomial about the centre.
+/// An interval of xi, with bounds of the distance of the curve from its Taylor polynomial about the centre.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     pub(super) centre: f64,
@@ -18,11 +18,11 @@ pub(super) struct Node {
     pub(super) turn: f64,
     pub(super) twist: f64,
     pub(super) jerk: f64,
-    /// The first of the two halves, 0 while there are none.
+    /// The index of the first of the two halves; 0 if there are none.
     children: u32,
 }
 
-/// The intervals of a curve; the first is [-1, 1], the next two are its ends, of no width.
+/// The intervals of a curve. The first is [-1, 1], the next two are its ends, with no width.
 pub(super) struct Tree<'a> {
     curve: &'a dyn Centroid,
     bound: f64,
@@ -93,7 +93,7 @@ impl<'a> Tree<'a> {
 pub(super) fn evaluate(curve: &dyn Centroid, xi: f64) -> Result<Geometry<f64>, ProjectionError> {
     let geometry = curve.geometry(xi);
     let Geometry { x, t, t_xi, t_xixi } = &geometry;
-    // The squares, for all that follows needs them.
+    // The squares are tested, because all later computations use them.
     let sum: f64 = [x, t, t_xi, t_xixi].map(Vector3::norm_squared).iter().sum();
     if sum.is_finite() { Ok(geometry) } else { Err(ProjectionError::NonFinite) }
 }

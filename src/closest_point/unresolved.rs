@@ -4,7 +4,7 @@ use super::search::Pair;
 use super::tree::{Node, evaluate};
 use super::{ClosestPoint, Held, ProjectionError, SquaredDistance, Unresolved};
 
-/// Steps towards the representative of a region: a continuum is met after a few, quadratically.
+/// The number of steps towards the representative of a region. A few reach a continuum, by quadratic convergence.
 const STEPS: usize = 12;
 
 /// A box, or the hull of touching boxes.
@@ -38,7 +38,7 @@ impl Region {
         self.extent.iter().zip([xi, xi_bar]).all(|(mine, at)| mine[0] <= at && at <= mine[1])
     }
 
-    /// A point of the region where the gradient vanishes as far as it can be told, near the smallest distance.
+    /// A point of the region near the smallest distance, where the gradient vanishes up to rounding.
     pub(super) fn point(&self, pair: &Pair) -> Result<ClosestPoint, ProjectionError> {
         let thin = self.extent.map(|[low, high]| low >= high);
         let held = Held { xi: thin[0], xi_bar: thin[1] };
@@ -69,7 +69,7 @@ impl Region {
     }
 }
 
-/// The hulls of the boxes that touch each other, and of the hulls that do.
+/// Merges boxes that touch each other into their hulls, and hulls that touch each other too.
 pub(super) fn gather(boxes: Vec<Region>) -> Vec<Region> {
     let mut regions: Vec<Region> = Vec::new();
     for mut region in boxes {

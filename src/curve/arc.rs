@@ -1,4 +1,4 @@
-//! The circular arc, anywhere and anyhow in space.
+//! The circular arc, in any position and orientation.
 
 use super::screw::{Layout, Screw, ScrewDofs};
 use super::{Curve, DofDerivatives, Jet, by_rows};
@@ -15,8 +15,8 @@ use nalgebra::{SMatrix, SVector, Vector3};
 /// x(xi) = c + R(p) (r cos phi, r sin phi, 0),   phi = phase + alpha xi
 /// ```
 ///
-/// The length of p has no effect, and a rotation about the axis of the circle is a change of phase: as dofs of a finite
-/// element these are redundant, as a test of a linearization they are welcome. The derivation is that of the screw
+/// The length of p has no effect, and a rotation about the axis of the circle equals a change of phase. These dofs are
+/// redundant for a finite element, but useful as a test of a linearization. The derivation is that of the screw
 /// line without pitch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {

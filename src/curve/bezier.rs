@@ -33,7 +33,7 @@ impl<const P: usize, const N: usize> Curve<N> for Bezier<P> {
     fn position<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Vector3<T> {
         let half = T::from(0.5);
         let (u, v) = ((T::one() + xi) * half, (T::one() - xi) * half);
-        // With both weights, so that the curve starts and ends in its control points to the last digit.
+        // Both weights are used, so that the curve starts and ends exactly in its control points.
         triangle(control_vectors::<T, P, N>(q), |_, _, point, to| *point = *point * v + to * u)
     }
 
@@ -50,8 +50,8 @@ impl<const P: usize, const N: usize> Curve<N> for Bezier<P> {
         Shapes::jet(by_order(&functions), q)
     }
 
-    /// x,xixixi is a Bezier curve too, within the convex hull of its control points: the longest of
-    /// p (p - 1) (p - 2) / 8 times the third differences of the P_i. Exact up to the cubic.
+    /// x,xixixi is a Bezier curve too and lies in the convex hull of its control points: p (p - 1) (p - 2) / 8
+    /// times the third differences of the P_i. The bound is the length of the longest one. Exact up to the cubic.
     fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64 {
         let mut net = control_vectors::<f64, P, N>(q);
         let mut factor = 0.125;

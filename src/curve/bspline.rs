@@ -7,13 +7,13 @@ use nalgebra::{SVector, Vector3};
 
 /// One span of a B-spline of degree `P` - 1.
 ///
-/// A span of degree p = P - 1 sees `P` control points and 2 p knots k_0 <= .. <= k_(2p - 1): the span is the one in the
-/// middle, from k_(p - 1) to k_p, to which xi in [-1, 1] is mapped affinely. Of a whole knot vector, whose span number
-/// m is [K_m, K_(m + 1)], the local knots are K_(m - p + 1), .., K_(m + p) and the control points those from m - p to m.
-/// Dofs, node-major: the coordinates of the control points, all in the user's unit of length; `N = 3 P`. Knots of
-/// which p on either side coincide make the curve a [`Bezier`](super::Bezier) curve.
+/// A span of degree p = P - 1 depends on `P` control points and on 2 p knots k_0 <= .. <= k_(2p - 1). The span is the
+/// middle interval, from k_(p - 1) to k_p, to which xi in [-1, 1] is mapped affinely. Span number m of a whole knot
+/// vector is [K_m, K_(m + 1)]. Its local knots are K_(m - p + 1), .., K_(m + p), its control points number m - p to m.
+/// Dofs, node-major: the coordinates of the control points, all in the user's unit of length; `N = 3 P`. If p knots
+/// coincide on either side, the curve is a [`Bezier`](super::Bezier) curve.
 ///
-/// Source: C. de Boor, *A Practical Guide to Splines*, chapters IX and X; the position by his repeated interpolation,
+/// Source: C. de Boor, *A Practical Guide to Splines*, chapters IX and X: the position by his repeated interpolation,
 /// the jet by the recursion of Cox and de Boor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BSpline<const P: usize> {
@@ -27,7 +27,7 @@ impl<const P: usize> BSpline<P> {
     /// The span in the middle of 2 (`P` - 1) knots.
     ///
     /// # Errors
-    /// If the number of knots is another, a knot is not finite or less than the one before it, or if the span has no
+    /// If the number of knots is wrong, if a knot is not finite or less than the one before it, or if the span has no
     /// length.
     pub fn new(knots: &[f64]) -> Result<Self, CurveError> {
         const { assert!(P >= 2, "a curve has at least two control points") };
@@ -84,8 +84,8 @@ impl<const P: usize> BSpline<P> {
         })
     }
 
-    /// Bounds of the norm of the spline with these control points and of its first three derivatives: every
-    /// derivative is a spline too, and within the convex hull of its own control points.
+    /// Bounds of the norms of the spline with these control points and of its first three derivatives. Every
+    /// derivative is a spline too and lies in the convex hull of its own control points.
     pub(super) fn bounds<const D: usize>(&self, mut net: [SVector<f64, D>; P]) -> [f64; 4] {
         let mut bounds = [0.0; 4];
         for (level, bound) in bounds.iter_mut().enumerate().take(P) {
@@ -112,7 +112,7 @@ impl<const P: usize, const N: usize> Curve<N> for BSpline<P> {
         Shapes::jet(by_order(&self.functions(xi)), q)
     }
 
-    /// The longest control vector of x,xixixi, which is a B-spline too. Exact up to the cubic.
+    /// The length of the longest control vector of x,xixixi, which is a B-spline too. Exact up to the cubic.
     fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64 {
         let [_, _, _, third] = self.bounds(control_vectors::<f64, P, N>(q));
         third

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// The parameters of a curve family make no curve.
+/// The parameters of a curve family define no curve.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CurveError {
@@ -11,13 +11,13 @@ pub enum CurveError {
     KnotCount {
         /// The number of knots given.
         found: usize,
-        /// The number that the degree asks for.
+        /// The number that the degree requires.
         expected: usize,
     },
-    /// A knot is infinite or no number.
+    /// A knot is infinite or not a number.
     #[error("knot {index} is {knot}, which is not finite")]
     KnotNotFinite {
-        /// The place of the knot, from 0.
+        /// The index of the knot, from 0.
         index: usize,
         /// The knot.
         knot: f64,
@@ -25,7 +25,7 @@ pub enum CurveError {
     /// A knot is less than the one before it.
     #[error("knot {index} is less than the knot before it; knots must not decrease")]
     KnotsDecrease {
-        /// The place of the lesser knot, from 0.
+        /// The index of the smaller knot, from 0.
         index: usize,
     },
     /// The two knots in the middle coincide, or nearly so compared with the other knots.
@@ -39,7 +39,7 @@ pub enum CurveError {
     /// A weight is not positive and finite.
     #[error("weight {index} is {weight}, but weights must be positive and finite")]
     Weight {
-        /// The place of the weight, from 0.
+        /// The index of the weight, from 0.
         index: usize,
         /// The weight.
         weight: f64,

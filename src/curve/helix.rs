@@ -1,4 +1,4 @@
-//! The circular helix, anywhere and anyhow in space.
+//! The circular helix, in any position and orientation.
 
 use super::screw::{Layout, Screw, ScrewDofs};
 use super::{Curve, DofDerivatives, Jet, by_rows};
@@ -15,7 +15,7 @@ use nalgebra::{SMatrix, SVector, Vector3};
 /// x(xi) = c + R(p) (r cos phi, r sin phi, h alpha xi / (2 pi)),   phi = phase + alpha xi
 /// ```
 ///
-/// Unlike those of the [`Arc`](super::Arc), only the length of p is without effect.
+/// The length of p has no effect. Unlike for the [`Arc`](super::Arc), all other dofs have one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Helix {
     half_angle: f64,

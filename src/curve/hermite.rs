@@ -7,8 +7,8 @@ use nalgebra::{SVector, Vector3};
 
 /// The cubic through two points with given tangents.
 ///
-/// Dofs, node-major: x_1, t_1, x_2, t_2; `N = 12`. The points are in the user's unit of length; what the tangents are
-/// is said at the two constructors, [`Hermite::new`] and [`Hermite::scaled_by`].
+/// Dofs, node-major: x_1, t_1, x_2, t_2; `N = 12`. The points are in the user's unit of length. The two constructors,
+/// [`Hermite::new`] and [`Hermite::scaled_by`], define the tangents.
 ///
 /// ```math
 /// x(xi) = H_1 x_1 + H_2 x_2 + c (Ht_1 t_1 + Ht_2 t_2)
@@ -33,8 +33,8 @@ impl Hermite {
     /// The nodal tangents are derivatives with respect to the arc length of the reference configuration, in which the
     /// element is `length` long: dx/dxi = (`length` / 2) t_k, so that c = `length` / 2 and t_k has no unit.
     ///
-    /// In a reference configuration whose parametrisation is uniform the tangents are unit vectors. The solver 4C has
-    /// its beam elements in this form. The length is a fixed parameter, no dof; it is taken as it is.
+    /// If the parametrisation of the reference configuration is uniform, its tangents are unit vectors. The solver 4C
+    /// uses this form for its beam elements. The length is a fixed parameter and not a dof. It is not checked.
     pub const fn scaled_by(length: f64) -> Self {
         Self { c: 0.5 * length }
     }
@@ -49,7 +49,7 @@ impl Default for Hermite {
 impl Curve<12> for Hermite {
     type Dofs<T: Real> = Shapes<T, 4>;
 
-    /// The chord, plus what bends it and vanishes at both ends.
+    /// The chord, plus a cubic term that vanishes at both ends.
     fn position<T: Real>(&self, q: &SVector<T, 12>, xi: T) -> Vector3<T> {
         let [x1, t1, x2, t2] = control_vectors(q);
         let (c, half) = (T::from(self.c), T::from(0.5));

@@ -1,4 +1,4 @@
-//! Lagrange interpolation: the curve through `P` nodes that stand at equal distances of xi.
+//! Lagrange interpolation: the curve through `P` nodes at equal distances of xi.
 
 use super::shapes::{by_order, control_vectors, count, go, times, times_linear, triangle};
 use super::{Curve, Jet, Shapes};
@@ -7,7 +7,7 @@ use nalgebra::{SVector, Vector3};
 
 /// The polynomial of degree `P` - 1 through `P` equidistant nodes.
 ///
-/// The nodes stand at xi_i = -1 + 2 i / (P - 1), in the order from -1 to 1. Dofs, node-major: the coordinates of node 0,
+/// The nodes are at xi_i = -1 + 2 i / (P - 1), in the order from -1 to 1. Dofs, node-major: the coordinates of node 0,
 /// node 1, .., all in the user's unit of length; `N = 3 P`. In s = (P - 1) (xi + 1) / 2 the nodes are the integers:
 ///
 /// ```math
@@ -66,7 +66,7 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
         let (s, _) = Self::stretched(xi);
         triangle(control_vectors::<T, P, N>(q), |level, i, point, to| {
             let (away, width) = (s - T::from(count(i)), count(level));
-            // By a power of two one may as well multiply.
+            // A division by a power of two equals a multiplication by its inverse.
             let u = if level.is_power_of_two() { away * T::from(1.0 / width) } else { away / T::from(width) };
             go(point, to, u);
         })
@@ -75,7 +75,7 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
     fn jet<T: Real>(&self, q: &SVector<T, N>, xi: T) -> Jet<T, Shapes<T, P>> {
         let (s, slope) = Self::stretched(xi);
         let away = |j: usize| s - T::from(count(j));
-        // N_i = ∏ (s - j) / ∏ (i - j), j ≠ i: of the nodes before i and of those after it, each product from its neighbour's.
+        // N_i = ∏ (s - j) / ∏ (i - j), j ≠ i. The products over the nodes before and after i are built recursively.
         let [mut before, mut after] = [0, P - 1].map(|j| [[away(j), slope, T::zero(), T::zero()]; P]);
         for i in 2..P {
             before[i] = times_linear(&before[i - 1], away(i - 1), slope);
@@ -98,14 +98,14 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
 
     /// The sum of the absolute coefficients of x,xixixi as a polynomial in xi; exact up to the cubic.
     fn third_derivative_bound(&self, q: &SVector<f64, N>) -> f64 {
-        // x = Σ powers[m] ξ^m, gathered from the shape functions written out in powers of ξ.
+        // x = Σ powers[m] ξ^m, summed from the shape functions expanded in powers of ξ.
         let nodes = control_vectors::<f64, P, N>(q);
         let mut powers = [Vector3::zeros(); P];
         for (i, node) in nodes.iter().enumerate() {
             let mut function = [0.0; P];
             function[0] = 1.0;
             for j in (0..P).filter(|&j| j != i) {
-                // Times (s - j) / (i - j) = slope ξ + offset.
+                // Multiply by (s - j) / (i - j) = slope ξ + offset.
                 let (half, distance) = (0.5 * (count(P) - 1.0), count(i) - count(j));
                 let (slope, offset) = (half / distance, (half - count(j)) / distance);
                 for m in (0..P).rev() {

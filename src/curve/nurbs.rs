@@ -14,7 +14,7 @@ use nalgebra::{SVector, Vector1, Vector3};
 /// x(xi) = A / W = sum_i R_i P_i,   A = sum_i N_i w_i P_i,   W = sum_i N_i w_i,   R_i = N_i w_i / W
 /// ```
 ///
-/// so the curve is linear in its dofs. Where the weights are dofs too it is [`NurbsWeighted`](super::NurbsWeighted).
+/// so the curve is linear in its dofs. [`NurbsWeighted`](super::NurbsWeighted) has the weights among its dofs.
 ///
 /// Source: L. Piegl, W. Tiller, *The NURBS Book*, 2nd ed., sections 4.2 and 4.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +27,7 @@ impl<const P: usize> Nurbs<P> {
     /// The span in the middle of 2 (`P` - 1) knots, with one weight for every control point.
     ///
     /// # Errors
-    /// If the knots are none of a [`BSpline`], or if a weight is not positive and finite.
+    /// If the knots are invalid for a [`BSpline`], or if a weight is not positive and finite.
     pub fn new(knots: &[f64], weights: [f64; P]) -> Result<Self, CurveError> {
         let span = BSpline::new(knots)?;
         match weights.iter().enumerate().find(|&(_, &weight)| !(weight > 0.0 && weight.is_finite())) {
@@ -58,7 +58,7 @@ impl<const P: usize, const N: usize> Curve<N> for Nurbs<P> {
                 w[k] += n[k][i];
             }
         }
-        // Leibniz' rule for N_i w_i = W R_i, solved for R_i^(k): n[k] turns from N_i^(k) w_i into R_i^(k).
+        // Leibniz' rule for N_i w_i = W R_i, solved for R_i^(k): n[k] is N_i^(k) w_i before and R_i^(k) after.
         for k in 0..4 {
             let (lower, upper) = n.split_at_mut(k);
             for (i, r) in upper[0].iter_mut().enumerate() {

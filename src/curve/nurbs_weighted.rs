@@ -22,10 +22,10 @@ use nalgebra::{SMatrix, SVector, Vector3, Vector4};
 /// ```
 ///
 /// where A is varied as dA = sum N_i (dw_i P_i + w_i dP_i), DdA = sum N_i (dw_i DP_i + Dw_i dP_i), and DdW = 0.
-/// The origin is laid into the point x itself, which loses no digits far from the user's origin: with P_i - x for
+/// The origin is moved to the point x itself, which avoids cancellation far from the user's origin. With P_i - x for
 /// P_i, x^(0) is zero in the first two rows.
 ///
-/// The matrices hold the same in the unit directions. With n_i = N_i / W,
+/// The matrices contain the same derivatives in the unit directions. With n_i = N_i / W,
 ///
 /// ```math
 /// dx/dP_i = w_i n_i I                     d2x/dP_i dw_j = (delta_ij n_i - w_i n_i n_j) I
@@ -44,7 +44,7 @@ impl<const P: usize> NurbsWeighted<P> {
     /// The span in the middle of 2 (`P` - 1) knots.
     ///
     /// # Errors
-    /// If the knots are none of a [`BSpline`].
+    /// If the knots are invalid for a [`BSpline`].
     pub fn new(knots: &[f64]) -> Result<Self, CurveError> {
         BSpline::new(knots).map(|span| Self { span })
     }
@@ -104,7 +104,7 @@ fn solve<T: Real>(w: &[T], a: Vector3<T>, lower: &[Vector3<T>], k: usize) -> Vec
     (a - leibniz(k, 1, |j| lower[k - j] * w[j])) / w[0]
 }
 
-/// What the variations of a [`NurbsWeighted`] curve at one parameter need.
+/// The values that the variations of a [`NurbsWeighted`] curve at one parameter need.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NurbsDofs<T, const P: usize> {
     /// The basis functions N_i and their first two derivatives.

@@ -1,5 +1,5 @@
-//! The motion along a screw line, of which the circle is the one without pitch: what [`Arc`](super::Arc) and
-//! [`Helix`](super::Helix) have in common.
+//! The screw line, the common part of [`Arc`](super::Arc) and [`Helix`](super::Helix). The circle is a screw line
+//! without pitch.
 
 use super::{Geometry, Jet};
 use crate::number::Real;
@@ -10,7 +10,7 @@ mod matrices;
 
 pub(super) use matrices::Layout;
 
-/// The dofs of a screw line, or a direction of them.
+/// The dofs of a screw line, or a direction in the space of these dofs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Screw<T> {
     pub(super) centre: Vector3<T>,
@@ -22,7 +22,7 @@ pub(super) struct Screw<T> {
 }
 
 impl<T: Real> Screw<T> {
-    /// The dofs by their places in a vector.
+    /// Reads the dofs from a vector, at the places that `layout` gives.
     pub(super) fn read<const N: usize>(layout: Layout, q: &SVector<T, N>) -> Self {
         Self {
             centre: q.fixed_rows::<3>(0).into_owned(),
@@ -71,7 +71,7 @@ impl<T: Real> Screw<T> {
     }
 }
 
-/// What the variations of an [`Arc`](super::Arc) or a [`Helix`](super::Helix) at one parameter need.
+/// The values that the variations of an [`Arc`](super::Arc) or a [`Helix`](super::Helix) at one parameter need.
 ///
 /// # Derivation
 /// With phi = phase + alpha xi, y = (r cos phi, r sin phi, h alpha xi / (2 pi)) and a rotation R,
@@ -80,7 +80,7 @@ impl<T: Real> Screw<T> {
 /// x = c + R y
 /// ```
 ///
-/// The orientation is an unnormalised quaternion p = (w, u). Every p other than zero is the rotation
+/// The orientation is an unnormalised quaternion p = (w, u). Every p other than zero represents the rotation
 /// R(p) = M(p) / |p|^2, M(p) v = B(p, p) v with
 ///
 /// ```math
@@ -99,12 +99,12 @@ impl<T: Real> Screw<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScrewDofs<T> {
     screw: Screw<T>,
-    /// Of phi.
+    /// The sine of phi.
     sin: T,
     cos: T,
     /// |p|^2.
     square: T,
-    /// The powers of alpha, from the zeroth.
+    /// The powers of alpha, starting with the zeroth.
     powers: [T; 4],
     /// The rise along the axis for a pitch of one, and its derivative.
     rise: [T; 2],
@@ -120,7 +120,7 @@ fn bilinear<T: Real>(p: &Vector4<T>, other: &Vector4<T>, v: &Vector3<T>) -> Vect
 }
 
 impl<T: Real> ScrewDofs<T> {
-    /// The k-th derivative of (cos phi, sin phi, 0) with respect to phi: a quarter turn each.
+    /// The k-th derivative of (cos phi, sin phi, 0) with respect to phi. Each derivative rotates it by a right angle.
     fn circle(&self, k: usize) -> Vector3<T> {
         match k % 4 {
             0 => Vector3::new(self.cos, self.sin, T::zero()),

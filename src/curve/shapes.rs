@@ -46,10 +46,10 @@ pub(super) fn control_vectors<T: Real, const P: usize, const N: usize>(q: &SVect
     std::array::from_fn(|i| q.fixed_rows::<3>(3 * i).into_owned())
 }
 
-/// Repeated linear interpolation, the scheme of Neville, de Casteljau and de Boor: at every level m = 1, 2, .. point i
-/// moves towards its right neighbour, `towards(m, i, it, its neighbour)`, until one point is left.
+/// Repeated linear interpolation, the scheme of Neville, de Casteljau and de Boor. At every level m = 1, 2, .. point i
+/// moves towards its right neighbour by `towards(m, i, point, neighbour)`, until one point is left.
 ///
-/// Each where it is: vectors of dual numbers are kilobytes, and copied slowly.
+/// Points are changed in place: a vector of dual numbers takes kilobytes, and copying it is slow.
 pub(super) fn triangle<T: Real, const D: usize, const P: usize>(
     mut points: [SVector<T, D>; P],
     towards: impl Fn(usize, usize, &mut SVector<T, D>, &SVector<T, D>),
@@ -98,12 +98,12 @@ pub(super) fn times_linear<T: Real>(f: &[T; 4], value: T, slope: T) -> [T; 4] {
     ]
 }
 
-/// From the derivatives of every function to the functions at every order of derivative.
+/// Transposes the derivatives of every function into the functions of every order of derivative.
 pub(super) fn by_order<T: Real, const P: usize>(functions: &[[T; 4]; P]) -> [[T; P]; 4] {
     std::array::from_fn(|k| std::array::from_fn(|i| functions[i][k]))
 }
 
-/// A small count as a number.
+/// A small count as an `f64`.
 #[expect(clippy::cast_precision_loss, reason = "counts nodes of one element, far below 2^53")]
 pub(super) const fn count(i: usize) -> f64 {
     i as f64

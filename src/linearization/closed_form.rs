@@ -1,13 +1,13 @@
-//! The linearization by hand: the formulas of the paper, corrected where its print is wrong and completed where it stops.
+//! The linearization in closed form: the formulas of the paper, with misprints corrected and missing terms added.
 //!
-//! The [`derivation`] has them all. [`paper`] has one function for each of the paper's equations; [`variations()`] evaluates
-//! them in two directions. [`Matrices`] has gradients and Hessians in all dofs, for every curve. The [`kernel`] has the same
-//! numbers in vector arithmetic: [`Pair::linearize`] is the kernel. Contracting a matrix with directions gives the
-//! variation; the kernel gives the matrices; each checks the others.
+//! The [`derivation`] has all formulas. [`paper`] has one function for each of the paper's equations. [`variations()`]
+//! evaluates them in two directions. [`Matrices`] has gradients and Hessians in all dofs, for every curve. [`kernel`]
+//! has the same numbers in vector arithmetic; [`Pair::linearize`] uses it. The three check each other: a matrix
+//! contracted with directions equals the variation, and the kernel equals the matrices.
 //!
-//! Two things are added throughout: the terms Delta_u delta_u u, which the paper drops, and closest points at an end of a
-//! beam, where the parameter is held. The variations of d and the solution of the two-by-two system have two forms, the
-//! paper's and one that keeps its digits at small gaps and angles: see [`Formulation`].
+//! Two parts are added throughout: the terms Delta_u delta_u u, which the paper drops, and closest points at an end of
+//! a beam, where the parameter is held. The variations of d and the solution of the two-by-two system have two forms,
+//! the paper's and one that keeps its digits at small gaps and angles: see [`Formulation`].
 
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet};
@@ -37,11 +37,11 @@ pub use projection::{Points, Projection};
 pub use variations::{variations, variations_in};
 
 impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
-    /// All scalar quantities with gradients and Hessians, at a closest point of the pair, by the formulas that lose the
-    /// fewest digits there ([`Formulation::at`]): the kernel.
+    /// All scalar quantities with gradients and Hessians, at a closest point of the pair. The kernel computes them by
+    /// the formulas that lose the fewest digits there ([`Formulation::at`]).
     ///
-    /// Where the centroids cross inside both beams, d = 0 and d as a length has no derivatives. What is returned there are
-    /// those of the signed distance along n = t × t_bar/|t × t_bar|; its sign, and that of n, is a choice. Elsewhere n
+    /// Where the centroids cross inside both beams, d = 0 and d as a length has no derivatives. The results are then of
+    /// the signed distance along n = t × t_bar/|t × t_bar|. Its sign, and that of n, is arbitrary. Elsewhere n
     /// points from the bar beam to the beam, and d is positive.
     ///
     /// # Example
@@ -51,7 +51,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
         Linearized::written(|to| kernel::write_linearization(self, q, point, to))
     }
 
-    /// The same, written over `to`.
+    /// The same results, written over `to`.
     pub fn linearize_into(
         &self,
         q: &DofVector<f64, N, M>,
@@ -63,7 +63,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
 }
 
 /// All quantities with their variations along `dq` (delta) and `linear_dq` (Delta), at a closest point of the pair, by
-/// the formulas that [`Pair::linearize`] takes.
+/// the formulas that [`Pair::linearize`] uses.
 pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,

@@ -26,7 +26,7 @@ impl<T: Real, const N: usize, const M: usize> BlockHessian<T, N, M> {
         Self { beam: SMatrix::zeros(), mixed: SMatrix::zeros(), bar: SMatrix::zeros() }
     }
 
-    /// Becomes the sum of factor * matrix over all `matrices` and of u v^T + v u^T over all `pairs` (u, v), in one pass.
+    /// Sets it to the sum of factor * matrix over all `matrices` and of u v^T + v u^T over all `pairs` (u, v).
     #[inline]
     pub fn set_sum(&mut self, matrices: &[(T, &Self)], pairs: &[[&DofVector<T, N, M>; 2]]) {
         let Self { beam, mixed, bar } = self;
@@ -53,7 +53,7 @@ impl<T: Real, const N: usize, const M: usize> BlockHessian<T, N, M> {
     /// Writes the whole matrix row by row; as it is symmetric, that is column by column.
     ///
     /// # Errors
-    /// [`LengthError`] if there is not room for just (`N` + `M`)² numbers.
+    /// [`LengthError`] if `to` does not have exactly (`N` + `M`)² numbers.
     pub fn write_dense(&self, to: &mut [T]) -> Result<(), LengthError> {
         let size = N + M;
         LengthError::check(to, size * size)?;
@@ -69,7 +69,7 @@ impl<T: Real, const N: usize, const M: usize> BlockHessian<T, N, M> {
     /// i + j (j + 1)/2.
     ///
     /// # Errors
-    /// [`LengthError`] if there is not room for just S (S + 1)/2 numbers with S = `N` + `M`.
+    /// [`LengthError`] if `to` does not have exactly S (S + 1)/2 numbers with S = `N` + `M`.
     pub fn write_packed(&self, to: &mut [T]) -> Result<(), LengthError> {
         let size = N + M;
         LengthError::check(to, size * (size + 1) / 2)?;
@@ -123,11 +123,11 @@ fn bilinear<T: Real, const N: usize, const M: usize>(
     })
 }
 
-/// A block of [`BlockHessian::set_sum`], which the functions take from the matrices, and its rows and columns from the
-/// vectors.
+/// Sets a block in [`BlockHessian::set_sum`]. The functions return the block of a matrix, and the rows and columns of a
+/// vector.
 ///
-/// Along the columns, as the entries lie in memory, and term by term: loops in which the compiler takes several entries at
-/// once.
+/// The loops run along the columns, in the order of memory, and term by term, so that the compiler takes several
+/// entries at once.
 #[inline(always)]
 fn set_block<T: Real, H, D, const N: usize, const M: usize>(
     block: &mut SMatrix<T, N, M>,
@@ -160,7 +160,7 @@ fn add_multiple<T: Real, const N: usize>(to: &mut [T; N], column: &[T; N], facto
 
 /// A quantity to second order in the dofs: value, gradient and Hessian.
 ///
-/// It starts on a cache line, so that the vectors of a machine that write it cross none.
+/// It starts on a cache line, so that no vector store crosses a cache line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Derivatives<T, const N: usize, const M: usize> {
@@ -216,7 +216,7 @@ impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
         Derivatives { value: self.d.value - self.radii, ..self.d }
     }
 
-    /// Zeros, to be written over by [`Matrices::write_all`](crate::linearization::closed_form::Matrices::write_all).
+    /// Zeros, to be overwritten by [`Matrices::write_all`](crate::linearization::closed_form::Matrices::write_all).
     #[inline]
     pub fn zeros() -> Self {
         let zero = Derivatives::zero;
@@ -234,7 +234,7 @@ impl<T: Real, const N: usize, const M: usize> Linearization<T, N, M> {
 }
 
 impl<const N: usize, const M: usize> Linearization<f64, N, M> {
-    /// [`Linearization::zeros`] as a constant: zeros are then written once, to where the result is returned.
+    /// [`Linearization::zeros`] as a constant, so that zeros are written once, to where the result is returned.
     pub(super) const ZEROS: Self = {
         const fn matrix<const R: usize, const C: usize>() -> SMatrix<f64, R, C> {
             SMatrix::from_array_storage(ArrayStorage([[0.0; R]; C]))

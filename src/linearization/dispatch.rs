@@ -1,6 +1,6 @@
-//! The vector units of the machine that a program runs on, whatever it was built for.
+//! Dispatch to the vector units of the machine at run time, for any build target.
 
-/// Evaluates a kernel with the arithmetic of the machine's vector units and returns, if it has any that are known here.
+/// Evaluates a kernel with the arithmetic of the machine's vector units and returns, if these units are supported here.
 macro_rules! return_with_vectors {
     ($f:ident: $with:expr => $kernel:expr) => {
         #[cfg(target_arch = "x86_64")]
@@ -16,7 +16,7 @@ macro_rules! return_with_vectors {
 }
 pub(super) use return_with_vectors;
 
-/// Evaluates the same with the vector units, if the machine has any that are known here, and without them.
+/// Evaluates a kernel with the machine's vector units, if they are supported here, and otherwise without them.
 macro_rules! dispatch_simd {
     ($kernel:expr) => {{
         crate::linearization::dispatch::return_with_vectors!(_f: |_| () => $kernel);

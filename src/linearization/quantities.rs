@@ -1,11 +1,11 @@
-//! The quantities that are linearized, by name, over whatever a quantity is measured in: a value, a value with its
-//! variations, a dual number.
+//! The quantities that are linearized, by name. Their type may be a value, a value with its variations, or a dual
+//! number.
 
 use crate::number::{HyperDual, Real};
 use nalgebra::{Scalar, Vector3};
 use num_dual::HyperDual64;
 
-/// The contact geometry of a pair of beams: all of it that is varied.
+/// The contact geometry of a pair of beams: all quantities that are varied.
 ///
 /// Lengths are in the user's unit; xi and xi_bar have none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,11 +42,11 @@ pub struct Quantities<S> {
     pub g_t_bar: S,
 }
 
-/// How many scalars the quantities are: five vectors and eight scalars.
+/// The number of scalars in the quantities: five vectors and eight scalars.
 pub const COMPONENTS: usize = 23;
 
 impl<S: Scalar> Quantities<S> {
-    /// The same quantities, each seen through `f`.
+    /// The same quantities, with `f` applied to each number.
     pub fn map<U: Scalar>(self, mut f: impl FnMut(S) -> U) -> Quantities<U> {
         Quantities {
             x: self.x.map(&mut f),
@@ -131,7 +131,7 @@ impl Quantity {
         Self::GTBar,
     ];
 
-    /// The quantity that a number of [`Quantities::components`] belongs to.
+    /// The quantity to which a number of [`Quantities::components`] belongs.
     ///
     /// # Panics
     /// If `component` is not below [`COMPONENTS`].
@@ -139,12 +139,12 @@ impl Quantity {
         if component < 15 { Self::ALL[component / 3] } else { Self::ALL[component - 10] }
     }
 
-    /// The axis that a number of [`Quantities::components`] is along, if it belongs to a vector.
+    /// The axis of a number of [`Quantities::components`], if it belongs to a vector.
     pub fn axis_of_component(component: usize) -> Option<char> {
         (component < 15).then(|| ['x', 'y', 'z'][component % 3])
     }
 
-    /// The name, with `_vector` where a vector and its length share a letter.
+    /// The name, with `_vector` if a vector and its length have the same letter.
     pub fn name(self) -> &'static str {
         match self {
             Self::X => "x",
@@ -178,7 +178,7 @@ pub struct Varied<T> {
 }
 
 impl<T> Varied<T> {
-    /// The words for [`Varied::parts`].
+    /// The names of [`Varied::parts`].
     pub const PARTS: [&str; 4] = ["value", "delta", "Delta", "Delta-delta"];
 
     /// The four parts.
@@ -186,7 +186,7 @@ impl<T> Varied<T> {
         [self.value, self.delta, self.linear, self.second]
     }
 
-    /// All parts, each seen through `f`.
+    /// All parts, with `f` applied to each.
     #[must_use]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Varied<U> {
         Varied { value: f(self.value), delta: f(self.delta), linear: f(self.linear), second: f(self.second) }

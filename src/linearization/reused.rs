@@ -1,15 +1,15 @@
-//! The memory of a linearization, used again by the next one of the same thread.
+//! The memory of a linearization, reused by the next one of the same thread.
 
 use super::Linearization;
 use std::any::Any;
 use std::cell::Cell;
 use std::ops::Deref;
 
-/// A [`Linearization`] in memory that its thread uses again.
+/// A [`Linearization`] in memory that its thread reuses.
 ///
 /// It reads like the [`Linearization`] itself; `*linearized` copies it. The first one of a thread allocates its memory.
-/// A linearization that is dropped leaves its memory to the next one, which then neither allocates nor clears: for two
-/// Hermite beams that is half of the time.
+/// A linearization that is dropped leaves its memory to the next one, which then neither allocates nor clears. For two
+/// Hermite beams this saves half of the time.
 pub struct Linearized<const N: usize, const M: usize> {
     /// Empty only while the value is dropped.
     memory: Option<Box<Linearization<f64, N, M>>>,
@@ -24,7 +24,7 @@ impl<const N: usize, const M: usize> Linearized<N, M> {
     /// The linearization that `write` writes; it must write every number.
     #[inline]
     pub(super) fn written(write: impl FnOnce(&mut Linearization<f64, N, M>)) -> Self {
-        // A thread that ends has no spare memory.
+        // A thread that is ending has no spare memory.
         let spare = SPARE.try_with(Cell::take).ok().flatten();
         let mut memory = match spare.map(Box::<dyn Any>::downcast) {
             Some(Ok(memory)) => memory,

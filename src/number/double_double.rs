@@ -61,7 +61,7 @@ impl Div for DoubleDouble {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
-        // One correction: the quotient of twofloat 0.8 alone is good to about 2^-98 only.
+        // One correction, because the quotient of twofloat 0.8 alone is accurate to about 2^-98 only.
         let quotient = self.0 / other.0;
         Self(quotient + (self.0 - quotient * other.0) / other.0)
     }
@@ -87,7 +87,7 @@ impl Real for DoubleDouble {
         Self(root + (self.0 - root * root) / (2.0 * root))
     }
 
-    /// To about 1e-32 (1 + |x|), in absolute terms. The functions of twofloat 0.8 are good to 3e-21 only.
+    /// Accurate to about 1e-32 (1 + |x|), in absolute terms. The functions of twofloat 0.8 are accurate to 3e-21 only.
     fn sin_cos(self) -> (Self, Self) {
         let quarters = (self.value() * FRAC_2_PI).round();
         let turn = |part: f64| Self::from(quarters) * Self::from(part);
@@ -104,7 +104,7 @@ impl Real for DoubleDouble {
     }
 }
 
-/// pi / 2 in three parts, which together have 159 bits of it.
+/// pi / 2 in three parts, whose sum is accurate to 159 bits.
 const QUARTER_TURN: [f64; 3] = [FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
 
 /// 1 - x^2 / (n (n - 1)) (1 - x^2 / ((n - 2) (n - 3)) (..)), built from `last` down to n = 2 or 3: the series of sin x / x

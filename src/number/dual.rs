@@ -1,8 +1,8 @@
-//! One more derivative on top of any scalar: a dual number over [`Real`], and the choice of dual per scalar.
+//! A dual number over any [`Real`], for one more derivative, and the choice of the dual number for each scalar.
 //!
-//! The tangent t = x,xi of a curve that shows only its position is the eps part of its position at xi + eps. Over
-//! num-dual's numbers num-dual's own `Dual` does this; over all other scalars, where num-dual cannot go because its
-//! primitive must be a float, the [`Dual`] of this file does.
+//! The tangent t = x,xi of a curve that is known by its position only is the eps part of its position at xi + eps.
+//! For num-dual's numbers, num-dual's own `Dual` computes it. For all other scalars, the [`Dual`] of this file
+//! computes it, because the primitive of num-dual must be a float.
 
 use super::{
     Bound, DoubleDouble, HyperDual, HyperDualRow, PolynomialDegree, PrimeField, Real, RunningErrorBy,
@@ -21,7 +21,7 @@ pub struct Dual<T> {
 }
 
 impl<T: Real> Dual<T> {
-    /// The number whose value and derivative are given.
+    /// The number with the given value and derivative.
     pub fn new(re: T, eps: T) -> Self {
         Self { re, eps }
     }

@@ -1,4 +1,4 @@
-//! Which scalar contains which: the constants of a dual number are the numbers it is built over.
+//! Which scalar contains which. The constants of a dual number are the numbers it is built over.
 
 use super::{Dual, HyperDual, HyperDualRow, Real};
 use num_dual::{Dual2SVec, Dual2SVec64, DualSVec, HyperDual64};
@@ -45,7 +45,7 @@ impl<const C: usize> Extends<f64> for HyperDualRow<C> {
     }
 }
 
-/// num-dual's numbers are foreign types over foreign traits: each pair in use is named.
+/// The numbers and the traits of num-dual are foreign, so each pair in use has its own implementation.
 macro_rules! extends_by_from_re {
     ($([$($generics:tt)*] $inner:ty => $outer:ty, $($from_re:path),+;)*) => {$(
         impl<$($generics)*> Extends<$inner> for $outer {

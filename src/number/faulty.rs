@@ -1,8 +1,8 @@
-//! A scalar that makes one of its operations wrong, or the terms of one name.
+//! A scalar that injects a fault into one of its operations, or into the terms of one name.
 //!
-//! Nothing branches on a [`Real`], so operation k of one run is operation k of every other run of the same code. An
-//! operation that takes wrong operands is therefore made by replacing its result by that of the same operation in a run
-//! with other operands: with the directions or the beams exchanged, say.
+//! No code branches on a [`Real`], so operation k of one run is operation k of every other run of the same code. Wrong
+//! operands of an operation are therefore injected by replacing its result by that of the same operation in a run with
+//! other operands, for example with the directions or the beams exchanged.
 
 mod bits;
 mod runs;
@@ -15,11 +15,11 @@ use runs::{CHANGE, CHANGES, COUNT, LABELS, MODE, Mode, RECORD, TERMS, TRACE, WRO
 use std::backtrace::Backtrace;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number whose operations are counted, recorded and made wrong, on each thread by itself.
+/// A number whose operations are counted, recorded or made faulty, separately on each thread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Faulty<T>(pub(crate) T);
 
-/// The result of an operation, right or wrong.
+/// The result of an operation, with or without a fault.
 #[inline(always)]
 fn done<T: Bits>(result: T) -> Faulty<T> {
     let count = COUNT.get();
@@ -150,7 +150,7 @@ mod tests {
         assert_eq!(with(2, Change::Instead(6.0_f64.to_bits())), root(38.0));
         assert_eq!(with(3, Change::PlusOne), root(31.0));
         assert_eq!(with(5, Change::PlusOne), root(30.0));
-        // Whatever was wrong in one run is right in the next.
+        // A fault in one run does not affect the next run.
         assert_eq!(formula([4.0, 8.0]).to_bits(), root(30.0));
     }
 

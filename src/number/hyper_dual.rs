@@ -1,8 +1,8 @@
-//! A hyper-dual number over any [`Real`]: a second implementation of the arithmetic behind the AD side, and the
-//! one that runs where num-dual's cannot.
+//! A hyper-dual number over any [`Real`]: a second implementation of the arithmetic of the AD side. It also runs over
+//! scalars that num-dual does not support.
 //!
-//! The picture that makes AD and linearization the same sentence: with q + eps1 dq + eps2 Dq as dofs, the eps1 part
-//! of a result is its variation delta, the eps2 part its linearization Delta, the eps1 eps2 part Delta-delta.
+//! AD and linearization correspond as follows. With q + eps1 dq + eps2 Dq as dofs, the eps1 part of a result is its
+//! variation delta, the eps2 part its linearization Delta, and the eps1 eps2 part Delta-delta.
 
 use super::{Real, field_from_operators};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -21,7 +21,7 @@ pub struct HyperDual<T> {
 }
 
 impl<T: Real> HyperDual<T> {
-    /// The number of which all four parts are given.
+    /// The number with the four given parts.
     pub fn new(re: T, eps1: T, eps2: T, eps1eps2: T) -> Self {
         Self { re, eps1, eps2, eps1eps2 }
     }
@@ -85,7 +85,7 @@ impl<T: Real> Div for HyperDual<T> {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
-        // From p = quotient * other, part by part: one division of numbers a part, none of its results squared.
+        // From p = quotient * other, part by part. Each part takes one division, and no divisor is squared.
         let re = self.re / other.re;
         let eps1 = (self.eps1 - re * other.eps1) / other.re;
         let eps2 = (self.eps2 - re * other.eps2) / other.re;

@@ -1,13 +1,13 @@
 //! Hyper-dual numbers for a whole row of a Hessian: one direction delta against `C` directions Delta.
 //!
-//! The parts that the directions Delta do not touch, the value and the variation delta, are computed once and not `C`
-//! times, and the rest are loops over `C` that a compiler turns into vector instructions. Against one number over all
-//! dofs of a pair, whose hundreds of parts fill no register, a handful of rows of four or eight is much faster.
+//! The value and the variation delta do not depend on the directions Delta. They are computed once and not `C` times.
+//! The rest are loops over `C`, which a compiler vectorizes. One number over all dofs of a pair has hundreds of parts
+//! and does not fit into registers. A few rows of four or eight directions are much faster.
 
 use super::{Real, field_from_operators};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `re + eps1 e1 + sum_j (eps2[j] e2_j + eps1eps2[j] e1 e2_j)`, where all products of two e2 are zero, and e1^2 is.
+/// `re + eps1 e1 + sum_j (eps2[j] e2_j + eps1eps2[j] e1 e2_j)`, where e1^2 and all products of two e2 are zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HyperDualRow<const C: usize> {
     /// The value.

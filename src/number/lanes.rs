@@ -1,11 +1,11 @@
-//! Four numbers side by side: one formula, four cases at once.
+//! Four numbers side by side: one formula for four cases at once.
 
 use super::{Real, field_from_operators};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Four numbers, every operation on each of them.
+/// Four numbers. Every operation applies to each of them.
 ///
-/// It is as wide as the vectors of common machines, whose instructions the compiler makes of it where it may.
+/// It is as wide as the vectors of common machines. The compiler uses vector instructions where the target allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(32))]
 pub struct Lanes(pub [f64; 4]);

@@ -1,4 +1,4 @@
-//! Terms by name, so that a check can make one of them wrong, and explain it.
+//! Named terms, so that a check can inject a fault into one of them, and can explain a mismatch by one.
 
 use super::Real;
 use nalgebra::SMatrix;
@@ -20,9 +20,9 @@ impl fmt::Display for Label {
     }
 }
 
-/// What a name can be given to: a number, a vector, a matrix over the scalar `T`.
+/// A value that can have a name: a number, a vector, or a matrix over the scalar `T`.
 pub trait Term<T> {
-    /// The same, each number with this name.
+    /// The same value, with this name on each number.
     #[must_use]
     fn with_name(self, label: Label) -> Self;
 }
@@ -41,7 +41,7 @@ impl<T: Real, const R: usize, const C: usize> Term<T> for SMatrix<T, R, C> {
     }
 }
 
-/// A term by its name: the term itself, but for scalars that make terms wrong on purpose.
+/// A term with its name. The result is the term itself, except for scalars for fault injection.
 #[inline(always)]
 pub(crate) fn named<T, V: Term<T>>(name: &'static str, term: V) -> V {
     Which::Beam.named(name, term)
@@ -66,7 +66,7 @@ impl fmt::Display for Which {
 }
 
 impl Which {
-    /// A term by its name, in the formula of this beam.
+    /// A term with its name, in the formula of this beam.
     #[inline(always)]
     pub(crate) fn named<T, V: Term<T>>(self, name: &'static str, term: V) -> V {
         term.with_name(Label { name, which: self })

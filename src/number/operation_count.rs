@@ -1,4 +1,4 @@
-//! A number that counts what is done with it: the arithmetic that a formula cannot do without.
+//! A number that counts its operations: a lower bound of the arithmetic of a formula.
 
 use super::{Real, field_from_operators};
 use std::cell::Cell;
@@ -8,22 +8,22 @@ thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
 }
 
-/// Where a number comes from, as far as it decides what the next operation costs.
+/// The origin of a number, as far as it decides the cost of the next operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Origin {
-    /// It is known before anything is computed.
+    /// It is known before the computation.
     Constant,
-    /// It is a product, which a sum may still take with it.
+    /// It is a product, which can still be fused with a sum.
     Product,
-    /// It is given, or any other result.
+    /// It is an input, or any other result.
     Other,
 }
 
-/// An `f64` whose operations are counted, on each thread by itself.
+/// An `f64` whose operations are counted, separately on each thread.
 ///
-/// As one counts a product with the sum that it goes into, where processors have such an operation; a quotient, a root, a
-/// sine and a cosine are one each, although they take longer. A change of sign counts nothing, nor does what need not
-/// be computed: with constants alone, plus zero, times zero or one. So a count is of what is done at least.
+/// A product and the sum that it enters count as one, because processors have such an operation. A quotient, a root, a
+/// sine and a cosine count as one each, although they take longer. A change of sign, an operation on constants alone, a
+/// sum with zero, and a product with zero or one count as nothing. The count is therefore a lower bound.
 #[derive(Clone, Copy, Debug)]
 pub struct OperationCount {
     value: f64,
@@ -31,12 +31,12 @@ pub struct OperationCount {
 }
 
 impl OperationCount {
-    /// A number that is not known before; what [`From`] makes is a constant.
+    /// A number that is not known in advance. [`From`] makes constants.
     pub fn given(value: f64) -> Self {
         Self { value, origin: Origin::Other }
     }
 
-    /// How many operations `work` does.
+    /// The number of operations of `work`.
     pub fn count(work: impl FnOnce()) -> usize {
         let before = COUNT.get();
         work();
@@ -115,7 +115,7 @@ impl Div for OperationCount {
             _ if self.is(0.0) => self,
             _ if other.is(1.0) => self,
             (Origin::Constant, Origin::Constant) => Self::from(value),
-            // Its inverse is a constant too.
+            // The inverse of a constant is a constant too, so this is a product.
             (_, Origin::Constant) => Self::new(value, Origin::Product),
             _ => Self::new(value, Origin::Other),
         }
@@ -126,7 +126,7 @@ impl Neg for OperationCount {
     type Output = Self;
 
     fn neg(self) -> Self {
-        // -0.0 would be another constant.
+        // The constant -0.0 would differ from 0.0.
         if self.is(0.0) { self } else { Self { value: -self.value, ..self } }
     }
 }

@@ -1,18 +1,18 @@
-//! The degree of a formula: what bounds the chance that exact arithmetic at random points overlooks a fault.
+//! The degree of a formula. It bounds the probability that exact arithmetic at random points misses a fault.
 
 use super::{Real, field_from_operators};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Upper bounds on the degrees of numerator and denominator of a rational function, as a formula builds it up.
+/// Upper bounds on the degrees of the numerator and the denominator of a rational function that a formula computes.
 ///
-/// No cancellation is assumed, so the bounds are far from sharp; they need not be. A square root counts as a variable of
-/// half the degree of its argument. Sine and cosine count as rational functions of degree 2: they are random points of
-/// the circle.
+/// No cancellation is assumed, so the bounds are not sharp, and need not be. A square root counts as a variable of
+/// half the degree of its argument. Sine and cosine count as rational functions of degree 2: they are coordinates of
+/// random points of the circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PolynomialDegree {
-    /// Of the numerator.
+    /// The degree of the numerator.
     pub numerator: f64,
-    /// Of the denominator.
+    /// The degree of the denominator.
     pub denominator: f64,
 }
 

@@ -1,8 +1,8 @@
-//! The prime field of 2^61 - 1: nothing is rounded, nothing is small, and two formulas are equal or they are not.
+//! The prime field of 2^61 - 1: arithmetic is exact, so two formulas are either equal or different.
 //!
-//! The closed form and hyper-dual arithmetic need + - * / and square roots alone, so both run here, and are compared by
-//! `==` without a tolerance. By the lemma of Schwartz and Zippel two different rational functions of degree n agree at a
-//! random point with probability n / 2^61 at most.
+//! The closed form and hyper-dual arithmetic need + - * / and square roots alone. Both therefore run in this field, and
+//! `==` compares them without a tolerance. By the lemma of Schwartz and Zippel, two different rational functions of
+//! degree n agree at a random point with a probability of n / 2^61 at most.
 
 use super::{Real, field_from_operators};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -28,7 +28,7 @@ impl PrimeField {
         self.0
     }
 
-    /// The power with a whole exponent.
+    /// The power with an integer exponent.
     #[must_use]
     pub fn power(self, mut exponent: u64) -> Self {
         let (mut power, mut square) = (Self(1), self);
@@ -42,9 +42,9 @@ impl PrimeField {
         power
     }
 
-    /// The fraction that this is, as numerator and denominator, both at most `limit`; none if there is none such.
+    /// The fraction that equals this element, with numerator and denominator of at most `limit`, if there is one.
     ///
-    /// With a limit below 2^30 there is one at most. It is in lowest terms, and the denominator is positive.
+    /// With a limit below 2^30 there is at most one. It is in lowest terms, and the denominator is positive.
     ///
     /// Source: P. Wang, "A p-adic algorithm for univariate partial fractions", 1981, doi:10.1145/800206.806398.
     pub fn fraction(self, limit: u32) -> Option<(i64, u64)> {
@@ -68,7 +68,7 @@ impl PrimeField {
 }
 
 impl From<f64> for PrimeField {
-    /// Exact for every finite number: an `f64` is an integer times a power of two. What is not finite becomes 0.
+    /// Exact for every finite number: an `f64` is an integer times a power of two. Other numbers become 0.
     fn from(value: f64) -> Self {
         if !value.is_finite() {
             return Self(0);
@@ -110,7 +110,7 @@ impl Mul for PrimeField {
 
 impl Div for PrimeField {
     type Output = Self;
-    /// By Fermat, 1 / a = a^(p - 2). A quotient by 0 is 0, as there is no element to stand for it.
+    /// By Fermat, 1 / a = a^(p - 2). A quotient by 0 is 0, because the field has no infinity.
     fn div(self, other: Self) -> Self {
         self * other.power(Self::PRIME - 2)
     }
@@ -127,16 +127,16 @@ impl Neg for PrimeField {
 field_from_operators!([] PrimeField);
 
 impl Real for PrimeField {
-    /// A root of a square, one of two, always the same; of what is no square the result means nothing
+    /// One of the two roots of a square, always the same. If the argument is not a square, the result has no meaning
     /// ([`PrimeField::is_square`]).
     fn sqrt(self) -> Self {
-        // p = 3 mod 4: (v^((p + 1)/4))² = v v^((p - 1)/2) = v, or -v if v has no root: then some other number.
+        // p = 3 mod 4: (v^((p + 1)/4))² = v v^((p - 1)/2) = v, or -v if v has no root. Then the result is v itself.
         let root = self.power((Self::PRIME + 1) >> 2);
         if root * root == self { root } else { self }
     }
 
-    /// A point of the unit circle. All that differentiation asks of sine and cosine is s' = c and c' = -s, which the
-    /// dual numbers over this field bring along, and s² + c² = 1.
+    /// A point of the unit circle. Differentiation uses only s' = c and c' = -s, which the dual numbers over this field
+    /// provide, and s² + c² = 1.
     fn sin_cos(self) -> (Self, Self) {
         let (one, square) = (Self(1), self * self);
         let denominator = one + square;

@@ -1,35 +1,35 @@
-//! A number that knows how wrong it can be: running error analysis.
+//! A number with a bound on its rounding error: running error analysis.
 //!
 //! Each operation passes on the errors of its operands to first and second order and adds half an ulp of its own
 //! (J. H. Wilkinson, "Error analysis revisited", 1986; N. Higham, *Accuracy and Stability*, section 3.3). Running a
 //! formula over `RunningError` therefore yields its `f64` value, bit by bit, together with a bound on the distance from
-//! the value that exact arithmetic would have given. This is what the gate compares with: no tolerance is tuned.
+//! the exact value. The check compares with these bounds, so no tolerance is tuned.
 
 use super::{Real, field_from_operators};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Makes up for the rounding of the bound itself.
+/// A factor that compensates for the rounding of the bound itself.
 ///
-/// A bound is a sum of products of the half ulps of operations and of the bounds of inputs, all of which are larger by
-/// this factor. Computing with them loses half an ulp of the bound at a time, which 2^28 times in a row do not outweigh
-/// it, be it in the root of a root; and the only difference, the distance of a divisor from zero, is smaller for it.
+/// A bound is a sum of products of the half ulps of operations and of the bounds of inputs, which this factor enlarges.
+/// An operation on bounds loses half an ulp of the bound at most. 2^28 operations in a row lose less than this factor
+/// adds, even in nested roots. The only difference, the distance of a divisor from zero, becomes smaller by it.
 const INFLATION: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 
 /// Unit roundoff of `f64`, 2^-53, inflated.
 const UNIT: f64 = f64::EPSILON / 2.0 * INFLATION;
 
-/// One bound, or several: what a result is known up to under several assumptions on the inputs, at about the price of
+/// One or several bounds. Several bounds belong to several assumptions on the inputs, and cost about as much as
 /// one.
 pub trait Bound: Copy + PartialEq + Debug + Send + Sync + 'static {
     /// No error.
     const NONE: Self;
 
-    /// Each bound, seen through `f`.
+    /// Applies `f` to each bound.
     #[must_use]
     fn map(self, f: impl Fn(f64) -> f64) -> Self;
 
-    /// Each bound with its counterpart, seen through `f`.
+    /// Applies `f` to each bound and its counterpart.
     #[must_use]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
 }
@@ -65,17 +65,17 @@ impl Bound for [f64; 2] {
 /// A value with an absolute bound on its error.
 pub type RunningError = RunningErrorBy<f64>;
 
-/// A value with one absolute bound on its error or several.
+/// A value with one or several absolute bounds on its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunningErrorBy<B> {
     /// The value: the same bits that plain `f64` would have.
     pub value: f64,
-    /// No less than |value - exact value|; infinite where nothing is known.
+    /// At least |value - exact value|; infinite if nothing is known.
     pub bound: B,
 }
 
 impl<B: Bound> RunningErrorBy<B> {
-    /// A value known up to `bound`.
+    /// A value with this error bound.
     pub fn new(value: f64, bound: B) -> Self {
         Self { value, bound: bound.map(|bound| bound * INFLATION) }
     }
@@ -87,20 +87,20 @@ impl<B: Bound> RunningErrorBy<B> {
         Self { value, bound: inherited.map(|inherited| inherited + rounding) }
     }
 
-    /// What a sum or a difference inherits.
+    /// The error that a sum or a difference inherits.
     #[inline]
     fn of_sum(self, other: Self) -> B {
         self.bound.zip(other.bound, |e, other| e + other)
     }
 
-    /// What a product inherits: |v| e' + e |v'| + e e'.
+    /// The error that a product inherits: |v| e' + e |v'| + e e'.
     #[inline]
     fn of_product(self, other: Self) -> B {
         let (size, other_size) = (self.value.abs(), other.value.abs());
         self.bound.zip(other.bound, |e, other| size * other + e * (other_size + other))
     }
 
-    /// What a quotient inherits: (e + |v/v'| e')/(|v'| - e').
+    /// The error that a quotient inherits: (e + |v/v'| e')/(|v'| - e').
     #[inline]
     fn of_quotient(self, other: Self, quotient: f64) -> B {
         let (size, other_size) = (quotient.abs(), other.value.abs());
@@ -170,7 +170,7 @@ impl<B: Bound> Real for RunningErrorBy<B> {
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        // The library functions are good to one ulp, twice the half that `rounded` adds.
+        // The library functions are accurate to one ulp, twice the half ulp that `rounded` adds.
         let (sin, cos) = self.value.sin_cos();
         let part = |value: f64| Self::rounded(value, self.bound.map(|e| e + UNIT * value.abs()));
         (part(sin), part(cos))

@@ -1,14 +1,14 @@
-//! The size of a formula's terms: the scale against which a difference is small or not.
+//! The size of the terms of a formula: the scale that decides whether a difference is small.
 //!
-//! A result that came about by cancellation is small though its terms are large; judged by its own size, a correct
-//! code would be rejected, and judged by a fixed number, a wrong code would pass. `TermScale` carries next to the
-//! value the sum of the absolute values of the terms: |a| + |b| for a sum, the product of both for a product.
+//! A result of cancellation is small although its terms are large. Relative to its own size, correct code would be
+//! rejected. Relative to a fixed number, wrong code would pass. `TermScale` contains, next to the value, the sum of
+//! the absolute values of the terms: |a| + |b| for a sum, the product of both for a product.
 
 use super::{Real, field_from_operators};
 use nalgebra::Vector3;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A value and the sum of the absolute values of the terms it is the sum of.
+/// A value and the sum of the absolute values of its terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TermScale {
     /// The value.
@@ -18,9 +18,9 @@ pub struct TermScale {
 }
 
 impl TermScale {
-    /// A vector, whose components have the scale of the whole: which of them is small is the choice of the axes.
+    /// A vector. All components have the scale of the whole vector, because the axes decide which component is small.
     ///
-    /// The scale of each is ‖v‖/√3, so that the scale of v·w is ‖v‖‖w‖; that of a larger component is its size.
+    /// The scale of each is ‖v‖/√3, so that the scale of v·w is ‖v‖‖w‖. A larger component has its size as its scale.
     pub fn vector(v: Vector3<f64>) -> Vector3<Self> {
         let share = v.norm() / 3.0_f64.sqrt();
         v.map(|value| Self { value, scale: share.max(value.abs()) })
@@ -64,7 +64,7 @@ impl Mul for TermScale {
 
 impl Div for TermScale {
     type Output = Self;
-    /// The denominator counts by its value: what its own cancellation does is conditioning, not a term.
+    /// The denominator counts by its value. Its own cancellation belongs to the conditioning and not to the terms.
     fn div(self, other: Self) -> Self {
         Self { value: self.value / other.value, scale: self.scale / other.value.abs() }
     }
@@ -81,7 +81,7 @@ impl Neg for TermScale {
 field_from_operators!([] TermScale);
 
 impl Real for TermScale {
-    /// The length of a vector is as large as the terms of its components, however short it came out.
+    /// The scale of a length is the scale of the components of the vector, even if the vector is short by cancellation.
     fn sqrt(self) -> Self {
         Self { value: self.value.sqrt(), scale: self.scale.sqrt() }
     }

@@ -1,18 +1,18 @@
-//! A residue that is marked where an operation entered it.
+//! A residue with a mark that shows whether a certain operation contributed to it.
 
 use super::faulty::Bits;
 use super::{PrimeField, Real, field_from_operators};
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A residue, and whether the marked operation entered it.
+/// A residue, and whether the marked operation contributed to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Traced {
     value: PrimeField,
     is_marked: bool,
 }
 
-/// The bit of the mark: residues have 61.
+/// The bit of the mark. Residues have 61 bits.
 const MARK: u32 = 63;
 
 thread_local! {
@@ -21,18 +21,18 @@ thread_local! {
 }
 
 impl Traced {
-    /// Runs code, and says whether a marked number was multiplied by an exact zero.
+    /// Runs code, and returns whether a marked number was multiplied by an exact zero.
     pub(crate) fn run<R>(run: impl FnOnce() -> R) -> (R, bool) {
         IS_LOST.set(false);
         (run(), IS_LOST.get())
     }
 
-    /// Whether the marked operation entered the number with these bits.
+    /// Whether the marked operation contributed to the number with these bits.
     pub(crate) fn is_marked(bits: u64) -> bool {
         bits >> MARK == 1
     }
 
-    /// A number that is zero whatever the marked operation is, or one that the operation enters.
+    /// A number that has no mark if it is zero for every result of the marked operation.
     fn unless_zero(value: PrimeField, is_zero: bool, is_marked: bool) -> Self {
         IS_LOST.set(IS_LOST.get() || is_zero);
         Self { value, is_marked: is_marked && !is_zero }

@@ -1,4 +1,4 @@
-//! One draw: two beams at a stationary point, both sides run, and all entries side by side.
+//! One draw: two beams at a stationary point, both sides evaluated, and all their entries.
 
 use super::entry::{Entry, entries};
 use super::{Sides, differentiated};
@@ -10,24 +10,24 @@ use crate::variant::{CONTACT, Step, Variant, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-/// Matrices cost ten times what the variations cost: they are compared in every so manieth eight draws.
+/// Matrices cost ten times as much as the variations, so they are compared in one of this many groups of eight draws.
 const MATRICES_EVERY: u64 = 8;
 
-/// One draw with all that was compared in it.
+/// One draw with all its compared numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Draw {
     /// The families of beam and bar beam.
     pub families: [Family; 2],
-    /// Its number; with the seed and the families it decides all the rest.
+    /// Its number. With the seed and the families, it determines all other fields.
     pub number: u64,
     /// Which parameters were held at an end.
     pub held: Held,
-    /// What was compared.
+    /// The compared numbers.
     pub entries: Vec<Entry<PrimeField>>,
 }
 
 impl Draw {
-    /// Draws, runs both sides, and lays them side by side.
+    /// Draws, evaluates both sides, and pairs their entries.
     pub fn new(variant: &Variant, seed: u64, families: [Family; 2], number: u64) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream((number * 256 + families[0] as u64) * 256 + families[1] as u64);
@@ -56,7 +56,7 @@ impl Draw {
             closed: variant.quantities(partial, at, form, &CONTACT).components(),
             ad: differentiated(beams, at, held, &CONTACT),
             matrices: with_matrices.then(matrices),
-            // Faults are planted in the formulas that the kernel stands beside.
+            // Faults are injected into the formulas that the kernel is compared with.
             kernel: if with_matrices && *variant == Variant::Unmodified { kernel() } else { Vec::new() },
         };
         Self { families, number, held, entries: entries(&sides) }

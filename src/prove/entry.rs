@@ -1,11 +1,11 @@
-//! What is compared in a draw, entry by entry.
+//! The compared numbers of a draw, entry by entry.
 
 use super::Sides;
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::PrimeField;
 use crate::variant::SCALAR_COMPONENTS;
 
-/// What is compared of a quantity.
+/// The part of a quantity that is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Layer {
     /// The value.
@@ -16,7 +16,7 @@ pub enum Layer {
     Second,
     /// Gradient and Hessian, contracted with the directions.
     Matrix,
-    /// Value, gradient and Hessian by the kernel, contracted alike.
+    /// Value, gradient and Hessian by the kernel, contracted in the same way.
     Kernel,
 }
 
@@ -36,16 +36,16 @@ impl Layer {
     }
 }
 
-/// One number, as the two sides have it.
+/// One number of both sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry<T> {
     /// Its place among [`Quantities::components`](crate::linearization::Quantities::components).
     pub component: usize,
     /// The layer.
     pub layer: Layer,
-    /// What is compared with AD: the equations, the matrices, or the kernel in one of its layouts.
+    /// The code that is compared with AD: the equations, the matrices, or the kernel in one of its layouts.
     pub candidate: &'static str,
-    /// The part, in the words of [`Varied::PARTS`].
+    /// The part, by its name in [`Varied::PARTS`].
     pub part: &'static str,
     /// The closed form's number.
     pub closed: T,
@@ -59,7 +59,7 @@ impl<T> Entry<T> {
         Quantity::of_component(self.component)
     }
 
-    /// The axis, of a vector.
+    /// The axis, if the quantity is a vector.
     pub fn axis(&self) -> Option<char> {
         Quantity::axis_of_component(self.component)
     }
@@ -71,7 +71,7 @@ impl Entry<PrimeField> {
         self.closed == self.ad
     }
 
-    /// Closed form over AD as numerator and denominator, if both are at most 1000: a wrong sign of the whole makes it
+    /// Closed form over AD as numerator and denominator, if both are at most 1000. A wrong sign of the whole gives
     /// -1 / 1, a doubled result 2 / 1. None if AD has zero, or if the fault is in one term of several.
     pub fn ratio(&self) -> Option<(i64, u64)> {
         let zero = PrimeField::new(0);

@@ -1,4 +1,4 @@
-//! All draws of all pairs of families, and what they amount to.
+//! All draws of all pairs of families, and their result.
 
 use super::entry::{Entry, Layer, entries};
 use super::{Draw, Sides, differentiated};
@@ -22,7 +22,7 @@ pub struct Row {
     pub layer: Layer,
     /// Draws in which the two sides were equal.
     pub equal: u64,
-    /// Draws in which they were not.
+    /// Draws in which the two sides were not equal.
     pub refuted: u64,
     /// The largest bound on the degree of the difference over all pairs of families.
     pub degree: f64,
@@ -47,17 +47,17 @@ pub struct Proof {
 }
 
 impl Proof {
-    /// Whether everything was equal, and there was something.
+    /// Whether something was compared, and everything was equal.
     pub fn holds(&self) -> bool {
         let equal = self.rows.iter().all(|row| row.refuted == 0 && row.equal > 0);
         equal && self.refutations.is_empty() && !self.rows.is_empty()
     }
 }
 
-/// A table over the components (the scalars once more for the matrices) and layers.
+/// A table over the components (the scalars again for the matrices) and layers.
 type Counts = [[u64; Layer::ALL.len()]; COMPONENTS];
 
-/// Proves the closed form for every pair of the families, with so many draws each.
+/// Proves the closed form for every pair of the families, with this number of draws each.
 pub fn prove(variant: &Variant, seed: u64, families: &[Family], draws: u64) -> Proof {
     let pairs: Vec<[Family; 2]> =
         families.iter().flat_map(|&one| families.iter().map(move |&other| [one, other])).collect();

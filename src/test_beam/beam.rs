@@ -1,4 +1,4 @@
-//! A drawn beam with its family and size forgotten, so that what follows is compiled once and not per pair of families.
+//! A drawn beam without its type and size, so that later code is compiled once and not once per pair of families.
 
 use super::exact::{Exact, ExactBeam};
 use super::padded::{FEW_DOFS, Padded, PaddedBeam};
@@ -14,11 +14,11 @@ use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
 use std::fmt::Debug;
 
-/// A number with two bounds: what it is known up to if the parameters of the closest point are as good as
-/// double-double makes them, and if they are as good as `f64` does.
+/// A number with two bounds. The first is valid if the parameters of the closest point are as accurate as
+/// double-double makes them, the second if they are as accurate as `f64` makes them.
 pub(crate) type RunningError2 = RunningErrorBy<[f64; 2]>;
 
-/// What the gate asks of a beam.
+/// The methods that the check needs of a beam.
 pub(crate) trait AnyBeam:
     Centroid
     + PositionAt<num_dual::Dual<HyperDual64>>
@@ -30,13 +30,13 @@ pub(crate) trait AnyBeam:
     + Send
     + Sync
 {
-    /// How many dofs it has.
+    /// The number of dofs.
     fn dofs(&self) -> usize;
 
     /// Its dofs and the two directions.
     fn numbers(&self) -> [&[f64]; 3];
 
-    /// The same curve with other dofs and directions, as many as it has.
+    /// The same curve with other dofs and directions, in the same number.
     fn with_numbers(&self, numbers: &[Vec<f64>; 3]) -> Box<dyn AnyBeam>;
 
     /// Point and tangent at any parameter, also beyond the ends.
@@ -57,7 +57,7 @@ pub(crate) trait AnyBeam:
     /// The beam in double-double at q + `along`\[0\] dq + `along`\[1\] Dq.
     fn moved(&self, along: [DoubleDouble; 2]) -> Box<dyn PositionAt<DoubleDouble> + '_>;
 
-    /// The jet with its dofs filled up to a common number, and the two directions filled up alike.
+    /// The jet with its dofs padded to a common number, and the two directions padded in the same way.
     fn padded(&self, xi: RunningError) -> PaddedBeam<RunningError>;
 
     /// The same for a beam with few dofs.
@@ -66,11 +66,11 @@ pub(crate) trait AnyBeam:
     /// A beam of the same family and parameters, with random dofs and directions over the prime field.
     fn residues(&self, random: &mut dyn FnMut() -> PrimeField) -> Box<dyn ExactBeam<PrimeField>>;
 
-    /// The jet of such a curve with all its derivatives, as a function of the parameter, over a scalar that makes
-    /// operations wrong.
+    /// The jet of such a curve with all its derivatives, as a function of the parameter, over a scalar that injects
+    /// faults into operations.
     fn jets(&self, random: &mut dyn FnMut() -> Traced) -> Box<dyn Fn(Traced) -> Vec<u64> + Send + Sync>;
 
-    /// The same with every dof and direction a variable whose degree counts.
+    /// The same with every dof and direction as a variable whose degree counts.
     fn degrees(&self) -> Box<dyn ExactBeam<PolynomialDegree>>;
 }
 
@@ -81,7 +81,7 @@ pub(crate) struct Drawn<C, const N: usize> {
     pub(crate) q: SVector<f64, N>,
     pub(crate) dq: SVector<f64, N>,
     pub(crate) linear_dq: SVector<f64, N>,
-    /// Where in `q` the points start: the triples that move when the beam is moved.
+    /// The indices in `q` where the points start: the triples that change when the beam is moved.
     pub(crate) points: Vec<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! A beam written out as numbers, and made from them.
+//! A beam written as numbers, and made from them.
 
 use super::beam::{AnyBeam, Drawn};
 use super::{Family, Unit};
@@ -10,12 +10,12 @@ use nalgebra::{SVector, Vector3};
 use std::fmt::Debug;
 use thiserror::Error;
 
-/// A beam as numbers: all that decides it.
+/// A beam as numbers: all its data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TestBeam {
     /// The family of its curve.
     pub family: Family,
-    /// The fixed parameters of the curve, one after the other as [`Family::parameters`] has them.
+    /// The fixed parameters of the curve, one after the other in the order of [`Family::parameters`].
     pub parameters: Vec<f64>,
     /// The dofs.
     pub q: Vec<f64>,
@@ -25,39 +25,39 @@ pub struct TestBeam {
     pub linear_dq: Vec<f64>,
 }
 
-/// Why numbers make no beam.
+/// The reason why numbers define no beam.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TestBeamError {
-    /// There are too many or too few of them.
+    /// There are too many or too few numbers.
     #[error("{what}: {expected} numbers expected for the family {}, found {found}", family.name())]
     Count {
         /// Parameters, q, dq or linear_dq.
         what: &'static str,
-        /// How many the family has.
+        /// The number that the family has.
         expected: usize,
-        /// How many there are.
+        /// The number that was found.
         found: usize,
         /// The family.
         family: Family,
     },
-    /// A number is infinite or none.
+    /// A number is not finite.
     #[error("{what}[{index}]: a finite number expected, found {value}")]
     NotFinite {
         /// Parameters, q, dq or linear_dq.
         what: &'static str,
-        /// Its place, from 0.
+        /// Its index, from 0.
         index: usize,
         /// The number.
         value: f64,
     },
-    /// The parameters make no curve.
+    /// The parameters define no curve.
     #[error("the parameters make no curve")]
     Curve(#[from] CurveError),
 }
 
 impl TestBeam {
-    /// The parameter of this name; empty if the family has none such.
+    /// The parameter with this name; empty if the family has no such parameter.
     pub fn parameter(&self, name: &str) -> &[f64] {
         let mut start = 0;
         for &(known, count) in self.family.parameters() {
@@ -100,18 +100,18 @@ impl TestBeam {
         }
     }
 
-    /// Whether the numbers make a beam.
+    /// Checks whether the numbers define a beam.
     ///
     /// # Errors
-    /// [`TestBeamError`] says why they do not.
+    /// [`TestBeamError`] gives the reason why they do not.
     pub fn validate(&self) -> Result<(), TestBeamError> {
         self.beam().map(drop)
     }
 
-    /// The centroid, as the closest point projection sees it.
+    /// The centroid, as the search for closest points uses it.
     ///
     /// # Errors
-    /// [`TestBeamError`] if the numbers make no beam.
+    /// [`TestBeamError`] if the numbers define no beam.
     pub fn centroid(&self) -> Result<Box<dyn Centroid>, TestBeamError> {
         Ok(self.beam()?)
     }
@@ -152,7 +152,7 @@ impl TestBeam {
         })
     }
 
-    /// The beam on a curve; there are as many numbers as the curve has dofs.
+    /// The beam on a curve. There are as many numbers as the curve has dofs.
     fn of<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize>(
         &self,
         curve: C,

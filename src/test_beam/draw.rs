@@ -1,14 +1,14 @@
-//! Dofs for every family that follow a given arc, drawn at random.
+//! Random dofs for every family that follow a given arc.
 
 use super::{AnyBeam, Family, TestBeam, Unit};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// The arc that the dofs of a drawn curve follow, roughly; it passes through `point` at `xi` exactly in kind.
+/// The arc that the dofs of a drawn curve roughly follow. The arc passes through `point` at `xi`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Target {
-    /// Where the beam is to pass.
+    /// The point that the beam passes through.
     pub(crate) point: Vector3<f64>,
     /// Tangent, normal and binormal there.
     pub(crate) frame: Matrix3<f64>,
@@ -30,7 +30,7 @@ impl Target {
         [self.point + self.frame * local, self.frame * slope]
     }
 
-    /// A point near the one at xi: off it by a few percent of what the bend bends.
+    /// A point near the one at xi, at a distance of a few percent of the deflection by the bend.
     fn near(&self, xi: f64, rng: &mut ChaCha8Rng) -> Vector3<f64> {
         let off = Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
         self.at(xi)[0] + off * (0.04 * self.bend.min(1.0) * self.length)
@@ -38,7 +38,7 @@ impl Target {
 }
 
 impl Family {
-    /// A beam of this family with random parameters (knots, weights, opening angle); its dofs are of no importance.
+    /// A beam of this family with random parameters (knots, weights, opening angle). Its dofs have no meaning.
     pub(crate) fn model(self, rng: &mut ChaCha8Rng) -> Box<dyn AnyBeam> {
         let target =
             Target { point: Vector3::zeros(), frame: Matrix3::identity(), length: 1.0, bend: 1.0, xi: 0.0 };
@@ -80,7 +80,7 @@ impl Family {
             }
         };
         let units = self.units();
-        // Each entry in the unit of its dof; tangents are half as long as the beam.
+        // Each entry has the unit of its dof. Tangents are half as long as the beam.
         let scale = |unit: Unit| match unit {
             Unit::Pure => 1.0,
             Unit::Length if self == Self::Hermite => 0.5 * target.length,
@@ -110,7 +110,7 @@ fn equidistant<const P: usize>() -> [f64; P] {
     std::array::from_fn(|i| 2.0 * i as f64 / (P - 1) as f64 - 1.0)
 }
 
-/// A point and a tangent at both ends; `tangent` is the length of a tangent of one.
+/// A point and a tangent at both ends; `tangent` is the length of dx/dxi for a tangent dof of length one.
 fn hermite(tangent: f64, target: &Target, rng: &mut ChaCha8Rng) -> Vec<f64> {
     let mut node = |xi| {
         let [_, slope] = target.at(xi);
@@ -119,7 +119,7 @@ fn hermite(tangent: f64, target: &Target, rng: &mut ChaCha8Rng) -> Vec<f64> {
     [node(-1.0), node(1.0)].concat()
 }
 
-/// Uneven knots, and the parameters that the `P` control points of the span belong to (Greville's averages).
+/// Uneven knots, and the parameters of the `P` control points of the span (Greville's averages).
 #[expect(clippy::cast_precision_loss, reason = "a handful of knots")]
 fn knots<const P: usize>(rng: &mut ChaCha8Rng) -> (Vec<f64>, [f64; P]) {
     let degree = P - 1;
@@ -145,10 +145,10 @@ fn winding(target: &Target, rise: f64, rng: &mut ChaCha8Rng) -> (f64, [f64; 9]) 
     let radius = target.length / (target.bend * slant);
     let phase: f64 = rng.random_range(-3.0..3.0);
     let angle = phase + half_angle * target.xi;
-    // Where the curve passes the point, its radial, circumferential and axial directions are ..
+    // At the point where the curve passes, its radial, circumferential and axial directions are ..
     let (sin, cos) = angle.sin_cos();
     let local = Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
-    // .. to be turned so that the tangent (0, 1, rise) falls on the target's, and the radial direction on its normal.
+    // .. to be rotated so that the tangent (0, 1, rise) falls on the target's, and the radial direction on its normal.
     let (tangent, normal, binormal) =
         (target.frame.column(0), target.frame.column(1), target.frame.column(2));
     let circumferential = (tangent - binormal * rise) / slant;

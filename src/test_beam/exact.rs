@@ -7,7 +7,7 @@ use crate::linearization::closed_form::PartialVariations;
 use crate::number::{Dual, Extends, HyperDual, Real};
 use nalgebra::{SVector, Vector3};
 
-/// What the proof asks of a beam; all that is compared comes from here.
+/// The methods that the proof needs of a beam. All compared numbers come from here.
 pub(crate) trait ExactBeam<T: Real>:
     PositionAt<Dual<HyperDual<T>>> + PositionAt<Dual<Dual<T>>> + Send + Sync
 {
@@ -20,7 +20,7 @@ pub(crate) trait ExactBeam<T: Real>:
     /// The variations at a fixed parameter.
     fn partial_variations(&self, xi: T) -> PartialVariations<T>;
 
-    /// The jet and the two directions, filled up to a common number of dofs.
+    /// The jet and the two directions, padded to a common number of dofs.
     fn padded(&self, xi: T) -> PaddedBeam<T>;
 }
 
@@ -31,7 +31,7 @@ pub(crate) struct Exact<C, T, const N: usize> {
     pub(crate) q: SVector<T, N>,
     pub(crate) dq: SVector<T, N>,
     pub(crate) linear_dq: SVector<T, N>,
-    /// Where in `q` the points start.
+    /// The indices in `q` where the points start.
     pub(crate) points: Vec<usize>,
 }
 

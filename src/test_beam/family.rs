@@ -1,4 +1,4 @@
-//! The families the gate draws from: their names, their parameters, and the units of their dofs.
+//! The curve families of the check: their names, their parameters, and the units of their dofs.
 
 /// A family of curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -70,7 +70,7 @@ impl Family {
         Self::ALL.into_iter().find(|family| family.name() == name)
     }
 
-    /// The fixed parameters of the curve, by name, and how many numbers each is.
+    /// The fixed parameters of the curve: the name and the count of numbers of each.
     pub fn parameters(self) -> &'static [(&'static str, usize)] {
         match self {
             Self::Segment | Self::Quadratic | Self::Cubic | Self::Hermite | Self::Bezier => &[],
@@ -81,13 +81,13 @@ impl Family {
         }
     }
 
-    /// Where the points start in the dofs.
+    /// The indices of the dofs where the points start.
     pub(crate) fn points(self) -> Vec<usize> {
         let coordinates = self.units().into_iter().enumerate().filter(|(_, unit)| *unit == Unit::Point);
         coordinates.map(|(i, _)| i).step_by(3).collect()
     }
 
-    /// Where the vectors start in the dofs, points and others: what turns when the beam is turned.
+    /// The indices of the dofs where the vectors start, points and others: these dofs change when the beam is rotated.
     pub(crate) fn vectors(self) -> Vec<usize> {
         match self {
             Self::Hermite | Self::HermiteScaled => vec![0, 3, 6, 9],
@@ -95,7 +95,7 @@ impl Family {
         }
     }
 
-    /// Where the quaternion starts in the dofs, if there is one.
+    /// The index of the dof where the quaternion starts, if there is one.
     pub(crate) fn quaternion(self) -> Option<usize> {
         match self {
             Self::Arc => Some(4),
@@ -104,7 +104,7 @@ impl Family {
         }
     }
 
-    /// What each dof is measured in.
+    /// The unit of each dof.
     pub fn units(self) -> Vec<Unit> {
         use Unit::{Length, Point, Pure};
         let repeated = |node: &[Unit], nodes: usize| node.repeat(nodes);
@@ -122,12 +122,12 @@ impl Family {
     }
 }
 
-/// What a dof is measured in.
+/// The unit of a dof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// A coordinate of a point, three in a row: a length that changes when the beam is moved.
     Point,
-    /// Any other length, or a component of a vector that is one.
+    /// Any other length, or a component of a vector of lengths.
     Length,
     /// A number without unit.
     Pure,

@@ -1,16 +1,16 @@
-//! Derivatives in the dofs, filled up with zeros to a common number of dofs: a few instantiations of the matrices serve
+//! Derivatives in the dofs, padded with zeros to a common number of dofs. A few instantiations of the matrices serve
 //! all pairs of families.
 
 use crate::curve::{DofDerivatives, Geometry, Jet};
 use crate::number::Real;
 use nalgebra::{SMatrix, SVector, Vector3};
 
-/// The number of dofs that every family of the gate can be filled up to.
+/// The number of dofs to which every family of the check can be padded.
 pub(crate) const DOFS: usize = 18;
-/// The number of dofs that most families can be filled up to.
+/// The number of dofs to which most families can be padded.
 pub(crate) const FEW_DOFS: usize = 12;
 
-/// A jet, the dofs and the two directions, filled up.
+/// A jet, the dofs and the two directions, padded.
 pub(crate) type PaddedBeam<T, const D: usize = DOFS> = (Jet<T, Padded<T, D>>, [SVector<T, D>; 3]);
 
 type Square<T, const D: usize> = SMatrix<T, D, D>;
@@ -20,15 +20,15 @@ type Square<T, const D: usize> = SMatrix<T, D, D>;
 pub(crate) enum Padded<T, const D: usize = DOFS> {
     /// The shape functions of a curve linear in its dofs, D / 3 of each order.
     Linear([SVector<T, D>; 4]),
-    /// The Jacobians of another, and the second derivatives of the three components of x and of x,xi.
+    /// The Jacobians of any other curve, and the second derivatives of the three components of x and of x,xi.
     Nonlinear(Vec<SMatrix<T, 3, D>>, Vec<Square<T, D>>),
 }
 
 impl<T: Real, const D: usize> Padded<T, D> {
-    /// Fills a jet up.
+    /// Pads a jet.
     ///
     /// # Panics
-    /// If the curve has more dofs than there is room for.
+    /// If the curve has more than `D` dofs.
     pub(crate) fn fill<U: DofDerivatives<T, N>, const N: usize>(jet: &Jet<T, U>) -> Jet<T, Self> {
         let dofs = &jet.dofs;
         let shapes = |k: usize| {
@@ -42,7 +42,7 @@ impl<T: Real, const D: usize> Padded<T, D> {
         Jet { geometry: jet.geometry, dofs: padded }
     }
 
-    /// A curve with more dofs than there is room for, as one with two: its variations along the two directions.
+    /// A curve with more than `D` dofs, represented as a curve with two: its variations along the two directions.
     pub(crate) fn along<U: DofDerivatives<T, N>, const N: usize>(
         jet: &Jet<T, U>,
         dq: &SVector<T, N>,
@@ -95,10 +95,10 @@ impl<T: Real, const D: usize> Padded<T, D> {
         Self::Nonlinear(jacobians, second)
     }
 
-    /// Fills dofs or a direction up.
+    /// Pads dofs or a direction.
     ///
     /// # Panics
-    /// If there is no room for it.
+    /// If it has more than `D` entries.
     pub(crate) fn fill_vector<const N: usize>(v: &SVector<T, N>) -> SVector<T, D> {
         let mut padded = SVector::<T, D>::zeros();
         padded.rows_mut(0, N).copy_from(v);

@@ -13,7 +13,7 @@ use rand_chacha::ChaCha8Rng;
 /// Two beams and the parameters of their stationary point.
 type Stationary = ([Box<dyn ExactBeam<PrimeField>>; 2], (PrimeField, PrimeField));
 
-/// Draws dofs until d, t and t_bar have square roots, and moves the first beam to where the point is stationary.
+/// Draws dofs until d, t and t_bar have square roots, and moves the first beam so that the point is stationary.
 pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], held: Held, rng: &mut ChaCha8Rng) -> Stationary {
     let random = |rng: &mut ChaCha8Rng| PrimeField::new(rng.random());
     loop {
@@ -35,7 +35,7 @@ pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], held: Held, rng: &mut C
     }
 }
 
-/// A vector d, made of `w`, that is normal to the tangents of the free parameters.
+/// A vector d, computed from `w`, that is normal to the tangents of the free parameters.
 pub(crate) fn normal_to_free(
     held: Held,
     t: &Vector3<PrimeField>,
@@ -51,7 +51,7 @@ pub(crate) fn normal_to_free(
     }
 }
 
-/// The form that is not the paper's: n has the sign with which n·d is the root that the field takes of d·d.
+/// The robust formulation. The sign of n makes n·d the root that the field chooses for d·d.
 pub(crate) fn robust(
     beams: &[Box<dyn ExactBeam<PrimeField>>; 2],
     (xi, xi_bar): (PrimeField, PrimeField),

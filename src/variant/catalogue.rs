@@ -1,8 +1,8 @@
 //! The catalogue of faults: every term of the closed form with every kind of fault that changes a result.
 //!
-//! No list is kept: the terms are those that the code names when it runs, and whether a change of one is a fault is
-//! decided over the prime field. A change after which every result is the same number is none, and two changes of one
-//! term with the same results are one fault.
+//! There is no list. The code names its terms when it runs, and the prime field decides whether a change of a term is a
+//! fault. Equivalent mutants, which alter no result, are skipped. Two changes of one term with the same results are one
+//! fault.
 
 use super::point::{Point, Results};
 use super::{Fault, Kind, UnknownFault, Variant};
@@ -18,10 +18,10 @@ pub fn catalogue() -> Vec<Fault> {
     ALL.get_or_init(|| labels().par_iter().flat_map_iter(of_term).collect()).clone()
 }
 
-/// The closed form with the faults of these names, as [`Fault`] writes them; as it is, if there are none.
+/// The closed form with the faults of these names, as [`Fault`] writes them; unmodified if there are no names.
 ///
 /// # Errors
-/// If a name is none of the catalogue.
+/// If a name is not in the catalogue.
 pub fn with_faults(names: &[String]) -> Result<Variant, UnknownFault> {
     if names.is_empty() {
         return Ok(Variant::Unmodified);
@@ -50,7 +50,7 @@ fn of_term(&label: &Label) -> Vec<Fault> {
     faults
 }
 
-/// What a variant yields at all points; it is evaluated only at those that a comparison needs.
+/// The results of a variant at all points. It is evaluated only at those that a comparison needs.
 struct Outcome {
     variant: Variant,
     results: Vec<OnceCell<Results>>,
@@ -71,7 +71,7 @@ impl PartialEq for Outcome {
     }
 }
 
-/// Faults by name, each with a number: those of one number have the same results for all beams.
+/// Faults by name, each with a number. Faults with the same number have the same results for all beams.
 pub(crate) fn classes(faults: &[Fault]) -> BTreeMap<String, usize> {
     let results = |fault: &Fault| {
         let variant = Variant::Faulty(vec![*fault]);

@@ -1,25 +1,25 @@
-//! A fault: one term is wrong, as terms derived by hand are.
+//! A fault: one term is wrong, as in derivations by hand.
 
 use crate::number::Label;
 use std::fmt;
 use thiserror::Error;
 
-/// What is wrong with a term.
+/// The kind of error in a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// It has the wrong sign.
     Sign,
     /// It is missing.
     Dropped,
-    /// It counts twice.
+    /// It is doubled.
     Doubled,
-    /// It counts half.
+    /// It is halved.
     Halved,
-    /// Its directions are exchanged: delta for Delta; or, of a product of Jacobians, its orders.
+    /// Its directions are exchanged, delta for Delta. In a product of Jacobians, their orders are exchanged.
     Transposed,
     /// Its beams are exchanged.
     Swapped,
-    /// It takes the beam where the bar beam belongs.
+    /// It uses the beam instead of the bar beam.
     BarForgotten,
     /// It is evaluated at the parameters of the step before.
     Stale,
@@ -52,7 +52,7 @@ impl Kind {
         }
     }
 
-    /// What the term is multiplied by; nothing if its operands are wrong instead.
+    /// The factor on the term; nothing if its operands are wrong instead.
     pub(super) fn factor(self) -> Option<f64> {
         match self {
             Self::Sign => Some(-1.0),
@@ -64,12 +64,12 @@ impl Kind {
     }
 }
 
-/// A term and what is wrong with it.
+/// A term and the kind of its error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Fault {
     /// The term.
     pub label: Label,
-    /// What is wrong with it.
+    /// The kind of its error.
     pub kind: Kind,
 }
 

@@ -1,4 +1,4 @@
-//! Other beams whose variations are known from those of these: moved, turned, in another unit.
+//! Other beams from whose variations those of the given beams follow: moved, rotated, or in another unit.
 
 use super::Rewrite;
 use super::rewrites::parts;
@@ -10,11 +10,11 @@ use crate::number::Real;
 use crate::pair::Contact;
 use nalgebra::{Matrix3, Vector3};
 
-/// What evaluates the variations of two beams.
+/// A function that evaluates the variations of two beams.
 pub(crate) type Variations<'a, T> =
     dyn Fn([PartialVariations<T>; 2], (T, T), Formulation, &Contact) -> Quantities<Varied<T>> + 'a;
 
-/// The variations of other beams, from which those of these follow.
+/// Evaluates the variations of other beams, and derives those of the given beams.
 pub(crate) fn by_invariance<T: Real>(
     rewrite: Rewrite,
     variations: &Variations<'_, T>,
@@ -45,7 +45,7 @@ pub(crate) fn by_invariance<T: Real>(
                 xi_0: contact.xi_bar_0,
                 xi_bar_0: contact.xi_0,
             };
-            // Both d and t × t̄ change their sign, and so does n.
+            // Both d and t × t̄ change their sign, and n changes it too.
             let held = Held { xi: form.held.xi_bar, xi_bar: form.held.xi };
             let other = variations([*bar, *beam], (xi_bar, xi), Formulation { held, ..form }, &contact);
             Quantities {
@@ -123,7 +123,7 @@ pub(crate) fn by_invariance<T: Real>(
     })
 }
 
-/// With the beam's parameter in another unit, xi = factor * other: signs and lengths of tangents change, no more.
+/// With the beam's parameter in another unit, xi = factor * other. Only signs and lengths of tangents change.
 fn stretched<T: Real>(
     unit: f64,
     variations: &Variations<'_, T>,
@@ -151,7 +151,7 @@ fn stretched<T: Real>(
         t_vector: other.t_vector.map(|v| times(v, back)),
         t: times(other.t, size),
         xi: times(other.xi, factor),
-        // The slip is t ξ: the units cancel, the sign stays.
+        // The slip is t ξ. The units cancel, and the sign remains.
         g_t: times(other.g_t, T::from(unit.signum())),
         ..other
     }

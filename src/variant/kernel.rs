@@ -1,4 +1,4 @@
-//! The kernel in its layouts, contracted with two directions, of beams whose dofs are filled up.
+//! The kernel in its layouts, contracted with two directions, for padded beams.
 
 use super::SCALARS;
 use super::layouts::{BOTH, Memory, Second};
@@ -14,13 +14,13 @@ use crate::pair::{Contact, DofVector, Pair};
 use crate::test_beam::{DOFS, Padded, PaddedBeam};
 use nalgebra::{SVector, Vector3};
 
-/// Value, gradient along both directions, and Hessian along both, of each scalar; nothing for what there is not.
+/// Value, gradient along both directions, and Hessian along both, of each scalar; nothing for missing ones.
 pub(crate) type Contracted<T> = [[Option<T>; 4]; SCALARS];
 
-/// What the layouts hold, by their names.
+/// The numbers in the layouts, by the names of the layouts.
 pub(crate) type Layouts<T> = Vec<(&'static str, Contracted<T>)>;
 
-/// One number after the other, in the form given and in memory of this kind; nothing if a curve has no shape functions.
+/// In scalar arithmetic, in the given formulation and this kind of memory; nothing if a curve has no shape functions.
 fn contracted_kernel<T: Real, W: Memory<T>>(
     beams: &[PaddedBeam<T>; 2],
     at: (T, T),
@@ -32,7 +32,7 @@ fn contracted_kernel<T: Real, W: Memory<T>>(
     Some(read(&kernel(beams, at, form, contact, memory)?, &directions))
 }
 
-/// One number after the other, in the form given and in memory of any kind; nothing if a curve has no shape functions.
+/// In scalar arithmetic, in the given formulation and in any memory; nothing if a curve has no shape functions.
 pub(crate) fn kernel<T: Real, W: Target<T, D, D>, const D: usize>(
     beams: &[PaddedBeam<T, D>; 2],
     at: (T, T),
@@ -48,7 +48,7 @@ pub(crate) fn kernel<T: Real, W: Target<T, D, D>, const D: usize>(
     Some(all)
 }
 
-/// In every layout, one number after the other and in the form given; empty if a curve has no shape functions.
+/// In every layout, in scalar arithmetic and in the given formulation; empty if a curve has no shape functions.
 pub(crate) fn every_layout<T: Real>(
     beams: &[PaddedBeam<T>; 2],
     at: (T, T),
@@ -158,14 +158,14 @@ impl One<'_> {
     }
 }
 
-/// Numbers of d, and none of the others.
+/// The numbers of d, without other quantities.
 fn alone(d: [Option<f64>; 4]) -> Contracted<f64> {
     let mut all = [[None; 4]; SCALARS];
     all[0] = d;
     all
 }
 
-/// The units of length of the four pairs in the lanes: powers of two, so that all that follows is exact.
+/// The units of length of the four pairs in the lanes: powers of two, so that all scaling is exact.
 const UNITS: [f64; 4] = [1.0, 2.0, 0.5, 4.0];
 
 /// Four pairs that differ by the unit of length.

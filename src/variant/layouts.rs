@@ -16,7 +16,7 @@ pub(crate) trait Memory<T: Real>: Target<T, DOFS, DOFS> {
     fn contracted(&self, directions: &[DofVector<T, DOFS, DOFS>; 2]) -> [Option<T>; 4];
 }
 
-/// Memory in any layout that holds a Hessian: one instance of the kernel, a large function, writes them all.
+/// Memory in any layout with a Hessian. One instance of the kernel, a large function, writes them all.
 ///
 /// `S` is 2 `D`, and `H` is `S` (`S` + 1)/2.
 pub(crate) enum Second<T, const D: usize = DOFS, const S: usize = BOTH, const H: usize = HALF> {
@@ -42,7 +42,7 @@ impl<T: Real, const D: usize, const S: usize, const H: usize> Second<T, D, S, H>
     }
 }
 
-/// A layout, as [`Target`] has it, without its size.
+/// A layout, as [`Target`] defines it, without its size.
 trait Rows<T, const D: usize> {
     fn value(&mut self) -> &mut T;
     fn gradient(&mut self) -> (&mut [T], &mut [T]);
@@ -117,7 +117,7 @@ impl<T: Real> Memory<T> for Gradient<T, BOTH> {
     }
 }
 
-/// Along the directions; in every layout by the same sums, so that one bound on their rounding holds for all.
+/// Along the directions. Every layout uses the same sums, so that one bound on their rounding applies to all.
 fn along<T: Real>(
     value: T,
     gradient: &dyn Fn(usize) -> T,

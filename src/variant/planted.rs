@@ -1,4 +1,4 @@
-//! Faults planted in terms: a factor, or the value that the term has in a run with other operands.
+//! Faults injected into terms: a factor, or the value that the term has in a run with other operands.
 
 use super::before;
 use super::fault::Kind;
@@ -6,7 +6,7 @@ use crate::number::{Label, Real, TermChange, recorded_terms, with_terms};
 use crate::pair::Contact;
 use std::rc::Rc;
 
-/// Which beams at which parameters.
+/// The beams and parameters of an evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
     /// Both at the closest point.
@@ -18,10 +18,10 @@ pub(crate) enum Step {
 }
 
 impl Step {
-    /// All of them, in the order of their numbers.
+    /// All steps, in the order of their numbers.
     pub(crate) const ALL: [Self; 3] = [Self::Now, Self::Before, Self::Forgotten];
 
-    /// Which beams at which parameters, if these are at their closest point.
+    /// The beams and parameters of this step, if the given ones are at their closest point.
     pub(crate) fn place<B: ?Sized, T: Real>(self, [beam, bar]: [&B; 2], at: (T, T)) -> ([&B; 2], (T, T)) {
         match self {
             Self::Now => ([beam, bar], at),
@@ -31,12 +31,12 @@ impl Step {
     }
 }
 
-/// What becomes of a term.
+/// The change of a term.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Planted {
     /// It is multiplied.
     Times(f64),
-    /// It is made of other operands.
+    /// It is computed from other operands.
     Operands(Kind),
 }
 
@@ -46,7 +46,7 @@ impl From<Kind> for Planted {
     }
 }
 
-/// The beams, parameters and contact that operands are mistaken for; those that are right, if they are not.
+/// The beams, parameters and contact that replace the correct ones; the correct ones if nothing is replaced.
 pub(super) fn mistaken<T: Real, B>(
     kind: Option<Kind>,
     beams: impl Fn(Step) -> [B; 2],
@@ -69,7 +69,7 @@ pub(super) fn mistaken<T: Real, B>(
     }
 }
 
-/// A run with faults; `run` runs the code with the operands mistaken that it is told.
+/// A run with faults; `run` runs the code with the given replacement of operands.
 pub(super) fn with<R>(faults: &[(Label, Planted)], run: impl Fn(Option<Kind>) -> R) -> R {
     let mut known: Vec<(Kind, Rc<[u64]>)> = Vec::new();
     let mut changes = Vec::with_capacity(faults.len());

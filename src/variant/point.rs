@@ -14,7 +14,7 @@ use rand_chacha::ChaCha8Rng;
 /// Neither radii nor reference parameters are zero, and no two are equal.
 pub(crate) const CONTACT: Contact = Contact { radius: 0.125, radius_bar: 0.25, xi_0: 0.5, xi_bar_0: -0.75 };
 
-/// Two beams over the prime field at a stationary point, with all that operands can be mistaken for.
+/// Two beams over the prime field at a stationary point, with all replacements of operands.
 pub(crate) struct Point {
     pub(crate) beams: [Box<dyn ExactBeam<PrimeField>>; 2],
     pub(crate) at: (PrimeField, PrimeField),
@@ -23,12 +23,12 @@ pub(crate) struct Point {
     padded: [[PaddedBeam<PrimeField>; 2]; 3],
     /// The terms of the variations, and of the matrices.
     labels: [Vec<Label>; 2],
-    /// What the closed form as it is yields.
+    /// The results of the unmodified closed form.
     unmodified: Results,
 }
 
 impl Point {
-    /// Curves that are not linear in their dofs, inside and at ends; inside in both forms.
+    /// Curves that are not linear in their dofs, inside and at ends; inside in both formulations.
     pub(crate) fn all() -> Vec<Self> {
         let end = |xi, xi_bar| Held { xi, xi_bar };
         let (families, others) =
@@ -65,7 +65,7 @@ impl Point {
         point
     }
 
-    /// All that the closed form yields.
+    /// All results of the closed form.
     pub(crate) fn results(&self, variant: &Variant) -> Results {
         let Self { at, form, labels: [of_variations, of_matrices], .. } = self;
         let (mut variations, mut matrices) = self.unmodified;

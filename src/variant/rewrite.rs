@@ -1,4 +1,4 @@
-//! Equivalent formulas: equal to those of the library, so that a check must let them pass.
+//! Equivalent formulas: they equal those of the library, so a check must accept them.
 
 use super::invariance::by_invariance;
 use super::rewrites::by_term;
@@ -7,12 +7,12 @@ use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use crate::pair::Contact;
 
-/// How the closed form is written instead.
+/// The equivalent formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rewrite {
     /// delta d with all terms of (36), of which orthogonality removes two.
     AllTermsOfD,
-    /// Delta-delta d as that of any norm, (35).
+    /// Delta-delta d as the second variation of any norm, (35).
     SecondDAsNorm,
     /// Delta-delta d by (39), corrected.
     SecondDLinearized,
@@ -42,7 +42,7 @@ pub enum Rewrite {
     NormsOfNinths,
     /// Delta-delta g_T with its terms in another order.
     SlipReordered,
-    /// x_bar as x less d.
+    /// x_bar as x minus d.
     XBarFromD,
     /// Delta and delta exchanged, and their results too.
     DirectionsExchanged,
@@ -54,9 +54,9 @@ pub enum Rewrite {
     Ninths,
     /// Both beams moved.
     Moved,
-    /// Both beams turned.
+    /// Both beams rotated.
     Turned,
-    /// The beam run through backwards.
+    /// The beam with its direction reversed.
     Reversed,
     /// The beam with another unit of its parameter.
     Reparametrized,
@@ -65,7 +65,7 @@ pub enum Rewrite {
 }
 
 impl Rewrite {
-    /// All of them.
+    /// All rewrites.
     pub const ALL: [Self; 26] = [
         Self::AllTermsOfD,
         Self::SecondDAsNorm,
@@ -95,7 +95,7 @@ impl Rewrite {
         Self::LongDirections,
     ];
 
-    /// What is written how.
+    /// The name of the rewrite.
     pub fn name(self) -> &'static str {
         match self {
             Self::AllTermsOfD => "dd by (36), with the terms that orthogonality removes",

@@ -1,4 +1,4 @@
-//! The formulas of [`Rewrite`] that replace one.
+//! The formulas of [`Rewrite`] that replace one formula of the library.
 
 use super::Rewrite;
 use crate::closest_point::Held;
@@ -7,7 +7,7 @@ use crate::linearization::{Quantities, Varied};
 use crate::number::Real;
 use nalgebra::Vector3;
 
-/// One formula replaced, all others as they are.
+/// One formula replaced, all others unchanged.
 #[expect(clippy::too_many_lines, reason = "a list of formulas, each of a few lines")]
 pub(super) fn by_term<T: Real>(
     rewrite: Rewrite,
@@ -24,7 +24,7 @@ pub(super) fn by_term<T: Real>(
     let (xi, xi_bar) = (&unmodified.xi, &unmodified.xi_bar);
     let (dist, length) = (unmodified.d.value, unmodified.t.value);
     let one = T::one();
-    // Eq. (40): what moves and what turns
+    // Eq. (40): the parts from motion and from rotation
     let moved = x.t * xi.linear - y.t * xi_bar.linear;
     let turned =
         d.dot(&(beam.delta_u[1] * xi.linear - bar.delta_u[1] * xi_bar.linear)) + d.dot(&second_u_hat);
@@ -78,7 +78,7 @@ pub(super) fn by_term<T: Real>(
             (xi * s, xi_bar * s_bar)
         }),
         Rewrite::CrossProduct => solve(&mut all, [beam, bar], held, |p, r, r_bar| {
-            // D = −|t × t̄|² + .., with the curvature terms apart
+            // D = −|t × t̄|² + .., with the curvature terms separate
             let c = x.t.cross(&y.t);
             let (e, e_bar) = (d.dot(&x.t_xi), d.dot(&y.t_xi));
             let det = -c.dot(&c) + x.t.dot(&x.t) * e_bar - y.t.dot(&y.t) * e + e * e_bar;
@@ -104,7 +104,7 @@ pub(super) fn by_term<T: Real>(
                 (second_t.dot(&t) + dt.dot(&linear_t)) / length - dt.dot(&t) * t.dot(&linear_t) / cube;
         }
         Rewrite::NormsOfNinths => {
-            // Nine is a square, so that the root of its square is itself in every field.
+            // Nine is a square, so that the root of its square is nine in every field.
             let nine = T::from(9.0);
             let norm = |v: Vector3<T>| (v / nine).dot(&(v / nine)).sqrt() * nine;
             (all.d.value, all.t.value) = (norm(d), norm(t));
@@ -128,7 +128,7 @@ pub(super) fn by_term<T: Real>(
     all
 }
 
-/// delta xi and delta xi_bar with another solution of the system, where no end is held.
+/// delta xi and delta xi_bar by another solution of the system, where no end is held.
 fn solve<T: Real>(
     all: &mut Quantities<Varied<T>>,
     [beam, bar]: [&PartialVariations<T>; 2],

@@ -1,4 +1,4 @@
-//! What was found of a linearization, and how it is told.
+//! The result of the check of a linearization, and its text.
 
 use super::AtPoint;
 use crate::check::diagnosis::{look_at, place};
@@ -10,18 +10,18 @@ use crate::pair::Contact;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// The worst of one order of one quantity.
+/// The worst comparison of one order of one quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Digits {
-    /// How many numbers were compared.
+    /// The number of compared numbers.
     pub entries: u64,
-    /// How many differ beyond rounding.
+    /// The number of those that differ beyond rounding.
     pub wrong: u64,
     /// The number that comes closest to its tolerance, or exceeds it most.
     pub worst: Comparison,
 }
 
-/// What was found of a linearization.
+/// The result of the check of a linearization.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Found {
     /// Closest points at which it was compared.
@@ -30,11 +30,11 @@ pub struct Found {
     pub mismatches: u64,
     /// Of these, those at which the oracles disagree among themselves, so that the check itself cannot be trusted.
     pub doubted: u64,
-    /// Closest points at which it gave no answer.
+    /// Closest points without an answer.
     pub unanswered: u64,
-    /// What is wrong with the shape of an answer, if something is.
+    /// The error in the shape of an answer, if there is one.
     pub misshapen: Option<String>,
-    /// By quantity and order.
+    /// The digits, by quantity and order.
     pub digits: BTreeMap<(Quantity, Order), Digits>,
     /// The mismatches by their first wrong number.
     pub first: BTreeMap<(Order, Quantity), u64>,
@@ -61,7 +61,7 @@ impl Found {
         self.compared > 0 && self.mismatches == 0 && self.misshapen.is_none()
     }
 
-    /// What was found of a case.
+    /// The result for one case.
     pub(super) fn of(case: &Case, at_points: &[AtPoint]) -> Self {
         let mut found = Self::default();
         for AtPoint { entries, misshapen, doubted } in at_points {
@@ -132,14 +132,14 @@ fn in_words(Example { number, regime, case, .. }: &Example) -> String {
         .concat()
 }
 
-/// Radii and reference parameters on a line of their own, if some are not zero.
+/// Radii and reference parameters on a separate line, if some are not zero.
 pub(in crate::check) fn contact_in_words(contact: &Contact) -> String {
     let Contact { radius, radius_bar, xi_0, xi_bar_0 } = *contact;
     let numbers = [radius, radius_bar, xi_0, xi_bar_0];
     list("radius, radius_bar, xi_0, xi_bar_0", if *contact == Contact::default() { &[] } else { &numbers })
 }
 
-/// Numbers with their name on lines of their own; nothing for none.
+/// Numbers with their name on separate lines; nothing if there are none.
 pub(in crate::check) fn list(name: &str, numbers: &[f64]) -> String {
     if numbers.is_empty() {
         return String::new();
@@ -156,7 +156,7 @@ pub(in crate::check) fn list(name: &str, numbers: &[f64]) -> String {
     text + "\n" + &line
 }
 
-/// Decimal digits of a relative error.
+/// The decimal digits of a relative error.
 fn digits(error: f64) -> f64 {
     (-error.log10()).clamp(0.0, 16.0)
 }

@@ -1,4 +1,4 @@
-//! What the answers at a closest point are compared with, and the comparison of each number.
+//! The references for the answers at a closest point, and the comparison of each number.
 
 use super::{Answer, CAREFUL};
 use crate::check::compare::ROUTES;
@@ -13,7 +13,7 @@ use crate::test_beam::{RunningError2, TestBeam};
 use crate::variant::{Step, Variant};
 use nalgebra::Vector3;
 
-/// What answers are compared with: the items are the components of the quantities, and whatever is made of them.
+/// The references for answers. The items are the components of the quantities, and numbers computed from them.
 #[derive(Clone, Debug)]
 pub(in crate::check) struct Sides {
     /// Automatic differentiation.
@@ -32,24 +32,24 @@ pub(in crate::check) struct Sides {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::check) struct Entry {
     pub(in crate::check) comparison: Comparison,
-    /// The item and the part that it is.
+    /// Its item and its part.
     pub(in crate::check) place: [usize; 2],
     /// Whether it is a gradient or a Hessian, contracted with the directions.
     pub(in crate::check) is_contracted: bool,
     /// The difference from the best formulas.
     pub(in crate::check) loss: f64,
-    /// The difference from them that a careful evaluation of them explains.
+    /// The difference from the best formulas that their careful evaluation explains.
     pub(in crate::check) attainable: f64,
-    /// The size of their terms.
+    /// The size of the terms of the best formulas.
     pub(in crate::check) best_scale: f64,
-    /// The sum of the absolute values of what was contracted.
+    /// The sum of the absolute values of the contracted terms.
     pub(in crate::check) size: f64,
-    /// The root of the sum of their squares: independent errors of the entries add up like this.
+    /// The root of the sum of their squares: independent errors of the entries add up in this way.
     pub(in crate::check) spread: f64,
 }
 
 impl Sides {
-    /// At a closest point; also the point in the paper's formulation.
+    /// The references at a closest point, and the point in the paper's formulation.
     pub(in crate::check) fn new<'a>(
         evaluation: EvaluationPoint<'a>,
         test_beams: &[TestBeam; 2],
@@ -144,7 +144,7 @@ impl Sides {
     ) -> Entry {
         let of = |side: &[Varied<RunningError2>]| side[item].parts()[k];
         let (other, textbook, best) = (of(&self.reference), of(&self.textbook), of(&self.best));
-        // The second bound is of those who solve for the closest point again.
+        // The second bound is for methods that solve for the closest point again.
         let [near, far] = textbook.bound;
         let bound = CAREFUL * near + far + number.bound;
         let [best_near, best_far] = best.bound;
@@ -184,7 +184,7 @@ fn dot(u: &[f64], v: &[f64]) -> (RunningError, [f64; 2]) {
     })
 }
 
-/// dqᵀ H Dq, likewise.
+/// dqᵀ H Dq, with the same bound and sums.
 fn bilinear(dq: &[f64], hessian: &[f64], linear_dq: &[f64]) -> (RunningError, [f64; 2]) {
     let rows = hessian.chunks_exact(dq.len().max(1)).zip(dq);
     rows.fold((exact(0.0), [0.0; 2]), |(sum, [all, all_squares]), (row, &dq)| {
@@ -220,7 +220,7 @@ fn textbook(evaluation: &EvaluationPoint, test_beams: &[TestBeam; 2]) -> [Varied
     Variant::Unmodified.formulas(&beams, evaluation.at, evaluation.form, evaluation.contact).components()
 }
 
-/// Whether the differences in double-double do not agree with the reference.
+/// Whether the differences in double-double disagree with the reference.
 pub(in crate::check) fn is_doubted(
     evaluation: &EvaluationPoint,
     reference: &[Varied<RunningError2>],

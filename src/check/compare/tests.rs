@@ -1,4 +1,4 @@
-//! Who is asked, and what the verdict is then.
+//! Tests of which oracles are used, and of the resulting verdict.
 
 use super::{ROUTES, compare, judged};
 use crate::check::arbitration::DIFFERENCES;
@@ -19,7 +19,7 @@ const ENTRIES: usize = COMPONENTS * (4 * ROUTES.len() + 1) + SCALARS * 3;
 /// alone, for one pair and in lanes.
 const KERNEL: usize = 3 * 7 * 4 + 7 * 3 + 2 * 4;
 
-/// How many of these a case has.
+/// The number of these entries in a case.
 fn of_kernel(seed: u64, number: u64) -> usize {
     if Case::draw(seed, number).families.into_iter().all(Family::is_linear) { KERNEL } else { 0 }
 }
@@ -74,7 +74,7 @@ fn a_tolerance_holds_the_bounds_of_both_sides() {
             if entry.order == Order::Symmetry {
                 assert_eq!(entry.tolerance.to_bits(), (2.0 * entry.bound).to_bits());
             }
-            // Half an ulp for what is shown of the double-double.
+            // Half an ulp is added for the `f64` that shows the double-double number.
             let rounding = 0.5 * f64::EPSILON * entry.other.abs();
             assert!(entry.against != DIFFERENCES || entry.tolerance >= entry.bound + rounding, "{entry:?}");
         }

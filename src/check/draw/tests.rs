@@ -1,4 +1,4 @@
-//! What a number draws is what its regime asks for.
+//! Tests that a drawn case has the properties of its regime.
 
 use super::{
     BADLY_SCALED, Case, FAMILIES, REGIMES, Selection, families, orthonormal, place_in_regime, regime,
@@ -14,14 +14,14 @@ use std::collections::BTreeSet;
 
 const SEED: u64 = 7;
 
-/// What the regime of a case draws first, drawn again.
+/// Repeats the first draw of the regime of a case.
 fn drawn(number: u64) -> Draw {
     let mut rng = ChaCha8Rng::seed_from_u64(SEED);
     rng.set_stream(number);
     regime(number).draw(&mut rng)
 }
 
-/// Point and tangent of both beams where they are to cross.
+/// Point and tangent of both beams at the intended crossing.
 fn crossing(case: &Case, at: [f64; 2]) -> [[Vector3<f64>; 2]; 2] {
     [0, 1].map(|i| {
         let Geometry { x, t, .. } = case.beams()[i].geometry_at(RunningError::from(at[i]));
@@ -35,7 +35,7 @@ fn beams_cross_as_their_regime_draws() {
         let (case, draw) = (Case::draw(SEED, number), drawn(number));
         let [[x, t], [x_bar, t_bar]] = crossing(&case, draw.at);
         let (d, length) = (x - x_bar, draw.length);
-        // An arc that is bent by 1e-6 is known to six digits less.
+        // An arc that is bent by 1e-6 is accurate to six digits less.
         let rounding = 1e-9 * length;
         assert!((d.norm() - draw.gap * length).abs() < rounding, "{number}: {d} at {draw:?}");
         assert!(d.dot(&t.normalize()).abs() < rounding && d.dot(&t_bar.normalize()).abs() < rounding);
@@ -75,7 +75,7 @@ fn radii_are_thin_and_references_within_the_beams() {
 
 #[test]
 fn beams_bend_in_all_directions() {
-    // The side that the middle of the first beam is on, seen along d: over all cases it is on either.
+    // The side of the middle of the first beam, seen along d: over all cases both sides occur.
     let strongly = |&number: &u64| regime(number) == Regime::StronglyCurved;
     let mut sides = [0.0_f64; 2];
     for number in (0..4000).filter(strongly) {

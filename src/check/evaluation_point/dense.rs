@@ -20,7 +20,7 @@ pub(in crate::check) struct Dense {
 impl EvaluationPoint<'_> {
     /// Value, gradient and Hessian of each scalar; g_N is not among them.
     ///
-    /// Nothing if a curve has so many dofs that it is not filled up by dofs: no family has.
+    /// Nothing if a curve has more dofs than the padding allows. No family has.
     pub(in crate::check) fn dense(&self, variant: &Variant) -> Vec<Dense> {
         let (at, form, contact) = ((self.at.0.value, self.at.1.value), self.form, self.contact);
         let read = |Faulty(number): Faulty<f64>| number;
@@ -48,7 +48,7 @@ impl EvaluationPoint<'_> {
         }
     }
 
-    /// Without what the beams are filled up with.
+    /// Removes the padding of the beams.
     fn listed<T: Real, const D: usize>(
         &self,
         all: &Linearization<T, D, D>,

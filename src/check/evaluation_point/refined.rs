@@ -6,7 +6,7 @@ use crate::number::DoubleDouble;
 use crate::test_beam::RunningError2;
 
 impl EvaluationPoint<'_> {
-    /// The parameters in double-double, by Newton's method; nothing if it does not settle.
+    /// The parameters in double-double, by Newton's method; nothing if it does not converge.
     pub(super) fn refined(&self) -> Option<[Refined; 2]> {
         let Self { beams: [beam, bar], held, at, .. } = *self;
         let (mut xi, mut xi_bar) = (DoubleDouble::from(at.0.value), DoubleDouble::from(at.1.value));
@@ -38,9 +38,9 @@ impl EvaluationPoint<'_> {
 #[derive(Clone, Copy)]
 pub(super) struct Refined {
     pub(super) value: DoubleDouble,
-    /// The step that is left, and the rounding of double-double: that part of the rounding of `f64`.
+    /// The remaining step, and the rounding of double-double: that part of the rounding of `f64`.
     bound: f64,
-    /// Where it is known to be.
+    /// The known enclosure of the parameter.
     within: RunningError2,
 }
 
@@ -51,7 +51,7 @@ impl Refined {
         moved <= bound && self.bound <= bound
     }
 
-    /// The nearest `f64`, known to half an ulp or so; and as far as it was known before.
+    /// The nearest `f64`, with a bound of about half an ulp, and with the bound that was known before.
     pub(super) fn rounded(self) -> RunningError2 {
         let value = self.value.value();
         let rounding = (self.value - DoubleDouble::from(value)).abs().value();
@@ -62,5 +62,5 @@ impl Refined {
 
 /// The rounding of double-double over that of `f64`: eight of its units 2^-106 in an operation.
 const FINER: f64 = 8.0 * f64::EPSILON / 2.0;
-/// The most steps of Newton's method, which doubles the digits each time.
+/// The maximum number of steps of Newton's method, which doubles the digits each time.
 const STEPS: usize = 12;

@@ -1,4 +1,4 @@
-//! The closed form simplified as a whole, as derivations are: several terms are missing at once.
+//! The closed form with a simplification as derivations have it: several terms are missing at once.
 
 use super::{EvaluationPoint, of_value};
 use crate::closest_point::Held;
@@ -14,14 +14,14 @@ use nalgebra::Vector3;
 pub(in crate::check) enum Structure {
     /// The parameters of the closest point do not vary.
     FixedParameters,
-    /// The curves are straight where the closest point is: t,xi and what follows are zero.
+    /// The curves are straight at the closest point: t,xi and higher derivatives are zero.
     Straight,
     /// The curves are linear in their dofs.
     LinearInDofs,
 }
 
 impl Structure {
-    /// All of them.
+    /// All simplifications.
     pub(in crate::check) const ALL: [Self; 3] = [Self::FixedParameters, Self::Straight, Self::LinearInDofs];
 }
 

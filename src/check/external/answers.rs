@@ -1,8 +1,8 @@
 //! Answers of another program, of the schema `beamgap-answers/1`: JSON Lines or CSV.
 //!
 //! Both begin with a head that names the schema and the [`Conventions`]. In JSON a line answers a case:
-//! `{"id":"7","d":{"value":0.1,"gradient":[..],"hessian":[..]},"x":{"delta":[0.1,0.2,0.3]}}`. In CSV a row answers a
-//! number, `7,d:gradient:3,0.1`, and the rows of a case come one after another. What is left out is not answered.
+//! `{"id":"7","d":{"value":0.1,"gradient":[..],"hessian":[..]},"x":{"delta":[0.1,0.2,0.3]}}`. In CSV a row answers one
+//! number, `7,d:gradient:3,0.1`, and the rows of a case are consecutive. Quantities may be omitted.
 
 mod csv;
 mod jsonl;
@@ -22,11 +22,11 @@ pub const ANSWERS: &str = "beamgap-answers/1";
 pub struct Answers {
     /// The name of the case.
     pub id: String,
-    /// Where they were read.
+    /// The place in the text.
     pub place: Place,
-    /// Whether the program says that there is nothing to be answered: a degenerate point, or no closest point.
+    /// Whether the program declares that there is no answer: a degenerate point, or no closest point.
     pub declined: bool,
-    /// What it says of the quantities.
+    /// Its answers for the quantities.
     pub answers: Vec<Answer>,
     /// The residual of a contact element.
     pub residual: Option<Vec<f64>>,
@@ -39,7 +39,7 @@ impl Answers {
         Self { id, place, declined: false, answers: Vec::new(), residual: None, tangent: None }
     }
 
-    /// The answer on a component, empty if there was none yet.
+    /// The answer for a component, empty if there was none yet.
     fn of(&mut self, quantity: Quantity, axis: Option<char>) -> &mut Answer {
         let is_of = |answer: &Answer| answer.quantity == quantity && answer.axis == axis;
         let known = self.answers.iter().position(is_of);
@@ -50,7 +50,7 @@ impl Answers {
         &mut self.answers[at]
     }
 
-    /// Whether something is answered.
+    /// Whether no quantity is answered.
     pub fn is_empty(&self) -> bool {
         self.answers.is_empty() && self.residual.is_none() && self.tangent.is_none()
     }
@@ -65,7 +65,7 @@ pub struct AnswerReader<R> {
     rows: Option<csv::Rows>,
 }
 
-/// What the head says of the program.
+/// The program, as the head describes it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program {
     /// Its name.
@@ -101,15 +101,15 @@ impl<R: BufRead> AnswerReader<R> {
         &self.conventions
     }
 
-    /// What the head says of the program.
+    /// The program, as the head describes it.
     pub fn program(&self) -> &Program {
         &self.program
     }
 
-    /// The answers to the next case; nothing at the end.
+    /// The answers to the next case; nothing at the end of the text.
     ///
     /// # Errors
-    /// If a line is no answer.
+    /// If a line is not a valid answer.
     pub fn next_answers(&mut self) -> Result<Option<Answers>, ExternalError> {
         if let Some(rows) = &mut self.rows {
             return rows.next_answers(&mut self.lines, self.conventions.first_index);
@@ -122,7 +122,7 @@ impl<R: BufRead> AnswerReader<R> {
     }
 }
 
-/// The quantity of a name such as `d` or `d_vector.x`; what was expected, if there is none.
+/// The quantity with a name such as `d` or `d_vector.x`; what was expected, if there is none.
 fn quantity(name: &str) -> Result<(Quantity, Option<char>), String> {
     let (of, axis) = name.split_once('.').map_or((name, None), |(of, axis)| (of, Some(axis)));
     let unknown = || {

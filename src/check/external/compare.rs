@@ -10,44 +10,44 @@ use crate::check::diagnosis::place;
 use crate::check::verdict::Comparison;
 use crate::linearization::Quantity;
 
-/// How answers are judged.
+/// The requirements for answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Demands {
-    /// What the program calls by which name.
+    /// The conventions of the program.
     pub conventions: Conventions,
-    /// The significant digits that are asked for, wherever they are attainable; those of a careful evaluation of the
-    /// textbook formulas if nothing is said.
+    /// The required significant digits, where they are attainable. The default is the digits of a careful evaluation
+    /// of the textbook formulas.
     pub digits: Option<u8>,
 }
 
-/// What a number of an answer is found to be.
+/// The judgement of a number of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Judgement {
-    /// Right, to the digits that can be attained.
+    /// It is correct, to the attainable digits.
     Agrees,
-    /// Right, but with fewer digits than the best formulas keep there.
+    /// It is correct, but has fewer digits than the best formulas keep there.
     Loses,
-    /// Rounding explains more than a thousandth of its scale: it says nothing.
+    /// Rounding explains more than a thousandth of its scale, so it is not meaningful.
     Unclear,
     /// It differs by more than rounding.
     Wrong,
 }
 
-/// A number of an answer with what it was compared with.
+/// A number of an answer with its reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
     /// The comparison; its tolerance is that of the judgement.
     pub comparison: Comparison,
-    /// What it is found to be.
+    /// The judgement.
     pub judgement: Judgement,
     /// The difference from the formulas that lose the fewest digits.
     pub loss: f64,
-    /// The difference from them that a careful evaluation of them explains.
+    /// The difference from them that their careful evaluation explains.
     pub attainable: f64,
-    /// The size of their terms.
+    /// The size of the terms of these formulas.
     pub scale: f64,
-    /// The size of the number: of a gradient or a Hessian along the directions the sum of the absolute values that are summed,
-    /// of a parameter 1.
+    /// The size of the number. For a gradient or a Hessian along the directions it is the sum of the absolute values of
+    /// the terms, for a parameter it is 1.
     pub size: f64,
     /// Whether a careful evaluation of the textbook formulas explains the difference.
     pub is_rounding: bool,
@@ -55,10 +55,10 @@ pub struct Judged {
     pub is_contracted: bool,
 }
 
-/// What was found of the answers to a case.
+/// The result of the answers to a case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CaseFound {
-    /// There is nothing to compare with at this case.
+    /// There is no reference for this case.
     Degenerate(Outcome),
     /// The program gave no number.
     Unanswered,
@@ -66,13 +66,13 @@ pub enum CaseFound {
     Compared(Vec<Judged>, bool),
 }
 
-/// Half a unit of the last of so many significant digits, over the number: what rounding to them changes at most.
+/// Half a unit of the last of `digits` significant digits, over the number: the largest relative change by rounding.
 pub(super) fn half_unit(digits: u8) -> f64 {
     0.5 * 10.0_f64.powi(1 - i32::from(digits))
 }
 
 impl Entry {
-    /// The judgement under these demands, and the tolerance that it was made with.
+    /// The judgement under these demands, and its tolerance.
     pub(super) fn judged(self, digits: Option<u8>) -> Judged {
         let Self { comparison, loss, attainable, best_scale: scale, size, is_contracted, .. } = self;
         let (is_meaningful, is_right) = match digits {
@@ -93,7 +93,7 @@ impl Entry {
             (true, true) => Judgement::Agrees,
             (true, false) => Judgement::Wrong,
         };
-        // What rounding may explain under the demands.
+        // The difference that rounding may explain under the demands.
         let tolerance = match digits {
             None => comparison.tolerance,
             Some(digits) => attainable.max(half_unit(digits) * scale.max(size)),
@@ -109,7 +109,7 @@ impl Entry {
     }
 }
 
-/// The references at a case as a program with these conventions calls them, and its directions.
+/// The references at a case in the conventions of a program, and its directions.
 pub(super) struct Converted {
     pub(super) sides: Sides,
     pub(super) directions: [Vec<f64>; 2],
@@ -153,7 +153,7 @@ impl Converted {
                 let size = directions[0].len();
                 if conventions.column_major { transposed(tangent, size) } else { tangent.clone() }
             });
-            // Just at the closing of the gap the element has two tangents.
+            // At a gap of exactly zero the element has two tangents.
             let gap = &self.sides.textbook[20].value;
             if gap.value.abs() > 2.0 * gap.bound[1] {
                 let arrays = [answers.residual.as_deref(), tangent.as_deref()];
@@ -191,7 +191,7 @@ pub fn compare_answers(
         let mut judged: Vec<_> = entries.into_iter().map(|entry| entry.judged(demands.digits)).collect();
         judged.sort_by_key(|judged| place(&judged.comparison));
         let is_wrong = judged.iter().any(|judged| judged.judgement == Judgement::Wrong);
-        // Where the differences in double-double contradict the reference, nobody is blamed.
+        // If the differences in double-double contradict the reference, the answer is not called wrong.
         let is_doubted = is_wrong && is_doubted(&paper, &sides.reference);
         Ok(CaseFound::Compared(judged, is_doubted))
     });

@@ -1,8 +1,8 @@
-//! What another program calls by the same names: its conventions, stated in the head of its answers, and the conversion.
+//! The conventions of another program, stated in the head of its answers, and the conversion to them.
 //!
-//! Not the answers are converted but what they are compared with, in the arithmetic that bounds rounding: a squared
-//! distance, say, keeps its own tolerance. The order and the scale of dofs are those of the directions that gradients
-//! and Hessians are contracted with.
+//! The references are converted and not the answers, in the arithmetic that bounds rounding. A squared
+//! distance, for example, has its own tolerance. The order and the scale of dofs are those of the directions that
+//! gradients and Hessians are contracted with.
 
 mod others;
 
@@ -10,9 +10,9 @@ use crate::linearization::Varied;
 use crate::number::Real;
 use crate::test_beam::Family;
 
-/// The items that answers are compared with: the components of the quantities, and the energy of a penalty.
+/// The items that answers are compared with: the components of the quantities, and the penalty energy.
 pub(super) const ITEMS: usize = crate::linearization::COMPONENTS + 1;
-/// The item that is the energy of a penalty.
+/// The item of the penalty energy.
 pub(super) const ENERGY: usize = ITEMS - 1;
 
 /// The range of the parameters.
@@ -25,7 +25,7 @@ pub enum Range {
     Unit,
 }
 
-/// What is called d.
+/// The meaning of d.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Length {
     /// The distance.
@@ -55,7 +55,7 @@ pub struct Conventions {
     pub parameter: Range,
     /// Whether the vector d is x_bar - x.
     pub d_is_negative: bool,
-    /// What is called d.
+    /// The meaning of d.
     pub length: Length,
     /// Whether the gap is the penetration r + r_bar - d.
     pub gap_is_negative: bool,
@@ -65,7 +65,7 @@ pub struct Conventions {
     pub bar_first: bool,
     /// Whether Hessians and tangents are written column by column.
     pub column_major: bool,
-    /// d x/d xi of a Hermite beam over its dof: 1, or half the length where the dofs are unit tangents.
+    /// d x/d xi of a Hermite beam over its dof: 1, or half the length if the dofs are unit tangents.
     pub hermite_tangent: f64,
     /// Whether the residual of a contact element has the opposite sign.
     pub residual_is_negative: bool,
@@ -73,16 +73,16 @@ pub struct Conventions {
     pub tangent_is_negative: bool,
     /// The contact element, if there is one.
     pub penalty: Option<Penalty>,
-    /// From which number rows and columns are counted, in answers that count them.
+    /// The first index of rows and columns, in answers that have indices.
     pub first_index: usize,
 }
 
-/// A contact element: its energy is stiffness g_N²/2, its residual the gradient and its tangent the Hessian of that.
+/// A contact element with the energy stiffness g_N²/2. Its residual is the gradient and its tangent the Hessian of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penalty {
     /// The penalty stiffness.
     pub stiffness: f64,
-    /// Whether it acts at an open gap too.
+    /// Whether it is active at an open gap too.
     pub always: bool,
 }
 
@@ -105,7 +105,7 @@ impl Default for Conventions {
     }
 }
 
-/// The keys of the head, each with its values; the first one holds if nothing is said.
+/// The keys of the head, each with its values. The first value is the default.
 pub(super) const KEYS: [(&str, &[&str]); 13] = [
     ("parameter", &["[-1,1]", "[0,1]"]),
     ("d", &["x - x_bar", "x_bar - x"]),
@@ -123,7 +123,7 @@ pub(super) const KEYS: [(&str, &[&str]); 13] = [
 ];
 
 impl Conventions {
-    /// Takes an entry of the head.
+    /// Sets an entry of the head.
     ///
     /// # Errors
     /// What was expected, if the key or the value is unknown.
@@ -160,7 +160,7 @@ impl Conventions {
         Ok(())
     }
 
-    /// All components of the quantities, and the energy, as the program calls them.
+    /// All components of the quantities, and the energy, in the conventions of the program.
     pub(super) fn of<T: Real>(&self, all: &[Varied<T>], is_closed: bool) -> Vec<Varied<T>> {
         let (half, two) = (T::from(0.5), T::from(2.0));
         let times = |v: Varied<T>, f: T| Varied {
@@ -183,7 +183,7 @@ impl Conventions {
             converted[20] = times(converted[20], -T::one());
         }
         if self.parameter == Range::Unit {
-            // η = (ξ + 1)/2, so that dx/dη = 2 dx/dξ; the slips stay.
+            // η = (ξ + 1)/2, so that dx/dη = 2 dx/dξ. The slips do not change.
             for i in (9..15).chain([16, 17]) {
                 converted[i] = times(converted[i], two);
             }
@@ -214,7 +214,7 @@ impl Conventions {
         converted
     }
 
-    /// The factor and the place, among the dofs of both beams, of each dof of the program.
+    /// For each dof of the program, its index among the dofs of both beams, and its factor.
     pub(super) fn dofs(&self, families: [Family; 2]) -> Vec<(usize, f64)> {
         let of_beam = |start: usize, family: Family| {
             let count = family.units().len();
@@ -222,7 +222,7 @@ impl Conventions {
                 Family::Hermite => vec![3, 4, 5, 9, 10, 11],
                 _ => Vec::new(),
             };
-            // Rows of three coordinates, or of four with a weight; arcs and helices have no nodes.
+            // Rows of three coordinates, or of four with a weight. Arcs and helices have no nodes.
             let width = match family {
                 Family::Arc | Family::Helix => count,
                 Family::NurbsWeighted => 4,
@@ -247,7 +247,7 @@ impl Conventions {
 
     /// A direction in the dofs of the program.
     pub(super) fn direction(&self, families: [Family; 2], dq: &[f64]) -> Vec<f64> {
-        // x,ξ = f q: where q is varied by δq, x,ξ is varied by f δq.
+        // x,ξ = f q: if q is varied by δq, x,ξ is varied by f δq.
         self.dofs(families).into_iter().map(|(place, factor)| dq[place] / factor).collect()
     }
 }

@@ -1,14 +1,14 @@
-//! Whether wrong answers are right ones in other conventions.
+//! Tests whether wrong answers are correct in other conventions.
 
 use super::answers::Answers;
 use super::compare::{Converted, Demands, Judgement};
 use super::vectors::Vector;
 use crate::check::candidate::Sides;
 
-/// Cases that are tried.
+/// The number of cases that are tried.
 const TRIED: usize = 6;
 
-/// The conventions in which all these answers agree, in words; nothing if there are none.
+/// The conventions in which all these answers agree, in words; nothing if no conventions do.
 pub fn other_conventions(cases: &[(Vector, Answers)], demands: &Demands) -> Option<String> {
     let sides = |(vector, answers): &(Vector, Answers)| {
         let sides = vector.evaluated(|evaluation| Sides::new(evaluation, &vector.case.test_beams).0).ok()?;

@@ -1,4 +1,4 @@
-//! What is wrong with a text from another program, and where.
+//! The error in a text from another program, and its place.
 
 use std::fmt;
 use thiserror::Error;
@@ -10,7 +10,7 @@ pub struct Place {
     pub file: String,
     /// The line, from 1.
     pub line: usize,
-    /// The column in bytes, from 1; 0 for the line as a whole.
+    /// The column in bytes, from 1; 0 for the whole line.
     pub column: usize,
 }
 
@@ -22,17 +22,17 @@ impl fmt::Display for Place {
 }
 
 impl Place {
-    /// An error here.
+    /// An error at this place.
     pub(super) fn error(self, expected: impl Into<String>) -> ExternalError {
         ExternalError { place: self, expected: expected.into() }
     }
 }
 
-/// What was expected at a place of a text.
+/// An error at a place of a text.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{place}: {expected}")]
 pub struct ExternalError {
-    /// Where.
+    /// The place.
     pub place: Place,
     /// What was expected there, and what was found.
     pub expected: String,

@@ -1,4 +1,4 @@
-//! The answers of the library itself, dense: to compare with by eye, and to check the check with.
+//! The answers of the library itself, dense: for comparison by eye, and for tests of the check.
 
 use super::answers::{ANSWERS, AnswerReader, Answers};
 use super::error::Place;
@@ -10,22 +10,22 @@ use crate::linearization::{COMPONENTS, Quantity};
 use crate::variant::Variant;
 use std::fmt::Write;
 
-/// A program that answers cases: the closed form of this library, as it is or with faults.
+/// A program that answers cases: the closed form of this library, unmodified or with faults.
 #[derive(Clone, Debug, Default)]
 pub struct Evaluator {
     /// The closed form.
     pub variant: Variant,
-    /// By which of its formulas.
+    /// The formulas that it uses.
     pub formulas: Formulas,
-    /// The stiffness of a contact element that is answered too, if there is one.
+    /// The stiffness of a contact element that is answered too, if given.
     pub penalty: Option<f64>,
-    /// How numbers are written.
+    /// The format of numbers.
     pub writer: VectorWriter,
-    /// How many significant digits are written, if not all.
+    /// The number of significant digits that are written, if not all.
     pub digits: Option<usize>,
 }
 
-/// Which formulas are evaluated.
+/// The formulas that are evaluated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Formulas {
     /// Those that lose the fewest digits at each point.
@@ -33,7 +33,7 @@ pub enum Formulas {
     Chosen,
     /// The paper's.
     Paper,
-    /// The normal and the cross products.
+    /// The formulas with the normal and the cross products.
     Robust,
 }
 
@@ -69,7 +69,7 @@ impl Evaluator {
         }
     }
 
-    /// What it answers to a case, read from its line.
+    /// Its answer to a case, read from its line.
     pub fn answered(&self, vector: &Vector) -> Option<Answers> {
         let text = format!("{}\n{}\n", self.head(), self.line(vector));
         AnswerReader::new(text.as_bytes(), "answers").ok()?.next_answers().ok()?
@@ -114,7 +114,7 @@ impl Evaluator {
         line
     }
 
-    /// The number with so many digits as are written.
+    /// The number rounded to the digits that are written.
     fn rounded(&self, number: f64) -> f64 {
         let Some(digits) = self.digits.and_then(|digits| digits.checked_sub(1)) else { return number };
         format!("{number:.digits$e}").parse().unwrap_or(number)

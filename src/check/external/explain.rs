@@ -1,14 +1,14 @@
-//! Which term of a program is wrong: its answers are fitted by the closed form with faults.
+//! Finds the wrong term of a program: its answers are fitted by the closed form with faults.
 //!
-//! Each fault of the catalogue is planted, and what the closed form then answers is compared with what the program
-//! answered, at several cases: values, variations along the directions, gradients and Hessians contracted with them, and
-//! single entries of these. What leaves nothing but rounding is the explanation. It is the simplest such one: a fault of
+//! Each fault of the catalogue is injected, and the answers of the closed form with it are compared with the answers of
+//! the program, at several cases: values, variations along the directions, gradients and Hessians contracted with them,
+//! and single entries of these. A fault that leaves only rounding is an explanation. The simplest is chosen: a fault of
 //! one term, a simplification as a whole, a factor on a quantity, a factor on a term, two faults.
 //!
-//! Answers may have few digits, so that several faults leave no more than rounding. Deviations are squared and summed, each
-//! over the error that rounding is likely to make. The least sum is the best explanation. Another is told from it if its sum
-//! is larger by 25, five standard deviations; all that are not are named together. If right answers are among them, nothing
-//! is named.
+//! Answers may have few digits, so that several faults leave only rounding. Deviations are squared and summed, each
+//! over the probable rounding error. The explanation with the smallest sum is the best. Another one is distinct from
+//! it if its sum is larger by 25, five standard deviations. All others are named together. If correct answers are among
+//! them, no cause is named.
 
 mod accuracy;
 mod answered_case;
@@ -35,33 +35,33 @@ use search::{Equal, KEPT, measured_factor, ranked, search};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// What explains the answers.
+/// The explanation of the answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
-    /// What is wrong: several where the answers cannot tell them apart; none if nothing explains them.
+    /// The causes: several if the answers cannot distinguish them; none if nothing explains the answers.
     pub causes: Vec<Cause>,
     /// The largest deviation of the answers over its scale.
     pub before: f64,
-    /// The same after the explanation; that of the best attempt if there is none.
+    /// The same after the explanation; that of the best attempt if there is no explanation.
     pub after: Option<f64>,
-    /// The best of the other attempts, and the deviation that it leaves.
+    /// The best of the other attempts, and its remaining deviation.
     pub runner_up: Option<(String, f64)>,
     /// The cases that were used.
     pub cases: usize,
-    /// Whether right answers explain these as well, within the digits that they have: then there is no cause.
+    /// Whether correct answers explain these as well, within their digits. Then there is no cause.
     pub is_faint: bool,
 }
 
-/// One thing that may be wrong.
+/// One possible cause.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cause {
     /// Its name: that of the fault in the catalogue, if it is one.
     pub name: String,
-    /// What is wrong, in a sentence without its end.
+    /// What is wrong, as a sentence without its full stop.
     pub words: String,
     /// The coefficient of the term in the deviation, as fitted: -2 wrong sign, -1 missing, 1 doubled, -1/2 halved.
     pub coefficient: Option<f64>,
-    /// The names of other kinds of faults of the same terms that lead to the same numbers at these cases.
+    /// The names of other kinds of faults of the same terms that yield the same numbers at these cases.
     pub alike: Vec<String>,
 }
 
@@ -82,7 +82,7 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
     }
     let cases: Vec<&AnsweredCase> = clear.iter().map(|(_, case)| case).collect();
     let mut fits = search(&cases);
-    // More data, only where they are needed to tell several apart.
+    // More data are used only to distinguish several explanations.
     if near(&fits).len() > 1 {
         let of_entries: Vec<Known> =
             clear.iter().take(PROBED).flat_map(|(i, _)| known[*i].entries()).collect();
@@ -116,14 +116,14 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
     })
 }
 
-/// How many cases are used.
+/// The number of cases that are used.
 const USED: usize = 24;
-/// At how many of them single entries of gradients and Hessians are used.
+/// The number of these cases at which single entries of gradients and Hessians are used.
 const PROBED: usize = 12;
-/// How many entries of each.
+/// The number of entries of each.
 const ENTRIES: usize = 4;
 
-/// The cases at which rounding explains least: of each kind some; the kinds alternate.
+/// The cases with the smallest rounding: some of each kind. The kinds alternate.
 fn clearest(mut cases: Vec<(usize, AnsweredCase)>) -> Vec<(usize, AnsweredCase)> {
     cases.sort_by(|one, two| one.1.blur().total_cmp(&two.1.blur()));
     let mut counts = BTreeMap::new();
@@ -133,7 +133,7 @@ fn clearest(mut cases: Vec<(usize, AnsweredCase)>) -> Vec<(usize, AnsweredCase)>
         placed.push((*count, case));
         *count += 1;
     }
-    // What is wrong in most numbers says most.
+    // The cases with the most wrong numbers are the most informative.
     placed.sort_by_key(|(count, case)| (*count, Reverse(case.1.wrong())));
     placed.into_iter().map(|(_, case)| case).take(USED).collect()
 }
@@ -160,7 +160,7 @@ impl Known {
             .filter(|case| !case.data.is_empty())
     }
 
-    /// The same case along pairs of single dofs, so that contractions of gradients and Hessians are their entries.
+    /// The same case along pairs of single dofs, so that the contractions of gradients and Hessians are their entries.
     fn entries(&self) -> Vec<Self> {
         let is_array = |answers: &Answers| {
             let has = |answer: &crate::check::Answer| answer.gradient.is_some() || answer.hessian.is_some();
@@ -171,7 +171,7 @@ impl Known {
         }
         let dofs: usize = self.beams.iter().map(|beam| beam.dofs()).sum();
         let along = |k: usize| {
-            // Each dof is met, with others of both beams.
+            // Every dof occurs, together with others of both beams.
             let (row, column) = ((7 * k + 1) % dofs, (5 * k + dofs / 2) % dofs);
             let mut vector = self.vector.clone();
             let [beam, bar] = &mut vector.case.test_beams;

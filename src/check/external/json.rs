@@ -1,8 +1,8 @@
-//! JSON as programs print it: numbers of any language, lists of numbers without a box for each, columns for messages.
+//! JSON as programs print it: numbers of any language, lists of numbers without boxes, columns for messages.
 //!
-//! serde_json rejects what languages print for numbers that JSON has not (`NaN`, `-Infinity`, `0.1D+00`, `1.0-101`) before a
-//! visitor sees them, keeps the last of two entries of one name, and gives a place in the text to syntax errors only. So
-//! this reader is our own; what is plain JSON it reads as serde_json does, which a test asserts.
+//! serde_json rejects number formats that JSON does not have (`NaN`, `-Infinity`, `0.1D+00`, `1.0-101`) before a
+//! visitor sees them, keeps the last of two entries of one name, and gives a place in the text for syntax errors only.
+//! Therefore this reader exists. It reads plain JSON as serde_json does, which a test asserts.
 
 mod reader;
 
@@ -10,11 +10,11 @@ use super::number;
 use reader::Reader;
 use std::borrow::Cow;
 
-/// A value and where it starts.
+/// A value and its first column.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Node<'a> {
     pub(super) value: Value<'a>,
-    /// From 1, in bytes.
+    /// The column from 1, in bytes.
     pub(super) column: usize,
 }
 
@@ -22,9 +22,9 @@ pub(super) struct Node<'a> {
 pub(super) enum Value<'a> {
     Null,
     Bool(bool),
-    /// A number, and the word that it was read from.
+    /// A number, and the word from which it was read.
     Number(f64, &'a str),
-    /// A list of numbers alone; null is what is not a number. Numbers may be written as strings.
+    /// A list of numbers alone. null stands for a value that is not a number. Numbers may be written as strings.
     Numbers(Vec<f64>),
     Text(Cow<'a, str>),
     List(Vec<Node<'a>>),
@@ -47,7 +47,7 @@ impl JsonError {
 type Read<T> = Result<T, JsonError>;
 
 impl<'a> Node<'a> {
-    /// Reads a line that holds one value.
+    /// Reads a line that contains one value.
     pub(super) fn read(line: &'a str) -> Read<Self> {
         let mut reader = Reader { text: line, at: 0 };
         let node = reader.value(0)?;
@@ -58,7 +58,7 @@ impl<'a> Node<'a> {
         Ok(node)
     }
 
-    /// The entries of an object, none of which is named twice.
+    /// The entries of an object. No name occurs twice.
     pub(super) fn object(&self, what: &str) -> Read<&[(Cow<'a, str>, Self)]> {
         match &self.value {
             Value::Object(entries) => Ok(entries),
@@ -73,7 +73,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// A number, infinite or none included.
+    /// A number, which may be infinite or not a number.
     pub(super) fn number(&self, what: &str) -> Read<f64> {
         match &self.value {
             Value::Number(number, _) => Ok(*number),
@@ -86,7 +86,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// Numbers in a row; `expected` if it is said how many.
+    /// A list of numbers; `expected` is their count, if it is known.
     pub(super) fn numbers(&self, what: &str, expected: Option<usize>) -> Read<Vec<f64>> {
         let mut all = Vec::new();
         self.flatten(what, &mut all)?;

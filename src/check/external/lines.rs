@@ -1,10 +1,10 @@
-//! Lines of a text from other programs: streamed, with their numbers.
+//! The lines of a text from another program: streamed, with their numbers.
 
 use super::error::{ExternalError, Place};
 use std::io::{BufRead, Read};
 use std::sync::Arc;
 
-/// No line is longer: a full Hessian of 1000 dofs has a million numbers.
+/// The maximum length of a line. A full Hessian of 1000 dofs has a million numbers.
 const LONGEST: u64 = 1 << 28;
 
 /// The lines of a text.
@@ -37,10 +37,10 @@ impl<R: BufRead> Lines<R> {
         Place { file: self.name.to_string(), line: self.number, column: 0 }
     }
 
-    /// The next line that is not blank; nothing at the end.
+    /// The next line that is not blank; nothing at the end of the text.
     ///
     /// # Errors
-    /// If the text cannot be read, is no UTF-8, or has a line that is too long.
+    /// If the text cannot be read, is not UTF-8, or has a line that is too long.
     pub(super) fn next_line(&mut self) -> Result<Option<&str>, ExternalError> {
         loop {
             self.buffer.clear();

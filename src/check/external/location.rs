@@ -1,4 +1,4 @@
-//! Where a gradient or a Hessian is wrong: the entry that differs most.
+//! The place where a gradient or a Hessian is wrong: the entry that differs most.
 
 use super::answers::Answers;
 use super::compare::Judged;
@@ -18,15 +18,15 @@ pub struct Location {
     pub indices: Vec<usize>,
     /// The beams that these dofs belong to: `beam`, `bar`.
     pub block: Vec<&'static str>,
-    /// What the program says.
+    /// The number of the program.
     pub answered: f64,
-    /// What is expected.
+    /// The expected number.
     pub expected: f64,
-    /// The difference over the largest entry that is expected.
+    /// The difference over the largest expected entry.
     pub scaled_error: f64,
-    /// How many entries differ by more than a thousandth of this one's difference.
+    /// The number of entries that differ by more than a thousandth of this one's difference.
     pub differing: usize,
-    /// Whether the matrix of differences is antisymmetric, or has but few rows: what can be seen of it.
+    /// Whether the matrix of differences is antisymmetric.
     pub is_antisymmetric: bool,
 }
 
@@ -65,7 +65,7 @@ pub fn locate(
     entry(answered, &expected, dofs, conventions, (is_energy, is_second))
 }
 
-/// Gradient and Hessian as a program with these conventions has them; a Hessian row by row.
+/// Gradient and Hessian in the conventions of a program; a Hessian row by row.
 fn expected(
     vector: &Vector,
     dense: Vec<Dense>,
@@ -76,7 +76,7 @@ fn expected(
     let same = if quantity == Quantity::GN { Quantity::D } else { quantity };
     let Dense { value, gradient, hessian, .. } = dense.into_iter().find(|dense| dense.quantity == same)?;
     let products = || gradient.iter().flat_map(|g| gradient.iter().map(move |h| g * h));
-    // That of f (v - c)²/2 is f ((v - c) H + ∇v ∇vᵀ).
+    // The Hessian of f (v - c)²/2 is f ((v - c) H + ∇v ∇vᵀ).
     let square = |f: f64, value: f64| {
         let of_gradient: Vec<_> = gradient.iter().map(|g| f * value * g).collect();
         let of_hessian: Vec<_> =

@@ -1,4 +1,4 @@
-//! Answers next to the cases that they belong to, while both are streamed.
+//! Matches answers with their cases, while both are streamed.
 
 use super::answers::{Answers, Program};
 use super::compare::{Demands, compare_answers};
@@ -8,12 +8,12 @@ use super::vectors::Vector;
 use rayon::prelude::*;
 use std::collections::VecDeque;
 
-/// Cases that are compared at a time, by all cores.
+/// The number of cases that are compared at a time, by all cores.
 const AT_ONCE: usize = 64;
 
 /// Matches answers with cases, and compares them.
 ///
-/// Cases may be left out, and answered in another order as long as no more than the look-ahead of them are open.
+/// Cases may be left out. Answers may come in another order, if no more cases are open than the look-ahead allows.
 #[derive(Debug)]
 pub struct Matching {
     demands: Demands,
@@ -24,19 +24,19 @@ pub struct Matching {
 }
 
 impl Matching {
-    /// Nothing is matched yet.
+    /// A matching without any answers.
     pub fn new(demands: Demands, look_ahead: usize) -> Self {
         Self { demands, look_ahead, open: VecDeque::new(), ready: Vec::new(), report: Report::default() }
     }
 
-    /// Of this program, as the head of its answers says.
+    /// Sets the program, as the head of its answers describes it.
     #[must_use]
     pub fn of_program(mut self, program: &Program) -> Self {
         self.report.program = program.clone();
         self
     }
 
-    /// Takes the answers to a case; `next` yields the cases that follow.
+    /// Adds the answers to a case; `next` yields the cases that follow.
     ///
     /// # Errors
     /// If there is no such case, or an answer has the wrong number of entries.
@@ -79,7 +79,7 @@ impl Matching {
         }
     }
 
-    /// Compares what is matched.
+    /// Compares the matched answers.
     ///
     /// # Errors
     /// If an answer has the wrong number of entries.
@@ -93,12 +93,12 @@ impl Matching {
         Ok(())
     }
 
-    /// What was found so far.
+    /// The result so far.
     pub fn report(&self) -> &Report {
         &self.report
     }
 
-    /// The rest of the cases has no answers.
+    /// Marks the remaining cases as not answered.
     ///
     /// # Errors
     /// If an answer has the wrong number of entries, or a case cannot be read.

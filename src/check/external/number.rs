@@ -1,10 +1,10 @@
-//! Numbers as programs print them: read leniently and exactly, written so that no bit is lost.
+//! Numbers as programs print them: read leniently and exactly, and written without loss of a bit.
 //!
-//! Beside decimal numbers with an exponent E, these are read: Fortran's exponents D and Q, its three-digit exponents
-//! without a letter (`1.0-101`), hexadecimal numbers of C99 (`0x1.8p+1`), and what languages print for infinity and for
-//! what is not a number. A decimal number is rounded correctly.
+//! In addition to decimal numbers with an exponent E, it reads Fortran's exponents D and Q, its three-digit exponents
+//! without a letter (`1.0-101`), hexadecimal numbers of C99 (`0x1.8p+1`), and what languages print for infinity and
+//! for NaN. A decimal number is rounded correctly.
 
-/// Why a word is no number.
+/// The reason why a word is not a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum NotANumber {
     /// It is empty.
@@ -16,7 +16,7 @@ pub enum NotANumber {
 }
 
 impl NotANumber {
-    /// What to say of it.
+    /// The reason in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::Empty => "a number expected, found nothing",
@@ -31,7 +31,7 @@ impl NotANumber {
 /// Reads a number.
 ///
 /// # Errors
-/// [`NotANumber`] if it is none.
+/// [`NotANumber`] if the word is not a number.
 pub fn parse(word: &str) -> Result<f64, NotANumber> {
     let word = word.trim_matches([' ', '\t']);
     match word.parse() {
@@ -87,7 +87,7 @@ fn fortran(word: &str) -> Option<f64> {
     number.parse().ok()
 }
 
-/// What languages print for a result that is no finite number.
+/// The notations of languages for results that are not finite.
 fn no_number(word: &str) -> Option<f64> {
     let lower = word.to_ascii_lowercase();
     let (is_negative, size) = match lower.as_bytes().first()? {
@@ -125,14 +125,14 @@ fn hexadecimal(word: &str) -> Option<f64> {
             bits = 16 * bits + u64::from(digit);
             scale += shift;
         } else {
-            // Beyond 60 bits: what is left decides about rounding only.
+            // Digits beyond 60 bits only decide about rounding.
             bits |= u64::from(digit != 0);
             scale += 4 + shift;
         }
     }
     #[expect(clippy::cast_precision_loss, reason = "rounds to the nearest number")]
     let mut value = bits as f64;
-    // In steps that neither overflow nor lose bits before the last.
+    // In steps that neither overflow nor lose bits before the last one.
     while scale != 0 && value != 0.0 && value.is_finite() {
         let step = scale.clamp(-960, 960);
         value *= 2.0_f64.powi(step);

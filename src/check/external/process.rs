@@ -17,21 +17,21 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long a program may take to end after its last answer.
+/// The maximum time that a program may take to end after its last answer.
 const GRACE: Duration = Duration::from_secs(5);
-/// The same after what is no answer, so that its exit status is known.
+/// The same time after an invalid answer, so that the exit status is known.
 const LAST_WORDS: Duration = Duration::from_secs(1);
 
-/// How a program is run.
+/// The settings of the run of a program.
 #[derive(Clone, Debug)]
 pub struct Runner {
-    /// The program with its arguments, separated by blanks; quotes keep blanks. No shell sees it.
+    /// The program with its arguments, separated by blanks. Quotes keep blanks. It is not run in a shell.
     pub command: String,
-    /// How long it may take for an answer.
+    /// The maximum time for an answer.
     pub time_out: Duration,
-    /// How many cases it is sent ahead of its answers.
+    /// The number of cases that are sent ahead of the answers.
     pub look_ahead: usize,
-    /// The digits that are asked for.
+    /// The required digits.
     pub digits: Option<u8>,
 }
 
@@ -83,7 +83,7 @@ impl Runner {
                 }
             }
             Err((error, counts)) => {
-                // A program that failed is to blame for what it wrote last.
+                // If a program failed, its last output is attributed to the failure.
                 let grace = if error.is_some() { LAST_WORDS } else { Duration::ZERO };
                 let status = wait(&mut child, grace);
                 let stderr = end(&stderr);
@@ -107,7 +107,7 @@ impl Runner {
         ProcessError::TimeOut { program, seconds, answered, sent, look_ahead, stderr }
     }
 
-    /// Matches answers with the cases sent; no error stands for a time-out.
+    /// Matches answers with the cases sent. A missing error means a time-out.
     #[expect(clippy::type_complexity, reason = "an error, and how many answers to how many cases there were")]
     fn matched(
         &self,
@@ -194,7 +194,7 @@ fn wait(child: &mut Child, grace: Duration) -> Option<ExitStatus> {
     }
 }
 
-/// A command line in words; nothing if a quote is open.
+/// A command line split into words; nothing if a quote is open.
 fn words(command: &str) -> Option<Vec<String>> {
     let (mut words, mut word, mut quote) = (Vec::new(), None::<String>, None);
     for c in command.chars() {

@@ -1,4 +1,4 @@
-//! What was found of all answers.
+//! The results of all answers.
 
 use super::answers::{Answers, Program};
 use super::compare::{CaseFound, Judged, Judgement};
@@ -8,27 +8,27 @@ use crate::check::verdict::Order;
 use crate::linearization::Quantity;
 use std::collections::BTreeMap;
 
-/// Cases with a wrong number that are kept, to be explained.
+/// The number of cases with a wrong number that are kept for an explanation.
 const KEPT: usize = 40;
-/// Of these, at most so many of each kind of pair.
+/// The maximum number of these for each kind of pair.
 const OF_A_KIND: usize = 10;
 
-/// What was found of one part of a quantity.
+/// The result for one part of a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartFound {
-    /// How many numbers were compared.
+    /// The number of compared numbers.
     pub numbers: u64,
-    /// How many of these are right, but with fewer digits than can be attained.
+    /// The number of these that are correct, but have fewer digits than are attainable.
     pub losing: u64,
-    /// How many are wrong.
+    /// The number of wrong numbers.
     pub wrong: u64,
-    /// How many say nothing, as rounding explains more than a thousandth of their scale.
+    /// The count of numbers that are not meaningful, because rounding explains more than a thousandth of their scale.
     pub unclear: u64,
     /// The number that comes closest to its tolerance, or exceeds it most.
     pub worst: Judged,
     /// Its case.
     pub case: String,
-    /// Where the first wrong number is answered.
+    /// The place of the first wrong number.
     pub wrong_at: Option<Place>,
 }
 
@@ -42,42 +42,42 @@ pub struct Loss {
 }
 
 impl Loss {
-    /// The error over the size of the number; infinite for what is not a number.
+    /// The error over the size of the number; infinite if it is not a number.
     pub fn error(&self) -> f64 {
         let Judged { loss, size, .. } = self.judged;
-        // What is zero to the last bit has all digits.
+        // A number without any error has all digits.
         let error = if loss == 0.0 { 0.0 } else { loss / size };
         if error.is_nan() { f64::INFINITY } else { error }
     }
 
-    /// How many digits of those that can be attained are lost.
+    /// The number of attainable digits that are lost.
     pub fn digits(&self) -> f64 {
         (self.judged.loss / self.judged.attainable).log10()
     }
 }
 
-/// What was found in a regime.
+/// The result in a regime.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RegimeFound {
     /// Cases that were compared.
     pub compared: u64,
     /// Of these, those with a wrong number.
     pub wrong: u64,
-    /// Of these, those with a number that is right but loses digits.
+    /// Of these, those with a number that is correct but loses digits.
     pub losing: u64,
-    /// The largest loss among the numbers that are right.
+    /// The largest loss among the correct numbers.
     pub loss: Option<Loss>,
-    /// The largest error over the size of the number, whether right or wrong.
+    /// The largest error over the size of the number, whether correct or wrong.
     pub worst: Option<Loss>,
 }
 
 /// The key of a part: order, quantity, and the name of the order, or residual or tangent.
 pub type PartKey = (Order, Quantity, &'static str);
 
-/// What was found of all answers.
+/// The result of all answers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// What the answers say of the program.
+    /// The program, as its answers describe it.
     pub program: Program,
     /// Cases.
     pub vectors: u64,
@@ -91,19 +91,19 @@ pub struct Report {
     pub missing: u64,
     /// The first of them.
     pub first_missing: Option<String>,
-    /// Answers that hold no number.
+    /// Answers without any number.
     pub unanswered: u64,
-    /// Cases at whose closest point there is nothing to compare with, by reason.
+    /// Cases whose closest point has no reference, by reason.
     pub degenerate: BTreeMap<&'static str, u64>,
-    /// By part.
+    /// The results by part.
     pub parts: BTreeMap<PartKey, PartFound>,
-    /// By regime.
+    /// The results by regime.
     pub regimes: BTreeMap<String, RegimeFound>,
     /// The first wrong case, with its first wrong number.
     pub first: Option<(Vector, Answers, Judged)>,
     /// Wrong cases by the first wrong part.
     pub beginnings: BTreeMap<PartKey, u64>,
-    /// Cases to be explained, of as many kinds as there are.
+    /// Cases for the explanation, of as many kinds as possible.
     pub kept: Vec<(Vector, Answers)>,
 }
 
@@ -115,7 +115,7 @@ impl Report {
         self.first_missing.get_or_insert_with(|| id.to_owned());
     }
 
-    /// Adds what was found of a case.
+    /// Adds the result of a case.
     pub fn add(&mut self, vector: Vector, answers: Answers, found: CaseFound) {
         self.vectors += 1;
         let (judged, is_doubted) = match found {
@@ -207,18 +207,18 @@ impl Report {
         }
     }
 
-    /// Quantities of which nothing was answered at any case.
+    /// Quantities without an answer at any case.
     pub fn never_answered(&self) -> Vec<Quantity> {
         let is_answered = |quantity: &Quantity| self.parts.keys().any(|(_, known, _)| known == quantity);
         Quantity::ALL.into_iter().filter(|quantity| !is_answered(quantity)).collect()
     }
 
-    /// Whether something was compared, and nothing is wrong.
+    /// Whether something was compared, and no number is wrong.
     pub fn agrees(&self) -> bool {
         self.compared > 0 && self.wrong == 0
     }
 
-    /// The part that is wrong first in most wrong cases; the earliest of those in the order of evaluation.
+    /// The part that is wrong first in most wrong cases. If there are several, the earliest in the order of evaluation.
     pub fn beginning(&self) -> Option<(PartKey, u64)> {
         let most = self.beginnings.values().max()?;
         self.beginnings.iter().find(|(_, count)| *count == most).map(|(key, count)| (*key, *count))

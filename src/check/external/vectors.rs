@@ -3,8 +3,8 @@
 //! A case is two beams with their dofs, two directions of variation, radii and reference parameters, and its closest
 //! point. It has two kinds of input. *Curves* (family, parameters, dofs) test the closest point too and allow gradients
 //! and Hessians. *Jets* (x, t, t_xi, t_xixi of both beams at the closest point, and their variations along both
-//! directions) serve programs with interpolations of their own. What is expected is written beside them, with the
-//! largest difference that rounding explains; whoever checks answers computes it anew and does not read it.
+//! directions) serve programs with interpolations of their own. The expected numbers are written beside them, with the
+//! largest difference that rounding explains. The check of answers computes these numbers again and does not read them.
 
 mod read;
 mod write;
@@ -28,31 +28,31 @@ pub const VECTORS: &str = "beamgap-vectors/1";
 /// A case with its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vector {
-    /// Its name: that of the answers to it.
+    /// Its name. The answers to it have the same name.
     pub id: String,
     /// The regime that it was drawn in, or any other word.
     pub regime: String,
     /// The beams.
     pub case: CaseData,
-    /// The parameters of its closest point, as written; they choose among several.
+    /// The parameters of its closest point, as written. They select one of several closest points.
     pub point: Option<(f64, f64)>,
-    /// Where it was read.
+    /// Where it was read, if it was read.
     pub place: Option<Place>,
 }
 
-/// What became of the closest point of a case.
+/// The state of the closest point of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// It has derivatives.
     Valid,
-    /// It has none that could be compared.
+    /// It has no derivatives that could be compared.
     Degenerate(Inconclusive),
     /// There is none.
     NoProjection,
 }
 
 impl Outcome {
-    /// The word for it.
+    /// The name of the state.
     pub fn name(self) -> &'static str {
         match self {
             Self::Valid => "valid",
@@ -62,7 +62,7 @@ impl Outcome {
     }
 }
 
-/// Which cases are drawn.
+/// The cases that are drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
     /// The seed.
@@ -71,19 +71,19 @@ pub struct Drawing {
     pub regimes: Vec<Regime>,
     /// The families; all ordered pairs of them alternate.
     pub families: Vec<Family>,
-    /// How many cases of each regime.
+    /// The number of cases of each regime.
     pub cases: u64,
     /// Whether the radii are so large that the surfaces penetrate.
     pub penetrating: bool,
 }
 
 impl Drawing {
-    /// How many cases there are.
+    /// The number of cases.
     pub fn count(&self) -> u64 {
         self.cases * self.regimes.len() as u64
     }
 
-    /// A case, by its number: regimes alternate, and pairs of families within each.
+    /// A case, by its number. Regimes alternate, and so do pairs of families within each regime.
     pub fn vector(&self, number: u64) -> Vector {
         let (regimes, families) = (self.regimes.len() as u64, self.families.len() as u64);
         let of = |i: u64| usize::try_from(i).unwrap_or(0);
@@ -104,7 +104,7 @@ impl Drawing {
                 (vector.case.contact.radius, vector.case.contact.radius_bar) = (radius, radius);
             }
         }
-        // As exact as the check knows them.
+        // The parameters are as exact as those of the check.
         if let Ok(at) = vector.evaluated(|evaluation| (evaluation.at.0.value, evaluation.at.1.value)) {
             vector.point = Some(at);
         }
@@ -113,7 +113,7 @@ impl Drawing {
 }
 
 impl Vector {
-    /// The closest point of all, or that next to the parameters that are given.
+    /// The nearest closest point, or the one next to the given parameters.
     fn closest_point(&self) -> Option<ClosestPoint> {
         let beams = self.case.beams().ok()?;
         let minima = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?.minima;
@@ -125,7 +125,7 @@ impl Vector {
         (self.point.is_none() || away(&point) <= NEAR).then_some(point)
     }
 
-    /// What `f` makes of the closest point; or why there is nothing to be made of it.
+    /// The result of `f` at the closest point, or the reason why there is none.
     pub(in crate::check) fn evaluated<R>(
         &self,
         f: impl FnOnce(EvaluationPoint<'_>) -> R,
@@ -137,7 +137,7 @@ impl Vector {
         evaluation.map(f).map_err(Outcome::Degenerate)
     }
 
-    /// What became of its closest point.
+    /// The state of its closest point.
     pub fn outcome(&self) -> Outcome {
         self.evaluated(|_| Outcome::Valid).unwrap_or_else(|outcome| outcome)
     }
@@ -154,5 +154,5 @@ impl Vector {
     }
 }
 
-/// How far the parameters of a closest point may be from those that are written.
+/// The maximum distance of the parameters of a closest point from the written ones.
 const NEAR: f64 = 1e-5;

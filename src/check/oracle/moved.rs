@@ -9,26 +9,26 @@ use crate::linearization::{COMPONENTS, Quantities};
 use crate::number::{DoubleDouble, Real};
 use nalgebra::Vector3;
 
-/// The first step by which the radius is measured; a hundredth of it if the iterations do not converge.
+/// The first step for the measurement of the radius; a hundredth of it if the iterations do not converge.
 const FIRST_STEP: f64 = 1.0 / 1_048_576.0;
-/// The step in the parameters by which the matrix is differenced.
+/// The step in the parameters for the differences of the matrix.
 const MATRIX: f64 = 1.0 / 1_048_576.0;
-/// The most chord iterations.
+/// The maximum number of chord iterations.
 const ITERATIONS: usize = 40;
 
 type Vector = Vector3<DoubleDouble>;
 
-/// The closest point as it is, to 30 digits, and the matrix for all chord iterations.
+/// The closest point without a move, to 30 digits, and the matrix for all chord iterations.
 pub(super) struct Base<'a> {
     pub(super) evaluation: &'a EvaluationPoint<'a>,
     pub(super) place: Place,
-    /// The inverse Jacobian of the orthogonality conditions; nothing moves what an end holds.
+    /// The inverse Jacobian of the orthogonality conditions. Held parameters do not move.
     pub(super) inverse: [[f64; 2]; 2],
     /// ‖x,xixi‖ and ‖x_bar,xixi‖.
     pub(super) bends: [f64; 2],
     /// The rounding of both positions.
     pub(super) rounded: [f64; 2],
-    /// How far it moves the parameters.
+    /// The change of the parameters by this rounding.
     settled: [f64; 2],
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Place {
 pub(super) struct Moved<'a> {
     base: &'a Base<'a>,
     place: Place,
-    /// How much smaller the second step of the chord iterations was than the first.
+    /// The ratio of the second step of the chord iterations to the first.
     rate: f64,
 }
 
@@ -67,7 +67,7 @@ impl Place {
         self.t.map(|t| d.dot(&t))
     }
 
-    /// The definitions (4)-(15) of the paper, once more: they see positions alone.
+    /// The definitions (4)-(15) of the paper, from positions alone.
     fn quantities(&self, evaluation: &EvaluationPoint) -> [DoubleDouble; COMPONENTS] {
         let length = |v: &Vector| v.dot(v).sqrt();
         let Self { at: [xi, xi_bar], x: [x, x_bar], t: [t_vector, t_bar_vector] } = *self;
@@ -124,7 +124,7 @@ impl<'a> Base<'a> {
         Some(base)
     }
 
-    /// Chord iterations from the closest point as it was; the place and the rate of the first two steps.
+    /// Chord iterations from the closest point without a move. Returns the place and the rate of the first two steps.
     fn solve(&self, beams: &Beams) -> Option<(Place, f64)> {
         let noise = self.settled;
         let mut at = self.place.at;
@@ -158,7 +158,7 @@ impl<'a> Base<'a> {
         Some(Moved { base: self, place, rate })
     }
 
-    /// How far the pair may be moved in one direction before it is another problem.
+    /// The distance in one direction over which the problem remains similar.
     pub(super) fn radius(&'a self, direction: [f64; 2]) -> Option<f64> {
         let mut step = FIRST_STEP;
         for _ in 0..5 {
@@ -170,7 +170,7 @@ impl<'a> Base<'a> {
         None
     }
 
-    /// The quantities as they are.
+    /// The quantities without a move.
     pub(super) fn quantities(&self) -> [DoubleDouble; COMPONENTS] {
         self.place.quantities(self.evaluation)
     }
@@ -182,7 +182,7 @@ impl Moved<'_> {
         self.place.quantities(self.base.evaluation)
     }
 
-    /// The largest change of what the problem depends on, relative to itself.
+    /// The largest relative change of the numbers that the problem depends on.
     fn change(&self) -> f64 {
         let (place, base) = (&self.place, &self.base.place);
         let relative = |moved: &Vector, v: &Vector| norm(&(moved - v)) / norm(v);

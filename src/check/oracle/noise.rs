@@ -1,4 +1,4 @@
-//! What the rounding of positions and the truncation of tangents become in every quantity.
+//! The effect of the rounding of positions and the truncation of tangents on every quantity.
 
 use super::moved::Base;
 use super::norm;
@@ -10,20 +10,20 @@ use nalgebra::Vector3;
 
 /// The rounding of double-double over that of `f64`: eight of its units 2^-106 in an operation.
 const FINER: f64 = 8.0 * f64::EPSILON / 2.0;
-/// The stencil of double the step is wrong by 2^8 times as much: the difference is 255 times the error, and half as much
-/// again is allowed for the orders above.
+/// The error of the stencil of twice the step is 2^8 times as large. The difference is 255 times the error, and half as
+/// much again is allowed for the higher orders.
 const TRUNCATED: f64 = 1.5 / 255.0;
 
 /// The errors of all quantities at the closest point.
 pub(super) struct Noise {
-    /// From rounding: without any order, so that a difference divides it by its step.
+    /// From rounding: it is not smooth, so a difference divides it by its step.
     pub(super) rounding: [f64; COMPONENTS],
-    /// From the tangents' truncation: as smooth as the problem is.
+    /// From the truncation of the tangents: it is as smooth as the problem.
     pub(super) truncation: [f64; COMPONENTS],
 }
 
-/// The rounding of a position in double-double, from its running error bound in `f64`: the largest at the parameter and at
-/// those that the tangent is made of, as shape functions may vanish at one of them.
+/// The rounding of a position in double-double, from its running error bound in `f64`: the largest at the parameter
+/// and at those of the tangent stencil, because shape functions may vanish at one of them.
 pub(super) fn of_position(beam: &dyn AnyBeam, xi: f64) -> f64 {
     let at = |xi: f64| {
         let x: Vector3<Dual<Dual<RunningError2>>> =
@@ -47,12 +47,12 @@ impl Base<'_> {
         }
     }
 
-    /// How far rounding moves the parameters.
+    /// The change of the parameters by rounding.
     pub(super) fn noise_of_parameters(&self) -> [f64; 2] {
         self.of_parameters(self.rounded, self.rounded.map(|x| x * WEIGHTS / STEP))
     }
 
-    /// The largest rounding of what the problem depends on, relative to itself.
+    /// The largest relative rounding of the numbers that the problem depends on.
     pub(super) fn relative_noise(&self) -> f64 {
         let tangents = self.rounded.map(|x| x * WEIGHTS / STEP);
         let xi = self.of_parameters(self.rounded, tangents);
@@ -70,12 +70,12 @@ impl Base<'_> {
         self.inverse.map(|[p, q]| p.abs() * f[0] + q.abs() * f[1])
     }
 
-    /// Errors of positions and tangents at fixed parameters, carried to all quantities.
+    /// The effect of errors of positions and tangents at fixed parameters on all quantities.
     fn carried(&self, x: [f64; 2], t: [f64; 2]) -> [f64; COMPONENTS] {
         let xi = self.of_parameters(x, t);
         let lengths = self.place.t.map(|t| norm(&t));
         let point = [0, 1].map(|i| x[i] + lengths[i] * xi[i]);
-        // The last term is what squares and roots of the tangents round, half an ulp of an `f64` made finer.
+        // The last term is the rounding of squares and roots of the tangents, half an ulp of an `f64` made finer.
         let along = [0, 1].map(|i| t[i] + self.bends[i] * xi[i] + FINER * 0.5 * f64::EPSILON * lengths[i]);
         let slip =
             |i: usize, start: f64| (self.place.at[i].value() - start).abs() * along[i] + lengths[i] * xi[i];

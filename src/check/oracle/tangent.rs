@@ -6,9 +6,9 @@ use nalgebra::Vector3;
 
 /// The step in the parameter, a power of two.
 pub(super) const STEP: f64 = 1.0 / 2048.0;
-/// How far away the furthest position is.
+/// The distance of the farthest position.
 pub(super) const REACH: f64 = 4.0 * STEP;
-/// The sum of the absolute weights of the stencil: what the rounding of positions becomes, over the step.
+/// The sum of the absolute weights of the stencil: the factor on the rounding of positions, over the step.
 pub(super) const WEIGHTS: f64 = 2.0 * (672.0 + 168.0 + 32.0 + 3.0) / 840.0;
 
 /// x,xi by the central difference of eighth order.

@@ -1,4 +1,4 @@
-//! The oracle's numbers and estimates against the closed form in double-double.
+//! Compares the oracle's numbers and estimates with the closed form in double-double.
 
 use super::{Estimated, differences};
 use crate::check::evaluation_point::EvaluationPoint;
@@ -8,14 +8,14 @@ use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::DoubleDouble;
 use rayon::prelude::*;
 
-/// One entry: what it is, what the oracle says, what is true, and the closed form's own bound.
+/// One entry: its name, the oracle's number, the true number, and the closed form's own bound.
 type Entry = (Quantity, &'static str, Estimated, DoubleDouble, f64);
 
 /// All entries at the closest points of a case.
 fn entries(number: u64) -> Vec<Entry> {
     let case = Case::draw(0xdd, number);
     let [beam, bar] = case.beams();
-    // Badly scaled beams may be too much for the search.
+    // The search may fail for badly scaled beams.
     let Ok(found) = closest_points(beam, bar, &Search::default()) else { return Vec::new() };
     let minima = found.minima;
     let mut entries = Vec::new();
@@ -42,13 +42,13 @@ fn estimates_are_honest_and_below_the_bounds_of_f64() {
         let numbers = Selection { regimes: vec![regime], family: None, cases: 121 }.numbers();
         let entries: Vec<Entry> = numbers.into_par_iter().flat_map_iter(entries).collect();
         let (mut sharp, mut all) = (0, 0);
-        // A stencil that is too wide for a badly scaled curve is not known to be: there the estimate is one to four times
-        // too small at times.
+        // A stencil that is too wide for a badly scaled curve is not detected. There the estimate may be too small by
+        // a factor of up to four.
         let most = if regime == Regime::BadlyScaled { 4.0 } else { 1.0 };
         for (quantity, part, told, truth, bound) in entries {
             let error = (told.value - truth).abs().value();
             assert!(error <= most * told.error, "{regime:?} {part} of {quantity:?}: {error:e}, not {told:?}");
-            // d'' holds 1/d, and rounding over h² with a step that must be well below d.
+            // d'' contains 1/d, and rounding over h² with a step that must be well below d.
             if bound > 0.0 && !(regime == Regime::NearlyCrossing && part == "Delta-delta") {
                 sharp += u32::from(told.error <= bound);
                 all += 1;

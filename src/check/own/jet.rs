@@ -1,4 +1,4 @@
-//! A jet against the derivatives of the position.
+//! Compares a jet with the derivatives of the position.
 
 use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::PositionAt;
@@ -18,14 +18,14 @@ const VARIATIONS: [&str; 3] = [
     "variation of x,xixi (k = 2), against the derivative of the position",
 ];
 
-/// A number of a jet that is not what it should be.
+/// A wrong number of a jet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JetFinding {
-    /// What it is.
+    /// The name of the number.
     pub part: &'static str,
     /// The jet's number.
     pub jet: f64,
-    /// What it should be.
+    /// The expected number.
     pub other: f64,
     /// The largest difference that rounding explains.
     pub tolerance: f64,
@@ -45,7 +45,7 @@ impl fmt::Display for JetFinding {
     }
 }
 
-/// What of the jet of a curve is not the derivative of its position, beyond rounding: nothing, if the jet is right.
+/// The numbers of the jet of a curve that differ from the derivatives of its position beyond rounding.
 ///
 /// At the parameter `xi` of a beam with the dofs `q`, varied along the two `directions`; Jacobians, gradients and Hessians
 /// are compared with the variations, the last two for the vector `w`. [`curve`](super::curve) does this at many points.
@@ -63,7 +63,7 @@ where
     findings(&Drawn { curve: curve.clone(), q: *q, dq, linear_dq, points: Vec::new() }, w, xi)
 }
 
-/// What is wrong with the jet of a beam at a parameter.
+/// The wrong numbers of the jet of a beam at a parameter.
 pub(super) fn findings<C, const N: usize>(beam: &Drawn<C, N>, w: &Vector3<f64>, xi: f64) -> Vec<JetFinding>
 where
     C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
@@ -74,7 +74,7 @@ where
     let lifted = |value: HyperDual<RunningError2>| Lifted::new(value, number(one, zero));
     let still = |dq, linear_dq| Drawn { dq, linear_dq, ..beam.clone() };
     let none = SVector::zeros();
-    // Nilpotents along ξ, once, twice and three times; dofs as they are, or varied along one direction, or along both.
+    // Nilpotents along ξ, once, twice and three times; dofs unchanged, or varied along one direction, or along both.
     let along = still(none, none).position_at(lifted(HyperDual::new(at, one, one, zero)));
     let vary = |dq| still(none, dq).position_at(lifted(number(at, one)));
     let (delta, linear) = (vary(beam.dq), vary(beam.linear_dq));
@@ -117,7 +117,7 @@ where
     pairs.into_iter().filter_map(wrong).collect()
 }
 
-/// The same finding at numbers with few digits, if it shows there: they are easier to read and to repeat.
+/// The same finding at numbers with few digits, if it occurs there: they are easier to read and to repeat.
 pub(super) fn rounder<C, const N: usize>(
     beam: &Drawn<C, N>,
     w: &Vector3<f64>,
@@ -138,20 +138,20 @@ where
     (0..4).find_map(at).unwrap_or(finding)
 }
 
-/// The numbers with so many digits after the first of the largest dof, whatever the unit of length.
+/// The numbers with this number of digits after the first of the largest dof, for any unit of length.
 pub(super) fn rounded(numbers: &[f64], largest: f64, digits: i32) -> Vec<f64> {
     #[expect(clippy::cast_possible_truncation, reason = "an exponent of f64 is below 1100")]
     let places = digits - largest.max(f64::MIN_POSITIVE).log10().floor() as i32;
     let round = |&number: &f64| match usize::try_from(places) {
-        // Read from its digits, it is written with as few again.
+        // Parsed from its digits, it is written with as few digits again.
         Ok(places) => format!("{number:.places$}").parse().unwrap_or(number),
         Err(_) => (number * 10.0_f64.powi(places)).round() * 10.0_f64.powi(-places),
     };
-    // No minus in front of zero.
+    // Avoids a minus sign in front of zero.
     numbers.iter().map(|number| round(number) + 0.0).collect()
 }
 
-/// What the derivatives say of each other: Jacobians, gradients and Hessians against the variations, and the shape
+/// The consistency of the derivatives: Jacobians, gradients and Hessians against the variations, and the shape
 /// functions, if there are any, against the points.
 fn consistent<C: Curve<N>, const N: usize>(
     beam: &Drawn<C, N>,

@@ -1,4 +1,4 @@
-//! A beam on the user's curve with a partner that crosses it as a regime wants.
+//! A beam on the user's curve, with a partner that crosses it as the regime requires.
 
 use super::placed::Placed;
 use super::varied;
@@ -30,7 +30,7 @@ struct Spot {
 }
 
 impl Spot {
-    /// At a parameter; beyond an end of the beam, on the tangent there.
+    /// The spot at a parameter; beyond an end of the beam, on the tangent there.
     fn on(beam: &dyn AnyBeam, xi: f64) -> Self {
         let within = xi.clamp(-1.0, 1.0);
         let geometry = beam.geometry_at(RunningError::from(within));
@@ -40,7 +40,7 @@ impl Spot {
 }
 
 impl Pair {
-    /// Of the `place`-th case of a regime: all families and the curve itself alternate, on either side.
+    /// Draws the `place`-th case of a regime. All families and the curve itself alternate, on either side.
     pub(super) fn draw<C, const N: usize>(
         curve: &C,
         beams: &[[f64; N]],
@@ -74,7 +74,7 @@ impl Pair {
         } else {
             let second = varied(curve, &beams[(place + 1) % beams.len()], rng);
             let there = Spot::on(&second, draw.at[1]);
-            // Its tangent, and any two vectors normal to it, fall on those of the frame.
+            // Its tangent, and any two vectors normal to it, are turned onto those of the frame.
             let tangent = there.t.normalize();
             let own_frame = with_tangent(&tangent, rng);
             let turn = frame * own_frame.transpose() * unit.unwrap_or(1.0);
@@ -108,13 +108,13 @@ impl Pair {
         self.beams.each_ref().map(|beam| &**beam)
     }
 
-    /// The same with other numbers of the beams, and other radii and reference parameters.
+    /// The same pair with other numbers of the beams, and other radii and reference parameters.
     pub(super) fn with(&self, numbers: &[[Vec<f64>; 3]; 2], contact: Contact) -> Self {
         let beams = [0, 1].map(|i| self.beams[i].with_numbers(&numbers[i]));
         Self { beams, contact, families: self.families }
     }
 
-    /// Which pair it is, with all its numbers, 80 columns wide.
+    /// The families of the pair with all its numbers, 80 columns wide.
     pub(super) fn words(&self, regime: Regime) -> String {
         let [family, family_bar] = self.families.map(|family| family.map_or("your curve", Family::name));
         let [[q, dq, linear_dq], [q_bar, dq_bar, linear_dq_bar]] =
@@ -135,7 +135,7 @@ impl Pair {
 }
 
 impl Spot {
-    /// At any parameter, of a curve that is known beyond its ends.
+    /// The spot at any parameter, for a curve that is defined beyond its ends.
     fn beyond(beam: &dyn AnyBeam, xi: f64) -> Self {
         let geometry = beam.geometry_at(RunningError::from(xi));
         let [x, t] = [geometry.x, geometry.t].map(|v| v.map(|c| c.value));
@@ -143,7 +143,7 @@ impl Spot {
     }
 }
 
-/// What moves the other beam to where the gap between the two is the one that was drawn, normal to both tangents.
+/// The shift that moves the other beam so that the gap is the drawn one, normal to both tangents.
 fn shift(own: &Spot, other: &Spot, draw: &Draw) -> Vector3<f64> {
     let across = own.t.cross(&other.t).normalize();
     own.x - other.x - across * (draw.gap * own.length)

@@ -1,12 +1,12 @@
-//! A pair with fewer and shorter numbers that shows the same.
+//! A pair with fewer and shorter numbers and the same diagnosis.
 //!
-//! What the dofs of the curve mean is not known, so they are rounded and nothing else: a curve need not be made for zeros.
+//! The meaning of the dofs of the curve is not known, so they are only rounded. A curve may not accept zeros.
 
 use super::jet::rounded;
 use super::pair::Pair;
 use crate::pair::Contact;
 
-/// The pair with as many of these changes as leave the diagnosis: no radii and no reference parameters, one dof that varies
+/// The pair with all of these changes that keep the diagnosis: no radii, no reference parameters, one dof that varies
 /// by one in each direction, and fewer digits of everything.
 pub(super) fn shrunk<D: PartialEq>(pair: Pair, diagnose: impl Fn(&Pair) -> D) -> Pair {
     let diagnosis = diagnose(&pair);

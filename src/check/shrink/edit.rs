@@ -1,4 +1,4 @@
-//! The edits, the boldest first.
+//! The edits, largest first.
 
 use super::super::CaseData;
 use super::{frame, simpler};
@@ -13,18 +13,18 @@ pub(super) enum Edit {
     Contact(Option<usize>),
     /// One dof varies, by one, and no other; of both beams.
     Only(List, usize, usize),
-    /// Nothing of this beam varies.
+    /// No dof of this beam varies.
     Still(List, usize),
-    /// The closest point and t on the first axis, t_bar in the first plane; and all dofs rounded to so many binary
+    /// The closest point and t on the first axis, t_bar in the first plane; and all dofs rounded to this many binary
     /// digits.
     Frame(i32),
-    /// All dofs of one beam rounded to so many binary digits.
+    /// All dofs of one beam rounded to this many binary digits.
     Round(usize, i32),
     /// Knots at equal distances, weights of one, the length of a reference beam 2, and no rotation.
     Plain(usize),
     /// A node, or a weight, like its neighbours.
     Straight(usize, usize),
-    /// One number zero, one, or rounded to so many binary digits.
+    /// One number set to zero or one, or rounded to this many binary digits.
     Number(usize, List, usize, To),
 }
 
@@ -37,7 +37,7 @@ pub(super) enum List {
     LinearDq,
 }
 
-/// What becomes of a number.
+/// The new value of a number.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum To {
     Zero,
@@ -77,7 +77,7 @@ pub(super) fn edits(case: &CaseData) -> Vec<Edit> {
 }
 
 impl Edit {
-    /// The case changed; nothing if this is no change for it.
+    /// The changed case; nothing if the edit does not change it.
     pub(super) fn apply(self, case: &CaseData) -> Option<CaseData> {
         let mut edited = case.clone();
         match self {
@@ -138,7 +138,7 @@ fn numbers_mut(test_beam: &mut TestBeam, list: List) -> &mut Vec<f64> {
 /// The nearest multiple of 2^-digits.
 fn rounded(number: f64, digits: i32) -> f64 {
     let unit = 2.0_f64.powi(-digits);
-    // No minus in front of zero.
+    // Avoids a minus sign in front of zero.
     (number / unit).round() * unit + 0.0
 }
 
@@ -171,7 +171,7 @@ fn plain(test_beam: &mut TestBeam) {
     }
 }
 
-/// A coordinate of a node becomes the mean of those of its neighbours.
+/// A coordinate of a node is set to the mean of those of its neighbours.
 fn straighten(test_beam: &mut TestBeam, i: usize) -> Option<()> {
     let units = test_beam.family.units();
     let node = if test_beam.family == Family::NurbsWeighted { 4 } else { 3 };

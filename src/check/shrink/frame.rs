@@ -1,4 +1,4 @@
-//! A case in a unit and in axes of its own.
+//! A case in its own unit and axes.
 
 use super::super::CaseData;
 use crate::closest_point::{Search, closest_points};
@@ -19,7 +19,7 @@ pub(super) fn near_one(case: &CaseData) -> Option<CaseData> {
 
 /// The same pair with t along the first axis, t x t_bar along the third, and x_bar at one on the first.
 ///
-/// In the origin it would have no size, next to which a difference were small or large.
+/// At the origin it would have no size as a scale for differences.
 pub(super) fn framed(case: &CaseData) -> Option<CaseData> {
     let beams = case.beams().ok()?;
     let found = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?;
@@ -47,7 +47,7 @@ fn turn(test_beam: &mut TestBeam, rotation: &Matrix3<f64>) {
             numbers[start..start + 3].copy_from_slice(vector.as_slice());
         }
         if let Some(start) = family.quaternion() {
-            // One rotation after another is a product, which is linear in either.
+            // The product of two quaternions is one rotation after the other, and is linear in either.
             let [w, i, j, k] = [0, 1, 2, 3].map(|part| numbers[start + part]);
             let turned = quaternion.into_inner() * Quaternion::new(w, i, j, k);
             numbers[start..start + 4].copy_from_slice(&[turned.w, turned.i, turned.j, turned.k]);

@@ -1,14 +1,14 @@
-//! A beam of a simpler family that does the same at the closest point.
+//! A beam of a simpler family with the same numbers at the closest point.
 
 use super::super::CaseData;
 use crate::closest_point::{Search, closest_points};
 use crate::test_beam::{Family, TestBeam};
 use nalgebra::Vector3;
 
-/// The families that others are replaced by.
+/// The families that replace others.
 pub(super) const FAMILIES: [Family; 3] = [Family::Segment, Family::Quadratic, Family::Hermite];
 
-/// The beam whose dofs and directions are those of Taylor's polynomial about the nearest closest point.
+/// The beam whose dofs and directions are those of the Taylor polynomial about the nearest closest point.
 pub(super) fn simpler(case: &CaseData, beam: usize, family: Family) -> Option<TestBeam> {
     if family >= case.test_beams[beam].family {
         return None;

@@ -1,4 +1,4 @@
-//! What becomes of verdicts: counts that add up, and worst errors whose case can be found again.
+//! Tests that counts add up, and that the case of a worst error can be found again.
 
 use super::{Cell, Differences, NotCompared, Summary, Tally};
 use crate::check::arbitration::DIFFERENCES;
@@ -8,7 +8,7 @@ use crate::check::{
 use crate::closest_point::ClosestPoint;
 use crate::linearization::Quantity;
 
-/// Off by so much, of a scale of 1 and a tolerance of 1e-3; more is a mismatch.
+/// A comparison with this difference, a scale of 1 and a tolerance of 1e-3. A larger difference is a mismatch.
 fn off(by: f64) -> Comparison {
     Comparison {
         quantity: Quantity::D,
@@ -24,7 +24,7 @@ fn off(by: f64) -> Comparison {
     }
 }
 
-/// A tolerance that means nothing.
+/// A tolerance that is not meaningful.
 fn unclear() -> Comparison {
     Comparison { tolerance: 1.0, ..off(0.5) }
 }
@@ -118,7 +118,7 @@ fn differences_count_what_they_decide() {
     assert_eq!((*points, *unclear, *decided), (4, 3, 2));
     let of_differences = quantities[&(Quantity::D, Order::Second)];
     assert_eq!((of_differences.entries, of_differences.scaled_error), (3, 0.5));
-    // They have cells of their own, and are named only where nothing else is wrong.
+    // Their errors have their own cells, and are named only if no other number is wrong.
     assert_eq!(summary.quantities[&(Quantity::D, Order::Second)].scaled_error.to_bits(), 0);
     assert_eq!(summary.mismatches[&case.number].worst.against, DIFFERENCES);
     let both = vec![off(0.25), Comparison { closed: 0.5, ..told }];
@@ -155,7 +155,7 @@ fn two_summaries_add_up_in_any_order() {
     let both = one.clone().merge(two.clone());
     assert_eq!(both, two.clone().merge(one.clone()));
     assert_eq!(both, Summary::default().merge(one.clone()).merge(two));
-    // Of equal errors the smaller number, of two tolerances the smaller.
+    // Of equal errors the smaller case number is kept, of two tolerances the smaller.
     let worst = Cell { scaled_error: 0.25, case: 20, over_tolerance: 500.0, entries: 3 };
     let tally = Tally {
         cases: 2,

@@ -1,4 +1,4 @@
-//! The bounds against numbers by hand, exact in binary.
+//! Compares the bounds with numbers computed by hand, which are exact in binary.
 
 use super::super::squared_distance::SquaredDistance;
 use super::super::tree::{ROOT, Tree};
@@ -31,7 +31,7 @@ fn curved() -> [Geometry<f64>; 2] {
     ]
 }
 
-/// Parallel lines, but for t,xi and t_bar,xi_bar along d.
+/// Parallel lines, except that t,xi and t_bar,xi_bar are along d.
 fn parallel(bend: f64, bend_bar: f64) -> SquaredDistance {
     let x = geometry([0.0, 0.0, 1.0], [2.0, 0.0, 0.0], [0.0, 0.0, bend]);
     SquaredDistance::new(&x, &geometry([0.0; 3], [4.0, 0.0, 0.0], [0.0, 0.0, bend_bar]))
@@ -72,7 +72,7 @@ fn bounds_are_those_of_the_derivation() {
 fn a_box_without_zeros_is_told_by_components_or_by_newton() {
     let [x, x_bar] = curved();
     let at = bounds(SquaredDistance::new(&x, &x_bar));
-    // (p, q, s) on either side of where a component of H⁻¹ grad F leaves the box
+    // (p, q, s) just inside and just outside the box, for a component of H⁻¹ grad F
     for (inverse, excluded) in [
         ([0.64, 0.5, 0.5], false),
         ([0.644, 0.5, 0.5], true),
@@ -81,7 +81,7 @@ fn a_box_without_zeros_is_told_by_components_or_by_newton() {
     ] {
         assert_eq!(Bounds { inverse, ..at }.excludes_zero(), excluded, "{inverse:?}");
     }
-    // |a| h + |b| k + r, and its twin, on either side of the gradient
+    // |a| h + |b| k + r and its counterpart, just below and just above the gradient
     let holds = |half, remainder| {
         let at = Bounds { half, remainder, ..at };
         [at.keeps_sign(0), at.keeps_sign(1), at.excludes_zero()]

@@ -1,4 +1,4 @@
-//! Tangents that have no length, the ends of the parameters, and points that are the same.
+//! Tests of tangents of zero length, of the ends of the parameters, and of equal points.
 
 use super::{ClosestPoint, Held, STANDSTILL, Side, SquaredDistance};
 use crate::curve::Geometry;

@@ -1,4 +1,4 @@
-//! The measures of a point against numbers by hand.
+//! Compares the measures of a point with numbers computed by hand.
 
 use super::{Held, ROUNDING, SquaredDistance, WEAK};
 use crate::curve::Geometry;
@@ -48,7 +48,7 @@ fn residuals_are_cosines() {
     let of = |held| at.residual(held);
     let found = [of(FREE), of(HELD[0]), of(HELD[1]), of(HELD[2])];
     assert_eq!(found.map(f64::to_bits), [2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0, 0.0].map(f64::to_bits));
-    // However short a tangent is, it has a direction, unless it is rounding next to its change.
+    // A short tangent has a direction, unless its length is rounding relative to its change.
     let short = geometry([1.0, 0.0, 1.0], [1e-7, 0.0, 0.0], [0.0, 1.0, 0.0]);
     let cosine = SquaredDistance::new(&short, &geometry([0.0; 3], ACROSS, [0.0; 3])).cosine(0);
     assert!((cosine - 0.5_f64.sqrt()).abs() < 1e-15, "{cosine}");
@@ -75,7 +75,7 @@ fn stationary_and_convex_is_what_is_so_in_the_free_parameters() {
 
 #[test]
 fn a_gradient_is_weak_if_it_is_rounding() {
-    // d·t for d of length 1.5 and t of length 2, without and with what positions far away round to
+    // d·t for d of length 1.5 and t of length 2, without and with the rounding of far positions
     for far in [0.0, 1e6] {
         let at = |slope: f64| {
             let (x, x_bar) = ([0.5 * slope, 0.0, 1.5], [0.0, far, 0.0]);
@@ -99,7 +99,7 @@ fn a_valley_is_crossed_and_not_followed() {
     close(parallel.valley_step(HELD[0]), [0.0, 0.25]);
     close(parallel.valley_step(HELD[1]), [-0.5, 0.0]);
     close(parallel.valley_step(HELD[2]), [0.0, 0.0]);
-    // Along the valley the curvature is 1e-9 of that of unit tangents: half of what is clear.
+    // Along the valley the curvature is 1e-9 of that of unit tangents: half of the threshold.
     close(point([1.0, 0.0, 1.0], ALONG, [8e-9, 0.0]).valley_step(FREE), [-0.25, 0.125]);
     close(point([1.0, 1.0, 1.0], ACROSS, [0.0; 2]).valley_step(FREE), [-0.5, 0.25]);
     // Without curvature there is no step.

@@ -1,4 +1,4 @@
-//! Regions: what they contain, what they touch, and the point that represents them.
+//! Tests of regions: what they contain, what they touch, and the point that represents them.
 
 use super::super::search::Pair;
 use super::super::tree::Tree;
@@ -44,7 +44,7 @@ fn boxes_that_touch_are_gathered() {
     let [apart, hull] = gather(boxes.to_vec())[..] else { panic!("two regions") };
     assert_eq!((apart.extent, apart.boxes), (boxes[2].extent, 1));
     assert_eq!((hull.extent, hull.boxes), ([[-1.0, 0.5], [-1.0, 0.25]], 3));
-    // The first of those that are nearest: the last box took up the first one, and then the second.
+    // The first of the nearest ones counts: the last box absorbed the first one, and then the second.
     assert_eq!((hull.nearest, hull.distance), (boxes[3].nearest, 2.0));
 }
 
@@ -75,7 +75,7 @@ fn the_point_of_a_region_is_stationary() {
     let point = square.point(&pair).unwrap();
     assert!(point.residual < 1e-15 && (point.xi - 0.25).abs() < 0.26, "{point:?}");
     assert!(matches!(point.degeneracy(), Some(Degeneracy::Singular { .. })));
-    // With an edge of no width the other parameter alone moves.
+    // If an edge has no width, only the other parameter moves.
     let edge = Region { nearest: (0.5, -0.25), ..region([[0.5, 0.5], [-1.0, 1.0]], 1.5) };
     let point = edge.point(&pair).unwrap();
     assert_eq!((point.xi, point.xi_bar), (0.5, 0.25));

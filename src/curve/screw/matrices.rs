@@ -14,13 +14,13 @@
 //! g = (2 S p - 2 (w . R v) p) / |p|^2      H = (2 S - 2 (w . R v) I - 2 p g^T - 2 g p^T) / |p|^2
 //! ```
 //!
-//! The other dofs enter linearly through y, but for the phase; for them w . R v = (R^T w) . v.
+//! The other dofs enter through y, all but the phase linearly. For them, w . R v = (R^T w) . v.
 
 use super::{ScrewDofs, bilinear};
 use crate::number::Real;
 use nalgebra::{Matrix4, SMatrix, SVector, Vector3, Vector4};
 
-/// Where the dofs of a screw line stand in its dof vector; the centre comes first.
+/// The places of the dofs of a screw line in its dof vector. The centre comes first.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::curve) struct Layout {
     pub(in crate::curve) quaternion: usize,

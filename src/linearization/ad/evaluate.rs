@@ -6,7 +6,7 @@ use crate::number::{Differentiable, Extends, Real};
 use crate::pair::Contact;
 use nalgebra::{SVector, Vector3};
 
-/// A curve of perturbed dofs, to be evaluated at parameters of the scalar `S`.
+/// A curve with perturbed dofs, which is evaluated at parameters of the scalar `S`.
 pub trait PositionAt<S> {
     /// The point at xi.
     fn position_at(&self, xi: S) -> Vector3<S>;
@@ -40,7 +40,7 @@ pub(super) fn tangent<T: Differentiable>(
 
 /// All quantities at the given parameters, from positions alone.
 ///
-/// At the closest point, lifted, this is the chain of definitions of the paper and nothing else.
+/// At the lifted closest point, this is exactly the chain of definitions of the paper.
 #[doc(alias = "Eq. (15)")]
 pub fn evaluate<T: Differentiable>(
     beam: &(impl PositionAt<T::Dual> + ?Sized),
@@ -51,7 +51,7 @@ pub fn evaluate<T: Differentiable>(
     quantities(tangent(beam, xi), tangent(bar, xi_bar), (xi, xi_bar), contact)
 }
 
-/// The same from points and tangents.
+/// The same quantities from points and tangents.
 pub(super) fn quantities<T: Real>(
     (x, t_vector): (Vector3<T>, Vector3<T>),
     (x_bar, t_bar_vector): (Vector3<T>, Vector3<T>),

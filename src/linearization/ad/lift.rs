@@ -19,7 +19,7 @@ pub(super) fn orthogonality<T: Differentiable>(
     conditions(tangent(beam, xi), tangent(bar, xi_bar))
 }
 
-/// The same from points and tangents.
+/// The two conditions from points and tangents.
 fn conditions<T: Real>((x, t): (Vector3<T>, Vector3<T>), (x_bar, t_bar): (Vector3<T>, Vector3<T>)) -> [T; 2] {
     let d = x - x_bar;
     [d.dot(&t), d.dot(&t_bar)]
@@ -58,7 +58,7 @@ where
     type Scalar = Dual2SVec<HyperDual64, 2>;
     let potential = |parameters: SVector<Scalar, 2>| {
         let [end, end_bar] = [xi, xi_bar].map(Scalar::from);
-        // A held parameter leaves the distance and is tied to its end by a potential of its own.
+        // A held parameter does not enter the distance. A separate potential ties it to its end.
         let mut tie = Scalar::from(0.0);
         let mut at = |end: Scalar, free: Scalar, held: bool| {
             if held {
@@ -73,7 +73,7 @@ where
         let d = x - x_bar;
         d.dot(&d) + tie
     };
-    // As num-dual's implicit_derivative_sp does, which panics where the Hessian is singular: no number is what it yields.
+    // This is num-dual's implicit_derivative_sp, but with a result that is not a number instead of a panic if LU fails.
     let mut lifted = SVector::from([xi, xi_bar].map(HyperDual64::from));
     for _ in 0..HyperDual64::NDERIV {
         let (_, gradient, hessian) = num_dual::hessian(potential, &lifted);
@@ -89,7 +89,7 @@ where
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chord<B> {
     inverse: [[B; 2]; 2],
-    /// t,xi and t_bar,xi_bar, which it is made of.
+    /// t,xi and t_bar,xi_bar, from which the matrix is computed.
     t_xi: [Vector3<B>; 2],
 }
 
@@ -104,7 +104,7 @@ where
         S: PositionAt<<B::Dual as Differentiable>::Dual> + ?Sized,
         R: PositionAt<<B::Dual as Differentiable>::Dual> + ?Sized,
     {
-        // Each beam once, moving; at rest it is the same without the last derivative.
+        // Each beam is evaluated once, with a moving parameter. At rest only the last derivative is zero.
         let at_rest = |v: Vector3<B::Dual>| v.map(|component| B::parts(component).0.dual(0.0));
         let slopes = |x, x_bar| conditions::<B::Dual>(x, x_bar).map(|f| B::parts(f).1);
         let (x, t) = tangent::<B::Dual>(beam, xi.dual(1.0));
@@ -124,7 +124,7 @@ where
         Self { inverse, t_xi: [t, t_bar].map(|t| t.map(|component| B::parts(component).1)) }
     }
 
-    /// The changes of both parameters that undo changes of the conditions, to first order.
+    /// The changes of both parameters that cancel changes of the conditions, to first order.
     #[inline]
     pub(super) fn solve(&self, f: B, f_bar: B) -> [B; 2] {
         self.inverse.map(|[p, q]| -(p * f + q * f_bar))
@@ -159,12 +159,12 @@ where
         (xi, xi_bar)
     }
 
-    /// All quantities in hyper-dual numbers, order by order: the first step yields the parts of first order, the second
-    /// that of second order, and neither touches what is known already.
+    /// All quantities in hyper-dual numbers, order by order. The first step yields the parts of first order, the second
+    /// those of second order. Neither step changes the parts that are known already.
     ///
-    /// In exact arithmetic, at the exact closest point, this is [`Chord::lift`] by two steps and [`evaluate`]. Over
-    /// numbers with error bounds it is sharper: there the second step, which changes the first order by zero, is charged
-    /// for it.
+    /// In exact arithmetic, at the exact closest point, this equals [`Chord::lift`] by two steps and [`evaluate`]. Over
+    /// numbers with error bounds, the bounds are smaller: the second step of [`Chord::lift`] changes the first order by
+    /// zero, but increases its bounds.
     ///
     /// [`evaluate`]: super::evaluate()
     pub fn evaluate_by_orders<S, R>(
@@ -188,7 +188,7 @@ where
         let [mut point, mut point_bar] = [tangent(beam, xi), tangent(bar, xi_bar)];
         let [f, f_bar] = conditions(point, point_bar);
         let seconds = self.solve(f.eps1eps2, f_bar.eps1eps2);
-        // The part of second order moves points and tangents along the tangent and its derivative, and nothing else.
+        // The part of second order moves points and tangents only along the tangent and its derivative.
         for (i, (xi, (x, t))) in
             [(&mut xi, &mut point), (&mut xi_bar, &mut point_bar)].into_iter().enumerate()
         {

@@ -1,10 +1,10 @@
-//! Gradients and Hessians order by order, what one order needs of the one below computed once.
+//! Gradients and Hessians, order by order. What one order needs of the order below is computed once.
 //!
-//! By the implicit function theorem the derivatives of xi and xi_bar are solutions of linear systems, all with the one
-//! real matrix of [`Chord`], whose right-hand sides AD supplies: the residuals of the orthogonality conditions, with
-//! the parameters lifted to the order below. So the first order takes one pass over the dofs and not over their pairs,
-//! and the second takes no step of its own: its residual comes with the quantities, and what Delta-delta xi adds to them
-//! is its value times their slope. d alone needs neither (the envelope theorem), nor any tangent.
+//! By the implicit function theorem the derivatives of xi and xi_bar are solutions of linear systems, all with the
+//! real matrix of [`Chord`]. AD supplies the right-hand sides: the residuals of the orthogonality conditions, with the
+//! parameters lifted to the order below. The first order takes one pass over the dofs and not over their pairs. The
+//! second takes no step of its own: its residual comes with the quantities, and Delta-delta xi adds to them its value
+//! times their slope. d alone needs neither of these two (the envelope theorem), nor any tangent.
 
 use super::evaluate::{Perturbed, PositionAt, evaluate};
 use super::lift::{Chord, orthogonality};
@@ -130,7 +130,7 @@ type Beams<'a, A, B, const N: usize, const M: usize, const C: usize> =
     (Perturbed<'a, A, HyperDualRow<C>, N>, Perturbed<'a, B, HyperDualRow<C>, M>);
 
 impl<'a, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> EvaluationPoint<'a, A, B, N, M> {
-    /// Both curves, the dof `delta` perturbed along delta, and those from `start` on along Delta.
+    /// Both curves, with the dof `delta` perturbed along delta, and those from `start` on along Delta.
     fn perturbed<const C: usize>(&self, delta: Option<usize>, start: usize) -> Beams<'a, A, B, N, M, C> {
         let one_if = |is: bool| if is { 1.0 } else { 0.0 };
         let seeded = |value: f64, dof: usize| {
@@ -188,12 +188,12 @@ impl<'a, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> EvaluationPoi
     }
 }
 
-/// The rows of the upper triangle, of `size` dofs, cut into chunks: the dof along delta, and the first one along Delta.
+/// The rows of the upper triangle of `size` dofs, cut into chunks: the dof along delta, and the first one along Delta.
 fn rows<const C: usize>(size: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..size).flat_map(move |a| (a..size).step_by(C).map(move |start| (a, start)))
 }
 
-/// The dofs along Delta that a chunk has, each with its place in there.
+/// The dofs along Delta of a chunk, each with its place in the chunk.
 fn entries<const C: usize>(size: usize, start: usize) -> impl Iterator<Item = (usize, usize)> {
     (start..size).take(C).enumerate()
 }

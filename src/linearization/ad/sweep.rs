@@ -1,4 +1,4 @@
-//! The routes put together: two directions at once, all pairs of directions in turn, or all dofs at once.
+//! Sweeps by the routes: two directions at once, all pairs of directions one after another, or all dofs at once.
 
 use super::evaluate::{Perturbed, PositionAt, evaluate};
 use super::lift::{Chord, newton, stationary};
@@ -17,12 +17,12 @@ pub enum Route {
     Newton,
     /// Stationarity of the squared distance.
     Stationary,
-    /// So many chord steps on the orthogonality conditions, with the real matrix given: two lift all quantities,
-    /// one is enough for d alone (the envelope theorem).
+    /// The given number of chord steps on the orthogonality conditions, with the given real matrix. Two steps lift all
+    /// quantities, one is enough for d alone (the envelope theorem).
     Chord(Chord<f64>, usize),
 }
 
-/// A curve with hyper-dual dofs, as all the hyper-dual routes need it; object-safe.
+/// A curve with hyper-dual dofs, for all the hyper-dual routes. The trait is object-safe.
 pub trait HyperBeam:
     PositionAt<Dual<HyperDual64>>
     + PositionAt<Dual<DualSVec<HyperDual64, 2>>>
@@ -81,7 +81,7 @@ pub fn vary<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     hyper_dual(route, beams.0, beams.1, at, point.held(), &pair.contact).map(Varied::from)
 }
 
-/// Both curves with their families forgotten: what solves for the closest point is long code, and is compiled once.
+/// Both curves as trait objects. The code that solves for the closest point is long, and is compiled once.
 fn nameless<'a>(beam: &'a impl HyperBeam, bar: &'a impl HyperBeam) -> (&'a dyn HyperBeam, &'a dyn HyperBeam) {
     (beam, bar)
 }

@@ -1,7 +1,7 @@
-//! Which of two equal formulas is evaluated at a point: the paper's, or one that keeps its digits where the paper's
-//! cancel.
+//! The choice between two equal formulas at a point: the paper's, or one that keeps its digits where the paper's
+//! formula cancels.
 //!
-//! The formulas, and what each loses, are in section 6 of the [derivation](super::derivation).
+//! The formulas, and the digits that each loses, are in section 6 of the [derivation](super::derivation).
 
 use super::Points;
 use crate::closest_point::Held;
@@ -9,20 +9,20 @@ use crate::curve::Geometry;
 use crate::number::Real;
 use nalgebra::Vector3;
 
-/// The gap, in lengths of a tangent, from which on (40) loses no more than the normal at a small angle.
+/// From this gap on, in lengths of a tangent, (40) loses no more digits than the normal at a small angle.
 const FAR: f64 = 1.0 / 2.0;
-/// k/sin θ from which on it loses no more than the normal at a small angle.
+/// From this k/sin θ on, (40) loses no more digits than the normal at a small angle.
 const CURVED: f64 = 1.0 / 8.0;
-/// The squared sine of the angle from which on (52) loses next to nothing.
+/// From this squared sine of the angle on, (52) loses almost no digits.
 const WIDE: f64 = 1.0 / 16.0;
 /// The range of |t × t̄|² in which products of eight lengths neither overflow nor underflow.
 const SMALL: f64 = 1e-70;
 const LARGE: f64 = 1e70;
 
-/// Which parameters are held at a point, and by which formulas the rest is linearized there.
+/// Which parameters are held at a point, and which formulas linearize the other quantities there.
 ///
-/// At an end the forms do not differ: one parameter's equation has nothing to cancel, and the distance of a point from a
-/// curve has no second derivative that stays finite at d = 0.
+/// At an end the formulations do not differ. The equation of one parameter has no terms that cancel, and the distance
+/// of a point from a curve has no second derivative that stays finite at d = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Formulation {
     /// Which parameters are held at an end.
@@ -36,12 +36,12 @@ pub struct Formulation {
 /// How the distance is varied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Distance {
-    /// As the length of d, (37) and (40): divided by d.
+    /// As the length of d, by (37) and (40), with a division by d.
     #[default]
     Length,
     /// Along the common normal n of the tangents, as a signed distance.
     Normal {
-        /// Whether n is -t × t_bar/|t × t_bar|, and not t × t_bar/|t × t_bar|.
+        /// Whether n is -t × t_bar/|t × t_bar| instead of t × t_bar/|t × t_bar|.
         reversed: bool,
     },
 }
@@ -62,7 +62,7 @@ impl Formulation {
         Self { held, distance: Distance::Length, system: System::Determinants }
     }
 
-    /// The formulas that keep their digits at small d and at small angles; n has the sign with n·d >= 0.
+    /// The formulas that keep their digits at small d and at small angles. The sign of n gives n·d >= 0.
     pub fn robust(points: &Points<f64>, held: Held) -> Self {
         let reversed = points.cross().dot(&points.d) < 0.0;
         Self { held, distance: Distance::Normal { reversed }, system: System::CrossProducts }
@@ -70,10 +70,10 @@ impl Formulation {
 
     /// The formulas that lose the fewest digits at a point, up to a small factor.
     ///
-    /// The cross products where sin θ < 1/4. The normal where sin θ < 1/4, k < sin θ/8 and d < t/2 for both beams, or where
-    /// sin θ >= 1/4 and abs(t,ξ)² d⁴ < t⁴ (t² + d²) for both; the length elsewhere.
+    /// Cross products are used if sin θ < 1/4. The normal is used if sin θ < 1/4, k < sin θ/8 and d < t/2 for both
+    /// beams, or if sin θ >= 1/4 and abs(t,ξ)² d⁴ < t⁴ (t² + d²) for both. Otherwise the length is used.
     ///
-    /// The choice depends on ratios of lengths alone. Next to it the two forms agree within what either loses.
+    /// The choice depends on ratios of lengths alone. Near its limits both formulations agree within what either loses.
     #[inline]
     pub fn at(points: &Points<f64>, held: Held) -> Self {
         let Points { beam, bar, d } = points;
@@ -96,7 +96,7 @@ impl Formulation {
         }
     }
 
-    /// The form with n reversed.
+    /// The formulation with n reversed.
     #[must_use]
     pub fn reversed(self) -> Self {
         match self.distance {
@@ -118,7 +118,7 @@ impl Formulation {
         self.is_inside() && self.system == System::CrossProducts
     }
 
-    /// The sign of n to t × t_bar, if the distance is varied along n.
+    /// The sign of n relative to t × t_bar, if the distance is varied along n.
     #[inline]
     pub fn sign(self) -> Option<f64> {
         match self.distance {
@@ -128,12 +128,12 @@ impl Formulation {
     }
 }
 
-/// The products that decide between the forms at wide angles.
+/// The products that decide between the formulations at wide angles.
 #[derive(Clone, Copy, Debug)]
 pub struct Squares<T> {
     /// t·t and t̄·t̄.
     pub t2: [T; 2],
-    /// t,ξ·t,ξ and its twin.
+    /// t,ξ·t,ξ, and the same of the bar beam.
     pub t_xi2: [T; 2],
     /// c·c with c = t × t̄.
     pub c2: T,
@@ -142,7 +142,7 @@ pub struct Squares<T> {
 }
 
 impl<T: Real> Squares<T> {
-    /// Those of both beams at their contact points.
+    /// The products of both beams at their contact points.
     #[inline]
     pub fn at(points: &Points<T>) -> Self {
         let Points { beam, bar, d } = points;
@@ -156,7 +156,7 @@ impl<T: Real> Squares<T> {
         }
     }
 
-    /// The same over another number type.
+    /// The same products over another number type.
     #[inline(always)]
     pub fn map<U>(&self, number: impl Fn(T) -> U) -> Squares<U> {
         let [t2, t_bar2] = self.t2;
@@ -171,28 +171,28 @@ impl<T: Real> Squares<T> {
 }
 
 impl Squares<f64> {
-    /// Whether sin²θ = c·c/(t²t̄²) is so large that (52) loses next to nothing.
+    /// Whether sin²θ = c·c/(t²t̄²) is so large that (52) loses almost no digits.
     #[inline(always)]
     fn is_wide(&self) -> bool {
         let [t2, t_bar2] = self.t2;
         self.c2 >= WIDE * (t2 * t_bar2)
     }
 
-    /// Whether the normal loses no more than (40) at a wide angle: abs(t,ξ)² d⁴ < t⁴ (t² + d²) for both beams.
+    /// Whether the normal loses no more digits than (40) at a wide angle: abs(t,ξ)² d⁴ < t⁴ (t² + d²) for both beams.
     #[inline(always)]
     #[expect(clippy::needless_bitwise_bool, reason = "without a branch")]
     fn favour_normal(&self) -> bool {
         let Self { t2: [t2, t_bar2], t_xi2: [t_xi2, t_bar_xi2], c2, c_d } = *self;
-        // All lengths but those of t and t,ξ times that of c.
+        // All lengths except those of t and t,ξ are multiplied by that of c.
         let d2 = c_d * c_d;
         let (sum, sum_bar) = (t2 * c2 + d2, t_bar2 * c2 + d2);
         let d4 = d2 * d2;
         (t_xi2 * d4 < t2 * t2 * (c2 * sum)) & (t_bar_xi2 * d4 < t_bar2 * t_bar2 * (c2 * sum_bar))
     }
 
-    /// Whether [`Formulation::at`] takes the normal and the paper's system, in numbers whose products are in range.
+    /// Whether [`Formulation::at`] selects the normal and the paper's system, in numbers whose products are in range.
     ///
-    /// One branch for all conditions: the kernel goes on with what it needs anyway while they are decided.
+    /// There is one branch for all conditions, so that the kernel computes what it needs anyway during the decision.
     #[inline(always)]
     #[expect(clippy::needless_bitwise_bool, reason = "without a branch")]
     pub fn is_regular(&self) -> bool {

@@ -1,7 +1,7 @@
 //! The kernel: gradients and Hessians of d, xi, xi_bar, t, t_bar, g_T and g_T_bar, in vector arithmetic.
 //!
-//! It is for curves that are linear in their dofs: section 7 of the [derivation](super::derivation). [`Matrices`] computes the
-//! same numbers term by term, for every curve, and is the reference of the kernel.
+//! It applies to curves that are linear in their dofs: section 7 of the [derivation](super::derivation). [`Matrices`]
+//! has the same numbers term by term, for every curve, and is the reference of the kernel.
 //!
 //! On an x86-64 with AVX2 and FMA the kernel uses them, whatever the build target is. Other x86-64 machines use the matrices.
 //! Other processors run the kernel in scalar arithmetic. The results differ by rounding only.
@@ -56,7 +56,7 @@ pub fn write_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     write(pair, q, point, &mut DistanceAlone(to));
 }
 
-/// All scalar quantities but the slips, at a closest point of the pair, written over `to`.
+/// All scalar quantities except the slips, at a closest point of the pair, written over `to`.
 #[inline]
 pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
@@ -99,9 +99,9 @@ pub fn write_linearization<A: Curve<N>, B: Curve<M>, const N: usize, const M: us
     write_all_with_slips(pair, q, point, &mut Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar]);
 }
 
-/// [`write_d`] over any scalar, in the form asked for; `false`, and nothing written, if a curve has no shape functions.
+/// [`write_d`] over any scalar, in the given formulation. Returns `false` and writes nothing without shape functions.
 ///
-/// For those who check and count: [`write_d`] does the same, with fused products and sums.
+/// It serves checks and operation counts. [`write_d`] computes the same, with fused products and sums.
 pub fn write_d_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
@@ -112,7 +112,7 @@ pub fn write_d_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: 
     write_over(pair, q, at, form, &mut DistanceAlone(to))
 }
 
-/// [`write_all`] over any scalar, and otherwise [`write_d_over`].
+/// [`write_all`] over any scalar, otherwise like [`write_d_over`].
 pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
@@ -123,7 +123,7 @@ pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M
     write_over(pair, q, at, form, to)
 }
 
-/// [`write_all_with_slips`] over any scalar, and otherwise [`write_d_over`].
+/// [`write_all_with_slips`] over any scalar, otherwise like [`write_d_over`].
 pub fn write_all_with_slips_over<T, A, B, W, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
@@ -142,7 +142,7 @@ where
     write_over(pair, q, at, form, &mut WithSlips { targets: to, slips, origin })
 }
 
-/// [`write_all_with_slips_over`] of curves that are known by their shape functions at the closest point.
+/// [`write_all_with_slips_over`] for curves that are given by their shape functions at the closest point.
 #[cfg(feature = "check")]
 pub(crate) fn write_all_by_shapes_over<T: Real, W: Target<T, N, M>, const N: usize, const M: usize>(
     [of_beam, of_bar]: [Shapes<'_, T>; 2],
@@ -157,9 +157,9 @@ pub(crate) fn write_all_by_shapes_over<T: Real, W: Target<T, N, M>, const N: usi
     by_one((of_beam, of_bar), q, at, form, &mut WithSlips { targets, slips: [g_t, g_t_bar], origin });
 }
 
-/// What is asked for, by the form that loses the fewest digits.
+/// Writes the requested quantities by the formulation that loses the fewest digits.
 ///
-/// The kernel knows of the curves how many dofs they have, and no more: it is compiled for these numbers, not for families.
+/// The kernel only knows how many dofs the curves have. It is compiled for these numbers and not for curve families.
 #[inline]
 fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
@@ -167,7 +167,7 @@ fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     point: &ClosestPoint,
     request: &mut impl Request<f64, N, M>,
 ) {
-    // Jets need not be found to see that a curve that is not linear in its dofs has no shape functions.
+    // A curve that is not linear in its dofs has no shape functions, so its jet is not computed here.
     if A::Dofs::<f64>::LINEAR && B::Dofs::<f64>::LINEAR {
         let (dofs, dofs_bar) =
             (pair.curve.jet(&q.beam, point.xi).dofs, pair.curve_bar.jet(&q.bar, point.xi_bar).dofs);
@@ -180,7 +180,7 @@ fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     write_by_matrices(pair, q, point, request);
 }
 
-/// Of curves with shape functions; `false`, and nothing written, on an x86-64 without the vectors.
+/// For curves with shape functions. Returns `false` and writes nothing on an x86-64 without the vector units.
 #[inline]
 fn write_by_shapes<const N: usize, const M: usize>(
     shapes: (Shapes<'_, f64>, Shapes<'_, f64>),
@@ -190,7 +190,7 @@ fn write_by_shapes<const N: usize, const M: usize>(
 ) -> bool {
     let (at, held) = ((point.xi, point.xi_bar), point.held());
     return_with_vectors!(f: Avx2Arithmetic => evaluate(f, shapes, q, at, Best(held), request).is_some());
-    // Few processors are left of this kind: the kernel is not compiled once more for them.
+    // Few x86-64 processors lack these vector units, so the kernel is not compiled once more for them.
     if cfg!(not(target_arch = "x86_64")) {
         let (beam, bar) =
             (Point::new(ScalarArithmetic, shapes.0, &q.beam), Point::new(ScalarArithmetic, shapes.1, &q.bar));
@@ -199,7 +199,7 @@ fn write_by_shapes<const N: usize, const M: usize>(
     cfg!(not(target_arch = "x86_64"))
 }
 
-/// Of all curves, on all machines.
+/// For all curves, on all machines.
 #[inline(never)]
 fn write_by_matrices<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
@@ -213,7 +213,7 @@ fn write_by_matrices<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     request.copy(&Matrices::in_formulation(&jet, &jet_bar, form), at, &pair.contact);
 }
 
-/// What is asked for, over any scalar; `false`, and nothing written, if a curve has no shape functions.
+/// For any scalar. Returns `false` and writes nothing if a curve has no shape functions.
 fn write_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
@@ -227,7 +227,7 @@ fn write_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>
     true
 }
 
-/// One number after the other.
+/// Evaluates in scalar arithmetic, one number after the other.
 #[inline(never)]
 fn by_one<T: Real, const N: usize, const M: usize>(
     shapes: (Shapes<'_, T>, Shapes<'_, T>),
@@ -239,7 +239,7 @@ fn by_one<T: Real, const N: usize, const M: usize>(
     evaluate(ScalarArithmetic, shapes, q, at, Given(form), request);
 }
 
-/// Returns the lanes, by bits, that ask for another form than the others; nothing, if none is written.
+/// Returns the lanes, as bits, that need another formulation than the others, or nothing if no lane is written.
 #[inline(always)]
 fn evaluate<T: Real, const N: usize, const M: usize>(
     f: impl Arithmetic<T>,

@@ -19,7 +19,7 @@ pub use vector::VectorQuantity;
 
 /// The linearization of a pair at its closest point, from which each quantity is taken on demand.
 ///
-/// Whoever needs the gap alone asks for [`Matrices::d`] and pays for no Hessian of a parameter.
+/// If only the gap is needed, [`Matrices::d`] avoids the Hessians of the parameters.
 #[derive(Debug)]
 pub struct Matrices<'a, T, U, V, const N: usize, const M: usize> {
     jet: &'a Jet<T, U>,
@@ -42,14 +42,14 @@ where
 {
     /// The first order: gradients of xi and xi_bar, from the jets of both curves at the closest point.
     ///
-    /// All formulas are the paper's; [`Matrices::in_formulation`] takes those of any [`Formulation`].
+    /// All formulas are the paper's; [`Matrices::in_formulation`] uses those of any [`Formulation`].
     #[doc(alias = "compute_lin_xi_and_lin_eta")]
     #[inline]
     pub fn new(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, held: Held) -> Self {
         Self::in_formulation(jet, jet_bar, Formulation::paper(held))
     }
 
-    /// The same in the form asked for.
+    /// The same in the given formulation.
     #[inline]
     pub fn in_formulation(jet: &'a Jet<T, U>, jet_bar: &'a Jet<T, V>, form: Formulation) -> Self {
         let points = Points::new(&jet.geometry, &jet_bar.geometry);

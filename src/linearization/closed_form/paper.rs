@@ -35,9 +35,9 @@ pub struct FirstOrder<T> {
     pub u_hat: Vector3<T>,
     /// δd, of the vector.
     pub d: Vector3<T>,
-    /// Of the beam.
+    /// First variations of the beam.
     pub beam: FirstOrderOfBeam<T>,
-    /// Of the bar beam.
+    /// First variations of the bar beam.
     pub bar: FirstOrderOfBeam<T>,
 }
 
@@ -57,7 +57,7 @@ pub struct FirstOrderOfBeam<T> {
 /// Second variations of one beam.
 #[derive(Clone, Copy, Debug)]
 pub struct SecondOrderOfBeam<T> {
-    /// Δδx_C less its term in Δδξ.
+    /// Δδx_C without its term in Δδξ.
     pub rest_x: Vector3<T>,
     /// Δδξ.
     pub xi: T,
@@ -68,7 +68,7 @@ pub struct SecondOrderOfBeam<T> {
 }
 
 impl<T: Real> FirstOrder<T> {
-    /// From the variations `u` at fixed parameters, of the beam and of the bar beam.
+    /// Computes them from the variations `u` at fixed parameters, of the beam and of the bar beam.
     #[inline]
     pub fn new(
         [beam, bar]: [&PartialVariations<T>; 2],

@@ -1,4 +1,4 @@
-//! A curve at a fixed parameter, varied in two directions: all that the variations need to know of one beam.
+//! A curve at a fixed parameter, varied in two directions: the data of one beam that the variations need.
 
 use crate::curve::{DofDerivatives, Geometry, Jet};
 use crate::number::Real;
@@ -6,7 +6,7 @@ use nalgebra::{SVector, Vector3};
 
 /// Geometry of a curve at its contact point, with the variations that keep the parameter fixed.
 ///
-/// Whatever its family and its number of dofs, a beam enters the variations through these fifteen vectors only.
+/// A beam of any family and any number of dofs enters the variations only through these fifteen vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartialVariations<T> {
     /// x, t, t,xi and t,xixi.

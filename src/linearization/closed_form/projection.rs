@@ -1,4 +1,4 @@
-//! The two-by-two system that the variations of xi and xi_bar solve, to first and to second order alike.
+//! The two-by-two system for the variations of xi and xi_bar, of first and of second order.
 
 use super::Formulation;
 use crate::closest_point::Held;
@@ -6,7 +6,7 @@ use crate::curve::Geometry;
 use crate::number::{Real, named};
 use nalgebra::Vector3;
 
-/// What the entries of the matrix are made of.
+/// The geometry from which the entries of the matrix are computed.
 #[derive(Clone, Copy, Debug)]
 pub struct Points<T> {
     /// The beam at its contact point.
@@ -17,29 +17,29 @@ pub struct Points<T> {
     pub d: Vector3<T>,
 }
 
-/// The matrix of the orthogonality conditions at the closest point, ready to be solved with.
+/// The matrix of the orthogonality conditions at the closest point.
 ///
-/// At an end of a beam the parameter is held and its row and column drop out.
+/// At an end of a beam the parameter is held, and its row and column are removed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection<T> {
     /// a = t . t + d . t,xi.
     pub a: T,
     /// b = t . t_bar.
     pub b: T,
-    /// a_bar = -t_bar . t_bar + d . t_bar,xi_bar: *minus* the twin of a.
+    /// a_bar = -t_bar . t_bar + d . t_bar,xi_bar: *minus* the counterpart of a.
     pub a_bar: T,
     /// Which parameters are held at an end.
     pub held: Held,
-    /// What takes the place of products that cancel, in the [`Formulation`] that asks for it.
+    /// The replacement of products that cancel, in a [`Formulation`] with cross products.
     pub cross_products: Option<CrossProducts<T>>,
 }
 
-/// What the cross products of the tangents yield, in place of products that cancel.
+/// The results of the cross products of the tangents, which replace products that cancel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrossProducts<T> {
     /// D.
     pub det: T,
-    /// u and u_bar, which w multiplies in the solution for R = -t.w - e, R_bar = -t_bar.w - e_bar.
+    /// u and u_bar, the factors of w in the solution for R = -t.w - e, R_bar = -t_bar.w - e_bar.
     pub u: [Vector3<T>; 2],
 }
 
@@ -91,7 +91,7 @@ impl<T: Real> Projection<T> {
         Self::in_formulation(&Points::new(beam, bar), Formulation::paper(held))
     }
 
-    /// The same in the form asked for.
+    /// The same in the given formulation.
     #[inline]
     #[doc(alias = "Eq. (50)")]
     #[doc(alias = "Eq. (55)")]
@@ -134,7 +134,7 @@ impl<T: Real> Projection<T> {
                 let xi_bar = -named("xi_bar: b R", b * r) + named("xi_bar: a R_bar", a * r_bar);
                 (xi / det, xi_bar / det)
             }
-            // An end holds one parameter: the other row alone remains, R̄ = ā δξ̄ or R = a δξ.
+            // One parameter is held at an end, so only the other row remains: R̄ = ā δξ̄ or R = a δξ.
             (true, false) => (zero, named("xi_bar, xi held: R_bar / a_bar", r_bar / a_bar)),
             (false, true) => (named("xi, xi_bar held: R / a", r / a), zero),
             (true, true) => (zero, zero),

@@ -1,4 +1,4 @@
-//! The sums that the matrices are made of: products of Jacobians, the length of a vector, a slip.
+//! The sums in the matrices: products of Jacobians, the length of a vector, a slip.
 
 use crate::curve::{DofDerivatives, Geometry};
 use crate::linearization::Derivatives;
@@ -31,7 +31,7 @@ pub(super) fn add_product<
             }
         }
     } else {
-        // The column of B_l takes the place of w in the gradient of w·x,ξ..ξ.
+        // The column of B_l replaces w in the gradient of w·x,ξ..ξ.
         let columns = b.jacobian(l) * factor;
         for j in 0..M {
             let mut column = block.column_mut(j);
@@ -40,7 +40,7 @@ pub(super) fn add_product<
     }
 }
 
-/// The length of a tangent, but for A₁ᵀA₁/t + K_t(w) in its Hessian, written over `to`; returns 1/t and w = t/t.
+/// The length of a tangent, without A₁ᵀA₁/t + K_t(w) in its Hessian, written over `to`. Returns 1/t and w = t/t.
 #[inline]
 pub(super) fn write_length<T: Real, const N: usize, const M: usize>(
     of: Which,

@@ -12,8 +12,8 @@ use nalgebra::Vector3;
 /// First and second variations of all quantities at a closest point.
 ///
 /// `beam` and `bar` are the two curves at the parameters `xi` and `xi_bar` of the closest point, varied in two
-/// directions; `held` says which parameters are held at an end. The result is total: at a singular projection or at
-/// d = 0 its numbers are not finite. The formulas are the paper's ([`Formulation::paper`]), each a function of [`paper`].
+/// directions. `held` says which parameters are held at an end. At a singular projection or at d = 0, the numbers of
+/// the result are not finite. The formulas are the paper's ([`Formulation::paper`]), each a function of [`paper`].
 ///
 /// Source: Zavarise (2007), eqs. (4)-(59), with the corrections named at each.
 pub fn variations<T: Real>(
@@ -26,7 +26,7 @@ pub fn variations<T: Real>(
     variations_in(Formulation::paper(held), beam, bar, at, contact)
 }
 
-/// The same in the form asked for.
+/// The same in the given formulation.
 #[doc(alias = "Eq. (5)")]
 #[doc(alias = "Eq. (11)")]
 #[doc(alias = "Eq. (16)")]

@@ -6,9 +6,9 @@ use crate::number::{PrimeField, Real};
 pub(crate) trait Bits: Real {
     fn bits(self) -> u64;
     fn from_bits(bits: u64) -> Self;
-    /// Whether it is a number that a wrong code may go on with unnoticed.
+    /// Whether the number is finite, so that wrong code may continue with it unnoticed.
     fn is_finite(self) -> bool;
-    /// The same, marked if it can be.
+    /// The same number, marked if the scalar has a mark.
     #[must_use]
     fn marked(self) -> Self {
         self

@@ -1,25 +1,25 @@
-//! Runs of a code: counted, recorded, or with an operation or some terms wrong.
+//! Runs of a code: counted, recorded, or with a fault in one operation or in some terms.
 
 use super::Bits;
 use crate::number::Label;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-/// What becomes of the result of an operation.
+/// The change of the result of an operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Change {
     /// It is multiplied.
     Times(f64),
-    /// One is added: a result of zero changes too.
+    /// One is added, so that a result of zero changes too.
     PlusOne,
-    /// It is another result, in its bits.
+    /// It is replaced by another result, given by its bits.
     Instead(u64),
-    /// It is the same, and marked.
+    /// It keeps its value, and is marked.
     Marked,
 }
 
 impl Change {
-    /// What a result becomes.
+    /// The changed result.
     pub(crate) fn of<T: Bits>(self, result: T) -> T {
         match self {
             Self::Times(factor) => result * T::from(factor),
@@ -30,45 +30,45 @@ impl Change {
     }
 }
 
-/// What becomes of the terms of one name.
+/// The change of the terms of one name.
 #[derive(Clone, Debug)]
 pub(crate) enum TermChange {
     /// They are multiplied.
     Times(f64),
-    /// They are those of a recorded run.
+    /// They are replaced by those of a recorded run.
     Instead(Rc<[u64]>),
     /// The orders of the two Jacobians are exchanged.
     Orders,
 }
 
-/// What a run is for.
+/// The purpose of a run.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Mode {
-    /// Operations are counted, and one of them may be wrong.
+    /// Operations are counted, and one of them may have a fault.
     Count,
     /// Their results are recorded.
     RecordOperations,
     /// The values of terms are recorded.
     RecordTerms,
-    /// The callers of the operation that is wrong are recorded.
+    /// The callers of the operation with the fault are recorded.
     Locate,
 }
 
 thread_local! {
     pub(super) static COUNT: Cell<usize> = const { Cell::new(0) };
-    /// The operation that is wrong.
+    /// The index of the operation with the fault.
     pub(super) static WRONG: Cell<usize> = const { Cell::new(usize::MAX) };
     pub(super) static MODE: Cell<Mode> = const { Cell::new(Mode::Count) };
     pub(super) static CHANGE: Cell<Change> = const { Cell::new(Change::PlusOne) };
     pub(super) static RECORD: RefCell<Vec<u64>> = const { RefCell::new(Vec::new()) };
     pub(super) static TRACE: RefCell<String> = const { RefCell::new(String::new()) };
     pub(super) static LABELS: RefCell<Vec<Label>> = const { RefCell::new(Vec::new()) };
-    /// The terms so far.
+    /// The number of terms so far.
     pub(super) static TERMS: Cell<usize> = const { Cell::new(0) };
     pub(super) static CHANGES: RefCell<Vec<(Label, TermChange)>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Ends a run, also one that panics.
+/// Ends a run, even if it panics.
 struct Run;
 
 impl Run {
@@ -87,7 +87,7 @@ impl Drop for Run {
     }
 }
 
-/// How many operations a run has, with its result.
+/// The result of a run and the number of its operations.
 pub(crate) fn counted<R>(run: impl FnOnce() -> R) -> (R, usize) {
     let _run = Run::start();
     let result = run();
@@ -112,7 +112,7 @@ fn recorded<R>(mode: Mode, run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
     (LABELS.take(), RECORD.take())
 }
 
-/// A run with one operation wrong.
+/// A run with a fault in one operation.
 pub(crate) fn with_operation<R>(wrong: usize, change: Change, run: impl FnOnce() -> R) -> R {
     let _run = Run::start();
     WRONG.set(wrong);
@@ -120,15 +120,15 @@ pub(crate) fn with_operation<R>(wrong: usize, change: Change, run: impl FnOnce()
     run()
 }
 
-/// A run with some terms wrong.
+/// A run with faults in some terms.
 pub(crate) fn with_terms<R>(changes: Vec<(Label, TermChange)>, run: impl FnOnce() -> R) -> R {
     let _run = Run::start();
     CHANGES.set(changes);
     run()
 }
 
-/// The lines of the source that an operation belongs to, from the innermost on, as far as the build knows them: of this
-/// library from its `src` on, of others from the working directory on. And the first term with a name that follows it.
+/// The source lines that an operation belongs to, innermost first, as far as the debug information has them, and the
+/// first named term that follows it. Paths start at `src` for this library and at the working directory for others.
 pub(crate) fn locate<R>(operation: usize, run: impl FnOnce() -> R) -> (Vec<String>, Option<Label>) {
     let _run = Run::start();
     WRONG.set(operation);

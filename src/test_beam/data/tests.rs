@@ -1,4 +1,4 @@
-//! Numbers that make a beam, and numbers that do not.
+//! Tests of numbers that define a beam, and of numbers that do not.
 
 use super::{Family, TestBeam, TestBeamError, Unit};
 use crate::test_beam::Target;
@@ -47,7 +47,7 @@ fn only_lengths_have_a_unit() {
         let parameters: Vec<f64> = test_beam.parameters.iter().map(|number| number * factor).collect();
         assert_eq!(parameters, scaled.parameters);
         assert_eq!(scaled.scaled(-3), test_beam);
-        // Its points are where they were, in the other unit.
+        // Its points are at the same places, in the other unit.
         let [x, by] = [&test_beam, &scaled].map(|beam| beam.drawn().geometry_at(0.25.into()).x);
         assert!((0..3).all(|c| (8.0 * x[c].value - by[c].value).abs() < 1e-13), "{test_beam:?}");
     }

@@ -47,7 +47,7 @@ pub(super) fn head<R: BufRead>(
     }
 }
 
-/// The rows of the case that is read, and the names of those that were.
+/// The rows of the current case, and the names of the earlier cases.
 #[derive(Debug, Default)]
 pub(super) struct Rows {
     /// The first row of the next case.
@@ -186,7 +186,7 @@ impl Row {
     }
 }
 
-/// Puts the entries of an array together; none may be missing.
+/// Assembles the entries of an array. None may be missing.
 fn add_array(
     answers: &mut Answers,
     item: &str,
@@ -204,7 +204,7 @@ fn add_array(
         );
         return Err(answers.place.clone().error(expected));
     }
-    // In the order of their indices: row by row.
+    // In the order of their indices, row by row.
     let numbers = Some(entries.values().copied().collect());
     match part {
         "residual" => answers.residual = numbers,

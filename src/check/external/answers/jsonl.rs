@@ -27,7 +27,7 @@ pub(super) fn head(line: &str, conventions: &mut Conventions, program: &mut Prog
     Ok(())
 }
 
-/// Reads the answers to a case; where they are is not known here.
+/// Reads the answers to a case. Their place in the text is not known here.
 pub(super) fn answers(line: &str) -> Read<Answers> {
     let node = Node::read(line)?;
     let entries = node.object("answers")?;
@@ -77,7 +77,7 @@ fn of_quantity(answers: &mut Answers, name: &str, node: &Node) -> Read<()> {
             }
             "gradient" => answers.of(quantity, axis).gradient = Some(node.numbers(&what, None)?),
             "hessian" => answers.of(quantity, axis).hessian = Some(node.numbers(&what, None)?),
-            // What `export` writes beside them.
+            // `export` writes these entries beside the numbers.
             "tolerance" | "gradient_tolerance" | "hessian_tolerance" => {}
             _ => {
                 let expected = "one of value, gradient, hessian, delta, Delta, Delta-delta expected";

@@ -3,7 +3,7 @@
 use super::{Conventions, Dofs, Length, Range};
 
 impl Conventions {
-    /// The other conventions that a program may have, each with what to say of it; one change comes before two.
+    /// The other conventions that a program may have, each with its description. One change comes before two.
     pub(in super::super) fn others(&self) -> Vec<(Self, String)> {
         let mut single: Vec<(Self, String)> = Vec::new();
         let mut add = |other: Self, words: &str| {
@@ -57,7 +57,7 @@ impl Conventions {
         single
     }
 
-    /// These, with what `other` changes in `base`.
+    /// These conventions, with the changes of `other` from `base`.
     fn with_changes_of(&self, other: &Self, base: &Self) -> Self {
         let choose = |own: bool, other: bool, base: bool| if other == base { own } else { other };
         Self {

@@ -1,4 +1,4 @@
-//! How good explanations are: faults of the catalogue, alone and in pairs, answered by programs that have them.
+//! The quality of explanations: programs with faults of the catalogue, alone and in pairs, are explained.
 
 use super::answered_case::Memo;
 use super::search::memo;
@@ -20,30 +20,30 @@ use std::slice;
 
 /// Cases of each kind of pair: inside both beams, and with an end held.
 const OF_A_KIND: usize = 2;
-/// Cases that are drawn at most.
+/// The maximum number of cases that are drawn.
 const DRAWN: u64 = 1200;
 
 /// Whether the faults of a program were named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Naming {
-    /// They alone.
+    /// Only they were named.
     First,
-    /// With others that lead to the same results for all beams.
+    /// They were named together with others that yield the same results for all beams.
     Equivalent,
-    /// With others that lead to the same numbers at these cases, and to others elsewhere.
+    /// They were named together with others that yield the same numbers at these cases, but not elsewhere.
     Among,
-    /// Of two faults one: it alone leads to the same numbers at these cases.
+    /// One of two faults was named: it alone yields the same numbers at these cases.
     Fewer,
     /// Another fault was named.
     Other,
     /// Nothing was named.
     None,
-    /// All answers agree: the faults do not show at these cases.
+    /// All answers agree: these cases do not detect the faults.
     Undetected,
 }
 
 impl Naming {
-    /// All of them.
+    /// All values.
     pub const ALL: [Self; 7] =
         [Self::First, Self::Equivalent, Self::Among, Self::Fewer, Self::Other, Self::None, Self::Undetected];
 
@@ -61,7 +61,7 @@ impl Naming {
     }
 }
 
-/// The faults of a program and what the explanation made of its answers.
+/// The faults of a program and the explanation of its answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExplainedFault {
     /// The faults: one, or two.
@@ -74,20 +74,20 @@ pub struct ExplainedFault {
     pub deviation: [f64; 2],
 }
 
-/// Which programs are explained.
+/// The programs that are explained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Programs {
     /// The seed of the cases, and of the choice of pairs.
     pub seed: u64,
-    /// If it is said, they answer gradients and Hessians alone, and print so many digits.
+    /// If given, the programs answer gradients and Hessians alone, and print this number of digits.
     pub digits: Option<u8>,
-    /// Every how many faults of the catalogue one is taken.
+    /// The step through the catalogue: one of this many faults is taken.
     pub every: usize,
-    /// How many pairs of faults are taken; of every other one both belong to the same formula.
+    /// The number of pairs of faults. In every other pair both faults belong to the same formula.
     pub pairs: usize,
 }
 
-/// Has faults of the catalogue, alone and in pairs, answered by programs that have them, and the answers explained.
+/// Lets programs with faults of the catalogue, alone and in pairs, answer cases, and explains the answers.
 pub fn explained_faults(programs: Programs) -> Vec<ExplainedFault> {
     let Programs { seed, digits, every, pairs } = programs;
     let vectors = chosen(seed);
@@ -105,7 +105,7 @@ pub fn explained_faults(programs: Programs) -> Vec<ExplainedFault> {
     all.into_par_iter().map(|faults| explained(faults, &vectors, &demands, &memo, &classes)).collect()
 }
 
-/// Pairs of faults of different terms; of every other one both terms belong to the same formula.
+/// Pairs of faults of different terms. In every other pair both terms belong to the same formula.
 fn drawn_pairs(catalogue: &[Fault], seed: u64, count: usize) -> Vec<Vec<Fault>> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let formula = |fault: &Fault| fault.label.name.split(": ").next().unwrap_or_default();
@@ -132,7 +132,7 @@ fn explained(
     classes: &BTreeMap<String, usize>,
 ) -> ExplainedFault {
     let mut found = None;
-    // Some terms are at work in one formulation only.
+    // Some terms occur in one formulation only.
     for formulas in [Formulas::Paper, Formulas::Robust] {
         let program = Evaluator {
             variant: Variant::Faulty(faults.clone()),
@@ -178,7 +178,7 @@ fn explained(
     ExplainedFault { faults, naming, named, deviation: [found.before, found.after.unwrap_or(found.before)] }
 }
 
-/// What a program answers, as text that is read again.
+/// The answers of a program, written as text and read again.
 fn answered(program: &Evaluator, vectors: &[Vector]) -> Vec<(Vector, Answers)> {
     vectors.iter().filter_map(|vector| Some((vector.clone(), program.answered(vector)?))).collect()
 }
@@ -189,7 +189,7 @@ fn chosen(seed: u64) -> Vec<Vector> {
     let drawing = Drawing { seed, regimes, families: Family::ALL.to_vec(), cases: DRAWN, penetrating: false };
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
     let mut chosen = Vec::new();
-    // A step that is coprime to the number of pairs of families, so that all are met.
+    // A step that is coprime to the number of pairs of families, so that every pair occurs.
     for number in (0..DRAWN).map(|i| 37 * i % drawing.count()) {
         let vector = drawing.vector(number);
         let Ok(held) = vector.evaluated(|evaluation| evaluation.held) else { continue };

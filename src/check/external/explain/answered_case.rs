@@ -1,4 +1,4 @@
-//! A case with its answers, and what the closed form with a fault would have answered.
+//! A case with its answers, and the answers of the closed form with a fault.
 
 use super::hypothesis::Change;
 use crate::check::candidate::Sides;
@@ -31,31 +31,31 @@ pub(super) struct Datum {
     pub(super) reference: f64,
     pub(super) scale: f64,
     pub(super) tolerance: f64,
-    /// The size of the error that rounding is likely to make.
+    /// The size of the probable rounding error.
     pub(super) sigma: f64,
     pub(super) is_wrong: bool,
 }
 
-/// How far a prediction is from an answer.
+/// The distance of a prediction from an answer.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Misfit {
-    /// Over the scale.
+    /// The distance over the scale.
     pub(super) scaled: f64,
-    /// Over what rounding explains at most.
+    /// The distance over the largest difference that rounding explains.
     pub(super) over: f64,
-    /// Over what rounding is likely to be, squared.
+    /// The distance over the probable rounding error, squared.
     pub(super) square: f64,
 }
 
-/// The square of a misfit that is not finite: more than any other, and its sums are finite.
+/// The square of a misfit that is not finite. It exceeds every other one, and its sums are finite.
 const BEYOND: f64 = 1e30;
 
 impl Datum {
-    /// How far a prediction is from the answer.
+    /// The distance of a prediction from the answer.
     pub(super) fn misfit(&self, predicted: f64) -> Misfit {
         let off = (self.answer - predicted).abs();
         if !off.is_finite() {
-            // What is infinite or no number is explained by the same alone.
+            // A number that is not finite is explained only by the same one.
             let both = self.answer.is_nan() && predicted.is_nan();
             let is_same = both || self.answer.to_bits() == predicted.to_bits();
             let [beyond, square] = if is_same { [0.0; 2] } else { [f64::INFINITY, BEYOND] };
@@ -71,7 +71,7 @@ impl Datum {
     }
 }
 
-/// What is infinite in both is no fit.
+/// A number that is infinite on both sides is no fit.
 fn ratio(one: f64, two: f64) -> f64 {
     let ratio = if one == 0.0 { 0.0 } else { one / two };
     if ratio.is_nan() { f64::INFINITY } else { ratio }
@@ -80,21 +80,21 @@ fn ratio(one: f64, two: f64) -> f64 {
 /// All items, as a program answers them directly, and contracted.
 pub(super) type Predicted = [Vec<Varied<f64>>; 2];
 
-/// How many formulations a program may have taken.
+/// The number of formulations that a program may use.
 pub(super) const FORMULATIONS: usize = 3;
 
-/// Predictions of single faults that are used again, by case.
+/// Predictions of single faults that are reused, by case.
 pub(super) type Memo = HashMap<String, Known>;
-/// Those at a case.
+/// The reused predictions at a case.
 pub(super) type Known = HashMap<Fault, Vec<Predicted>>;
 
-/// A case that is to be explained.
+/// A case to be explained.
 pub(super) struct AnsweredCase<'a> {
     memo: Option<&'a Known>,
     paper: EvaluationPoint<'a>,
-    /// In other formulations, where they differ.
+    /// The case in other formulations, where they differ.
     others: Vec<EvaluationPoint<'a>>,
-    /// The places of the paper's formulation, of that which the library takes and of the robust one among those that differ.
+    /// The indices of the paper's formulation, of the library's and of the robust one among those that differ.
     formulations: [usize; FORMULATIONS],
     conventions: Conventions,
     families: [Family; 2],
@@ -116,7 +116,7 @@ impl<'a> AnsweredCase<'a> {
             let judged = entry.judged(demands.digits);
             let comparison = judged.comparison;
             let digits = demands.digits.map_or(0.0, half_unit);
-            // Numbers printed with few digits are off by anything up to half a unit of the last.
+            // Printed numbers with few digits have an error of up to half a unit of the last digit.
             let printed = digits * entry.spread / 3.0_f64.sqrt();
             let least = f64::EPSILON * comparison.other.abs();
             Datum {
@@ -163,7 +163,7 @@ impl<'a> AnsweredCase<'a> {
         })
     }
 
-    /// With predictions that are known already.
+    /// The case with known predictions.
     pub(super) fn with_memo(self, memo: Option<&'a Known>) -> Self {
         Self { memo, ..self }
     }
@@ -173,12 +173,12 @@ impl<'a> AnsweredCase<'a> {
         self.data.iter().map(|datum| ratio(datum.tolerance, datum.scale)).fold(0.0, f64::max)
     }
 
-    /// How many numbers are wrong.
+    /// The number of wrong numbers.
     pub(super) fn wrong(&self) -> usize {
         self.data.iter().filter(|datum| datum.is_wrong).count()
     }
 
-    /// Which terms are at work: those of curves that are not linear in their dofs, and those of free parameters.
+    /// The kind of terms that occur: those of curves that are not linear in their dofs, and those of free parameters.
     pub(super) fn kind(&self) -> [bool; 4] {
         let linear = self.families.map(Family::is_linear);
         [linear[0], linear[1], self.paper.held.xi, self.paper.held.xi_bar]
@@ -189,14 +189,14 @@ impl<'a> AnsweredCase<'a> {
         self.data.iter().any(|datum| datum.is_contracted)
     }
 
-    /// The gradients and Hessians alone: the directions are none of the case.
+    /// The case with gradients and Hessians alone, because the directions are not part of the case.
     pub(super) fn of_arrays(mut self) -> Self {
         self.data.retain(|datum| datum.is_contracted);
         self
     }
 
-    /// What the closed form with this change would have answered, by each method by which the program may have made its
-    /// numbers: by the paper's formulas or by those that keep more digits, gradients and Hessians by formulas of their own
+    /// The answers of the closed form with this change, by each method that the program may use for its numbers: by the
+    /// paper's formulas or by those that keep more digits, with gradients and Hessians by their own formulas
     /// or from the variations.
     pub(super) fn predicted(&self, change: &Change) -> Cow<'_, [Predicted]> {
         let known = match change {
@@ -208,18 +208,18 @@ impl<'a> AnsweredCase<'a> {
         known.map_or_else(|| Cow::Owned(self.computed(change)), |known| Cow::Borrowed(known.as_slice()))
     }
 
-    /// The same, not from memory.
+    /// The same, computed again.
     pub(super) fn computed(&self, change: &Change) -> Vec<Predicted> {
         let evaluations = [&self.paper].into_iter().chain(&self.others);
         evaluations.flat_map(|evaluation| self.computed_by(evaluation, change)).collect()
     }
 
-    /// The place of a formulation among those that differ at this case.
+    /// The index of a formulation among those that differ at this case.
     pub(super) fn place_of(&self, formulation: usize) -> usize {
         self.formulations[formulation]
     }
 
-    /// The same in one formulation: the paper's, that which the library takes, or the robust one.
+    /// The same in one formulation: the paper's, the library's, or the robust one.
     pub(super) fn computed_in(&self, formulation: usize, change: &Change) -> Vec<Predicted> {
         self.computed_by(
             self.place_of(formulation).checked_sub(1).map_or(&self.paper, |i| &self.others[i]),
@@ -257,7 +257,7 @@ impl<'a> AnsweredCase<'a> {
         if self.has_contracted()
             && let Change::Variant(variant) = change
         {
-            // A Hessian from a wrong variation is not symmetric: it may be the transpose, or the mean of both.
+            // A Hessian from a wrong variation is not symmetric. It may be the transpose, or the mean of both.
             let exchanged = evaluation.exchanged(variant);
             let with = |weight: f64| {
                 std::array::from_fn(|i| {
@@ -275,7 +275,7 @@ impl<'a> AnsweredCase<'a> {
         all
     }
 
-    /// The number of a prediction that stands where this one does.
+    /// The number of a prediction in the place of this datum.
     pub(super) fn number([direct, contracted]: &Predicted, datum: &Datum) -> f64 {
         let [item, part] = datum.place;
         let of = if datum.is_contracted { contracted } else { direct };

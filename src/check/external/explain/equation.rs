@@ -2,7 +2,7 @@
 
 use crate::number::Label;
 
-/// Formulas, as the names of terms begin, with their equations; the first that fits holds.
+/// The beginnings of the names of terms, with their equations. The first match is used.
 const EQUATIONS: &[(&str, &str)] = &[
     ("d: ", "eq. (5)"),
     ("u_hat: ", "eq. (37)"),

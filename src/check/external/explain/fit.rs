@@ -1,13 +1,13 @@
-//! How well a change explains the answers, case by case; after each case the changes that explain them worse than the best are dropped.
+//! The fit of a change to the answers, case by case. After each case, changes that fit worse than the best are dropped.
 
 use super::answered_case::{AnsweredCase, Datum, Predicted};
 use super::hypothesis::Change;
 use rayon::prelude::*;
 
-/// By how much a sum of squares exceeds the least one before its change is told from the best: five standard deviations.
+/// The excess of a sum of squares over the smallest one that distinguishes its change: five standard deviations.
 const TOLD_APART: f64 = 25.0;
 
-/// How well a change explains the answers to the cases that it was tried at.
+/// The fit of a change to the answers at the cases where it was tried.
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
     pub(super) change: Change,
@@ -15,16 +15,16 @@ pub(super) struct Fit {
     pub(super) order: usize,
     /// The largest deviation over its scale.
     pub(super) worst: f64,
-    /// The largest deviation over what rounding explains.
+    /// The largest deviation over the difference that rounding explains.
     pub(super) over: f64,
-    /// The sum of the squares of the deviations over what rounding is likely to be.
+    /// The sum of the squares of the deviations over the probable rounding errors.
     pub(super) sum: f64,
-    /// How many numbers there are.
+    /// The count of the numbers.
     pub(super) count: usize,
 }
 
 impl Fit {
-    /// Not tried yet.
+    /// A fit that was not tried yet.
     pub(super) fn new(order: usize, change: Change) -> Self {
         Self { change, order, worst: 0.0, over: 0.0, sum: 0.0, count: 0 }
     }
@@ -38,7 +38,7 @@ impl Fit {
         fit
     }
 
-    /// Adds a case, its numbers made by the method that fits best; only those that are asked for.
+    /// Adds a case by the method that fits best. Only the requested numbers are used.
     pub(super) fn add(
         &mut self,
         case: &AnsweredCase,
@@ -68,33 +68,33 @@ impl Fit {
         self.sum / self.count.max(1) as f64
     }
 
-    /// Whether rounding explains all that is left.
+    /// Whether rounding explains the remaining deviation.
     pub(super) fn explains(&self) -> bool {
         self.over <= 1.0
     }
 
-    /// Whether it leaves next to nothing of a deviation: answers of few digits, although these were not stated.
+    /// Whether only a small part of the deviation remains: the answers have few digits that were not stated.
     pub(super) fn is_close(&self, before: f64) -> bool {
         before.is_finite() && self.worst <= CLOSE * before
     }
 }
 
-/// The part of the deviation that may be left where answers have few digits.
+/// The part of the deviation that may remain if answers have few digits.
 const CLOSE: f64 = 1e-3;
 
-/// The largest sum of squares that is not told from the least one; errors may be larger than was thought likely.
+/// The largest sum of squares that is not distinguished from the smallest. Errors may be larger than expected.
 pub(super) fn limit(best: &Fit) -> f64 {
     best.sum + TOLD_APART * best.mean().max(1.0)
 }
 
-/// Those that are not told from the best; the fits come in the order of the sums of squares.
+/// The fits that are not distinguished from the best. The fits are sorted by the sums of squares.
 pub(super) fn near(fits: &[Fit]) -> &[Fit] {
     let limit = fits.first().map_or(0.0, limit);
     &fits[..fits.iter().take_while(|fit| fit.sum <= limit).count()]
 }
 
-/// Tries changes at one case after the other. Those that are told from the best are dropped, but for so many that are
-/// `kept`, the nearest ones. What is left was tried at all cases, and comes in the order of the sums of squares.
+/// Tries changes at one case after the other. Those that are distinguished from the best are dropped, except for the
+/// `kept` nearest ones. The remaining ones were tried at all cases, and are sorted by the sums of squares.
 pub(super) fn race(mut fits: Vec<Fit>, cases: &[&AnsweredCase], kept: usize) -> Vec<Fit> {
     for case in cases {
         fits.par_iter_mut().for_each(|fit| {

@@ -1,4 +1,4 @@
-//! What may be wrong with a program: a term, several, a simplification as a whole, a factor.
+//! The possible errors of a program: a term, several terms, a simplification as a whole, a factor.
 
 use super::equation::equation;
 use crate::check::evaluation_point::Structure;
@@ -8,7 +8,7 @@ use crate::linearization::{Quantity, Varied};
 use crate::number::{Label, Which};
 use crate::variant::{Fault, Kind, Variant};
 
-/// What is changed in the closed form.
+/// The change in the closed form.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Change {
     /// Some of its terms.
@@ -17,9 +17,9 @@ pub(super) enum Change {
     Structure(Structure),
     /// A quantity is multiplied, in this order.
     Factor(Quantity, Order, f64),
-    /// The tangent of the contact element lacks stiffness g_N H (or has it alone, if not).
+    /// The tangent of the contact element lacks one of its two parts.
     Tangent {
-        /// Whether g_N H is missing, and not the product of the gradients.
+        /// Whether the missing part is stiffness g_N H, and not stiffness times the product of the gradients.
         is_geometric: bool,
     },
     /// Beam and bar beam are exchanged.
@@ -27,7 +27,7 @@ pub(super) enum Change {
 }
 
 impl Change {
-    /// Applies what concerns whole items, after the conventions; `varied` is before them.
+    /// Applies changes of whole items, after the conventions. `varied` is before the conventions.
     pub(super) fn of_items(
         &self,
         all: &mut [Varied<f64>],
@@ -83,7 +83,7 @@ impl Change {
         matches!(self, Self::Variant(Variant::Faulty(faults)) if faults.len() > 1)
     }
 
-    /// How simple it is: simpler explanations come first.
+    /// The complexity: simpler explanations come first.
     pub(super) fn class(&self) -> usize {
         match self {
             Self::Variant(Variant::Faulty(faults)) if faults.len() == 1 => 0,
@@ -114,7 +114,7 @@ impl Change {
         }
     }
 
-    /// What is wrong, in a sentence without its end.
+    /// What is wrong, as a sentence without its full stop.
     pub(super) fn words(&self) -> String {
         match self {
             Self::Variant(Variant::Faulty(faults)) => {

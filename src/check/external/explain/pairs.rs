@@ -1,7 +1,7 @@
 //! Pairs of faults that may explain the answers.
 //!
-//! Numbers are evaluated in an order, and a fault changes only what comes after it. So either one fault explains the first
-//! wrong numbers, and the other changes later ones; or both change the first wrong numbers, and nothing before them.
+//! Numbers are evaluated in an order, and a fault changes only later numbers. Therefore, either one fault explains the
+//! first wrong numbers and the other changes later ones, or both change the first wrong numbers and nothing before.
 
 use super::answered_case::{AnsweredCase, Datum, FORMULATIONS, Predicted};
 use super::fit::Fit;
@@ -13,13 +13,13 @@ use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::HashSet;
 
-/// Cases at which the first of two faults has to explain the first wrong numbers.
+/// The number of cases at which the first of two faults has to explain the first wrong numbers.
 const SCREENED: usize = 4;
-/// Cases at which both may change the first wrong numbers: one of each kind, as terms are at work at some kinds only.
+/// The number of cases at which both may change the first wrong numbers: one of each kind, as terms differ by kind.
 const KINDS: usize = 6;
-/// First faults to each of which all second faults are tried.
+/// The number of first faults that are combined with all second faults.
 const FIRST: usize = 12;
-/// Pairs of which both change the first wrong numbers that are taken on.
+/// The number of pairs that both change the first wrong numbers and are kept.
 const BOTH: usize = 2000;
 
 /// The place of a quantity in the order of evaluation.
@@ -29,7 +29,7 @@ fn key(datum: &Datum) -> Key {
     (datum.rank.0, datum.rank.1)
 }
 
-/// The pairs that are to be tried.
+/// The pairs to be tried.
 pub(super) fn pairs(cases: &[&AnsweredCase]) -> Vec<Change> {
     let screened = &cases[..cases.len().min(SCREENED)];
     let none = Change::Variant(Variant::Unmodified);
@@ -60,14 +60,14 @@ fn first_wrong(cases: &[&AnsweredCase], change: &Change) -> Option<Key> {
             let is_wrong = |datum: &&Datum| datum.misfit(AnsweredCase::number(predicted, datum)).over > 1.0;
             case.data.iter().filter(is_wrong).map(key).min()
         };
-        // The method whose first wrong number comes last; one without a wrong number comes after all others.
+        // The method whose first wrong number comes last. A method without a wrong number comes after all others.
         let methods = case.predicted(change);
         methods.iter().map(wrong).max_by_key(|wrong| (wrong.is_none(), *wrong)).flatten()
     };
     cases.iter().filter_map(of_case).min()
 }
 
-/// Of each kind the first case with such a wrong number.
+/// The first case of each kind with such a wrong number.
 fn kinds<'a>(cases: &[&'a AnsweredCase<'a>], start: Key) -> Vec<&'a AnsweredCase<'a>> {
     let mut chosen: Vec<&AnsweredCase> = Vec::new();
     for case in cases {
@@ -81,7 +81,7 @@ fn kinds<'a>(cases: &[&'a AnsweredCase<'a>], start: Key) -> Vec<&'a AnsweredCase
 
 /// The pairs of faults that change nothing before the first wrong numbers, and explain these.
 fn both(cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
-    // Chance lets some pairs explain these numbers in a formulation that the program does not have: all are tried, each once.
+    // By chance, some pairs explain these numbers in a formulation that the program does not have. All are tried once.
     let places = |formulation: usize| cases.iter().map(|case| case.place_of(formulation)).collect::<Vec<_>>();
     let is_new = |&formulation: &usize| (0..formulation).all(|known| places(known) != places(formulation));
     let formulations = (0..FORMULATIONS).filter(is_new);
@@ -104,7 +104,7 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
             !of_start.all(|datum| is_same(&datum)) && before.all(|datum| is_same(&datum))
         })
     };
-    // The faults that change the first wrong numbers, each with the cases at which it does.
+    // The faults that change the first wrong numbers, each with the cases where it does.
     let changing = |&fault: &Fault| {
         let at: Vec<bool> = cases.iter().map(|case| changes_start_alone(case, fault)).collect();
         at.contains(&true).then_some((fault, at))
@@ -118,7 +118,7 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
             return None;
         }
         let mut fit = Fit::new(0, of_faults(&[*one, *two]));
-        // First where both are at work, then where one of them is.
+        // First the cases where both have an effect, then those where one has.
         let both = (0..cases.len()).find(|&k| at_one[k] && at_two[k]);
         let other = (0..cases.len()).find(|&k| at_one[k] != at_two[k]);
         for k in [both, other].into_iter().flatten() {

@@ -1,4 +1,4 @@
-//! The search for what is wrong: each fault of the catalogue, then factors, then pairs.
+//! The search for the wrong terms: each fault of the catalogue, then factors, then pairs.
 
 use super::answered_case::{AnsweredCase, Datum, Known, Predicted};
 use super::fit::{Fit, limit, near, race};
@@ -12,11 +12,11 @@ use crate::variant::{Fault, Kind, Variant, terms};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
-/// Cases that factors of terms are fitted at.
+/// The number of cases at which factors of terms are fitted.
 const FITTED: usize = 4;
-/// Changes that are tried at all cases even if they explain the answers worse than others.
+/// The number of changes that are tried at all cases even if they explain the answers worse than others.
 pub(super) const KEPT: usize = 16;
-/// The mean of the squares up to which nothing but rounding is left.
+/// The mean of the squares up to which only rounding remains.
 const LIKELY: f64 = 2.0;
 
 /// The names of all terms, in the order of evaluation.
@@ -34,12 +34,12 @@ pub(super) fn of_faults(faults: &[Fault]) -> Change {
     Change::Variant(Variant::Faulty(faults.to_vec()))
 }
 
-/// The predictions at a case that every search asks for.
+/// The predictions at a case that every search uses.
 pub(super) fn memo(case: &AnsweredCase) -> Known {
     singles().into_par_iter().map(|fault| (fault, case.computed(&of_faults(&[fault])))).collect()
 }
 
-/// All that is tried first: one fault of the catalogue, a simplification, a factor; and nothing at all.
+/// The changes that are tried first: one fault of the catalogue, a simplification, a factor, and no change.
 fn candidates(cases: &[&AnsweredCase]) -> Vec<Change> {
     let mut all: Vec<_> = singles().iter().map(|&fault| of_faults(&[fault])).collect();
     all.push(Change::Variant(Variant::Unmodified));
@@ -61,7 +61,7 @@ fn of<'a>(cases: &'a [&AnsweredCase]) -> impl Iterator<Item = &'a Datum> {
     cases.iter().flat_map(|case| &case.data)
 }
 
-/// The factor that fits best; first and second variations together for the order [`Order::Matrix`].
+/// The factor that fits best. For the order [`Order::Matrix`], first and second variations are fitted together.
 fn factor(cases: &[&AnsweredCase], quantity: Quantity, order: Order) -> Option<f64> {
     let is_of = |datum: &&Datum| {
         let is_order = datum.order == order || (order == Order::Matrix && datum.order != Order::Value);
@@ -81,15 +81,15 @@ pub(super) struct Equal {
     pub(super) alike: Vec<Change>,
 }
 
-/// What the search came to.
+/// The result of the search.
 pub(super) struct Found {
-    /// The deviation of the answers as they are.
+    /// The deviation of the answers without a change.
     pub(super) before: f64,
-    /// The explanations, none of which can be told from the first by these answers.
+    /// The explanations that these answers cannot distinguish from the first.
     pub(super) equal: Vec<Equal>,
     /// The best of the others.
     pub(super) runner_up: Option<Fit>,
-    /// Whether right answers explain these as well, within their digits.
+    /// Whether correct answers explain these as well, within their digits.
     pub(super) is_faint: bool,
 }
 
@@ -97,8 +97,8 @@ pub(super) struct Found {
 pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
     let before = before(cases);
     let is_found = |fits: &[Fit]| {
-        // Where right answers are among the best, two faults explain no more. Where a fault explains all but leaves more
-        // than is likely, a second one may be small.
+        // If correct answers are among the best, two faults explain no more. If a fault explains all, but leaves more
+        // than is likely, a second fault may be small.
         near(fits).iter().any(|of| {
             if of.explains() { of.change.is_none() || of.mean() <= LIKELY } else { of.is_close(before) }
         })
@@ -127,23 +127,23 @@ pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
     fits
 }
 
-/// The deviation of the answers as they are.
+/// The deviation of the answers without a change.
 fn before(cases: &[&AnsweredCase]) -> f64 {
     Fit::of(Change::Variant(Variant::Unmodified), cases).worst
 }
 
-/// The explanations among what was found.
+/// The explanations among the results.
 pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
     let before = before(cases);
-    // A simpler change is preferred to a better one, up to a point: two faults can imitate rounding.
+    // A simpler change is preferred to a better one, up to a limit, because two faults can imitate rounding.
     let best = fits.first().map_or((0.0, 0.0, 0), |best| (best.sum, limit(best), best.change.class()));
     let is_near = |of: &Fit| {
         let (sum, limit, class) = best;
         of.sum <= if of.change.class() < class { sum + 3.0 * (limit - sum) } else { limit }
     };
-    // Where right answers are told from the best no better than this, nothing is known.
+    // If correct answers are not distinguished better than this, the cause is unknown.
     let is_faint = fits.iter().any(|of| is_near(of) && of.change.is_none() && of.explains());
-    // Two faults that leave more than is likely are not those of the program.
+    // Two faults that leave more than is likely are not the faults of the program.
     let is_likely = |of: &Fit| !of.change.has_two_faults() || of.mean() <= LIKELY;
     let explains =
         |of: &Fit| !is_faint && is_near(of) && ((of.explains() && is_likely(of)) || of.is_close(before));
@@ -154,12 +154,12 @@ pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
     }
     let equal = alike_together(equal, cases);
     others.sort_by(|one, two| one.worst.total_cmp(&two.worst));
-    // What changes nothing is no runner-up.
+    // A change without effect is no runner-up.
     let runner_up = others.into_iter().find(|of| !of.change.is_none() && of.worst < before);
     Found { before, equal, runner_up, is_faint }
 }
 
-/// Puts kinds of faults of the same terms that predict the same numbers together.
+/// Groups kinds of faults of the same terms that predict the same numbers.
 fn alike_together(equal: Vec<Fit>, cases: &[&AnsweredCase]) -> Vec<Equal> {
     let labels = |of: &Change| match of {
         Change::Variant(Variant::Faulty(faults)) => faults.iter().map(|fault| fault.label).collect(),
@@ -191,7 +191,7 @@ fn predict_the_same(one: &Change, two: &Change, cases: &[&AnsweredCase]) -> bool
     })
 }
 
-/// The factor of a term that fits best, by Gauss-Newton iterations; nothing if the term changes nothing.
+/// The factor of a term that fits best, by Gauss-Newton iterations; nothing if the term has no effect.
 fn weight(cases: &[&AnsweredCase], label: Label) -> Option<f64> {
     const STEP: f64 = 1e-4;
     let (start, next) = (misfits(cases, label, 1.0), misfits(cases, label, 1.0 + STEP));
@@ -201,7 +201,7 @@ fn weight(cases: &[&AnsweredCase], label: Label) -> Option<f64> {
             [gr + slope * own, gg + slope * slope, rr + own * own]
         })
     };
-    // The method of which the first step explains most.
+    // The method whose first step explains most.
     let gain = |method: usize| {
         let [gr, gg, _] = sums(&start[method], &next[method]);
         if gg > 0.0 { gr * gr / gg } else { 0.0 }
@@ -223,7 +223,7 @@ fn weight(cases: &[&AnsweredCase], label: Label) -> Option<f64> {
     factor.is_finite().then_some(factor)
 }
 
-/// The misfits of all data over their scales, with a term multiplied; by each method, the same at all cases.
+/// The misfits of all data over their scales, with a term multiplied: by each method, the same one at all cases.
 fn misfits(cases: &[&AnsweredCase], label: Label, factor: f64) -> Vec<Vec<f64>> {
     let change = Change::Variant(Variant::Weighted(label, factor));
     let per_site = cases.iter().map(|case| {
@@ -243,7 +243,7 @@ fn misfits(cases: &[&AnsweredCase], label: Label, factor: f64) -> Vec<Vec<f64>> 
         .collect()
 }
 
-/// The factor that a term seems to have had, near that of a fault: 0 if it is missing, -1 if its sign is wrong.
+/// The factor that a term seems to have, near that of a fault: 0 if it is missing, -1 if its sign is wrong.
 pub(super) fn measured_factor(cases: &[&AnsweredCase], fault: Fault) -> Option<f64> {
     let all = &cases[..cases.len().min(FITTED)];
     matches!(fault.kind, Kind::Sign | Kind::Dropped | Kind::Doubled | Kind::Halved).then_some(())?;

@@ -4,10 +4,10 @@ use super::{JsonError, Node, Read, Value};
 use crate::check::external::number;
 use std::borrow::Cow;
 
-/// How deep values may be nested.
+/// The maximum depth of nested values.
 const DEEPEST: usize = 32;
 
-/// A line, and how far it is read.
+/// A line, and the position of the reader in it.
 pub(super) struct Reader<'a> {
     pub(super) text: &'a str,
     pub(super) at: usize,
@@ -93,7 +93,7 @@ impl<'a> Reader<'a> {
         if self.take(b']') {
             return Ok(Value::Numbers(Vec::new()));
         }
-        // Numbers as long as there is nothing else.
+        // Numbers are collected as long as there are no other values.
         let (mut numbers, mut nodes) = (Vec::new(), Vec::new());
         loop {
             let node = self.value(depth + 1)?;
@@ -172,7 +172,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// What a backslash and the characters after it stand for.
+    /// The character that a backslash and the characters after it denote.
     fn escape(&mut self) -> Read<char> {
         let column = self.column();
         let wrong = || JsonError::at(column, "a character that may be escaped expected");

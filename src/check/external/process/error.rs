@@ -1,4 +1,4 @@
-//! Why a program could not be checked to the end.
+//! The reasons why a program could not be checked to the end.
 
 use crate::check::external::conventions::Conventions;
 use crate::check::external::error::ExternalError;
@@ -6,22 +6,22 @@ use crate::check::external::report::Report;
 use std::process::ExitStatus;
 use thiserror::Error;
 
-/// Why a program could not be checked to the end.
+/// The reason why a program could not be checked to the end.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ProcessError {
     /// The command line has an open quote, or is empty.
     #[error("a program, with its arguments, expected, found {0:?}")]
     Command(String),
-    /// It cannot be started.
+    /// The program cannot be started.
     #[error("cannot start {program}")]
     Start {
         /// The program.
         program: String,
-        /// Why.
+        /// The reason.
         source: std::io::Error,
     },
-    /// It did not answer in time.
+    /// The program did not answer in time.
     #[error(
         "{program}: no answer within {seconds} s, after {answered} answers to {sent} cases; a program must write each \
          answer out (flush) before it waits for more than {look_ahead} further cases{stderr}"
@@ -29,39 +29,39 @@ pub enum ProcessError {
     TimeOut {
         /// The program.
         program: String,
-        /// The time that it had.
+        /// The time limit.
         seconds: f64,
-        /// How many cases it had answered.
+        /// The number of cases that it had answered.
         answered: u64,
-        /// How many it had been sent.
+        /// The number of cases that it had been sent.
         sent: u64,
-        /// How many it may be sent ahead of its answers.
+        /// The number of cases that may be sent ahead of the answers.
         look_ahead: usize,
-        /// The end of what it wrote to standard error.
+        /// The end of its standard error.
         stderr: String,
     },
-    /// It ended with an error.
+    /// The program ended with an error.
     #[error("{program}: {status}, after {answered} answers{stderr}")]
     Failed {
         /// The program.
         program: String,
         /// Its exit status.
         status: ExitStatus,
-        /// How many cases it had answered.
+        /// The number of cases that it had answered.
         answered: u64,
-        /// The end of what it wrote to standard error.
+        /// The end of its standard error.
         stderr: String,
-        /// What was found of its answers.
+        /// The result of its answers.
         report: Box<Report>,
         /// The conventions that it states.
         conventions: Box<Conventions>,
     },
-    /// What it writes is no answer, or the cases cannot be read.
+    /// Its output is not a valid answer, or the cases cannot be read.
     #[error("{error}{stderr}")]
     Text {
-        /// Where and what.
+        /// The place and the error.
         error: ExternalError,
-        /// The end of what it wrote to standard error.
+        /// The end of its standard error.
         stderr: String,
     },
 }

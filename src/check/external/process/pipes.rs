@@ -1,4 +1,4 @@
-//! The three pipes of a program, each with a thread: cases in, answers out, and what it writes to standard error.
+//! The three pipes of a program, each with a thread: cases in, answers out, and its standard error.
 
 use crate::check::external::answers::{AnswerReader, Answers, Program};
 use crate::check::external::conventions::Conventions;
@@ -9,16 +9,16 @@ use std::process::Child;
 use std::sync::mpsc::{self, Receiver, SyncSender, TrySendError};
 use std::thread;
 
-/// How much of what a program writes to standard error is kept, from its end.
+/// The number of bytes of standard error that are kept, from its end.
 const STDERR: usize = 4096;
-/// What the thread that reads answers has to tell.
+/// The messages of the thread that reads answers.
 pub(super) enum Told {
     Head(Box<(Conventions, Program)>),
     Answers(Box<Answers>),
     Error(ExternalError),
 }
 
-/// Writes the cases to the program; each is told before it is written.
+/// Writes the cases to the program. Each case is announced before it is written.
 pub(super) fn feed<R: BufRead + Send + 'static>(
     child: &mut Child,
     mut vectors: VectorReader<R>,
@@ -29,7 +29,7 @@ pub(super) fn feed<R: BufRead + Send + 'static>(
     thread::spawn(move || {
         let mut write = |line: &str| {
             let Some(to) = &mut stdin else { return };
-            // A program that has seen enough closes its input: the remaining cases are not answered.
+            // A program may close its input early. The remaining cases are then not answered.
             if to.write_all(line.as_bytes()).and_then(|()| to.write_all(b"\n")).is_err() {
                 stdin = None;
             }
@@ -79,7 +79,7 @@ pub(super) fn listen(child: &mut Child, program: &str) -> Receiver<Told> {
     told
 }
 
-/// The end of what the program writes to standard error, once it has closed it.
+/// The end of the program's standard error, after the program has closed it.
 pub(super) fn overhear(child: &mut Child) -> Receiver<String> {
     let (tell, told) = mpsc::sync_channel(1);
     if let Some(mut stderr) = child.stderr.take() {
@@ -93,7 +93,7 @@ pub(super) fn overhear(child: &mut Child) -> Receiver<String> {
             let text = text.trim_end();
             let told =
                 if text.is_empty() { String::new() } else { format!("\nIts standard error ends:\n{text}") };
-            // Nobody may be waiting for it.
+            // The receiver may no longer exist.
             if let Err(TrySendError::Full(_) | TrySendError::Disconnected(_)) = tell.try_send(told) {}
         });
     }

@@ -38,7 +38,7 @@ impl<R: BufRead> VectorReader<R> {
     /// The next case; nothing at the end.
     ///
     /// # Errors
-    /// If a line is no case.
+    /// If a line is not a valid case.
     pub fn next_vector(&mut self) -> Result<Option<Vector>, ExternalError> {
         self.text.clear();
         match self.lines.next_line()? {

@@ -11,7 +11,7 @@ use crate::test_beam::TestBeam;
 use crate::variant::{Step, Variant};
 use std::fmt::Write;
 
-/// How much of what is expected is written.
+/// The expected numbers that are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Expected {
     /// Nothing.
@@ -28,7 +28,7 @@ pub enum Expected {
 pub struct VectorWriter {
     /// Whether numbers are hexadecimal, as strings.
     pub hex: bool,
-    /// What is written beside the case.
+    /// The expected numbers that are written beside the case.
     pub expected: Expected,
 }
 
@@ -187,7 +187,7 @@ impl VectorWriter {
         text
     }
 
-    /// The shortest number that is read back to the same bits; strings for what JSON has no number for.
+    /// The shortest number that is read back to the same bits. Numbers that JSON does not have are strings.
     fn push(self, text: &mut String, number: f64) {
         let _ = match (number.is_finite(), self.hex) {
             (true, false) => write!(text, "{number:?}"),

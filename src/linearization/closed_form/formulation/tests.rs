@@ -1,4 +1,4 @@
-//! The parts of both forms, and the choice between them.
+//! Tests of the parts of both formulations, and of the choice between them.
 
 use super::{Distance, Formulation, Held, Points, Squares, System, inverse_gram};
 use crate::curve::Geometry;
@@ -47,11 +47,11 @@ fn the_form_is_that_of_the_smaller_loss() {
     // Parallel tangents have no common normal, not even where the centroids cross.
     assert_eq!(at(0.0, 1e-9), (Distance::Length, cross_products));
     assert_eq!(at(0.0, 0.0), (Distance::Length, cross_products));
-    // Nor do straight ones lose anything by theirs.
+    // Straight beams lose no digits by their normal.
     let mut straight = points(1e-5, 0.25);
     (straight.beam.t_xi, straight.bar.t_xi) = (Vector3::zeros(), Vector3::zeros());
     assert_eq!(Formulation::at(&straight, Held::default()).distance, normal(false));
-    // A slow parametrization: the tangent is short next to its change.
+    // A slow parametrization: the tangent is short relative to its change.
     let mut slow = points(1.5, 1e-2);
     slow.beam.t *= 1e-3;
     assert_eq!(Formulation::at(&slow, Held::default()).distance, Distance::Length);

@@ -1,4 +1,4 @@
-//! How sums of products are computed: the one place where the vector units of a machine show.
+//! The arithmetic of sums of products. Only its implementations depend on the vector units of a machine.
 
 use crate::number::Real;
 use std::ops::{Deref, DerefMut};
@@ -33,13 +33,13 @@ impl<T, const L: usize> DerefMut for Dofs<T, L> {
 
 /// Sums of products over the scalar `T`: of vectors in space, and of vectors over the dofs of a beam.
 ///
-/// The dofs of a beam are the three coordinates of one control vector after the other, so that a shape function "spread"
-/// over its dofs, times a vector in space, has the components of that vector in turn.
+/// The dofs of a beam are the three coordinates of one control vector after the other. A shape function "spread"
+/// over its dofs, times a vector in space, therefore has the components of that vector in turn.
 pub(super) trait Arithmetic<T: Real>: Copy {
     /// A vector in space.
     type Vector: Copy;
 
-    /// A vector in space as it meets the dofs of a beam, over and over.
+    /// A vector in space, repeated for the dofs of a beam.
     type Tile: Copy;
 
     /// a b + c.
@@ -51,7 +51,7 @@ pub(super) trait Arithmetic<T: Real>: Copy {
     /// The control vector `a` among the dofs of a beam.
     fn control_vector<const L: usize>(self, q: &[T; L], a: usize) -> Self::Vector;
 
-    /// Its components.
+    /// The components of a vector.
     fn components(self, v: Self::Vector) -> [T; 3];
 
     /// factor v.
@@ -66,13 +66,13 @@ pub(super) trait Arithmetic<T: Real>: Copy {
     /// The vector product.
     fn cross(self, u: Self::Vector, v: Self::Vector) -> Self::Vector;
 
-    /// A vector over and over.
+    /// Repeats a vector.
     fn tile(self, v: Self::Vector) -> Self::Tile;
 
     /// Shape functions, each times `sign`, spread over their dofs.
     fn spread<const L: usize>(self, shapes: &[T], sign: T) -> Dofs<T, L>;
 
-    /// Sets `to`, as far as it reaches, to the sum of the shape functions times vectors in `spread` and of the factors
+    /// Sets `to`, up to its length, to the sum of the shape functions times vectors in `spread` and of the factors
     /// times vectors over the dofs in `sum`.
     #[inline(always)]
     fn set<const L: usize, const J: usize, const K: usize>(
@@ -84,7 +84,7 @@ pub(super) trait Arithmetic<T: Real>: Copy {
         self.set_from(to, [], spread, sum);
     }
 
-    /// The same and, in `from`, factors times rows as long as `to`.
+    /// The same sum, plus the factors times rows in `from`. These rows are as long as `to`.
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,
         to: &mut [T],
@@ -109,7 +109,7 @@ pub(super) trait Arithmetic<T: Real>: Copy {
         }
     }
 
-    /// Those sums for all dofs of a beam.
+    /// The same sums for all dofs of a beam.
     #[inline(always)]
     fn dofs<const L: usize, const J: usize, const K: usize>(
         self,
@@ -154,7 +154,7 @@ pub(super) fn unit<T: Real>(axis: usize) -> [T; 3] {
     unit
 }
 
-/// How far all parts of a sum over `L` dofs reach.
+/// The number of dofs that all parts of a sum over `L` dofs contain.
 #[inline(always)]
 pub(super) fn reach<T, const L: usize, const G: usize>(to: &[T], from: &[(T, &[T]); G]) -> usize {
     let mut reach = to.len().min(L);
@@ -164,7 +164,7 @@ pub(super) fn reach<T, const L: usize, const G: usize>(to: &[T], from: &[(T, &[T
     reach
 }
 
-/// One thing for each axis.
+/// One value for each axis.
 #[inline(always)]
 pub(super) fn by_axis<W>(of: impl Fn(usize) -> W) -> (W, W, W) {
     (of(0), of(1), of(2))
@@ -232,7 +232,7 @@ impl<T: Real> Arithmetic<T> for ScalarArithmetic {
         spread
     }
 
-    // Not in each place anew: it is the most of what is compiled.
+    // Not inlined, because it is the largest part of the compiled code.
     #[inline(never)]
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,

@@ -4,7 +4,7 @@ use super::arithmetic::{Arithmetic, Dofs, reach};
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x4, x86::Avx2};
 
-/// The unit vectors over and over.
+/// The unit vectors, repeated.
 const AXES: [[[f64; 4]; 3]; 3] = [
     [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 0.0]],
     [[0.0, 1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 0.0]],
@@ -33,9 +33,9 @@ impl Avx2Arithmetic {
 }
 
 impl Arithmetic<f64> for Avx2Arithmetic {
-    /// With a fourth component, whatever it is.
+    /// The fourth component has any value.
     type Vector = f64x4<Avx2>;
-    /// The components as they meet four dofs, by the component that the first of the four meets.
+    /// The components for four dofs, by the component that belongs to the first of the four.
     type Tile = [f64x4<Avx2>; 3];
 
     #[inline(always)]
@@ -94,7 +94,7 @@ impl Arithmetic<f64> for Avx2Arithmetic {
         ]
     }
 
-    /// In one pass: what is stored and loaded again four by four is waited for.
+    /// In one pass, because a load waits for a store of the same numbers in other groups of four.
     #[inline(always)]
     fn set_along<const L: usize, const K: usize>(
         self,
@@ -135,7 +135,7 @@ impl Arithmetic<f64> for Avx2Arithmetic {
         spread
     }
 
-    /// Up to four by themselves, as most beams have no more: how long the rows of each are is known to the compiler.
+    /// Up to four calls are unrolled, as most beams have no more. The compiler then knows the lengths of the rows.
     #[inline(always)]
     fn each_vector<const L: usize>(self, mut f: impl FnMut(usize)) {
         if L / 3 > 4 {
@@ -184,7 +184,7 @@ impl Arithmetic<f64> for Avx2Arithmetic {
             }
             to[at..at + 4].copy_from_slice(&*total);
         }
-        // One by one: four that overlapped those before them would wait until these are stored.
+        // One by one: a group of four that overlaps the group before it would wait for the store of that group.
         for at in whole..reach {
             let mut total = 0.0;
             for (factor, v) in &from {

@@ -1,6 +1,6 @@
-//! d of many pairs at once: four in the lanes of a vector, through the very source that evaluates one.
+//! d of many pairs at once: four in the lanes of a vector, by the same source code that evaluates one pair.
 //!
-//! All quantities are as fast one pair after another: their rows fill the vectors of one pair.
+//! For all quantities, one pair after another is as fast, because the rows of one pair fill the vectors.
 
 use super::choice::{ALL, Regular};
 #[cfg(target_arch = "x86_64")]
@@ -17,7 +17,7 @@ use crate::number::Lanes;
 use crate::pair::{DofVector, Pair};
 use nalgebra::SVector;
 
-/// A pair at a closest point: what a search for contacts hands on.
+/// A pair at a closest point: the result of a search for contacts.
 #[derive(Debug)]
 pub struct PairAtPoint<'a, A, B, const N: usize, const M: usize> {
     /// The curves.
@@ -28,14 +28,14 @@ pub struct PairAtPoint<'a, A, B, const N: usize, const M: usize> {
     pub point: &'a ClosestPoint,
 }
 
-/// d of many pairs, written over `to`; returns of how many.
+/// d of many pairs, written over `to`. Returns the number of pairs.
 ///
-/// Pair i is written to lane i % 4 of `to[i / 4]`, as far as there are both. What is left of the last four lanes is
-/// written too, with what is of no use. Pairs of the same curves are to stand next to one another: four of them are done
-/// at once, others one by one, as are single lanes whose points ask for another [form](super::super::Formulation).
+/// Pair i is written to lane i % 4 of `to[i / 4]`, as far as both exist. The unused ones of the last four lanes are
+/// written too, with numbers of no use. Pairs of the same curves should be next to one another: four are computed
+/// at once, others one by one, as are single lanes whose points need another [formulation](super::super::Formulation).
 ///
-/// Nothing is allocated. Results of some dozens of pairs stay in the cache for whoever assembles them; those of thousands
-/// do not, so memory of that size is best used over and over. For several threads, call it for chunks of the pairs.
+/// Nothing is allocated. The results of some dozens of pairs stay in the cache until they are assembled, those of
+/// thousands do not. It is best to reuse memory of that size. For several threads, call it for chunks of the pairs.
 pub fn write_d_batch<A, B, W, const N: usize, const M: usize>(
     of: &[PairAtPoint<'_, A, B, N, M>],
     to: &mut [W],
@@ -54,7 +54,7 @@ where
     })
 }
 
-/// Calls `write` with each of these lanes, given by bits, and its pair.
+/// Calls `write` with each of these lanes, given as bits, and its pair.
 #[inline(always)]
 fn one_by_one<E>(of: &[E], lanes: u8, write: impl FnMut(usize, &E)) {
     if lanes != 0 {
@@ -72,9 +72,9 @@ fn exceptions<E>(of: &[E], lanes: u8, mut write: impl FnMut(usize, &E)) {
     }
 }
 
-/// Calls `write` with every four pairs and the memory for them; returns how many pairs there are with memory.
+/// Calls `write` with every four pairs and the memory for them. Returns how many pairs have memory.
 fn each_four<E, W>(of: &[E], to: &mut [W], mut write: impl FnMut(&[E], &mut W)) -> usize {
-    // One call, so that the kernel in lanes is compiled once.
+    // There is one call, so that the kernel in lanes is compiled once.
     let write: &mut dyn FnMut(&[E], &mut W) = &mut write;
     let count = of.len().min(4 * to.len());
     for (of, to) in of[..count].chunks(4).zip(to) {
@@ -83,7 +83,7 @@ fn each_four<E, W>(of: &[E], to: &mut [W], mut write: impl FnMut(&[E], &mut W)) 
     count
 }
 
-/// Writes at most four pairs of the same curves; returns the lanes, by bits, that are left to do one by one.
+/// Writes at most four pairs of the same curves. Returns the lanes, as bits, that remain to be written one by one.
 #[inline]
 fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, const M: usize>(
     of: &[PairAtPoint<'_, A, B, N, M>],
@@ -100,13 +100,13 @@ fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, co
         .iter()
         .enumerate()
         .fold(0, |held, (lane, e)| held | u8::from(e.point.held() != Held::default()) << lane);
-    // Lanes that no pair is left for repeat the first.
+    // Lanes without a pair repeat the first pair.
     let lane = |i| of.get(i).unwrap_or(first);
     let four = [first, lane(1), lane(2), lane(3)];
     if held == ALL { ALL } else { fast(four, request) | held }
 }
 
-/// In lanes, if the machine has vectors for them; returns the lanes, by bits, that ask for another form.
+/// Writes in lanes, if the machine has vectors for them. Returns the lanes, as bits, that need another formulation.
 #[inline]
 fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     four: [&PairAtPoint<'_, A, B, N, M>; 4],
@@ -127,7 +127,7 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     ALL
 }
 
-/// The same for numbers of dofs, not for families.
+/// The same, compiled for numbers of dofs and not for families.
 #[cfg(target_arch = "x86_64")]
 #[inline]
 fn fast_by_shapes<const N: usize, const M: usize>(
@@ -142,7 +142,7 @@ fn fast_by_shapes<const N: usize, const M: usize>(
 
 /// The dofs of four pairs, one pair in each lane.
 ///
-/// By itself: a kernel that sees them as numbers one by one goes on with numbers one by one.
+/// A separate function, because the compiler would otherwise continue the kernel with single numbers.
 #[inline(never)]
 fn gather<const N: usize, const M: usize>(
     [a, b, c, d]: [&DofVector<f64, N, M>; 4],

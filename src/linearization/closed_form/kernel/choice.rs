@@ -1,4 +1,4 @@
-//! Which form is taken at a point, and what it yields.
+//! The choice of the formulation at a point, and its results.
 
 use super::arithmetic::Arithmetic;
 use super::frame::Products;
@@ -9,9 +9,9 @@ use crate::linearization::closed_form::formulation::System;
 use crate::linearization::closed_form::{Formulation, Points};
 use crate::number::{Lanes, Real};
 
-/// A choice between the forms.
+/// A choice between the formulations.
 pub(super) trait Choice<T: Real>: Copy {
-    /// What the chosen form yields, and the lanes, by bits, that need another; nothing if all do.
+    /// The result of the chosen formulation, and the lanes, as bits, that need another one; nothing if all lanes do.
     fn solve<A: Arithmetic<T>>(
         self,
         f: A,
@@ -20,12 +20,12 @@ pub(super) trait Choice<T: Real>: Copy {
     ) -> Option<(Solution<T, A::Vector>, u8)>;
 }
 
-/// The form that loses the fewest digits.
+/// The formulation that loses the fewest digits.
 #[derive(Clone, Copy)]
 pub(super) struct Best(pub(super) Held);
 
 impl Choice<f64> for Best {
-    /// The common normal and the paper's system, inside both beams and at wide angles, in vectors; the rest one by one.
+    /// The common normal and the paper's system in vectors, inside both beams and at wide angles; otherwise one by one.
     #[inline(always)]
     fn solve<A: Arithmetic<f64>>(
         self,
@@ -42,14 +42,14 @@ impl Choice<f64> for Best {
     }
 }
 
-/// At ends, at small angles and beyond the radius of curvature.
+/// The solution at ends, at small angles and beyond the radius of curvature.
 #[cold]
 #[inline(never)]
 fn best(points: &Points<f64>, held: Held) -> Solution<f64, [f64; 3]> {
     Solution::in_formulation(points, Formulation::at(points, held))
 }
 
-/// In each lane the common normal and the paper's system, where no other form keeps more digits.
+/// The common normal and the paper's system, in each lane where no other formulation keeps more digits.
 #[derive(Clone, Copy)]
 pub(super) struct Regular;
 
@@ -82,7 +82,7 @@ impl Choice<Lanes> for Regular {
 /// All four lanes.
 pub(super) const ALL: u8 = 0b1111;
 
-/// The form given.
+/// The given formulation.
 #[derive(Clone, Copy)]
 pub(super) struct Given(pub(super) Formulation);
 

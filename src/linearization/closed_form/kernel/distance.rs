@@ -30,7 +30,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
             #[inline(always)]
             |row| f.tile(row),
         );
-        // One axis after the other: unrolled, the rows do not stay in registers.
+        // One axis after the other, because the rows do not stay in registers if the loop is unrolled.
         for i in 0..3 {
             let rows: Dofs<T, N> = f.dofs([(beam.shapes.n, k[i])], [(u_i[i], &by_n)]);
             let rows_bar: Dofs<T, M> = f.dofs([(bar.shapes.n, k[i])], [(u_bar_i[i], &by_n_bar)]);

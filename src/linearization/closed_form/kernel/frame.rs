@@ -1,4 +1,4 @@
-//! What the quantities share: a pair at its closest point, and the gradients of its parameters.
+//! The common data of the quantities: a pair at its closest point, and the gradients of its parameters.
 
 use super::arithmetic::{Arithmetic, Dofs};
 use super::side::{Point, Side, Spread};
@@ -8,11 +8,11 @@ use crate::number::Real;
 
 /// A pair at its closest point.
 ///
-/// What is as long as the dofs is referred to: a vector over them that is moved costs as much as one that is computed.
+/// Vectors over the dofs are references, because moving such a vector costs as much as computing it.
 pub(super) struct Frame<'a, T, V, const N: usize, const M: usize> {
     pub(super) beam: &'a Side<'a, T, V, N>,
     pub(super) bar: &'a Side<'a, T, V, M>,
-    /// Along the dofs of the beam, and of the bar beam.
+    /// The gradients along the dofs of the beam, and of the bar beam.
     pub(super) g: Gradients<'a, T, N>,
     pub(super) g_bar: Gradients<'a, T, M>,
     pub(super) products: Products<T, V>,
@@ -26,7 +26,7 @@ pub(super) struct Gradients<'a, T, const L: usize> {
     pub(super) xi_bar: &'a Dofs<T, L>,
 }
 
-/// d, and the products of it and the tangents that the formulas share.
+/// d, and the products of d and the tangents that the formulas share.
 #[derive(Clone, Copy)]
 pub(super) struct Products<T, V> {
     /// The vector d.
@@ -48,7 +48,7 @@ impl<T: Real, V: Copy> Products<T, V> {
         Self { d, tangents, c, c2: f.dot(c, c), c_d: f.dot(c, d) }
     }
 
-    /// What decides between the forms.
+    /// The products that decide between the formulations.
     #[inline(always)]
     pub(super) fn squares<A: Arithmetic<T, Vector = V>>(
         &self,
@@ -61,7 +61,7 @@ impl<T: Real, V: Copy> Products<T, V> {
     }
 }
 
-/// The gradients of xi and xi_bar along the dofs of one beam, in whose u,xi they have these multiples of d.
+/// The gradients of xi and xi_bar along the dofs of one beam. The given multiples of d belong to its u,xi.
 #[inline(always)]
 pub(super) fn along<T: Real, A: Arithmetic<T>, const L: usize>(
     f: A,

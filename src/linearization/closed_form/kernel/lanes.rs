@@ -7,11 +7,11 @@ use fearless_simd::{f64x4, x86::Avx2};
 
 /// One dof of four pairs at a time, with fused products and sums.
 ///
-/// What the compiler makes of [`Lanes`] by itself are vectors too, but not in loops of unknown length.
+/// The compiler makes vectors of [`Lanes`] by itself too, but not in loops of unknown length.
 #[derive(Clone, Copy)]
 pub(super) struct LanesArithmetic(pub(super) Avx2);
 
-/// Four numbers, one a pair.
+/// Four numbers, one for each pair.
 type Four = f64x4<Avx2>;
 
 impl LanesArithmetic {
@@ -115,7 +115,7 @@ impl Arithmetic<Lanes> for LanesArithmetic {
         spread
     }
 
-    /// The first control vectors one by one: most beams have no more, and most rows end among them.
+    /// The first control vectors are unrolled, because most beams have no more and most rows end among them.
     #[inline(always)]
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,

@@ -1,6 +1,6 @@
 //! The length of a tangent: eq. (58), sorted by g, in section 7 of the [derivation](super::super::derivation).
 //!
-//! What is not a multiple of g belongs to the tangent's own beam.
+//! Terms that are not multiples of g belong to the beam of the tangent.
 
 use super::arithmetic::{Arithmetic, Dofs, by_axis};
 use super::side::{Point, Side, Spread};
@@ -31,7 +31,7 @@ pub(super) fn write_length<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const 
     if !W::SECOND {
         return;
     }
-    // (t,ξ·t,ξ − κ²)/t is the part of t,ξ across t, times t,ξ: no cancellation.
+    // (t,ξ·t,ξ − κ²)/t is the part of t,ξ normal to t, times t,ξ. This product has no cancellation.
     let across = f.times(inverse, f.times_plus(-kappa, w, t_xi));
     let in_g = f.dot(w, t_xixi) + f.dot(across, t_xi);
     let b: Dofs<T, N> = f.dofs([(s_xixi, tile), (s_xi, f.tile(across))], []);

@@ -1,7 +1,7 @@
 //! The parameters of the closest point: section 7 of the [derivation](super::super::derivation).
 //!
 //! The Hessian of xi is x P + y P_bar with x = p and y = q, that of xi_bar with x = -q and y = q_bar. The rows of the
-//! variations are found first; a dof's row is a sum of them.
+//! variations are computed first. The row of a dof is a sum of them.
 
 use super::arithmetic::{Arithmetic, Dofs};
 use super::frame::{Frame, Gradients, Products};
@@ -12,7 +12,7 @@ use super::target::{Swapped, Target};
 use crate::number::Real;
 
 impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
-    /// xi, which is `at`, and t.
+    /// Writes xi, whose value is `at`, and t.
     #[inline(always)]
     pub(super) fn write_xi<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
         &self,
@@ -26,7 +26,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         write_length(f, beam, (g.xi, g_bar.xi), xi, t);
     }
 
-    /// xi_bar, which is `at`, and t_bar.
+    /// Writes xi_bar, whose value is `at`, and t_bar.
     #[inline(always)]
     pub(super) fn write_xi_bar<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
         &self,
@@ -47,7 +47,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         write_length(f, bar, (g_bar.xi_bar, g.xi_bar), &mut Swapped(xi_bar), &mut Swapped(t_bar));
     }
 
-    /// The parameter with a gradient and a Hessian x P + y P_bar.
+    /// Writes the parameter with a gradient and a Hessian x P + y P_bar.
     #[inline(always)]
     fn write_parameter<A: Arithmetic<T, Vector = V>, W: Target<T, N, M>>(
         &self,
@@ -101,7 +101,7 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     }
 }
 
-/// What both parameters take of the bending of the beams.
+/// The terms from the bending of the beams, for both parameters.
 pub(super) struct Bending<T> {
     /// t·t,ξ + d·t,ξξ/2 and −t̄·t̄,ξ̄ + d·t̄,ξ̄ξ̄/2.
     own: T,
@@ -136,7 +136,7 @@ struct Parameter<T, V> {
     components_bar: [[T; 3]; 3],
     /// −x d and −y d: w along u,xixi and w_bar along u_bar,xixi.
     ///
-    /// The row of a beam's dof has so much of g besides, that of a bar beam's dof of g_bar.
+    /// The row of a dof of the beam also has this multiple of g, that of a dof of the bar beam this multiple of g_bar.
     bend: V,
     bend_bar: V,
 }
@@ -150,7 +150,7 @@ struct Along<T, const L: usize> {
 }
 
 impl<T: Real, const L: usize> Along<T, L> {
-    /// From w and w_bar.
+    /// Computes all four from w and w_bar.
     #[inline(always)]
     fn new<A: Arithmetic<T>, const J: usize, const K: usize>(
         f: A,
@@ -190,7 +190,7 @@ impl<T: Real, V: Copy> Parameter<T, V> {
         let Solution { inverse: [p, q, q_bar], u, u_bar, .. } = frame.solution;
         let half = <T as From<f64>>::from(0.5);
         let Bending { own, own_bar, other, other_bar } = *bending;
-        // The multiples of g and ḡ in w and w̄: those in α, β, ᾱ and β̄.
+        // The multiples of g and ḡ in w and w̄ are those in α, β, ᾱ and β̄.
         let g = f.mul_add(half, f.dot(m, beam.at.t_xi), -(x * own));
         let bar_g_bar = -f.mul_add(half, f.dot(m, bar.at.t_xi), y * own_bar);
         let (g_bar, bar_g) = (x * other, -(y * other_bar));
@@ -232,8 +232,8 @@ impl<T: Real, V: Copy> Parameter<T, V> {
         (along, Along::new(f, frame.solution.inverse, [(n, hat), (n_xi, xi_bar)], w_bar))
     }
 
-    /// Sets rows to those along axis i, where d, u and u_bar have these components; `along_tangent` is what couples u_hat
-    /// and its first derivatives in C and C_bar.
+    /// Sets the rows to those along axis i, for these components of d, u and u_bar. `along_tangent` couples u_hat and
+    /// its first derivatives in C and C_bar.
     #[inline(always)]
     fn set<A: Arithmetic<T, Vector = V>, const L: usize>(
         &self,

@@ -1,4 +1,4 @@
-//! What is asked for of a pair, and where it goes.
+//! The requested quantities of a pair, and the memory for them.
 
 use super::arithmetic::Arithmetic;
 use super::frame::Frame;
@@ -16,7 +16,7 @@ pub(super) trait Request<T: Real, const N: usize, const M: usize> {
     /// Writes them, at the parameters `at`.
     fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, at: (T, T));
 
-    /// Writes what the matrices say they are.
+    /// Writes them from the matrices.
     fn copy(
         &mut self,
         matrices: &Matrices<'_, T, impl DofDerivatives<T, N>, impl DofDerivatives<T, M>, N, M>,
@@ -44,7 +44,7 @@ impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, 
     }
 }
 
-/// Memory for all scalar quantities of a pair but the slips.
+/// Memory for all scalar quantities of a pair except the slips.
 #[derive(Debug)]
 pub struct Targets<'a, W> {
     /// d.
@@ -92,7 +92,7 @@ impl<W> Targets<'_, W> {
     }
 }
 
-/// Memory for all scalar quantities of a pair, and where the slips are measured from.
+/// Memory for all scalar quantities of a pair, and the reference parameters of the slips.
 pub(super) struct WithSlips<'a, 'b, W> {
     pub(super) targets: &'b mut Targets<'a, W>,
     pub(super) slips: [&'b mut W; 2],

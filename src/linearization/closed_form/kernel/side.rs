@@ -1,4 +1,4 @@
-//! One beam at its closest point, as it enters the formulas.
+//! The data of one beam at its closest point that the formulas use.
 
 use super::arithmetic::{Arithmetic, Dofs};
 use crate::curve::{DofDerivatives, Geometry};
@@ -7,7 +7,7 @@ use nalgebra::{SVector, Vector3};
 
 /// The shape functions of a curve and their first two derivatives, each for all the dofs it belongs to.
 ///
-/// Those of order 0 are negative on the bar beam, as they are in delta_u u_hat.
+/// Those of order 0 are negative on the bar beam, as in delta_u u_hat.
 #[derive(Clone, Copy)]
 pub(super) struct Spread<'a, T, const L: usize> {
     pub(super) n: &'a Dofs<T, L>,
@@ -31,14 +31,14 @@ pub(super) struct Side<'a, T, V, const L: usize> {
 }
 
 impl<V: Copy> Point<V> {
-    /// From the shape functions by order.
+    /// Computes the point from the shape functions by order.
     #[inline(always)]
     pub(super) fn new<T: Real, const L: usize>(
         f: impl Arithmetic<T, Vector = V>,
         shapes: Shapes<'_, T>,
         q: &SVector<T, L>,
     ) -> Self {
-        // So long to the compiler too.
+        // The compiler then knows the length too.
         let [n, n_xi, n_xixi, n_xixixi] = shapes.map(
             #[inline(always)]
             |n| &n[..L / 3],
@@ -59,7 +59,7 @@ impl<V: Copy> Point<V> {
         Self { x, t, t_xi, t_xixi }
     }
 
-    /// The same as vectors of three components.
+    /// The same point in vectors of three components.
     #[inline(always)]
     pub(super) fn geometry<T: Real>(&self, f: impl Arithmetic<T, Vector = V>) -> Geometry<T> {
         let [x, t, t_xi, t_xixi] =
@@ -71,14 +71,14 @@ impl<V: Copy> Point<V> {
 /// The shape functions of a curve by order, each for all control vectors.
 pub(super) type Shapes<'a, T> = [&'a [T]; 4];
 
-/// Those of a curve; nothing if it has none.
+/// The shape functions of a curve; nothing if it has none.
 #[inline(always)]
 pub(super) fn shapes<T: Real, const L: usize>(dofs: &impl DofDerivatives<T, L>) -> Option<Shapes<'_, T>> {
     let of = |order| dofs.shapes(order)?.get(..L / 3);
     Some([of(0)?, of(1)?, of(2)?, of(3)?])
 }
 
-/// The first three by order spread over the dofs, those of order 0 times `sign`.
+/// The first three orders, spread over the dofs. Those of order 0 are multiplied by `sign`.
 #[inline(always)]
 pub(super) fn spread<T: Real, const L: usize>(
     f: impl Arithmetic<T>,

@@ -4,7 +4,7 @@ use super::arithmetic::{Arithmetic, Dofs};
 use super::target::Target;
 use crate::number::Real;
 
-/// Writes a slip of so much in the parameter, from the gradients of the parameter and the written parameter and length.
+/// Writes the slip for a difference in the parameter, from its gradients, and from the written parameter and length.
 #[inline(always)]
 pub(super) fn write_slip<T: Real, A: Arithmetic<T>, W: Target<T, N, M>, const N: usize, const M: usize>(
     f: A,

@@ -1,4 +1,4 @@
-//! What depends on the form: the first variations of the parameters, and the distance.
+//! The results that depend on the formulation: the first variations of the parameters, and the distance.
 
 use super::arithmetic::{Arithmetic, ScalarArithmetic, by_axis};
 use super::frame::Products;
@@ -27,7 +27,7 @@ pub(super) struct Distance<T, V> {
 }
 
 impl<T: Real, V: Copy> Solution<T, V> {
-    /// Inside both beams, by the paper's system and along the common normal with this sign to t × t_bar.
+    /// Inside both beams, by the paper's system and along the common normal with this sign relative to t × t_bar.
     #[inline(always)]
     pub(super) fn regular<A: Arithmetic<T, Vector = V>>(
         f: A,
@@ -49,7 +49,7 @@ impl<T: Real, V: Copy> Solution<T, V> {
 }
 
 impl<T: Real> Solution<T, [T; 3]> {
-    /// In any form, one number after the other.
+    /// In any formulation, one number after the other.
     #[cold]
     #[inline(never)]
     pub(super) fn in_formulation(points: &Points<T>, form: Formulation) -> Self {
@@ -80,7 +80,7 @@ impl<T: Real> Solution<T, [T; 3]> {
         Self { inverse, u, u_bar, distance }
     }
 
-    /// The same in other vectors.
+    /// The same solution in other vectors.
     #[inline(always)]
     pub(super) fn into_vectors<A: Arithmetic<T>>(self, f: A) -> Solution<T, A::Vector> {
         let Distance { value, n, k: [x, y, z] } = self.distance;
@@ -101,7 +101,7 @@ fn diagonal<T: Real, A: Arithmetic<T>>(
     (t2 + f.dot(d, beam.t_xi), f.dot(d, bar.t_xi) - t_bar2)
 }
 
-/// p, q and q_bar by the products of the matrix' entries, whatever is held.
+/// p, q and q_bar by products of the matrix entries, for any held parameters.
 fn by_products<T: Real, A: Arithmetic<T>>(
     f: A,
     at: (&Point<A::Vector>, &Point<A::Vector>),
@@ -116,7 +116,7 @@ fn by_products<T: Real, A: Arithmetic<T>>(
             let over_det = one / f.mul_add(a, a_bar, b * b);
             [a_bar * over_det, b * over_det, a * over_det]
         }
-        // An end holds one parameter: the other row alone remains.
+        // One parameter is held at an end, so only the other row remains.
         (true, false) => [zero, zero, one / a_bar],
         (false, true) => [one / a, zero, zero],
         (true, true) => [zero; 3],

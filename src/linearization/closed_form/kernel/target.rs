@@ -1,12 +1,12 @@
-//! Where results are written: the caller's memory, in one of several layouts.
+//! The caller's memory for results, in one of several layouts.
 
 use crate::linearization::Derivatives;
 use crate::number::Real;
 
 /// Memory for a quantity with its derivatives in the `N` dofs of the beam and the `M` dofs of the bar beam.
 ///
-/// A Hessian is written row by row, and of each row as much as its layout holds: some of its first columns that belong
-/// to the beam, and some of its first columns that belong to the bar beam.
+/// A Hessian is written row by row. Of each row, the layout stores some first columns that belong to the beam, and some
+/// first columns that belong to the bar beam.
 pub trait Target<T, const N: usize, const M: usize> {
     /// Whether there is a Hessian.
     const SECOND: bool;
@@ -19,15 +19,15 @@ pub trait Target<T, const N: usize, const M: usize> {
 
     /// The row of the Hessian that belongs to coordinate `i` of the beam's control vector `a`.
     ///
-    /// Its lengths depend on `a` alone. Of a control vector the rows of x, y and z are asked for in this order, again and
-    /// again: what a row is given beyond its own end, in memory of those after it, is written over by these.
+    /// Its lengths depend on `a` alone. The rows x, y and z of a control vector are requested in this order, again and
+    /// again. A row may be written beyond its end, into the memory of later rows, which overwrite these numbers.
     fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
 
     /// The row of the Hessian that belongs to coordinate `i` of the bar beam's control vector `a`.
     fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
 }
 
-/// The blocks of both beams and the one between them.
+/// The blocks of both beams and the block between them.
 impl<T: Real, const N: usize, const M: usize> Target<T, N, M> for Derivatives<T, N, M> {
     const SECOND: bool = true;
 
@@ -41,7 +41,7 @@ impl<T: Real, const N: usize, const M: usize> Target<T, N, M> for Derivatives<T,
         (&mut self.gradient.beam.data.0[0], &mut self.gradient.bar.data.0[0])
     }
 
-    /// The block between the beams is written with the bar beam's rows, as it lies in memory.
+    /// The block between the beams is written with the bar beam's rows, in the order of memory.
     #[inline(always)]
     fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
         (&mut self.hessian.beam.data.0[3 * a + i], &mut [])
@@ -55,11 +55,11 @@ impl<T: Real, const N: usize, const M: usize> Target<T, N, M> for Derivatives<T,
 
 /// The whole Hessian, `S` = N + M rows and columns, beam before bar beam.
 ///
-/// It starts on a cache line, so that the vectors of a machine that write it cross none.
+/// It starts on a cache line, so that no vector store crosses a cache line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Full<T, const S: usize> {
-    /// The Hessian: symmetric but for the rounding of sums in another order.
+    /// The Hessian: symmetric, except for the rounding of sums in another order.
     pub hessian: [[T; S]; S],
     /// The gradient.
     pub gradient: [T; S],
@@ -68,7 +68,7 @@ pub struct Full<T, const S: usize> {
 }
 
 impl<T: Real, const S: usize> Full<T, S> {
-    /// Zeros, to be written over.
+    /// Zeros, to be overwritten.
     pub fn zeros() -> Self {
         Self { hessian: [[T::zero(); S]; S], gradient: [T::zero(); S], value: T::zero() }
     }
@@ -113,7 +113,7 @@ pub struct Packed<T, const S: usize, const H: usize> {
 }
 
 impl<T: Real, const S: usize, const H: usize> Packed<T, S, H> {
-    /// Zeros, to be written over.
+    /// Zeros, to be overwritten.
     pub fn zeros() -> Self {
         Self { hessian: [T::zero(); H], gradient: [T::zero(); S], value: T::zero() }
     }
@@ -124,8 +124,8 @@ impl<T: Real, const S: usize, const H: usize> Packed<T, S, H> {
         self.hessian[i * (i + 1) / 2 + j]
     }
 
-    /// The row of coordinate `i` of control vector `a` of the beam after so many dofs, as far as the diagonal and on to the
-    /// end of the control vector.
+    /// The row of coordinate `i` of control vector `a`, of the beam that starts after `dofs` dofs. It ends with the
+    /// control vector that contains the diagonal.
     #[inline(always)]
     fn row_after(&mut self, dofs: usize, a: usize, i: usize) -> &mut [T] {
         let first = dofs + 3 * a;
@@ -162,7 +162,7 @@ impl<T: Real, const N: usize, const M: usize, const S: usize, const H: usize> Ta
     }
 }
 
-/// The gradient alone: first variations, for those who need no more.
+/// The gradient alone, if only first variations are needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Gradient<T, const S: usize> {
@@ -173,7 +173,7 @@ pub struct Gradient<T, const S: usize> {
 }
 
 impl<T: Real, const S: usize> Gradient<T, S> {
-    /// Zeros, to be written over.
+    /// Zeros, to be overwritten.
     pub fn zeros() -> Self {
         Self { gradient: [T::zero(); S], value: T::zero() }
     }
@@ -242,7 +242,7 @@ pub(super) fn copy<T: Real, const N: usize, const M: usize>(
     fill(from, to, |to, from| *to = from);
 }
 
-/// Copies a quantity into another layout, one number into each by `set`.
+/// Copies a quantity into another layout. `set` writes each number.
 pub(super) fn fill<T: Real, W: Real, const N: usize, const M: usize>(
     from: &Derivatives<T, N, M>,
     to: &mut impl Target<W, N, M>,

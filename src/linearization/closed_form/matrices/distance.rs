@@ -15,7 +15,7 @@ where
     U: DofDerivatives<T, N>,
     V: DofDerivatives<T, M>,
 {
-    /// d (and, but for its value, g_N) with gradient and Hessian.
+    /// d with gradient and Hessian. The gradient and the Hessian are also those of g_N.
     #[doc(alias = "Eq. (57)")]
     #[inline]
     pub fn d(&self) -> Derivatives<T, N, M> {

@@ -27,7 +27,7 @@ pub fn second_distance<T: Real>(
 ) -> T {
     // Eq. (40), (57), from (38) and (39), with Δᵤû where the paper prints Δû, and with the term of Δᵤδᵤû:
     // d Δδd = δᵤû·(t Δξ − t̄ Δξ̄) + d·(δᵤu,ξ Δξ − δᵤū,ξ̄ Δξ̄) + δᵤû·Δᵤû + d·Δᵤδᵤû − δd Δd
-    // As (37) it holds at a held end too, where δξ = 0 takes the place of d·t = 0.
+    // Like (37), it is also valid at a held end, where δξ = 0 replaces d·t = 0.
     let moved = named("Dd|d|: du_hat.t Dxi", beam.geometry.t * linear.beam.xi)
         - named("Dd|d|: du_hat.t_bar Dxi_bar", bar.geometry.t * linear.bar.xi);
     let turned = named("Dd|d|: d.du,xi Dxi", delta.beam.u[1] * linear.beam.xi)

@@ -33,7 +33,7 @@ pub fn second_length<T: Real>(
     first: [T; 2],
     [delta_t, linear_t, second_t]: [&Vector3<T>; 3],
 ) -> T {
-    // Eq. (35), (42), (58) corrected: Δδt = (t·Δδt + Δt·δt − δt Δt)/t, the last of lengths
+    // Eq. (35), (42), (58) corrected: Δδt = (t·Δδt + Δt·δt − δt Δt)/t, where the last term has lengths
     (which.named("Dd|t|: t.Ddt", t.dot(second_t)) + which.named("Dd|t|: Dt.dt", linear_t.dot(delta_t))
         - which.named("Dd|t|: dt Dt", first[0] * first[1]))
         / length

@@ -34,7 +34,7 @@ pub fn delta_xi<T: Real>(
     (xi + named("dxi: u.du_hat", along), xi_bar + named("dxi_bar: u_bar.du_hat", along_bar))
 }
 
-/// (Δδξ, Δδξ̄), from the first variations along delta and Delta, and from what of Δδx and Δδt holds no Δδξ.
+/// (Δδξ, Δδξ̄), from the first variations along delta and Delta, and from the parts of Δδx and Δδt without Δδξ.
 #[inline]
 #[doc(alias = "Eq. (47)")]
 #[doc(alias = "Eq. (53)")]
@@ -47,8 +47,8 @@ pub fn second_xi<T: Real>(
     d: &Vector3<T>,
     projection: &Projection<T>,
 ) -> (T, T) {
-    // Eq. (47), (53), (54): the part of Δδd and Δδt that holds no Δδξ goes to the right-hand side, which the paper never
-    // gives: R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
+    // Eq. (47), (53), (54): the part of Δδd and Δδt without Δδξ goes to the right-hand side, which the paper does not
+    // give: R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
     let rest_d = named("R2: rest of Dd x", *rest_x) - named("R2: rest of Dd x_bar", *rest_x_bar);
     let r = -(named("R2: dd.Dt", delta.d.dot(&linear.beam.t))
         + named("R2: Dd.dt", linear.d.dot(&delta.beam.t)))

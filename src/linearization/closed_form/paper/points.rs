@@ -49,7 +49,7 @@ pub fn delta_d<T: Real>(dx: &Vector3<T>, dx_bar: &Vector3<T>) -> Vector3<T> {
     named("dd: dx", *dx) - named("dd: dx_bar", *dx_bar)
 }
 
-/// Δδx_C less t Δδξ, from the first variations along delta and Delta.
+/// Δδx_C without t Δδξ, from the first variations along delta and Delta.
 #[inline]
 #[doc(alias = "Eq. (27)")]
 #[doc(alias = "Eq. (31)")]
@@ -65,7 +65,7 @@ pub fn second_x_rest<T: Real>(
         + which.named("Dd x: Ddu", beam.second_u[0])
 }
 
-/// Δδt, of the vector, less t,ξ Δδξ, from the first variations along delta and Delta.
+/// Δδt, of the vector, without t,ξ Δδξ, from the first variations along delta and Delta.
 #[inline]
 #[doc(alias = "Eq. (30)")]
 #[doc(alias = "Eq. (32)")]
