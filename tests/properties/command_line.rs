@@ -61,9 +61,15 @@ fn the_help_fits_a_terminal_and_lists_the_exit_codes() {
     for arguments in [&["--help"][..], &["check", "--help"], &["prove", "--help"]] {
         let help = stdout(&run(arguments));
         assert!(help.lines().all(|line| line.chars().count() <= 80), "{help}");
-        for code in
-            ["  0  all", "  1  some", "  2  wrong", "  3  bad", "  4  nothing", "  5  the", " 70  an internal"]
-        {
+        for code in [
+            "  0  all",
+            "  1  some",
+            "  2  wrong",
+            "  3  bad",
+            "  4  nothing",
+            "  5  the",
+            " 70  an internal",
+        ] {
             assert!(help.contains(code), "{code:?} is missing in {help}");
         }
     }
