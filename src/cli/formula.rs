@@ -1,6 +1,6 @@
 //! LaTeX as lines of UTF-8, for a terminal.
 //!
-//! It supports what the equations of the paper need: accents, indices, fractions in a line, matrices, cases, aligned rows.
+//! It supports the syntax of the paper: accents, indices, fractions in a line, matrices, cases and aligned rows.
 
 mod area;
 mod letters;
