@@ -110,7 +110,7 @@ proptest! {
         }
     }
 
-    /// Each lane equals its pair, also in an incomplete batch and at an end of a beam. Pairs beyond the memory are skipped.
+    /// Each lane equals its pair, also in an incomplete batch and at an end. Pairs beyond the memory are skipped.
     #[test]
     fn batches(cases in proptest::collection::vec(contacting(hermite(), hermite()), 1..=6)) {
         equal_in_lanes(&cases);

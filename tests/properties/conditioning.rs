@@ -217,7 +217,7 @@ proptest! {
 }
 
 /// A Hermite beam through a point at distance `d` along the normal from a fixed point, at an angle to a fixed
-/// direction. In its middle the tangent has length `slow`; its rate `change` is given along the beam, across it, along d.
+/// direction. In its middle the tangent has length `slow` and derivative `change` in a frame of the beam.
 fn placed(angle: f64, d: f64, slow: f64, change: [f64; 3]) -> SVector<f64, 12> {
     // The columns (2, 1, 2), (-2, 2, 1), (-1, -2, 2), divided by 3, are orthonormal.
     let frame = Matrix3::from_column_slice(&[2.0, 1.0, 2.0, -2.0, 2.0, 1.0, -1.0, -2.0, 2.0]) / 3.0;

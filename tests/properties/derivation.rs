@@ -11,7 +11,7 @@ fn same(one: &Value, other: &Value, path: &str) {
     match (one, other) {
         (Value::Number(one), Value::Number(other)) => {
             let (one, other) = (one.as_f64().unwrap(), other.as_f64().unwrap());
-            // Rounding errors of zero are small on every machine. Errors of differences at their minimum are rounding errors.
+            // Rounding errors of zero are small on every machine. Differences at their best step have rounding errors.
             let loose = path.contains("differences") || path.contains("floors") || path.contains("residuals");
             let tolerance = if loose { one.abs().max(1e-6) } else { 1e-9 * one.abs().max(1.0) };
             assert!((one - other).abs() <= tolerance, "{path}: {one} is {other}");

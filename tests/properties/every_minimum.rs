@@ -1,4 +1,4 @@
-//! The search finds all minima: compared with brute force on strongly curved pairs, and with itself on transformed pairs.
+//! The search finds all minima. It is tested with brute force on strongly curved pairs, and with transformed pairs.
 
 use crate::centroids::Cubic;
 use beamgap::closest_point::{
