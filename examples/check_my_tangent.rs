@@ -51,7 +51,7 @@ fn tangent(at: &Situation<'_>, forgets_curvature: bool) -> Vec<Answer> {
     let n = d / gap;
     let g = &beam.jacobian - &bar.jacobian;
 
-    // Varying d . t = 0 and d . t_bar = 0 gives two equations for the gradients of xi and xi_bar. Held: xi is constant.
+    // The gradients of xi and xi_bar, from the variations of d . t = 0 and d . t_bar = 0; zero for a held parameter.
     let mut matrix = Matrix2::new(
         beam.t.dot(&beam.t) + d.dot(&beam.t_xi),
         -beam.t.dot(&bar.t),

@@ -3,9 +3,9 @@
 //! `cargo run --example newton`
 //!
 //! Each beam is one cubic Hermite element with linear axial and bending stiffness. Its first node is clamped: point and
-//! tangent are fixed. Its second node is free. The clamp of the upper beam is moved down in steps. A penalty eps g_N²/2 at the
-//! closest point keeps the beams apart. The residual is always exact. In the last step the tangent is exact or has a
-//! missing or a wrong term.
+//! tangent are fixed. Its second node is free. The clamp of the upper beam is moved down in steps. A penalty eps g_N²/2
+//! at the closest point keeps the beams apart. The residual is always exact. In the last step the tangent is exact, or
+//! it has a missing or a wrong term.
 
 use beamgap::teaching::{Problem, Tangent};
 
