@@ -1,4 +1,4 @@
-//! Shell completions and manual pages of the command line.
+//! Shell completions, and manual pages for `man`.
 
 use super::exit::Exit;
 use super::output::to_stdout;
