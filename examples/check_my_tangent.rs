@@ -1,4 +1,4 @@
-//! A tangent derived by hand, through the gate: first as it is, then with a term forgotten.
+//! The check of a tangent derived by hand: first the correct tangent, then the tangent with a missing term.
 //!
 //! `cargo run --release --example check_my_tangent`
 
@@ -16,7 +16,7 @@ struct Beam {
 }
 
 impl Beam {
-    /// `first` is the first of the beam's dofs among the `dofs` of the pair.
+    /// `first` is the index of the beam's first dof among the `dofs` of the pair.
     fn new(q: &[f64], xi: f64, first: usize, dofs: usize) -> Self {
         let shapes = [
             [(2.0 - 3.0 * xi + xi.powi(3)) / 4.0, (3.0 * xi * xi - 3.0) / 4.0, 1.5 * xi],
@@ -51,7 +51,7 @@ fn tangent(at: &Situation<'_>, forgets_curvature: bool) -> Vec<Answer> {
     let n = d / gap;
     let g = &beam.jacobian - &bar.jacobian;
 
-    // d . t = 0 and d . t_bar = 0, varied: two equations for the gradients of xi and xi_bar; an end holds its parameter.
+    // The gradients of xi and xi_bar, from the variations of d . t = 0 and d . t_bar = 0; zero for a held parameter.
     let mut matrix = Matrix2::new(
         beam.t.dot(&beam.t) + d.dot(&beam.t_xi),
         -beam.t.dot(&bar.t),
@@ -72,7 +72,7 @@ fn tangent(at: &Situation<'_>, forgets_curvature: bool) -> Vec<Answer> {
     let xi: DVector<f64> = &right[0] * inverse[(0, 0)] + &right[1] * inverse[(0, 1)];
     let xi_bar: DVector<f64> = &right[0] * inverse[(1, 0)] + &right[1] * inverse[(1, 1)];
 
-    // The Hessian: (I - nn')/d along the whole change of d, and n . Delta-delta d.
+    // The Hessian: (I - nn')/d contracted with the total change of d, plus n . Delta-delta d.
     let change = &g + beam.t * xi.transpose() - bar.t * xi_bar.transpose();
     let across = &change - n * change.tr_mul(&n).transpose();
     let mut hessian: DMatrix<f64> = change.tr_mul(&across) / gap;

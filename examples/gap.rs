@@ -1,4 +1,4 @@
-//! The gap of two cubic Hermite beams, with its derivatives in all dofs.
+//! The gap of two cubic Hermite beams, with its derivatives with respect to all dofs.
 //!
 //! `cargo run --example gap`
 
@@ -9,7 +9,7 @@ use beamgap::pair::{Contact, Pair};
 fn main() -> Result<(), ProjectionError> {
     let contact = Contact { radius: 0.1, radius_bar: 0.1, ..Contact::default() };
     let pair = Pair::new(Hermite::new(), Hermite::new()).with_contact(contact);
-    // Point, tangent, point, tangent; the parameter runs from -1 to 1.
+    // The dofs are point, tangent, point, tangent. The parameter runs from -1 to 1.
     let beam = [-1.0, 0.0, 0.0, 1.0, 0.2, 0.0, 1.0, 0.0, 0.0, 1.0, -0.2, 0.0];
     let bar = [0.0, -1.0, 0.15, 0.0, 1.0, -0.1, 0.0, 1.0, 0.15, 0.0, 1.0, 0.1];
     let q = (beam, bar).into();
@@ -20,7 +20,7 @@ fn main() -> Result<(), ProjectionError> {
     println!("closest at xi = {:.6}, xi_bar = {:.6}", point.xi, point.xi_bar);
     println!("g_N = {:.6}: the beams {}", gap.value, if gap.value < 0.0 { "overlap" } else { "are apart" });
 
-    // A penalty eps g_N^2/2: force and tangent stiffness, as a finite element code assembles them.
+    // A penalty eps g_N^2/2 gives the force and the tangent stiffness that a finite element code assembles.
     let eps = 1e4;
     let force = gap.gradient.times(eps * gap.value);
     let stiffness =

@@ -1,11 +1,11 @@
-//! Why the tangent has to be exact: two elastic beams, pushed against each other, by Newton's method.
+//! Newton's method for two elastic beams in contact needs the exact tangent.
 //!
 //! `cargo run --example newton`
 //!
 //! Each beam is one cubic Hermite element with linear axial and bending stiffness. Its first node is clamped: point and
-//! tangent are fixed. Its second node is free. The clamp of the upper beam is moved down in steps. A penalty eps g_N²/2 at the
-//! closest point keeps the beams apart. The residual is always the right one; the tangent of the last step has something
-//! missing or wrong.
+//! tangent are fixed. Its second node is free. The clamp of the upper beam is moved down in steps. A penalty eps g_N²/2
+//! at the closest point keeps the beams apart. The residual is always exact. In the last step the tangent is exact, or
+//! it has a missing or a wrong term.
 
 use beamgap::teaching::{Problem, Tangent};
 

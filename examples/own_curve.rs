@@ -1,4 +1,4 @@
-//! A curve of one's own: a quartic with five control points, through the gate.
+//! The check of a user-defined curve: a quartic with five control points.
 //!
 //! `cargo run --release --example own_curve`
 
@@ -28,7 +28,7 @@ fn power<T: Real>(x: T, n: u32) -> [T; 4] {
 impl Curve<15> for Quartic {
     type Dofs<T: Real> = Shapes<T, 5>;
 
-    /// By repeated interpolation, without the shape functions: each checks the other.
+    /// Computed by repeated interpolation, without the shape functions, so that each method verifies the other.
     fn position<T: Real>(&self, q: &SVector<T, 15>, xi: T) -> Vector3<T> {
         let u = (T::one() + xi) * T::from(0.5);
         let mut points: [Vector3<T>; 5] = std::array::from_fn(|i| q.fixed_rows::<3>(3 * i).into_owned());
@@ -57,7 +57,7 @@ impl Curve<15> for Quartic {
         Shapes::jet(std::array::from_fn(|k| std::array::from_fn(|i| shapes[i][k] * T::from(BINOMIAL[i]))), q)
     }
 
-    /// The third derivative is linear in xi: at most what it is at the ends.
+    /// The third derivative is linear in xi, so its maximum is at an end.
     fn third_derivative_bound(&self, q: &SVector<f64, 15>) -> f64 {
         [-1.0, 1.0].map(|xi| self.jet(q, xi).geometry.t_xixi.norm()).into_iter().fold(0.0, f64::max)
     }

@@ -1,4 +1,4 @@
-//! Arguments in, exit code out; each subcommand is a module.
+//! The command line: arguments as input, an exit code as output. Each subcommand is a module.
 
 mod accuracy;
 mod adapter;
@@ -88,17 +88,17 @@ enum Command {
     Man(shell::ManPage),
 }
 
-/// Does what the arguments of the process say.
+/// Runs the command given by the arguments of the process.
 ///
 /// # Errors
-/// Wrong arguments, files that cannot be written, and panics.
+/// Invalid arguments, files that cannot be written, and panics.
 pub(crate) fn run() -> anyhow::Result<Exit> {
     let command = config::configured(Arguments::command())?;
     let parsed = command.clone().try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
     let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(asked) if !asked.use_stderr() => {
-            // Help or version: a closed pipe is no error.
+            // For help and version, a closed pipe is not an error.
             let _ = asked.print();
             return Ok(Exit::Agree);
         }
@@ -130,7 +130,7 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
     })
 }
 
-/// Says in one line on stderr what went wrong.
+/// Prints the error on stderr, in one line.
 pub(crate) fn tell(error: &anyhow::Error) -> Exit {
     let (line, exit) = if let Some(wrong) = error.downcast_ref::<clap::Error>() {
         (one_line(&wrong.render().to_string()), Exit::Usage)

@@ -1,6 +1,6 @@
-//! How many instructions the main scenarios take, counted by callgrind, and whether they are more than recorded.
+//! Counts the instructions of the main scenarios with callgrind, and compares the counts with the record.
 //!
-//! The program runs itself under valgrind, which writes one file each time [`counted`] is left.
+//! The program runs itself under valgrind, which writes one file at each exit from [`counted`].
 
 use crate::scenario::{self, Runner, Scenario};
 use beamgap::report::{Count, Difference, Instructions, Record, Task};
@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs};
 
-/// Where the counts are recorded.
+/// The file of the recorded counts.
 const RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../reports/instructions.json");
-/// The argument by which the program knows that it is the one that is counted.
+/// The argument of the process whose instructions are counted.
 const COUNTED: &str = "--counted";
 
-/// Counts, shows, and does what else is asked for, if anything of this is.
+/// Counts, prints the counts, and checks or writes the record, if an argument requests this.
 pub(crate) fn main() -> Option<ExitCode> {
     let is_given = |flag: &str| env::args().any(|argument| argument == flag);
     if is_given(COUNTED) {
@@ -37,10 +37,10 @@ pub(crate) fn main() -> Option<ExitCode> {
     Some(if check { self::check(&now) } else { ExitCode::SUCCESS })
 }
 
-/// What is counted: every closed form and search, and the fastest methods of automatic differentiation.
+/// The counted scenarios: every closed form and search, and the fastest methods of automatic differentiation.
 fn main_scenarios() -> Vec<Scenario> {
     let is_main = |scenario: &Scenario| match scenario.task {
-        // What several threads do is not the same each time.
+        // The counts of several threads differ from run to run.
         Task::DistanceOfMany | Task::AllOfMany => false,
         Task::ClosestPoint => true,
         _ => scenario.method.contains("closed form") || scenario.method.contains("by orders"),
@@ -48,20 +48,20 @@ fn main_scenarios() -> Vec<Scenario> {
     scenario::all().into_iter().filter(is_main).collect()
 }
 
-/// A first run finds what a second finds in place.
+/// The first run does the initialization, the second run is counted.
 fn run(scenario: &Scenario) {
     let mut runner = scenario.runner();
     runner();
     counted(&mut runner);
 }
 
-/// What valgrind counts in.
+/// The function whose instructions valgrind counts.
 #[inline(never)]
 fn counted(runner: &mut Runner) {
     runner();
 }
 
-/// Counts all main scenarios, if valgrind is there.
+/// Counts all main scenarios, if valgrind is installed.
 fn count() -> Option<Instructions> {
     Command::new("valgrind").arg("--version").stdout(Stdio::null()).status().ok()?;
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("counts");
@@ -96,7 +96,7 @@ fn count() -> Option<Instructions> {
     })
 }
 
-/// The architecture, and what of it is chosen at run time.
+/// The architecture, and the instruction sets that are chosen at run time.
 fn target() -> String {
     #[cfg(target_arch = "x86_64")]
     let chosen = if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
@@ -109,14 +109,14 @@ fn target() -> String {
     format!("{}{chosen}", env::consts::ARCH)
 }
 
-/// The total of a file of callgrind.
+/// The total count in a file of callgrind.
 fn total(file: &PathBuf) -> u64 {
     let text = fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
     let line = |name: &str| text.lines().find_map(|line| line.strip_prefix(name)?.trim().parse().ok());
     line("summary:").or_else(|| line("totals:")).expect("callgrind writes a total")
 }
 
-/// Compares with the record.
+/// Compares the counts with the record.
 fn check(now: &Instructions) -> ExitCode {
     let record = Instructions::from_json(&fs::read_to_string(RECORD).expect("there is a record"));
     let record = record.expect("the record is one");

@@ -1,10 +1,10 @@
-//! How long the linearization takes, by method, by size and by task; every method is judged before any is timed.
+//! The time of the linearization, by method, by size and by task. Every method is verified before any is timed.
 //!
 //! ```console
 //! $ cargo bench                                                 # times, for `beamgap report`
-//! $ cargo bench --bench linearization -- --count                # counts instructions instead, and shows them
+//! counts instructions instead, and prints them
 //! $ cargo bench --bench linearization -- --check-counts         # fails if a count has grown by more than 3 %
-//! $ cargo bench --bench linearization -- --write-counts         # makes the counts the record
+//! writes the counts as the record
 //! ```
 
 mod counts;
@@ -50,13 +50,13 @@ fn linearization(criterion: &mut Criterion) {
 
 const WRITABLE: &str = "criterion's directory can be written to";
 
-/// Whether something is going to be timed.
+/// Whether the run measures times.
 fn is_timing() -> bool {
     let is_given = |flag: &str| std::env::args().any(|argument| argument == flag);
     is_given("--bench") && !is_given("--test") && !is_given("--list")
 }
 
-/// The verdicts, all of which must be good.
+/// The verdicts. A wrong result is an error.
 fn judged(scenarios: &[Scenario]) -> Vec<Verdict> {
     let judged: Vec<_> = scenarios.par_iter().map(Scenario::verdict).collect();
     for (scenario, verdict) in scenarios.iter().zip(&judged) {
@@ -76,7 +76,7 @@ criterion_group! {
 }
 
 fn main() -> ExitCode {
-    // Where criterion's files are looked for.
+    // The directory relative to which criterion's files are read.
     std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).expect("the workspace is there");
     counts::main().unwrap_or_else(|| {
         benches();

@@ -1,4 +1,4 @@
-//! Two kernels that show what a core's arithmetic and its stores can do.
+//! Two kernels that measure the peak rates of a core: of its arithmetic and of its stores.
 
 use crate::rounds::Timed;
 use crate::scenario::Runner;
@@ -7,23 +7,23 @@ use fearless_simd::{Level, Simd, f64x4, prelude::*, x86::Avx2};
 use std::hint::black_box;
 use std::time::Duration;
 
-/// Chains of multiply-adds that do not wait for each other: enough for two units of five clocks each.
+/// The number of independent chains of multiply-adds: enough for two units with a latency of five cycles each.
 const CHAINS: usize = 12;
 /// The length of a chain.
 const LENGTH: usize = 64;
-/// The numbers that are stored: a Hessian of 24 dofs.
+/// The number of stored numbers: a Hessian of 24 dofs.
 const NUMBERS: usize = 24 * 24;
 
-/// Both in rounds of this length, for one multiply-add and for one byte stored.
+/// Both kernels in rounds of this length. The times are those of one multiply-add and of one stored byte.
 pub(crate) fn roofline(round: Duration) -> [Timed; 2] {
     let [chains, stores] = kernels();
     [Timed::new(chains, CHAINS * LENGTH * 4, round), Timed::new(stores, NUMBERS * size_of::<f64>(), round)]
 }
 
-/// How often a thread runs its chains before it ends: longer than a round, so that starting it does not show.
+/// The number of runs of the chains in a thread. They take longer than a round, so the start of a thread is negligible.
 const RUNS: usize = 1 << 19;
 
-/// Multiply-adds alone by so many threads, in rounds of this length, for one of them.
+/// Multiply-adds alone on several threads, in rounds of this length. The time is that of one multiply-add.
 pub(crate) fn multiply_adds_by(threads: usize, round: Duration) -> Timed {
     let run = || {
         let [mut chains, _] = kernels();
@@ -40,7 +40,7 @@ pub(crate) fn multiply_adds_by(threads: usize, round: Duration) -> Timed {
     Timed::new(Box::new(by_all), threads * RUNS * CHAINS * LENGTH * 4, round)
 }
 
-/// Multiply-adds, and stores, as fast as this machine can.
+/// The multiply-adds and the stores, with the vector instructions of this machine.
 fn kernels() -> [Runner; 2] {
     let mut numbers = Numbers([0.0; NUMBERS]);
     #[cfg(target_arch = "x86_64")]
@@ -76,7 +76,7 @@ fn chains_by_four(avx2: Avx2) {
     black_box(sum[0] + sum[1] + sum[2] + sum[3]);
 }
 
-/// The same without vector instructions of its own.
+/// The multiply-adds without explicit vector instructions.
 fn chains() {
     let [factor, term] = black_box([0.999, 0.001]);
     let mut sums = [[term; 4]; CHAINS];
@@ -88,7 +88,7 @@ fn chains() {
     black_box(sums);
 }
 
-/// On a cache line, as results are: a vector that is stored across two lines takes twice as long.
+/// Aligned to a cache line, like the results. A vector store across two lines takes twice as long.
 #[repr(align(64))]
 struct Numbers([f64; NUMBERS]);
 

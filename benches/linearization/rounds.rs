@@ -1,22 +1,22 @@
-//! Interleaved rounds of a method and of what it is compared with.
+//! Interleaved rounds of a method and of its references.
 
 use crate::roofline::{multiply_adds_by, roofline};
 use crate::scenario::{Runner, Scenario};
 use beamgap::report::{CLOSED_FORM, Rounds};
 use std::time::{Duration, Instant};
 
-/// How many rounds there are with the roofline, and with one thread.
+/// The number of rounds with the roofline, and with one thread.
 const MANY: usize = 101;
-/// The same with the closed form, which nearly all methods have: their samples are most of the record.
+/// The number of rounds with the closed form. Nearly all methods have these rounds, so they are most of the record.
 const FEW: usize = 41;
-/// How long a round is at least.
+/// The minimum time of a round.
 const SHORT: Duration = Duration::from_micros(100);
-/// The same with threads, which a system may leave on one core for some milliseconds after they wake.
+/// The minimum time of a round with threads. After waking, threads may share one core for some milliseconds.
 const LONG: Duration = Duration::from_millis(50);
 
-/// The rounds of a scenario of the group: with the closed form if there is one and this is another method, or with the
-/// closed form one by one if this is four at once; with the roofline if its arithmetic is counted; with one thread if it has
-/// two.
+/// The rounds of a scenario of the group. The closed form is a reference if it is another method of the group. For four
+/// pairs at once it is the closed form one by one. The roofline is a reference if the arithmetic is counted. One thread
+/// is a reference for two threads.
 pub(crate) fn rounds(scenario: &Scenario, group: &[Scenario]) -> Vec<Rounds> {
     let timed = |scenario: &Scenario, round| Timed::new(scenario.runner(), scenario.pairs, round);
     let find =
@@ -45,7 +45,7 @@ fn in_rounds<const K: usize>(rounds: usize, mut methods: [Timed; K]) -> Vec<[f64
     (0..rounds).map(|_| methods.each_mut().map(Timed::round)).collect()
 }
 
-/// What does so much in a run, run so many times a round.
+/// A run with a known amount of work, repeated several times in a round.
 pub(crate) struct Timed {
     run: Runner,
     amount: usize,
@@ -53,7 +53,7 @@ pub(crate) struct Timed {
 }
 
 impl Timed {
-    /// With as many runs as fill a round.
+    /// Chooses the number of runs so that they fill a round.
     pub(crate) fn new(run: Runner, amount: usize, round: Duration) -> Self {
         let mut timed = Self { run, amount, runs: 1 };
         while timed.elapsed() < round {
@@ -70,7 +70,7 @@ impl Timed {
         start.elapsed()
     }
 
-    /// The nanoseconds of one of what it does.
+    /// The time of a unit of work in nanoseconds.
     #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
     fn round(&mut self) -> f64 {
         self.elapsed().as_nanos() as f64 / f64::from(self.runs) / self.amount as f64

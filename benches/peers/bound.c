@@ -1,12 +1,12 @@
-/* What the row form cannot be faster than on this machine: the products of its rows and the stores of its result, alone.
+/* A lower bound on the time of the row form on this machine: the products of its rows and the stores of its result.
  *
  * A row of d is two products of four numbers a vector, a row of xi or xi_bar three, one of t or t_bar two to four (eight
- * over the three blocks). Of 36 + 36 + 36 vectors above the diagonal that is 216 products in task A, 1440 in task B; stored
- * are 144 vectors a quantity in full, 108 in the upper layout. Latency, and all that leads to the rows, is left out. */
+ * over the three blocks). Of 36 + 36 + 36 vectors above the diagonal task A has 216 products and task B 1440. The stores
+ * are 144 vectors a quantity in full, 108 in the upper layout. Latency and the work before the rows are not counted. */
 #include "peer.h"
 #include <immintrin.h>
 
-/* The registers by name: left to itself the compiler would keep the sums in memory. */
+/* The registers are named, because the compiler would otherwise keep the sums in memory. */
 #define P(i) __asm__ volatile("vfmadd231pd %%ymm15, %%ymm15, %%ymm" #i ::: "ymm" #i);
 #define Z(i) __asm__ volatile("vxorpd %%ymm" #i ", %%ymm" #i ", %%ymm" #i ::: "ymm" #i);
 #define S __asm__ volatile("vmovupd %%ymm14, %0" : "=m"(*(__m256d *)to)); to += 4;

@@ -1,4 +1,4 @@
-"""All that is compared, and where each candidate's result lies."""
+"""All candidates, and the layout of the result of each."""
 
 import collections
 import ctypes
@@ -15,7 +15,7 @@ FULL, UPPER, HALF = 608, 464, 332
 TRIANGLE = np.triu_indices(24)
 QUANTITIES = {"A": 1, "B": 5}
 TASK = {"A": "d", "B": "all"}
-# A candidate that is off by more than this, relative to the largest entry, is no peer.
+# A candidate with a larger error than this, relative to the largest entry, is rejected.
 EXACT, DIFFERENCES = 1e-9, 1e-2
 
 Candidate = collections.namedtuple("Candidate", "task method version how layout note function read together tolerance")
@@ -109,7 +109,7 @@ def candidates(workshop, crate, root, debian, dofs):
 
     workshop.left_out.append({"method": "CppAD", "reason": "Debian 12 has no package of it"})
 
-    # The crate's own automatic differentiation, and differences.
+    # Automatic differentiation and differences of this crate.
     num_dual = re.search(r'name = "num-dual"\nversion = "(.*)"', (here / "Cargo.lock").read_text())[1]
     swept = f"num-dual {num_dual}, hyper-dual sweep"
     ours(f"{swept}, chord", rust + "; A one chord step, B two", "chord")
@@ -120,7 +120,7 @@ def candidates(workshop, crate, root, debian, dofs):
     ours("central differences of gradients, 48 closest points", rust, "gradients", tolerance=DIFFERENCES)
     ours("central differences of values, 1153 closest points", rust, "values", tolerance=DIFFERENCES)
 
-    # What the row form cannot be faster than.
+    # Lower bounds on the time of the row form.
     bound = workshop.compiled("lower bound", here / "bound.c", "bound")
     note = "the rows' products and stores alone; computes nothing"
     for task, layout in itertools.product("AB" if bound else "", ["full", "upper"]):
@@ -138,7 +138,7 @@ def candidates(workshop, crate, root, debian, dofs):
 
 
 def blocks(raw, candidate):
-    """What a candidate wrote, one array a pair and quantity in the full layout."""
+    """The result of a candidate: one array for each pair and quantity, in the full layout."""
     count = QUANTITIES[candidate.task]
     if candidate.read:
         full = np.zeros((candidate.together, 5, FULL))

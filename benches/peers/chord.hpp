@@ -1,5 +1,5 @@
-// The two tasks in any scalar that differentiates itself: positions and tangents from their definitions, the closest point
-// lifted by chord steps, Newton's method with the matrix of the real numbers. Each step makes one order of derivatives
+// The two tasks in any scalar of automatic differentiation: positions and tangents from their definitions, the closest point
+// by chord steps: Newton's method with the matrix of the real numbers. Each step makes one order of derivatives
 // exact; d is stationary in the closest point and needs one step less.
 #pragma once
 #include <cmath>

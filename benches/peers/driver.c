@@ -1,5 +1,5 @@
-/* The clock: calls a method on pair after pair. The result goes to the same memory each time, so it stays in the cache. Time
- * is the processor's, so that what else runs on the machine is left out. */
+/* Measures the time of a method on one pair after another. The results share one buffer, which stays in the cache.
+ * The time is that of the processor, so that other programs on the machine are not counted. */
 #define _POSIX_C_SOURCE 199309L
 #include <stddef.h>
 #include <time.h>
@@ -27,7 +27,7 @@ double run(method *f, const double *first, size_t stride, size_t count, double *
     return now() - start;
 }
 
-/* The same, `together` of at most 64 at a time; `count` is a multiple of it. */
+/* The same, with `together` pairs at a time, at most 64; `count` is a multiple of `together`. */
 double run_together(method_of_many *f, size_t together, const double *first, size_t stride, size_t count, double *out) {
     const double start = now();
     for (size_t i = 0; i < count; i += together) {

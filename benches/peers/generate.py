@@ -1,4 +1,4 @@
-"""C code for the two tasks by CasADi and by SymPy: one file a task, of one function."""
+"""Generates C code for the two tasks by CasADi and by SymPy: one file with one function for each task."""
 
 import pathlib
 import sys
@@ -13,10 +13,10 @@ def curve(q, xi):
 
 
 def casadi(to, implicit):
-    """By the envelope theorem, d's Hessian needs first derivatives of xi only; `implicit` takes d as any other quantity.
+    """By the envelope theorem, d's Hessian needs first derivatives of xi only; `implicit` treats d like any other quantity.
 
-    xi and xi_bar: y(q) with R(q, y) = 0, R = (d.t, d.t_bar). All derivatives of explicit functions are CasADi's, here only
-    put together; symmetric matrices are computed above the diagonal.
+    xi and xi_bar: y(q) with R(q, y) = 0, R = (d.t, d.t_bar). All derivatives of explicit functions are from CasADi. Here
+    they are combined. Symmetric matrices are computed above the diagonal.
     """
     import casadi as ca
 
@@ -37,7 +37,7 @@ def casadi(to, implicit):
     Y = -inverse @ ca.jacobian(ca.vertcat(*residuals), q)
 
     def second(f, fixed):
-        """The second derivative of f(q, y(q)) but for that of y."""
+        """The second derivative of f(q, y(q)), without the term of the second derivative of y."""
         _, _, qq, qy, yy = fixed
         with_y = (qy + Y.T @ yy / 2) @ Y
         return qq + with_y + with_y.T
@@ -66,7 +66,7 @@ def casadi(to, implicit):
 
 
 def sympy(to):
-    """The same by SymPy: partial derivatives by diff, then what they are put together to, each with common subexpressions."""
+    """The same by SymPy: partial derivatives by diff, then their combinations, each with common subexpressions."""
     import sympy as sp
 
     q, (xi, xib) = sp.symbols("q:24"), sp.symbols("xi xib")
@@ -77,7 +77,7 @@ def sympy(to):
     code, named = [], {}
 
     def name(prefix, expression):
-        """A symbol for a partial derivative, or the number it is."""
+        """A symbol for a partial derivative, or its number if it is constant."""
         if expression.is_number:
             return expression
         symbol = sp.Symbol(f"{prefix}_{len(named)}")
@@ -100,7 +100,7 @@ def sympy(to):
         body = [f"    const double {s} = {print_c(e)};" for s, e in shared]
         return body + [f"    {target} = {print_c(e)};" for (target, _), e in zip(assignments, reduced)]
 
-    # Half the squares: their derivatives are polynomials, those of the lengths follow.
+    # Half the squares have polynomial derivatives. The derivatives of the lengths follow from them.
     half_squared = [parts(dot(v, v) / 2, n) for v, n in [(d, "d"), (t, "t"), (t_bar, "u")]]
     residuals = [parts(dot(d, t), "r"), parts(dot(d, t_bar), "s")]
     inverse, length = sp.symbols("i:4"), sp.symbols("l:3")
@@ -142,7 +142,7 @@ def sympy(to):
     of_d = write(block(0, length[0], n, lambda i, j: (h[i][j] + h[i][24] * Y[0][j] + h[i][25] * Y[1][j] - n[i] * n[j]) / length[0]), "a")
     task_d = common + of_d
     task_all = task_d[:]
-    # R's second derivatives go to P, then to both parameters.
+    # R's second derivatives are stored in P, then combined to those of both parameters.
     declared = []
     for k, r in enumerate(residuals):
         names = {(i, j): sp.Symbol(f"{'PS'[k]}{i}_{j}") for i, j in UPPER}

@@ -1,4 +1,4 @@
-"""JAX: derivatives of explicit functions by AD, put together by the implicit function theorem, over all pairs at once."""
+"""JAX: derivatives of explicit functions by AD, combined by the implicit function theorem, for all pairs at once."""
 
 import time
 
@@ -60,7 +60,7 @@ def task_all(z):
 
 
 class Task:
-    """One task, as a candidate that is timed: called with a number of pairs, it gives the nanoseconds that all of them took."""
+    """One task as a timed candidate: called with a number of pairs, it returns the time of all of them in nanoseconds."""
 
     def __init__(self, task, pairs, count=200):
         self.pairs = jnp.asarray(pairs[:count])

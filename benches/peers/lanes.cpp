@@ -1,4 +1,4 @@
-// The closed form by hand for four pairs at once, one in each lane: numbers where reference.cpp has columns. Of every
+// The closed form by hand for four pairs at once, one in each lane. Numbers replace the columns of reference.cpp. Of every
 // Hessian the half above the diagonal is computed and stored.
 //
 // A block, in numbers of four lanes, PEER_HALF of them: 0 value, 8 gradient[24], 32 hessian, row i from column i on.
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int PEER_HALF = 332;
 
-/// Four numbers, one a pair.
+/// Four numbers, one for each pair.
 using V = __m256d;
 
 inline V all(double x) { return _mm256_set1_pd(x); }
@@ -60,7 +60,7 @@ inline void spread(V *to, const Curve &x, const Curve &y, Vector w, Vector w_bea
         }
 }
 
-/// What all quantities share.
+/// Common terms of all quantities.
 struct First {
     Curve x, y;
     Vector d, n, u, v;

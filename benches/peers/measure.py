@@ -1,4 +1,4 @@
-"""Checks what the candidates compute and times them in interleaved rounds."""
+"""Verifies the results of the candidates and times the candidates in interleaved rounds."""
 
 import ctypes
 import dataclasses
@@ -7,9 +7,9 @@ import random
 import numpy as np
 from candidates import FULL, QUANTITIES, Candidate, blocks
 
-# What a round spends on a candidate, in nanoseconds, and what a check does.
+# The time of a candidate in a round and in a check, in nanoseconds.
 ROUND, CHECK = 3e5, 2e8
-# The fewest pairs that the reference is timed on.
+# The minimum number of pairs for the time of the reference.
 FEWEST = 200
 
 
@@ -23,7 +23,7 @@ def off(got, right):
 
 
 class Pairs:
-    """The pairs, drawn and kept by the crate: as they are drawn, all at the gap of number `which`, or each at any of the gaps."""
+    """The pairs, stored by the crate: with the drawn gaps, all at the gap with index `which`, or each at a random gap."""
 
     def __init__(self, crate, driver, seed, count, gaps=(), which=None):
         stride, gaps = ctypes.c_size_t(), np.array(gaps, np.float64)
@@ -52,7 +52,7 @@ class Pairs:
         return ns / count
 
     def right(self, i):
-        """What is right for a pair, in the full layout."""
+        """The exact result for a pair, in the full layout."""
         if i not in self.known:
             self.known[i] = np.zeros((5, FULL))
             at = self.first + self.stride * i
@@ -66,7 +66,7 @@ class Pairs:
 
 
 def check(candidate, pairs):
-    """The worst error over as many pairs as there is time for, and nanoseconds a pair."""
+    """The worst error over the pairs that fit in the time of a check, and nanoseconds a pair."""
     step, worst, first, spent, count = candidate.together, 0.0, 0, 0.0, QUANTITIES[candidate.task]
     if callable(candidate.function):
         spent = candidate.function(pairs.count)
@@ -83,9 +83,9 @@ def check(candidate, pairs):
 
 
 def timed_warm(pairs, candidate, first, count):
-    """Nanoseconds a pair, after the same untimed unless that takes long.
+    """Nanoseconds a pair, after an untimed run of the same pairs unless it takes long.
 
-    A processor's time without what the host takes from it has been seen to stand still: then again."""
+    The clock of the processor sometimes does not advance on a virtual machine; the run is then repeated."""
     if count > 8 and not callable(candidate.function):
         pairs.run(candidate, first, count)
     for _ in range(100):
@@ -96,7 +96,7 @@ def timed_warm(pairs, candidate, first, count):
 
 @dataclasses.dataclass
 class Timed:
-    """A candidate on some pairs, how many of them a round takes, and its times and its ratios to the reference, round by round."""
+    """A candidate on some pairs, the number of pairs in a round, and its times and ratios to the reference."""
 
     candidate: Candidate
     pairs: Pairs
@@ -107,7 +107,7 @@ class Timed:
     ratios: list = dataclasses.field(default_factory=list)
 
     def round(self, number):
-        """One round: the reference, on as many pairs as take a while, and right after it the candidate; both in warm caches."""
+        """One round: the reference on a sufficient number of pairs, then the candidate; both with warm caches."""
         first = (number * self.count) % (self.pairs.count - self.count + 1)
         fewest = min(max(self.count, FEWEST), self.pairs.count)
         reference = timed_warm(self.pairs, self.reference, min(first, self.pairs.count - fewest), fewest)
@@ -126,7 +126,7 @@ class Timed:
 
 
 def checked(candidate, pairs, reference, left_out, where=""):
-    """A candidate that is to be timed, or nothing if it is wrong; `where` says which pairs."""
+    """A candidate for timing, or nothing if its result is wrong; `where` names the pairs."""
     error, cost = check(candidate, pairs)
     print(f"{candidate.task} {candidate.method}, {candidate.layout}{where}: off by {error:.1e}, about {cost:.0f} ns", flush=True)
     if candidate.tolerance is not None and not error <= candidate.tolerance:
@@ -139,7 +139,7 @@ def checked(candidate, pairs, reference, left_out, where=""):
 
 
 def time_in_rounds(timed, rounds, seed):
-    """Every round times all, in another order each time."""
+    """Times all candidates in every round, in a different order each time."""
     order = random.Random(seed)
     for number in range(rounds):
         for one in order.sample(timed, len(timed)):

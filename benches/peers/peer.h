@@ -1,8 +1,8 @@
-/* What every C and C++ peer provides: the linearization of two cubic Hermite curves at a given closest point.
+/* The interface of every C and C++ peer: the linearization of two cubic Hermite curves at a given closest point.
  *
  * q      24 dofs: beam x1, t1, x2, t2, then bar beam x1, t1, x2, t2; dx/dxi = t at the nodes
  * xi     parameter of the closest point on the beam, xib on the bar beam; interior
- * out    one block a quantity: d in task A; d, xi, xi_bar, t, t_bar in task B
+ * out    one block for each quantity: d in task A; d, xi, xi_bar, t, t_bar in task B
  *
  * A block, in doubles; hessians are row-major, all rows are written in full:
  *
@@ -11,7 +11,7 @@
  *                                                                                            stride PEER_UPPER = 464
  *
  * The rows of mixed are dofs of the beam, its columns dofs of the bar beam. Numbers 1 to 7 of a block are padding and
- * are not written. Any alignment is right, 64 bytes is fastest. */
+ * are not written. Any alignment is valid, 64 bytes is the fastest. */
 #ifndef BEAMGAP_PEER_H
 #define BEAMGAP_PEER_H
 

@@ -1,9 +1,9 @@
-// The yardstick: the closed form for two cubic Hermite curves by hand, for AVX2 and FMA. See peer.h for the interface.
+// The reference: the closed form for two cubic Hermite curves by hand, for AVX2 and FMA. See peer.h for the interface.
 //
 // Every derivative of a curve in its dofs is a shape value times a unit vector, so a row of a Hessian is
 //     row(a, i) = s_a K_i + s'_a L_i + s''_a M_i,
-// where a counts shape functions and i coordinates. K_i, L_i, M_i are 24 columns, six vectors of four. What is shared
-// is done once. The block of bar rows and beam columns is the transpose of its mirror image.
+// where a counts shape functions and i coordinates. K_i, L_i, M_i are 24 columns, six vectors of four. Common terms
+// are computed once. The block of bar rows and beam columns is the transpose of its mirror image.
 //
 // With [[p, q], [-q, r]] the inverse matrix of the orthogonality conditions:
 //     g = grad xi = (s; -s_bar) u - s' p d - s_bar' q d             u     = -(p t + q t_bar)
@@ -78,7 +78,7 @@ template <int SIGN> inline Curve curve(const double *q, double xi) {
         c.s[k][2] = lane<2>(shapes[k]), c.s[k][3] = lane<3>(shapes[k]);
         c.e[k] = by_shape(shapes[k]);
     }
-    // The curve as a polynomial: a shorter path from q to t than through the shapes.
+    // The curve as a polynomial: t depends on q by fewer operations than with the shapes.
     const V x1 = in_space(load(q)), t1 = in_space(load(q + 3)), x2 = in_space(load(q + 6));
     const V t2 = in_space(_mm256_permute4x64_pd(load(q + 8), 0xF9));
     const V x = x1 - x2, sum = t1 + t2, difference = t1 - t2;
@@ -117,7 +117,7 @@ inline void mirror(double *hessian) {
     }
 }
 
-/// Where a row of the beam goes in a block, and one of the bar beam.
+/// The place of a row of the beam in a block, and that of a row of the bar beam.
 template <bool FULL> struct Layout {
     static constexpr int BLOCK = FULL ? PEER_FULL : PEER_UPPER;
     static double *beam(double *to, int row) { return to + (FULL ? PEER_HESSIAN + 24 * row : PEER_BEAM + 12 * row); }
@@ -127,8 +127,8 @@ template <bool FULL> struct Layout {
     }
 };
 
-// One pair is mostly waiting for the chain from the dofs to u and v: instructions are sorted by it before there are too few
-// registers to do so. In write_all, which has enough to do, that costs more than it gains.
+// The time of one pair is mostly the latency of the chain from the dofs to u and v. Instructions are scheduled for it before
+// registers are allocated. write_all has enough independent instructions, so there this costs more than it gains.
 template <bool FULL>
 __attribute__((optimize("schedule-insns,sched-pressure"))) inline void write_d(const double *dofs, double xi, double xib, double *out) {
     using To = Layout<FULL>;
@@ -137,7 +137,7 @@ __attribute__((optimize("schedule-insns,sched-pressure"))) inline void write_d(c
     // a = t.t + d.t', b = t.t_bar, c = a_bar = d.t_bar' - t_bar.t_bar
     const V dots = sums(x.t * x.t + d * x.t1, x.t * y.t, d * y.t1 - y.t * y.t, d * d);
     const V a = lane<0>(dots), b = lane<1>(dots), c = lane<2>(dots), square = lane<3>(dots);
-    // u and v but for the determinant, n but for its length
+    // u and v without the factor of the determinant, n without normalization
     const V of_det = b * b + a * c, u_det = V{} - c * x.t - b * y.t, v_det = a * y.t - b * x.t;
     const V over_det = 1 / of_det, over_square = 1 / square, length = _mm256_sqrt_pd(square), inverse = length * over_square;
     const V u = u_det * over_det, v = v_det * over_det, n = d * inverse;
@@ -178,14 +178,14 @@ alignas(32) const double AXIS[3][12] = {{1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0},
                                         {0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0},
                                         {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}};
 
-/// A vector of space whose components are wanted one at a time, in all lanes.
+/// A vector of space; each component is needed separately, in all lanes.
 struct Components {
     alignas(32) double c[4];
     Components(V v) { store(c, v); }
     V operator[](int i) const { return at(c + i); }
 };
 
-/// What xi and xi_bar share, to first order.
+/// Common first-order terms of xi and xi_bar.
 struct First {
     V d, u, v, p, q, r;
     Both g, h;

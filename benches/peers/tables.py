@@ -1,4 +1,4 @@
-"""The run: builds all, times both tables and writes them down."""
+"""The run: builds all candidates, times both tables and writes them."""
 
 import datetime
 import json
@@ -34,7 +34,7 @@ def main_table(all_candidates, references, pairs, given, left_out):
 
 
 def over_gaps(all_candidates, references, pairs_at, given, left_out):
-    """The crate's candidates on the same pairs at each gap, and last at a mixture of all; nothing if the pairs were moved already."""
+    """The crate's candidates on the same pairs at each gap, and at mixed gaps; nothing if the pairs are already moved."""
     candidates = [w for w in all_candidates if w.method in OVER_GAPS and given.only in w.method]
     if given.gaps or not candidates:
         return []

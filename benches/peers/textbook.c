@@ -1,5 +1,5 @@
-/* The closed form as a textbook would have it: gradients are vectors of 24 numbers, Hessians sums of their outer
- * products, and what the shape functions give is added where it belongs. Loops are left to the compiler. */
+/* The closed form in the form of a textbook: gradients are vectors of 24 numbers, Hessians sums of their outer
+ * products, and the terms of the shape functions are added to their blocks. The compiler optimizes the loops. */
 #include "peer.h"
 #include <math.h>
 
@@ -40,7 +40,7 @@ static void add_product(double *h, int row, int column, double factor, const dou
             for (int i = 0; i < 3; i++) h[24 * (row + 3 * a + i) + column + 3 * b + i] += factor * s[a] * z[b];
 }
 
-/* What all quantities share. */
+/* Common terms of all quantities. */
 struct first {
     struct curve x, y;
     double d[3], distance, a, b, c, p, q, r;

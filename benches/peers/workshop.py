@@ -1,4 +1,4 @@
-"""Where peers are built."""
+"""Builds the peers."""
 
 import ctypes
 import subprocess
@@ -15,7 +15,7 @@ class Library:
 
 
 class Workshop:
-    """Where peers are built, with a list of those that could not be."""
+    """The directory in which peers are built, and the list of those that could not be built."""
 
     def __init__(self, here, build, flags):
         self.here, self.build, self.flags, self.left_out = here, build, flags, []
@@ -30,7 +30,7 @@ class Workshop:
         return done.returncode == 0
 
     def compiled(self, method, source, name, defines=(), flags=None, libraries=(), generated=()):
-        """The library of one source file and what it includes, if it compiles; made anew if they or the command are new."""
+        """The library of one source file and its includes, if it compiles; built again if a file or the command changes."""
         compiler = ["g++", "-std=c++17"] if source.suffix == ".cpp" else ["gcc", "-std=gnu11"]
         to = self.build / f"{name}.so"
         command = [*compiler, *(flags or self.flags), f"-I{self.here}", f"-I{self.build}", *defines, "-o", to, source, *libraries]

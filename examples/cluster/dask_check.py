@@ -3,7 +3,7 @@
 usage: python dask_check.py SCHEDULER SHARDS [options of beamgap check]
 
 SCHEDULER is the address of a scheduler, or `local` for two processes on this machine. The merged result is written to
-merged.json, to the last byte what a run on one machine writes. The exit code is that of beamgap.
+merged.json. It is equal, to the last byte, to that of a run on one machine. The exit code is that of beamgap.
 """
 
 import pathlib
@@ -18,7 +18,7 @@ def shard(number, of, options):
     """The result of one shard, as text."""
     command = ["beamgap", "check", "--shard", f"{number}/{of}", "--threads", "1", "--format", "json", *options]
     run = subprocess.run(command, capture_output=True, text=True)
-    if not run.stdout:  # Exit code 1 is a result; wrong arguments and a broken machine are none.
+    if not run.stdout:  # Exit code 1 is a result; invalid arguments and a failed machine are not.
         raise RuntimeError(run.stderr)
     return run.stdout
 

@@ -7,7 +7,7 @@
 # sbatch slurm.sh
 # sbatch --dependency=afterany:JOB --wrap 'beamgap merge part-*.json'
 
-# A shard in which something differs ends with exit code 1, and its part tells what. The merged result has the verdict.
+# A shard with a mismatch ends with exit code 1, and its part contains it. The merged result contains the verdict.
 beamgap check --cases "${CASES:-1000000}" \
     --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
     --threads "$SLURM_CPUS_PER_TASK" \

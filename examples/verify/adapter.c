@@ -1,10 +1,10 @@
-/* Answers the cases of `beamgap export` with an element of your own.
+/* Answers the cases of `beamgap export` with your own element.
  *
  *     beamgap export --family segment -o vectors.jsonl
  *     cc -O2 adapter.c -o adapter -lm
  *     beamgap verify vectors.jsonl --run ./adapter
  *
- * Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+ * Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -21,17 +21,17 @@ struct answers {
 
 static double dot(const double u[3], const double v[3]) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
-/* w . delta u for a vector w, as a gradient. */
+/* The gradient of w . delta u for a vector w. */
 static void along(const double shapes[4], const double w[3], double to[DOFS]) {
     for (int i = 0; i < DOFS; i++) to[i] = shapes[i / 3] * w[i % 3];
 }
 
 /* YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
  * q: both ends of the beam, then of the bar beam. xi, xi_bar: the closest point, in [-1, 1].
- * xi_held, xi_bar_held: whether an end of its beam holds it. */
+ * xi_held, xi_bar_held: whether the parameter is held at an end of its beam. */
 static void element(const double q[DOFS], double xi, double xi_bar, int xi_held, int xi_bar_held,
                     struct answers *to) {
-    /* Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar. */
+    /* Shape functions of d = x - x_bar, and derivatives of the shape functions of x and x_bar. */
     const double shapes[4] = {(1 - xi) / 2, (1 + xi) / 2, -(1 - xi_bar) / 2, -(1 + xi_bar) / 2};
     const double slopes[4] = {-0.5, 0.5, 0, 0}, slopes_bar[4] = {0, 0, -0.5, 0.5};
     double d[3] = {0}, t[3] = {0}, t_bar[3] = {0}, n[3];
@@ -52,7 +52,7 @@ static void element(const double q[DOFS], double xi, double xi_bar, int xi_held,
     const double det = a * a_bar + b * b;
     double *g = to->xi_gradient, *g_bar = to->xi_bar_gradient;
     for (int i = 0; i < DOFS; i++) {
-        /* Eq. (50) and (52), and what is left of them where an end holds a parameter. */
+        /* Eq. (50) and (52), reduced to one equation or none if parameters are held at an end. */
         const double r = -Gt[i] - A1d[i], r_bar = -Gt_bar[i] - B1d[i];
         g[i] = xi_held ? 0 : xi_bar_held ? r / a : (a_bar * r + b * r_bar) / det;
         g_bar[i] = xi_bar_held ? 0 : xi_held ? r_bar / a_bar : (-b * r + a * r_bar) / det;
@@ -67,7 +67,7 @@ static void element(const double q[DOFS], double xi, double xi_bar, int xi_held,
         }
 }
 
-/* What stands after a key, the first one after `from`. */
+/* The text after a key, which is searched after `from`. */
 static const char *after(const char *from, const char *key) {
     const char *at = from ? strstr(from, key) : NULL;
     return at ? at + strlen(key) : NULL;
@@ -94,7 +94,7 @@ int main(void) {
     char *line = NULL;
     size_t size = 0;
     if (getline(&line, &size, stdin) < 0) return 1; /* the head of the cases */
-    /* State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers). */
+    /* Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers). */
     printf("{\"schema\":\"beamgap-answers/1\",\"program\":\"adapter.c\"}\n");
     while (getline(&line, &size, stdin) >= 0) {
         const char *id = after(line, "\"id\":\""), *beam = after(line, "\"beam\":{");

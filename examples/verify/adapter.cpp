@@ -1,10 +1,10 @@
-// Answers the cases of `beamgap export` with an element of your own.
+// Answers the cases of `beamgap export` with your own element.
 //
 //     beamgap export --family segment -o vectors.jsonl
 //     c++ -O2 -std=c++17 adapter.cpp -o adapter
 //     beamgap verify vectors.jsonl --run ./adapter
 //
-// Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+// Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -29,7 +29,7 @@ struct Answers {
 
 static double dot(const Vector &u, const Vector &v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
-// w . delta u for a vector w, as a gradient.
+// The gradient of w . delta u for a vector w.
 static Row along(const std::array<double, 4> &shapes, const Vector &w) {
     Row row(dofs);
     for (int i = 0; i < dofs; i++) row[i] = shapes[i / 3] * w[i % 3];
@@ -38,9 +38,9 @@ static Row along(const std::array<double, 4> &shapes, const Vector &w) {
 
 // YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
 // q: both ends of the beam, then of the bar beam. xi, xi_bar: the closest point, in [-1, 1].
-// held: which of them an end of its beam holds: none, xi, xi_bar or both.
+// held: the parameters that are held at an end of their beam: none, xi, xi_bar or both.
 static Answers element(const Row &q, double xi, double xi_bar, const std::string &held) {
-    // Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar.
+    // Shape functions of d = x - x_bar, and derivatives of the shape functions of x and x_bar.
     const std::array<double, 4> shapes{(1 - xi) / 2, (1 + xi) / 2, -(1 - xi_bar) / 2, -(1 + xi_bar) / 2};
     const std::array<double, 4> slopes{-0.5, 0.5, 0, 0}, slopes_bar{0, 0, -0.5, 0.5};
     Vector d{}, t{}, t_bar{}, n{};
@@ -58,7 +58,7 @@ static Answers element(const Row &q, double xi, double xi_bar, const std::string
     const double det = a * a_bar + b * b;
     Row g(dofs), g_bar(dofs), hessian(dofs * dofs);
     for (int i = 0; i < dofs; i++) {
-        // Eq. (50) and (52), and what is left of them where an end holds a parameter.
+        // Eq. (50) and (52), reduced to one equation or none if parameters are held at an end.
         const double r = -Gt[i] - A1d[i], r_bar = -Gt_bar[i] - B1d[i];
         if (held == "none") {
             g[i] = (a_bar * r + b * r_bar) / det;
@@ -80,12 +80,12 @@ static Answers element(const Row &q, double xi, double xi_bar, const std::string
     return {{length, gradient, hessian}, {xi, g, {}}, {xi_bar, g_bar, {}}};
 }
 
-// A line of JSON, read by its keys in their order.
+// A line of JSON. Its keys are searched in order.
 class Line {
   public:
     explicit Line(const std::string &text) : text(text) {}
 
-    // Goes to what stands after a key; whether there is one.
+    // Moves to the text after a key. Returns whether the key exists.
     bool to(const std::string &key) {
         const auto found = text.find(key, at);
         if (found == std::string::npos) return false;
@@ -130,7 +130,7 @@ int main() {
     std::string text;
     std::getline(std::cin, text);  // the head of the cases
     std::cout << std::setprecision(17);
-    // State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers).
+    // Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers).
     std::cout << R"({"schema":"beamgap-answers/1","program":"adapter.cpp"})" << '\n';
     while (std::getline(std::cin, text)) {
         Line line(text);

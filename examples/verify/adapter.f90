@@ -1,10 +1,10 @@
-! Answers the cases of `beamgap export` with an element of your own.
+! Answers the cases of `beamgap export` with your own element.
 !
 !     beamgap export --family segment -o vectors.jsonl
 !     gfortran -O2 adapter.f90 -o adapter
 !     beamgap verify vectors.jsonl --run ./adapter
 !
-! Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+! Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
 program adapter
    use, intrinsic :: iso_fortran_env, only: real64, iostat_end
    implicit none
@@ -14,7 +14,7 @@ program adapter
    integer :: beam, bar, point, held
 
    if (.not. next(line)) stop 1   ! the head of the cases
-   ! State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers).
+   ! Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers).
    print '(a)', '{"schema":"beamgap-answers/1","program":"adapter.f90","matrix":"column-major"}'
    do while (next(line))
       write (*, '(3a)', advance='no') '{"id":"', word(after('"id":"', 1)), '"'
@@ -32,7 +32,7 @@ program adapter
             write (*, '(a, es24.16, a)', advance='no') ',"d":{"value":', d, ',"gradient":['
             call write_row(gradient)
             write (*, '(a)', advance='no') '],"hessian":['
-            call write_row(reshape(hessian, [dofs*dofs]))   ! column by column, as the head says
+            call write_row(reshape(hessian, [dofs*dofs]))   ! column by column, as the head declares
             write (*, '(a)', advance='no') ']},"xi":{"gradient":['
             call write_row(g)
             write (*, '(a)', advance='no') ']},"xi_bar":{"gradient":['
@@ -50,7 +50,7 @@ contains
 
    ! YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
    ! q: both ends of the beam, then of the bar beam. xi, xi_bar: the closest point, in [-1, 1].
-   ! held: which of them an end of its beam holds: none, xi, xi_bar or both.
+   ! held: the parameters that are held at an end of their beam: none, xi, xi_bar or both.
    subroutine element(q, xi, xi_bar, held, d, gradient, hessian, g, g_bar)
       real(real64), intent(in) :: q(dofs), xi, xi_bar
       character(*), intent(in) :: held
@@ -59,7 +59,7 @@ contains
       real(real64), dimension(dofs) :: A1d, B1d, Gt, Gt_bar, r, r_bar
       real(real64) :: a, b, a_bar, det, moved, turned, GG
       integer :: i, j
-      ! Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar.
+      ! Shape functions of d = x - x_bar, and derivatives of the shape functions of x and x_bar.
       shapes = [1 - xi, 1 + xi, -(1 - xi_bar), -(1 + xi_bar)]/2
       slopes = [-0.5_real64, 0.5_real64, 0.0_real64, 0.0_real64]
       slopes_bar = [0.0_real64, 0.0_real64, -0.5_real64, 0.5_real64]
@@ -73,7 +73,7 @@ contains
       Gt = along(shapes, t)
       Gt_bar = along(shapes, t_bar)
       gradient = along(shapes, dv/d)   ! eq. (37)
-      ! Eq. (50) and (52), and what is left of them where an end holds a parameter.
+      ! Eq. (50) and (52), reduced to one equation or none if parameters are held at an end.
       r = -Gt - A1d
       r_bar = -Gt_bar - B1d
       a = dot_product(t, t)
@@ -103,7 +103,7 @@ contains
       end do
    end subroutine
 
-   ! w . delta u for a vector w, as a gradient.
+   ! The gradient of w . delta u for a vector w.
    function along(of, w) result(row)
       real(real64), intent(in) :: of(4), w(3)
       real(real64) :: row(dofs)
@@ -111,7 +111,7 @@ contains
       row = [(of((i + 2)/3)*w(mod(i - 1, 3) + 1), i=1, dofs)]
    end function
 
-   ! The next line, however long.
+   ! Reads the next line, of any length.
    logical function next(line)
       character(:), allocatable, intent(out) :: line
       character(4096) :: part
@@ -126,7 +126,7 @@ contains
       next = len(line) > 0
    end function
 
-   ! The place after a key, the first one from a place on; 0 if there is none.
+   ! The index after a key, which is searched from an index; 0 if there is none.
    integer function after(key, from)
       character(*), intent(in) :: key
       integer, intent(in) :: from

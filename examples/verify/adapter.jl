@@ -1,29 +1,29 @@
-# Answers the cases of `beamgap export` with an element of your own.
+# Answers the cases of `beamgap export` with your own element.
 #
 #     beamgap export --family segment -o vectors.jsonl
 #     beamgap verify vectors.jsonl --run "julia adapter.jl"
 #
-# Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+# Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
 using LinearAlgebra
 
 """
 YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
 
 q: both ends of the beam, then of the bar beam. xi, xi_bar: the closest point, in [-1, 1].
-held: which of them an end of its beam holds: none, xi, xi_bar or both.
+held: the parameters that are held at an end of their beam: none, xi, xi_bar or both.
 """
 function element(q, xi, xi_bar, held)
-    # Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar.
+    # Shape functions of d = x - x_bar, and derivatives of the shape functions of x and x_bar.
     shapes = [1 - xi, 1 + xi, -(1 - xi_bar), -(1 + xi_bar)] / 2
     slopes, slopes_bar = [-0.5, 0.5, 0.0, 0.0], [0.0, 0.0, -0.5, 0.5]
     points = reshape(q, 3, 4)
     d, t, t_bar = points * shapes, points * slopes, points * slopes_bar
-    # w . delta u for a vector w, as a gradient.
+    # The gradient of w . delta u for a vector w.
     along(of, w) = vec(w * of')
     len = norm(d)
     gradient = along(shapes, d / len)  # eq. (37)
     A1d, B1d, Gt, Gt_bar = along(slopes, d), along(slopes_bar, d), along(shapes, t), along(shapes, t_bar)
-    # Eq. (50) and (52), and what is left of them where an end holds a parameter.
+    # Eq. (50) and (52), reduced to one equation or none if parameters are held at an end.
     r, r_bar = -Gt - A1d, -Gt_bar - B1d
     a, b, a_bar = dot(t, t), dot(t, t_bar), -dot(t_bar, t_bar)
     det = a * a_bar + b * b
@@ -46,7 +46,7 @@ list(row) = "[" * join(row, ",") * "]"
 
 function main()
     readline()  # the head of the cases
-    # State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers).
+    # Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers).
     println("{\"schema\":\"beamgap-answers/1\",\"program\":\"adapter.jl\"}")
     for line in eachline()
         id = match(r"\"id\":\"([^\"]*)\"", line)[1]

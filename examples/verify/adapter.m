@@ -1,15 +1,15 @@
 function adapter(vectors, answers)
-% Answers the cases of `beamgap export` with an element of your own.
+% Answers the cases of `beamgap export` with your own element.
 %
 %     beamgap export --family segment -o vectors.jsonl
 %     matlab -batch "adapter('vectors.jsonl', 'answers.jsonl')"
 %     beamgap verify vectors.jsonl answers.jsonl
 %
-% Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+% Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
 from = fopen(vectors, 'r');
 to = fopen(answers, 'w');
 fgetl(from);  % the head of the cases
-% State here what you call otherwise, such as "parameter":"[0,1]" (beamgap schema answers).
+% Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers).
 fprintf(to, '{"schema":"beamgap-answers/1","program":"adapter.m"}\n');
 line = fgetl(from);
 while ischar(line)
@@ -31,9 +31,9 @@ function [len, gradient, hessian, g, g_bar] = element(q, xi, xi_bar, held)
 % YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
 %
 % q: both ends of the beam, then of the bar beam. xi, xi_bar: the closest point, in [-1, 1].
-% held: which of them an end of its beam holds: none, xi, xi_bar or both.
+% held: the parameters that are held at an end of their beam: none, xi, xi_bar or both.
 
-% Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar.
+% Shape functions of d = x - x_bar, and derivatives of the shape functions of x and x_bar.
 shapes = [1 - xi; 1 + xi; -(1 - xi_bar); -(1 + xi_bar)] / 2;
 slopes = [-0.5; 0.5; 0; 0];
 slopes_bar = [0; 0; -0.5; 0.5];
@@ -41,7 +41,7 @@ points = reshape(q, 3, 4);
 d = points * shapes;
 t = points * slopes;
 t_bar = points * slopes_bar;
-% w . delta u for a vector w, as a gradient.
+% The gradient of w . delta u for a vector w.
 along = @(of, w) reshape(w * of', 12, 1);
 len = norm(d);
 gradient = along(shapes, d / len);  % eq. (37)
@@ -49,7 +49,7 @@ A1d = along(slopes, d);
 B1d = along(slopes_bar, d);
 Gt = along(shapes, t);
 Gt_bar = along(shapes, t_bar);
-% Eq. (50) and (52), and what is left of them where an end holds a parameter.
+% Eq. (50) and (52), reduced to one equation or none if parameters are held at an end.
 r = -Gt - A1d;
 r_bar = -Gt_bar - B1d;
 a = dot(t, t);

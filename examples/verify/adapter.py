@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Answers the cases of `beamgap export` with an element of your own.
+"""Answers the cases of `beamgap export` with your own element.
 
     beamgap export --family segment -o vectors.jsonl
     beamgap verify vectors.jsonl --run "python3 adapter.py"
 
-Replace `element` by yours. Leave out what you do not compute: it is reported as not answered.
+Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
 """
 import json
 import sys
@@ -18,10 +18,10 @@ def element(q, q_bar, xi, xi_bar, held):
     """YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
 
     q, q_bar: both ends of beam and bar beam. xi, xi_bar: the closest point, in [-1, 1].
-    held: which of them an end of its beam holds: none, xi, xi_bar or both.
+    held: the parameters that are held at an end of their beam: none, xi, xi_bar or both.
     """
     dofs = range(12)
-    # Shape functions of d = x - x_bar, and the derivatives of those of x and x_bar.
+    # Shape functions of d = x - x_bar, and derivatives of the shape functions of x and x_bar.
     shapes = [(1 - xi) / 2, (1 + xi) / 2, -(1 - xi_bar) / 2, -(1 + xi_bar) / 2]
     slopes = [-0.5, 0.5, 0.0, 0.0]
     slopes_bar = [0.0, 0.0, -0.5, 0.5]
@@ -30,14 +30,14 @@ def element(q, q_bar, xi, xi_bar, held):
     d, t, t_bar = sums(shapes), sums(slopes), sums(slopes_bar)
     length = dot(d, d) ** 0.5
     n = [c / length for c in d]
-    # w . delta u for a vector w, as a gradient: that of d is along G, those of t and t_bar along A1 and B1.
+    # The gradient of w . delta u for a vector w. That of d is along G, those of t and t_bar are along A1 and B1.
     along = lambda of, w: [of[i // 3] * w[i % 3] for i in dofs]
     A1d, B1d = along(slopes, d), along(slopes_bar, d)
     # Eq. (50): the right-hand sides and the matrix.
     r = [-x - y for x, y in zip(along(shapes, t), A1d)]
     r_bar = [-x - y for x, y in zip(along(shapes, t_bar), B1d)]
     a, b, a_bar = dot(t, t), dot(t, t_bar), -dot(t_bar, t_bar)
-    # Eq. (52), and what is left of it where an end holds a parameter.
+    # Eq. (52), reduced to one equation or none if parameters are held at an end.
     det = a * a_bar + b * b
     g, g_bar = [0.0] * 12, [0.0] * 12
     if held == "none":
@@ -65,7 +65,7 @@ def element(q, q_bar, xi, xi_bar, held):
 
 def main():
     sys.stdin.readline()  # the head of the cases
-    # State here what you call otherwise, such as "parameter": "[0,1]" (beamgap schema answers).
+    # Declare here each convention that differs, such as "parameter": "[0,1]" (beamgap schema answers).
     print(json.dumps({"schema": "beamgap-answers/1", "program": "adapter.py"}))
     for line in sys.stdin:
         case = json.loads(line)

@@ -1,4 +1,4 @@
-//! `beamgap accuracy`: how many digits each form of the closed form keeps, and whether the choice is the better one.
+//! `beamgap accuracy`: the digits that each formulation keeps, and whether the chosen formulation is the better one.
 
 use super::arguments::seed;
 use super::exit::Exit;
@@ -10,7 +10,7 @@ use beamgap::check::accuracy;
 use beamgap::report::{ACCURACY_PAIRS, Accuracy, Environment, Record};
 use clap::{Args, value_parser};
 
-/// More than that, and the choice is wrong: near where it changes, both forms lose about the same.
+/// The largest accepted ratio of losses. Near the change of formulation, both formulations lose about the same.
 const LOSS: f64 = 16.0;
 
 /// The arguments.
@@ -49,7 +49,7 @@ impl Accurate {
     }
 }
 
-/// What is made of a record.
+/// The exit code and the verdict of a record.
 pub(super) fn verdict(record: &Accuracy) -> (Exit, String) {
     match record.found.worst_choice() {
         ratio if ratio <= LOSS => {

@@ -1,4 +1,4 @@
-//! What was found of the answers of a program, for people and for programs.
+//! The result for the answers of a program, for people and for programs.
 
 mod diagnosis;
 mod json;
@@ -14,7 +14,7 @@ pub(super) use diagnosis::{cause, explained};
 pub(super) use json::{explanation, json};
 use std::fmt::Write;
 
-/// What the answers amount to.
+/// The verdict on the answers.
 pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
     let Report { compared, wrong, doubted, missing, unanswered, vectors, .. } = report;
     let open = missing + unanswered;
@@ -45,7 +45,7 @@ pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
     Verdict { exit, name, words }
 }
 
-/// The same with one entry for each order of each quantity.
+/// The verdict with one entry for each order of each quantity.
 pub(super) fn outcome(verified: &Verified) -> Outcome {
     let report = &verified.report;
     let answered = report.parts.iter().map(|((_, quantity, part), found)| {
@@ -81,12 +81,12 @@ pub(super) fn outcome(verified: &Verified) -> Outcome {
 
 /// Decimal digits of a relative error.
 fn digits(error: f64) -> String {
-    // What is zero to the last bit has all digits.
+    // An error of zero counts as all digits.
     let error = if error.is_nan() { 0.0 } else { error };
     format!("{:.1}", (-error.log10()).clamp(0.0, 16.0))
 }
 
-/// What is asked, before anything is found.
+/// The heading: the command, and the requested digits with the reason.
 pub(super) fn head(command: &str, digits: Option<u8>, reason: Option<&str>) -> String {
     let mut text = format!("Answers of {command}\n");
     if let Some(digits) = digits {
@@ -150,7 +150,7 @@ fn cases(count: u64) -> String {
     if count == 1 { "1 case".to_owned() } else { format!("{count} cases") }
 }
 
-/// What was not compared.
+/// The cases and answers that were not compared.
 fn left_out(report: &Report) -> String {
     let mut text = String::new();
     for (reason, count) in &report.degenerate {

@@ -1,4 +1,4 @@
-//! How arguments are read that several subcommands have.
+//! Parsers of the arguments that several subcommands share.
 
 use anyhow::Context;
 use beamgap::check::{Family, Regime};
@@ -7,7 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use std::time::Duration;
 
-/// Has so many threads work, or as many as there are cores.
+/// Sets the number of threads; the default is the number of cores.
 pub(super) fn work_with(threads: Option<u16>) -> anyhow::Result<()> {
     let Some(threads) = threads else { return Ok(()) };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
@@ -17,7 +17,7 @@ pub(super) fn work_with(threads: Option<u16>) -> anyhow::Result<()> {
 /// A seed, decimal or hexadecimal.
 pub(super) fn seed(text: &str) -> Result<u64, String> {
     let parsed = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        // from_str_radix would take a sign.
+        // `from_str_radix` would accept a sign.
         Some(digits) if digits.starts_with('+') => None,
         Some(digits) => u64::from_str_radix(digits, 16).ok(),
         None => text.parse().ok(),
@@ -34,7 +34,7 @@ pub(super) fn seconds(text: &str) -> Result<Duration, String> {
         if unit.is_empty() { Some(1.0) } else { units.iter().find(|(name, _)| *name == unit).map(|of| of.1) };
     let parsed = unit.and_then(|unit| Some(digits.parse::<f64>().ok()? * unit)).filter(|time| *time >= 0.0);
     let duration = parsed.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    // A year is as good as no limit.
+    // A limit of a year has the same effect as no limit.
     let longest = Duration::from_secs(366 * 24 * 3600);
     duration.map(|time| time.min(longest)).ok_or_else(|| "a time expected, such as 30s, 5m or 1h".into())
 }
@@ -51,23 +51,23 @@ pub(super) fn regimes() -> impl TypedValueParser<Value = Regime> {
         .try_map(|name| Regime::from_name(&name).ok_or("no such regime"))
 }
 
-/// The closed form with these faults planted.
+/// The closed form with these faults injected.
 pub(super) fn variant(plant: &[String]) -> anyhow::Result<Variant> {
     with_faults(plant).map_err(|unknown| clap::Error::raw(ErrorKind::InvalidValue, unknown).into())
 }
 
-/// The program, as whoever reads a printed command can run it: through cargo, if cargo runs it now.
+/// The command that runs this program, for printed commands: through cargo, if cargo runs it now.
 pub(super) fn program() -> &'static str {
     let by_cargo = std::env::var_os("CARGO_PKG_NAME").is_some_and(|name| name == env!("CARGO_PKG_NAME"));
     if by_cargo { "cargo run --release --" } else { "beamgap" }
 }
 
-/// The options that plant these faults again.
+/// The options that inject these faults again.
 pub(super) fn planting(plant: &[String]) -> String {
     plant.iter().flat_map(|fault| [" --plant '", fault, "'"]).collect()
 }
 
-/// A line for each planted fault.
+/// A line for each injected fault.
 pub(super) fn planted(plant: &[String]) -> String {
     plant.iter().flat_map(|fault| ["planted: ", fault, "\n"]).collect()
 }

@@ -1,4 +1,4 @@
-//! `beamgap bounds`: whether the tolerances are bounds, and how far above the rounding they are.
+//! `beamgap bounds`: whether the tolerances are error bounds, and their overestimation factor.
 
 use super::arguments::{families, regimes, seed};
 use super::exit::Exit;
@@ -60,7 +60,7 @@ impl MeasureBounds {
     }
 }
 
-/// What a record amounts to, with one entry for each order of each side.
+/// The outcome of a record, with one entry for each order of each side.
 fn outcome(record: &Bounds) -> Outcome {
     let found = &record.found;
     let points: u64 = found.points.values().map(|points| points.measured).sum();

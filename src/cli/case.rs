@@ -1,4 +1,4 @@
-//! One case with everything about it: what was drawn, what was found, and every entry that was compared.
+//! One case in full: the drawn beams, the closest points, and every compared entry.
 
 use super::case_file;
 use super::human::{error, name};
@@ -12,21 +12,21 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// A case, and what was found at it.
+/// A case with its result.
 pub(super) struct Shown<'a> {
     /// The case.
     pub(super) case: &'a CaseData,
-    /// Seed, number and regime, of a drawn one.
+    /// Seed, number and regime, if the case was drawn.
     pub(super) drawn: Option<(u64, u64, Regime)>,
     /// The comparison.
     pub(super) points: &'a Compared,
-    /// What it amounts to.
+    /// The verdict.
     pub(super) verdict: &'a Verdict,
     /// Whether numbers that agree are left out.
     pub(super) only_wrong: bool,
 }
 
-/// Which case it is, before anything is found.
+/// The heading: which case it is.
 pub(super) fn head(case: &CaseData, drawn: Option<(u64, u64, Regime)>) -> String {
     let [beam, bar] = case.test_beams.each_ref().map(|test_beam| test_beam.family.name());
     match drawn {
@@ -37,7 +37,7 @@ pub(super) fn head(case: &CaseData, drawn: Option<(u64, u64, Regime)>) -> String
     }
 }
 
-/// The case for people; the numbers have all their digits.
+/// The case for people; the numbers are printed with all digits.
 pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> String {
     let mut text = head(case, *drawn);
     for (title, beam) in ["beam", "bar beam"].into_iter().zip(&case.test_beams) {
@@ -78,7 +78,7 @@ pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) 
     text + "\n" + &verdict.words + "\n"
 }
 
-/// One number a line.
+/// Prints one number a line.
 fn list(text: &mut String, name: &str, numbers: &[f64]) {
     for (i, number) in numbers.iter().enumerate() {
         let _ = writeln!(text, "  {name}[{i}] = {number:e}");
@@ -108,7 +108,7 @@ fn described(point: &ClosestPoint) -> String {
     )
 }
 
-/// Each number of the closed form, and what it was compared with: 80 columns wide.
+/// Each number of the closed form with the compared number, 80 columns wide.
 fn numbers(entries: &[Comparison], only_wrong: bool) -> String {
     let mut parts: Vec<(String, Vec<&Comparison>)> = Vec::new();
     let mut places = BTreeMap::new();
@@ -154,7 +154,7 @@ fn told(entry: &Comparison) -> &'static str {
     }
 }
 
-/// The case for programs, of the schema `beamgap-case/1`.
+/// The case as JSON, of the schema `beamgap-case/1`.
 pub(super) fn json(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> anyhow::Result<String> {
     let mut document = case_file::object(case);
     let mut add = |name: &str, value: Value| drop(document.insert(name.into(), value));

@@ -1,7 +1,7 @@
 //! Cases as JSON, of the schema `beamgap-case/1`: written, and read back to the last bit.
 //!
-//! A case is `beam`, `bar` and `contact`; a document that shows what was found at a case has more, which is passed
-//! over. What is neither is an error, so that no misspelt name goes unnoticed.
+//! A case consists of `beam`, `bar` and `contact`. A document with a result has more keys, which are ignored.
+//! Any other key is an error, so that a misspelt name is reported.
 
 use super::arguments::program;
 use anyhow::{Context, anyhow, bail, ensure};
@@ -14,10 +14,10 @@ use std::path::Path;
 /// The schema.
 pub(super) const SCHEMA: &str = "beamgap-case/1";
 
-/// What a document has besides the case.
+/// The other keys of a document.
 const SHOWN: [&str; 7] = ["schema", "version", "seed", "case", "regime", "verdict", "closest_points"];
 
-/// The case as JSON; `null` for a number that JSON has not.
+/// The case as JSON; `null` for a number that JSON cannot represent.
 pub(super) fn object(case: &CaseData) -> Map<String, Value> {
     let [beam, bar] = case.test_beams.each_ref().map(test_beam);
     let Contact { radius, radius_bar, xi_0, xi_bar_0 } = case.contact;
@@ -35,12 +35,12 @@ pub(super) fn command(case: &CaseData) -> String {
     format!("echo '{}' | {} check --case-file -", short(Value::Object(object)), program())
 }
 
-/// Whole numbers without a point.
+/// Converts a number that is whole to an integer, which is written without a decimal point.
 fn short(value: Value) -> Value {
     match value {
         Value::Array(values) => values.into_iter().map(short).collect(),
         Value::Object(entries) => entries.into_iter().map(|(name, value)| (name, short(value))).collect(),
-        // Zero with a sign has no whole number.
+        // Negative zero cannot be written as an integer.
         Value::Number(number) if number.as_f64().is_some_and(|number| number.to_bits() != 1 << 63) => {
             let whole = format!("{number}").strip_suffix(".0").and_then(|whole| whole.parse::<i64>().ok());
             whole.map_or(Value::Number(number), Value::from)
@@ -76,7 +76,7 @@ pub(super) fn read(path: &Path) -> anyhow::Result<CaseData> {
     parse(&text.with_context(|| format!("cannot read {name}"))?, &name)
 }
 
-/// Reads a case from a text; `name` is that of the file, for messages.
+/// Reads a case from a text; `name` is the name of the file, for messages.
 pub(super) fn parse(text: &str, name: &str) -> anyhow::Result<CaseData> {
     let document: Value = serde_json::from_str(text).with_context(|| format!("{name} is no JSON"))?;
     case(&document).with_context(|| format!("{name} is no case"))
@@ -125,7 +125,7 @@ fn beam(object: &Map<String, Value>, name: &str) -> anyhow::Result<TestBeam> {
     Ok(test_beam)
 }
 
-/// The fixed parameters of a curve, all that the family has and no others.
+/// The fixed parameters of a curve: all those of the family and no others.
 fn parameters(object: &Map<String, Value>, name: &str, family: Family) -> anyhow::Result<Vec<f64>> {
     let path = format!("{name}.curve");
     let none = Map::new();
@@ -144,7 +144,7 @@ fn parameters(object: &Map<String, Value>, name: &str, family: Family) -> anyhow
     Ok(parameters)
 }
 
-/// Radii and reference parameters; those not given are zero.
+/// Radii and reference parameters; the default is zero.
 fn contact(value: &Value) -> anyhow::Result<Contact> {
     let object = as_object(value, "contact")?;
     known(object, "contact", &["radius", "radius_bar", "xi_0", "xi_bar_0"])?;
@@ -181,7 +181,7 @@ fn number(value: &Value, path: &str) -> anyhow::Result<f64> {
     number.ok_or_else(|| anyhow!("{path}: a number expected, found {}", shown(value)))
 }
 
-/// A value in few words.
+/// A short description of a value.
 fn shown(value: &Value) -> String {
     match value {
         Value::Array(_) => "a list".into(),
@@ -195,11 +195,11 @@ mod tests {
     use super::{case, command, program};
     use beamgap::check::{Case, CaseData};
 
-    /// The case that the printed command gives to the gate.
+    /// The case in the printed command.
     fn given(printed: &str) -> CaseData {
         let end = format!("' | {} check --case-file -", program());
         let json = printed.strip_prefix("echo '").unwrap().strip_suffix(end.as_str()).unwrap();
-        // Nothing that a shell would take for its own.
+        // The shell must not interpret any character.
         assert!(!json.contains(['\'', '\n']), "{json}");
         case(&serde_json::from_str(json).unwrap()).unwrap()
     }

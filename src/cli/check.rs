@@ -1,4 +1,4 @@
-//! `beamgap check`: random pairs of beams through both linearizations.
+//! `beamgap check`: both linearizations, compared on random pairs of beams.
 
 use super::arguments::{families, regimes, seconds, seed, variant, work_with};
 use super::case;
@@ -69,7 +69,7 @@ pub(crate) struct Check {
 }
 
 impl Check {
-    /// Does the comparison and writes the result.
+    /// Runs the comparison and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let outputs = self.output.open()?;
         work_with(self.threads)?;
@@ -125,7 +125,7 @@ impl Check {
     }
 }
 
-/// What the comparison of one case amounts to, with one entry for each order of each quantity.
+/// The outcome of the comparison of one case, with one entry for each order of each quantity.
 fn outcome_of(points: &Compared) -> Outcome {
     let count = |wanted: fn(&Found) -> bool| points.iter().filter(|(_, found)| wanted(found)).count() as u64;
     let left = count(|found| matches!(found, Found::Inconclusive(..)));

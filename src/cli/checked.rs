@@ -1,6 +1,6 @@
-//! What a run of the check asked and found, of the schema `beamgap-check/2`; parts of a run are merged from it.
+//! The request and the result of a run of the check, of the schema `beamgap-check/2`. Results of shards can be merged.
 //!
-//! Names and meanings stay; entries may be added. Numbers have all digits. What is no number is a word, such as `"inf"`.
+//! Names and meanings stay; entries may be added. Numbers have all digits. Infinity and NaN are words, such as `"inf"`.
 
 use super::arguments::{planting, program, variant};
 use super::exit::Exit;
@@ -18,9 +18,9 @@ use std::fmt::Write;
 
 /// The schema.
 const SCHEMA: &str = "beamgap-check/2";
-/// More cases of a regime no run takes.
+/// The maximum number of cases of a regime.
 pub(super) const MOST_CASES: u64 = 1_000_000;
-/// Mismatches shown in full, and shrunk; the others are counted.
+/// The number of mismatches shown in full and shrunk; the others are counted.
 pub(super) const SHOWN: usize = 5;
 
 /// With what the closed form is compared. Where it disagrees with AD, the differences always arbitrate.
@@ -34,12 +34,12 @@ pub(super) enum Oracle {
     All,
 }
 
-/// What was asked, and what was found.
+/// The request and the result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Checked {
     pub(super) schema: String,
     pub(super) version: String,
-    /// Text, as not all readers hold 64 bits.
+    /// Written as a string, because some readers cannot represent 64 bits.
     #[serde(with = "seed")]
     pub(super) seed: u64,
     pub(super) planted: Vec<String>,
@@ -64,7 +64,7 @@ mod seed {
 }
 
 impl Checked {
-    /// What is asked; nothing is found yet.
+    /// The request, with an empty result.
     pub(super) fn new(
         seed: u64,
         planted: Vec<String>,
@@ -76,7 +76,7 @@ impl Checked {
         Self { schema, version, seed, planted, oracle, selection, shard, found: Summary::default() }
     }
 
-    /// What is checked, and by what.
+    /// The configuration of the check.
     pub(super) fn config(&self) -> anyhow::Result<CheckConfig> {
         let oracles = match self.oracle {
             Oracle::Ad => Oracles::Ad,
@@ -85,19 +85,19 @@ impl Checked {
         Ok(CheckConfig { variant: variant(&self.planted)?, oracles })
     }
 
-    /// The options with which a command shows a case as this run saw it.
+    /// The options with which a command repeats a case of this run.
     pub(super) fn options(&self) -> String {
         planting(&self.planted) + if self.oracle == Oracle::All { " --oracle all" } else { "" }
     }
 
-    /// The cases that were asked for, and those of them that were not reached.
+    /// The number of requested cases, and the number of those that were not reached.
     pub(super) fn asked(&self) -> (u64, u64) {
         let asked = self.selection.count(self.shard);
         let reached: u64 = self.found.regimes.values().map(|tally| tally.cases).sum();
         (asked, asked.saturating_sub(reached))
     }
 
-    /// What was found amounts to this.
+    /// The verdict on the result.
     pub(super) fn verdict(&self) -> Verdict {
         let found = &self.found;
         let tallies = || found.regimes.values();
@@ -112,7 +112,7 @@ impl Checked {
         verdict
     }
 
-    /// The same with one entry for each order of each quantity.
+    /// The verdict with one entry for each order of each quantity.
     pub(super) fn outcome(&self) -> Outcome {
         let entries = self.found.quantities.iter().map(|(&(quantity, order), cell)| {
             let &Cell { scaled_error, over_tolerance, case, entries } = cell;
@@ -142,10 +142,10 @@ impl Checked {
         Ok(Shown { outcome, checked: self, shrunk, cause })
     }
 
-    /// One run of its parts, in any order.
+    /// Merges the parts of a run, in any order.
     ///
     /// # Errors
-    /// If the parts are not of one run, share a case or leave cases out.
+    /// If the parts are from different runs, share a case or leave cases out.
     pub(super) fn merge(parts: Vec<(String, Self)>) -> anyhow::Result<Self> {
         let mut merged: Option<Self> = None;
         let mut known: Vec<(String, Shard)> = Vec::new();
@@ -184,12 +184,12 @@ impl Checked {
     }
 }
 
-/// A result as it is shown.
+/// A result with its shrunk mismatches.
 pub(super) struct Shown {
     pub(super) checked: Checked,
     pub(super) outcome: Outcome,
     pub(super) shrunk: Vec<Shrunk>,
-    /// What explains the mismatches, if there are some.
+    /// The likely cause of the mismatches, if it is known.
     pub(super) cause: Option<LikelyCause>,
 }
 
@@ -199,7 +199,7 @@ impl Shown {
         human::document(self)
     }
 
-    /// The result for programs: what was asked and found, and what follows from it.
+    /// The result as JSON: the request, the result, and what follows from it.
     pub(super) fn json(&self) -> anyhow::Result<String> {
         #[derive(Serialize)]
         struct Document<'a> {
@@ -208,7 +208,7 @@ impl Shown {
             verdict: &'static str,
             compared: u64,
             not_reached: u64,
-            /// How to repeat a mismatch: the number of its case follows.
+            /// The command that repeats a mismatch, without the number of the case.
             repeat: String,
             likely_cause: Option<Value>,
             shrunk: Vec<Value>,

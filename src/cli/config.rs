@@ -1,7 +1,7 @@
-//! Options from a file and from the environment: flags win over the environment, the environment wins over the file.
+//! Options from a file and from the environment. Flags override the environment; the environment overrides the file.
 //!
-//! They become defaults of the command line, so that they are read, checked and shown as flags are. A tolerance that is
-//! loosened in the file needs a reason, which stands in the result.
+//! They become defaults of the command line, so that they are parsed, checked and shown like flags. A tolerance that is
+//! loosened in the file needs a reason; the result contains the reason.
 
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{Arg, ArgAction, Command};
@@ -10,15 +10,15 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use toml::Value;
 
-/// The file that is read where there is no `--config`.
+/// The file that is read without `--config`.
 const FILE: &str = "beamgap.toml";
 /// The commands that can be configured.
 const COMMANDS: [&str; 4] = ["check", "verify", "prove", "faults"];
-/// Options that are for one run.
+/// Options that apply to one run.
 const OF_ONE_RUN: [&str; 9] =
     ["allow-dirty", "case", "case-file", "color", "config", "help", "list", "only-wrong", "to"];
 
-/// The values of an option, and where they are from.
+/// The values of an option, and their source.
 struct Setting {
     from: String,
     values: Vec<String>,
@@ -30,7 +30,7 @@ type Settings = BTreeMap<(String, String), Setting>;
 /// The command line with the defaults of the file and of the environment.
 ///
 /// # Errors
-/// If the file cannot be read, or has a key or a value that no option takes.
+/// If the file cannot be read, or has a key or a value that no option accepts.
 pub(super) fn configured(mut command: Command) -> anyhow::Result<Command> {
     if let Some(path) = file() {
         let name = path.display().to_string();
@@ -41,10 +41,10 @@ pub(super) fn configured(mut command: Command) -> anyhow::Result<Command> {
     with_settings(command, settings)
 }
 
-/// The command line with the defaults of a file of this name.
+/// The command line with the defaults from a file of this name.
 ///
 /// # Errors
-/// If the file has a key or a value that no option takes.
+/// If the file has a key or a value that no option accepts.
 pub(super) fn with_file(command: Command, name: &str, text: &str) -> anyhow::Result<Command> {
     let settings = of_file(&command, name, text)?;
     with_settings(command, settings)
@@ -64,7 +64,7 @@ fn with_settings(mut command: Command, settings: Settings) -> anyhow::Result<Com
     Ok(command)
 }
 
-/// The file of `--config`, or else of `BEAMGAP_CONFIG`, or else the usual one if it is there.
+/// The file of `--config`, else of `BEAMGAP_CONFIG`, else the usual one if it exists.
 fn file() -> Option<PathBuf> {
     let mut arguments = std::env::args_os().skip(1).take_while(|argument| argument != "--");
     while let Some(argument) = arguments.next() {
@@ -86,7 +86,7 @@ fn option_of<'a>(command: &'a Command, of: &str, option: &str) -> Option<&'a Arg
     options.into_iter().find(|arg| arg.get_long() == Some(option) && !OF_ONE_RUN.contains(&option))
 }
 
-/// What is wrong with a name, and the nearest of those that there are.
+/// The message for an unknown name, with the nearest known name.
 fn unknown<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> String {
     let near = |other: &&str| strsim::damerau_levenshtein(name, other);
     let nearest =
@@ -129,7 +129,7 @@ fn of_file(command: &Command, name: &str, text: &str) -> anyhow::Result<Settings
     Ok(settings)
 }
 
-/// A tolerance that is another than the derived one.
+/// The digits and the reason of a tolerance that differs from the derived one.
 fn digits_and_reason(value: &Value) -> anyhow::Result<[String; 2]> {
     let expected = "a number with its reason expected, as { value = 6, reason = \"single precision\" }";
     let table = value.as_table().ok_or_else(|| anyhow!("{expected}, found {value}"))?;
@@ -148,7 +148,7 @@ fn digits_and_reason(value: &Value) -> anyhow::Result<[String; 2]> {
     }
 }
 
-/// A value as flags have it.
+/// A value as strings, as flags have it.
 fn values(arg: &Arg, value: &Value) -> anyhow::Result<Vec<String>> {
     let scalar = |value: &Value| match value {
         Value::String(text) => Ok(text.clone()),
@@ -192,7 +192,7 @@ fn of_environment(
     Ok(settings)
 }
 
-/// Whether the option takes these values, by the words of the command line.
+/// Checks that the option accepts these values, by parsing a command line.
 fn taken(command: &Command, of: &str, option: &str, values: &[String]) -> Result<(), clap::Error> {
     let Some(sub) = command.find_subcommand(of) else { return Ok(()) };
     let is_flag =
@@ -271,7 +271,7 @@ mod tests {
         assert!(error.to_string().starts_with("BEAMGAP_CHECK_CSAES: check has no option --csaes"), "{error}");
     }
 
-    /// The texts of the fuzz target, and pieces of them: cut anywhere, and with a byte changed.
+    /// The texts of the fuzz target, and parts of them: truncated at any place, and with a byte changed.
     #[test]
     fn a_file_of_the_corpus_is_taken_or_rejected() {
         let folder = format!("{}/tests/fuzz/seeds/config", env!("CARGO_MANIFEST_DIR"));

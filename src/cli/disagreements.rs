@@ -1,4 +1,4 @@
-//! What does not agree, for people: the numbers, and a small case to paste.
+//! Mismatches, for people: the numbers, and a minimal case as a test and as a command.
 
 use super::case_file;
 use super::checked::{Checked, SHOWN, Shown};
@@ -10,11 +10,11 @@ use beamgap::check::{
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// The first of them, each with the command that repeats it.
+/// The first mismatches, each with the command that repeats it.
 pub(super) fn listed(checked: &Checked) -> String {
     let mut text = String::new();
     let all = &checked.found.mismatches;
-    // One of each kind, then others.
+    // First one mismatch of each kind, then others.
     let mut met = BTreeSet::new();
     let (mut shown, others): (Vec<_>, Vec<_>) = all
         .iter()
@@ -57,7 +57,7 @@ pub(super) fn listed(checked: &Checked) -> String {
     text
 }
 
-/// The likely cause, in a sentence, 80 columns wide.
+/// The likely cause in a sentence, 80 columns wide.
 pub(super) fn likely(LikelyCause { explanation, is_remedy }: &LikelyCause) -> String {
     let Explanation { causes, runner_up, .. } = explanation;
     let Some(Cause { words, coefficient, .. }) = causes.first() else {
@@ -94,7 +94,7 @@ fn folded(sentence: &str) -> String {
     text
 }
 
-/// What is left of the disagreements, wider than a terminal: it is to be pasted.
+/// The shrunk mismatches, wider than a terminal because they are copied and pasted.
 pub(super) fn made_small(Shown { checked, shrunk, .. }: &Shown) -> String {
     let each = shrunk.iter().map(|shrunk| {
         let Shrunk { number, case, finding } = shrunk;
@@ -111,7 +111,7 @@ pub(super) fn made_small(Shown { checked, shrunk, .. }: &Shown) -> String {
     each.collect()
 }
 
-/// The test of a shrunk case, and what it does where the fault is only planted.
+/// The test of a shrunk case; a comment says if the fault is only injected.
 pub(super) fn test(Shrunk { case, finding, .. }: &Shrunk, plant: &[String]) -> String {
     let without = match plant {
         [] => "",

@@ -1,4 +1,4 @@
-//! `beamgap equations`: every equation of the paper, as printed and as corrected, run.
+//! `beamgap equations`: every equation of the paper, as printed and as corrected, evaluated.
 
 use super::arguments::seed;
 use super::exit::Exit;
@@ -14,11 +14,11 @@ use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// How the table begins.
+/// The first lines of the table.
 const HEAD: &str = "Every equation of the paper, as printed and as corrected, against hyper-dual\n\
                     numbers: over the field of 2^61 - 1 elements, and in f64\n";
 
-/// What makes the record, and the page that is made of it.
+/// The command that writes the record and the page.
 const EQUATIONS: &str = "cargo run --release -- equations --to reports";
 
 /// The arguments.
@@ -51,7 +51,7 @@ pub(crate) struct ListEquations {
 }
 
 impl ListEquations {
-    /// Runs the equations and writes what became of them.
+    /// Evaluates the equations and writes the results.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let mut outputs = self.output.open()?;
         if self.to.is_some() {
@@ -91,7 +91,7 @@ impl ListEquations {
         Ok(exit)
     }
 
-    /// The command that gives the record again.
+    /// The command that repeats the record.
     fn command(&self) -> String {
         let mut command = String::from(EQUATIONS);
         if self.seed != report::SEED {
@@ -104,7 +104,7 @@ impl ListEquations {
     }
 }
 
-/// What became of an equation.
+/// The result for an equation.
 fn entry(row: &EquationRow) -> Entry {
     Entry {
         group: "equation".to_owned(),
@@ -180,7 +180,7 @@ fn refuted(score: &Score) -> [String; 2] {
         .map(|counts: Counts| if counts.total() == 0 { "-".to_owned() } else { counts.refuted.to_string() })
 }
 
-/// One equation with all its readings.
+/// One equation with all its variants.
 fn whole(entry: &EquationRow, latex: bool) -> String {
     let mut text = format!("({}) {}: {}\n", entry.number, entry.says, entry.verdict.words());
     let mut section = |title: &str, body: String| {
@@ -250,13 +250,13 @@ fn shown(run: &Run) -> String {
     text
 }
 
-/// A formula in letters, or its LaTeX if it holds something that has none.
+/// A formula as text, or its LaTeX if a part of it has no text form.
 fn readable(latex: &str) -> String {
     let Ok(lines) = formula::lines(latex) else { return wrapped(latex) };
     lines.iter().fold(String::new(), |text, line| text + "  " + line + "\n")
 }
 
-/// Words in lines of a terminal's width.
+/// Wraps words in lines of a terminal's width.
 fn wrapped(text: &str) -> String {
     if text.is_empty() {
         return String::new();

@@ -1,23 +1,23 @@
-//! What the exit code tells.
+//! The meaning of the exit code.
 
 /// The exit codes of all subcommands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(crate) enum Exit {
-    /// All that was compared agrees; what could not be compared was reported.
+    /// All compared points agree; points that could not be compared were reported.
     Agree = 0,
-    /// Some closest point does not agree.
+    /// At least one closest point does not agree.
     Disagree = 1,
-    /// The arguments are wrong.
+    /// The arguments are invalid.
     Usage = 2,
-    /// An input is bad, or an output cannot be written.
+    /// An input is invalid, or an output cannot be written.
     Input = 3,
-    /// Nothing could be compared, which is no success.
+    /// Nothing could be compared; this is not a success.
     Nothing = 4,
-    /// The check itself cannot be trusted: a planted fault survived, a bound on rounding is none, or the oracles (AD's
-    /// routes and the differences) disagree among themselves. The closed form is not rejected.
+    /// The check itself cannot be trusted: an injected fault was not detected, an error bound was exceeded, or the
+    /// oracles (AD's routes and the differences) disagree among themselves. The closed form is not rejected.
     Untrusted = 5,
-    /// A fault of the program.
+    /// An internal error of the program.
     Internal = 70,
 }
 
@@ -32,7 +32,7 @@ impl Exit {
         Self::Internal,
     ];
 
-    /// What the code means.
+    /// The meaning of the code.
     pub(crate) fn meaning(self) -> &'static str {
         match self {
             Self::Agree => "all that was compared agrees",
@@ -45,7 +45,7 @@ impl Exit {
         }
     }
 
-    /// The codes, as the help shows them.
+    /// The codes, as the help prints them.
     pub(crate) fn help() -> String {
         let rows = Self::ALL.map(|exit| format!("  {:>2}  {}", exit as u8, exit.meaning()));
         format!("Exit codes:\n{}", rows.join("\n"))

@@ -1,4 +1,4 @@
-//! `beamgap explain`: which term is wrong in the answers of a program; and how well such explanations are.
+//! `beamgap explain`: the wrong term in the answers of a program, and how often such explanations are right.
 
 use super::answered::{cause, head, verdict};
 use super::arguments::{seed, work_with};
@@ -13,7 +13,7 @@ use clap::{Args, value_parser};
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Pairs of faults that are measured, if nothing is said.
+/// The default number of measured pairs of faults.
 const PAIRS: usize = 100;
 
 /// The arguments.
@@ -62,7 +62,7 @@ impl Explain {
         let (from, command) = source(answers)?;
         let mut answers = AnswerReader::new(from, &command)?;
         let demands = Demands { conventions: *answers.conventions(), digits: self.digits };
-        // An explanation takes seconds.
+        // The heading is printed first, because an explanation takes seconds.
         to_stdout(&head(&command, self.digits, None))?;
         let mut matching = Matching::new(demands, 4096).of_program(answers.program());
         while let Some(answers) = answers.next_answers()? {

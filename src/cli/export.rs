@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 /// The JSON Schemas, by name.
 const SCHEMAS: [(&str, &str); 2] =
     [(VECTORS, include_str!("schema/vectors.json")), (ANSWERS, include_str!("schema/answers.json"))];
-/// Cases that are made at a time.
+/// The number of cases that are drawn in one batch.
 const AT_ONCE: u64 = 32;
 
 /// The arguments of `export`.
@@ -156,7 +156,7 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
 }
 
 impl Evaluate {
-    /// Answers case by case, each before the next is read.
+    /// Answers one case after the other; each answer is written before the next case is read.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let evaluator = Evaluator {
             variant: variant(&self.plant)?,
@@ -198,7 +198,7 @@ pub(super) fn source(path: &Path) -> anyhow::Result<(Box<dyn BufRead + Send>, St
     Ok((Box::new(BufReader::with_capacity(1 << 16, file)), name))
 }
 
-/// Standard output or a file, line by line. A reader that has seen enough closes the pipe: no error.
+/// Standard output or a file, line by line. A reader that closes the pipe early is not an error.
 pub(super) struct Sink {
     to: Box<dyn Write>,
     name: String,

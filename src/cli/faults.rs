@@ -45,7 +45,7 @@ pub(crate) struct InjectFaults {
 }
 
 impl InjectFaults {
-    /// Puts the checks to the test and writes the result.
+    /// Injects the faults and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         work_with(self.threads)?;
         if self.list {
@@ -83,14 +83,14 @@ impl InjectFaults {
     }
 }
 
-/// The record of these regimes, or of all if none is named, as `command` made it.
+/// The record of these regimes, or of all if none is named; `command` is the command that makes it.
 pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     let asked = |regime: &Regime| named.is_empty() || named.contains(regime);
     let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
     let progress = Progress::of("injecting faults into terms");
     let found = inject(seed, &regimes);
     progress.now("injecting faults into single operations over a prime field");
-    // Single operations know no regime.
+    // Faults in single operations do not depend on the regime.
     let operations = if named.is_empty() { all_operations(seed) } else { Vec::new() };
     progress.now("injecting faults into single operations in f64");
     let (limits, sampled) = (limits(seed, &regimes), sampled(seed, &regimes));
@@ -98,8 +98,8 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     Faults::new(found, operations, sampled, limits, seed, Environment::here(command))
 }
 
-/// What a record amounts to, with one entry for each formula of the closed form, and one for each code of which single
-/// operations were made wrong.
+/// The outcome of a record, with one entry for each formula of the closed form, and one for each code in whose single
+/// operations faults were injected.
 fn outcome(record: &Faults) -> Outcome {
     let mut formulas: BTreeMap<String, usize> = BTreeMap::new();
     for fault in catalogue() {
@@ -144,7 +144,7 @@ fn outcome(record: &Faults) -> Outcome {
     Outcome { command: "faults", verdict, entries: of_formulas.chain(of_operations).collect() }
 }
 
-/// The formula that a fault is in: its name up to the colon.
+/// The formula that contains a fault: its name up to the colon.
 fn formula(fault: &str) -> &str {
     fault.split(':').next().unwrap_or(fault)
 }
@@ -193,7 +193,7 @@ mod tests {
         undetected.unwrap().reason = None;
         let outcome = outcome(&wrong);
         assert_eq!((outcome.verdict.exit, outcome.wrong().count()), (Exit::Untrusted, 1));
-        // One of the entry, one of the verdict.
+        // One failure of the entry, one of the verdict.
         assert_eq!(junit(&outcome).matches("<failure ").count(), 2);
         let log: serde_json::Value = serde_json::from_str(&sarif(&outcome).unwrap()).unwrap();
         assert_eq!(log["runs"][0]["results"].as_array().unwrap().len(), 1);

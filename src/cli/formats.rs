@@ -1,4 +1,4 @@
-//! Results in the formats of continuous integration, made of an [`Outcome`](super::outcome::Outcome) alone.
+//! Results in the formats of continuous integration, written from an [`Outcome`](super::outcome::Outcome) alone.
 
 mod github;
 mod junit;

@@ -1,6 +1,6 @@
 //! LaTeX as lines of UTF-8, for a terminal.
 //!
-//! It knows what the equations of the paper need: accents, indices, fractions in a line, matrices, cases and aligned rows.
+//! It supports the syntax of the paper: accents, indices, fractions in a line, matrices, cases and aligned rows.
 
 mod area;
 mod letters;
@@ -11,7 +11,7 @@ use letters::{bold, bracketed, subscript, superscript};
 /// The width of a line.
 const WIDTH: usize = 76;
 
-/// The lines of a formula, or what of it is not known.
+/// The lines of a formula; the error names the part that is not supported.
 pub(super) fn lines(latex: &str) -> Result<Vec<String>, String> {
     let mut parser = Parser { rest: latex };
     let area = parser.sequence()?;
@@ -25,7 +25,7 @@ pub(super) fn lines(latex: &str) -> Result<Vec<String>, String> {
     })
 }
 
-/// A row in lines of this width, broken before an operator; later lines are indented.
+/// A row in lines of this width, with line breaks before operators; later lines are indented.
 fn wrapped(row: &str, width: usize) -> Vec<String> {
     let (mut lines, mut line, mut rest) = (Vec::new(), String::new(), row);
     while let Some(first) = rest.chars().next().map(char::len_utf8) {
@@ -96,7 +96,7 @@ impl<'a> Parser<'a> {
     fn with_indices(&mut self, mut area: Area) -> Result<Area, String> {
         while let Some(mark) = self.rest.chars().next().filter(|&c| c == '_' || c == '^') {
             self.rest = &self.rest[1..];
-            // In an index a comma separates nothing.
+            // In an index a comma does not separate terms.
             let index = self.argument()?.line()?.replace(", ", ",");
             area =
                 area.beside(&Area::text(&if mark == '_' { subscript(&index) } else { superscript(&index)? }));
@@ -104,7 +104,7 @@ impl<'a> Parser<'a> {
         Ok(area)
     }
 
-    /// What a command is applied to: a group, a command or a letter, without indices.
+    /// The argument of a command: a group, a command or a letter, without indices.
     fn argument(&mut self) -> Result<Area, String> {
         self.rest = self.rest.trim_start();
         match self.rest.chars().next() {
@@ -141,7 +141,7 @@ impl<'a> Parser<'a> {
             "mathbf" => Area::text(&self.argument()?.line()?.chars().map(bold).collect::<String>()),
             "mathrm" => self.argument()?,
             "bar" => Area::text(&match self.argument()?.line()?.as_str() {
-                // Where there is a letter with the bar, terminals draw it better.
+                // Terminals draw a precomposed letter with a bar better than a combining bar.
                 "a" => "ā".to_owned(),
                 "g" => "ḡ".to_owned(),
                 letter => format!("{letter}\u{304}"),
@@ -223,7 +223,7 @@ fn arranged(name: &str, rows: &[Vec<Area>]) -> Result<Area, String> {
     }
 }
 
-/// The cells of a row: what begins with an operator belongs to the cell before.
+/// The cells of a row. A cell that begins with an operator is joined to the cell before.
 fn joined(cells: &[String]) -> String {
     let mut line = String::new();
     for cell in cells.iter().filter(|cell| !cell.is_empty()) {

@@ -9,7 +9,7 @@ use beamgap::report::Table;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// All that is to be said about a run.
+/// The whole text of a run.
 pub(super) fn document(shown: &Shown) -> String {
     let checked = &shown.checked;
     let mut text = head(checked);
@@ -35,7 +35,7 @@ pub(super) fn document(shown: &Shown) -> String {
     text + "\n" + &shown.outcome.verdict.words + "\n"
 }
 
-/// What is asked, before anything is found.
+/// The heading: the request.
 pub(super) fn head(Checked { planted: plant, seed, selection, shard, .. }: &Checked) -> String {
     let family =
         selection.family.map_or_else(|| "all families".into(), |family| format!("family {}", family.name()));
@@ -57,7 +57,7 @@ pub(super) fn head(Checked { planted: plant, seed, selection, shard, .. }: &Chec
     )
 }
 
-/// Quantities down, orders across.
+/// A table with one row for each quantity and one column for each order.
 fn cells(
     cells: &BTreeMap<(Quantity, Order), Cell>,
     orders: &[Order],
@@ -130,7 +130,7 @@ fn not_compared(checked: &Checked) -> String {
     if reasons.is_empty() { String::new() } else { table.to_string() }
 }
 
-/// What the third oracle was asked.
+/// The results of the third oracle.
 fn differences(checked: &Checked) -> String {
     let Differences { points, unclear, decided, quantities: of } = &checked.found.differences;
     if *points == 0 {
@@ -143,7 +143,7 @@ fn differences(checked: &Checked) -> String {
     )
 }
 
-/// Why closest points or cases were not compared, over all regimes.
+/// The reasons why closest points or cases were not compared, over all regimes.
 fn reasons(checked: &Checked) -> BTreeMap<Inconclusive, NotCompared> {
     let mut reasons: BTreeMap<Inconclusive, NotCompared> = BTreeMap::new();
     for (&reason, &NotCompared { count, first_case }) in
@@ -162,17 +162,17 @@ pub(super) fn name(entry: &Comparison) -> String {
         .map_or_else(|| entry.quantity.name().into(), |axis| format!("{}.{axis}", entry.quantity.name()))
 }
 
-/// The command that shows one case again.
+/// The command that repeats one case.
 pub(super) fn repeat(seed: u64, number: u64) -> String {
     format!("{} check --seed {seed:#x} --case {number}", program())
 }
 
-/// Two digits.
+/// An error with two digits.
 pub(super) fn error(error: f64) -> String {
     if error == 0.0 { "0".into() } else { format!("{error:.1e}") }
 }
 
-/// The case that showed the worst error, if there was an error.
+/// The case with the worst error, if there was an error.
 fn case_of(cell: &Cell) -> Option<String> {
     (cell.scaled_error > 0.0).then(|| cell.case.to_string())
 }

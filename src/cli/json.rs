@@ -1,4 +1,4 @@
-//! Documents for programs.
+//! JSON documents.
 
 use beamgap::check::Comparison;
 use serde::Serialize;
@@ -17,7 +17,7 @@ pub(super) fn text(document: &impl Serialize) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(document)? + "\n")
 }
 
-/// Two digits: the others depend on the machine.
+/// A number rounded to two digits, because the others depend on the machine.
 pub(super) fn rounded(error: f64) -> Option<f64> {
     format!("{error:.1e}").parse().ok().filter(|error: &f64| error.is_finite())
 }

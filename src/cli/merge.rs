@@ -1,4 +1,4 @@
-//! `beamgap merge`: the parts of a check, which several machines ran, as one result.
+//! `beamgap merge`: the parts of a check that several machines ran, merged into one result.
 
 use super::checked::Checked;
 use super::exit::Exit;
@@ -20,7 +20,7 @@ pub(crate) struct Merge {
 }
 
 impl Merge {
-    /// Merges and writes the result: to the last byte that of a run on one machine.
+    /// Merges and writes the result. It is equal, to the last byte, to that of a run on one machine.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let mut outputs = self.output.open()?;
         let read = |path: &PathBuf| {

@@ -1,4 +1,4 @@
-//! A result as continuous integration wants it: a verdict, and one entry for each quantity or equation.
+//! A result for continuous integration: a verdict, and one entry for each quantity or equation.
 
 use super::exit::Exit;
 use beamgap::check::external::Place;
@@ -6,7 +6,7 @@ use beamgap::check::{Order, look_at};
 use beamgap::equations::{named, places};
 use beamgap::linearization::Quantity;
 
-/// What a result amounts to.
+/// The verdict of a result.
 #[derive(Clone, Debug)]
 pub(super) struct Verdict {
     /// The exit code.
@@ -17,29 +17,29 @@ pub(super) struct Verdict {
     pub(super) words: String,
 }
 
-/// A verdict with what it rests on.
+/// A verdict with its entries.
 #[derive(Debug)]
 pub(super) struct Outcome {
     /// The command that was run.
     pub(super) command: &'static str,
-    /// What it amounts to.
+    /// The verdict.
     pub(super) verdict: Verdict,
-    /// One for each quantity or equation.
+    /// One entry for each quantity or equation.
     pub(super) entries: Vec<Entry>,
 }
 
-/// What was found of a quantity or an equation.
+/// The result for a quantity or an equation.
 #[derive(Debug)]
 pub(super) struct Entry {
-    /// What it belongs to: an order, a layer.
+    /// The group of the entry: an order, a layer.
     pub(super) group: String,
     /// The quantity or the equation.
     pub(super) name: String,
-    /// What was found.
+    /// Whether it agrees.
     pub(super) state: State,
-    /// The same in a sentence.
+    /// The result in a sentence.
     pub(super) message: String,
-    /// A line of the source that it is about.
+    /// The related line of the source.
     pub(super) source: Option<Source>,
 }
 
@@ -55,7 +55,7 @@ pub(super) enum State {
 }
 
 impl State {
-    /// That something of so many numbers differs, or that there is none.
+    /// Differs if a number is wrong, and is not compared if there are no numbers.
     pub(super) fn of(numbers: u64, wrong: u64) -> Self {
         match (numbers, wrong) {
             (_, 1..) => Self::Differs,
@@ -64,7 +64,7 @@ impl State {
         }
     }
 
-    /// The word for it.
+    /// The name of the state.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Agrees => "agrees",
@@ -96,7 +96,7 @@ impl Source {
             Order::Matrix => "linearization/closed_form/matrices.rs",
             _ => "linearization/quantities.rs",
         };
-        // Symmetry is that of the second variation.
+        // A formula of symmetry is that of the second variation.
         let of = if order == Order::Symmetry { Order::Second } else { order };
         let number = named(&look_at(of, quantity).replace("eq. ", "Eq. ")).first().copied();
         Self::of_equation(number).unwrap_or(Self { file: format!("src/{fallback}"), line: 1 })
@@ -115,7 +115,7 @@ impl Outcome {
         self.entries.iter().filter(|entry| entry.state == State::Differs)
     }
 
-    /// Whether the exit code says that something is wrong that no entry says.
+    /// Whether the exit code reports an error that no entry contains.
     pub(super) fn is_wrong_as_a_whole(&self) -> bool {
         self.verdict.exit != Exit::Agree && self.wrong().next().is_none()
     }

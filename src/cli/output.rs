@@ -1,4 +1,4 @@
-//! Where a result goes: standard output, and files that are opened before the work starts.
+//! The destinations of a result: standard output, and files that are opened before the work starts.
 
 use super::exit::Exit;
 use super::formats::{github, junit, markdown, sarif, write_step_summary};
@@ -40,7 +40,7 @@ pub(crate) struct OutputOptions {
     output: Vec<(Option<Format>, PathBuf)>,
 }
 
-/// A file, with the format before its name if it is to be another than that of `--format`.
+/// A file, preceded by its format if that differs from `--format`.
 fn destination(text: &str) -> Result<(Option<Format>, PathBuf), String> {
     let Some((name, path)) = text.split_once('=') else { return Ok((None, text.into())) };
     if let Ok(format) = Format::from_str(name, false) {
@@ -56,16 +56,16 @@ fn destination(text: &str) -> Result<(Option<Format>, PathBuf), String> {
     Ok((None, text.into()))
 }
 
-/// The places that a result is written to.
+/// The destinations of a result.
 pub(crate) struct Outputs {
     format: Format,
     files: Vec<(Format, OutputFile)>,
-    /// What standard output already has of the tables.
+    /// The beginning of the tables that is already on standard output.
     head: String,
 }
 
 impl OutputOptions {
-    /// Opens all files, so that a wrong path is noticed first and not last.
+    /// Opens all files, so that a wrong path is reported before the work starts.
     pub(crate) fn open(&self) -> anyhow::Result<Outputs> {
         let open = |(format, path): &(Option<Format>, PathBuf)| {
             Ok((format.unwrap_or(self.format), OutputFile::open(path)?))
@@ -76,13 +76,13 @@ impl OutputOptions {
 }
 
 impl Outputs {
-    /// Whether standard output has the tables.
+    /// Whether the tables are written to standard output.
     fn is_shown(&self) -> bool {
         self.format == Format::Human && self.files.iter().all(|(format, _)| *format != Format::Human)
     }
 
-    /// Writes how the tables begin, if standard output has them, so that the reader sees at once what is being done. A
-    /// longer beginning continues a shorter one.
+    /// Writes the beginning of the tables to standard output, if the tables go there, so that the reader sees the
+    /// request at once. A longer beginning continues a shorter one.
     pub(crate) fn begin(&mut self, head: &str) -> anyhow::Result<()> {
         if let Some(more) = head.strip_prefix(&self.head).filter(|_| self.is_shown()) {
             to_stdout(more)?;
@@ -91,9 +91,9 @@ impl Outputs {
         Ok(())
     }
 
-    /// Writes the result to all places, as tables or as a document where that is asked for.
+    /// Writes the result to all destinations, each in its format.
     ///
-    /// If a file fails now, what it was to have goes to standard output, so that the work is not lost.
+    /// If a file cannot be written now, its document is written to standard output, so that the result is not lost.
     pub(crate) fn write(
         self,
         outcome: &Outcome,
@@ -135,7 +135,7 @@ impl Outputs {
     }
 }
 
-/// The text with its verdict in colour, if standard output takes colours.
+/// The text with its verdict in colour, if standard output supports colours.
 fn coloured(mut text: String, outcome: &Outcome) -> String {
     if AutoStream::choice(&io::stdout()) == ColorChoice::Never {
         return text;
@@ -154,7 +154,7 @@ fn coloured(mut text: String, outcome: &Outcome) -> String {
     text
 }
 
-/// A file to write one document to; what it held stays until the document is ready.
+/// A file for one document. The old content stays until the document is ready.
 struct OutputFile {
     file: File,
     path: PathBuf,
@@ -182,7 +182,7 @@ impl OutputFile {
     }
 }
 
-/// Writes to standard output. A reader that has seen enough closes the pipe: no error.
+/// Writes to standard output. A reader that closes the pipe early is not an error.
 pub(crate) fn to_stdout(text: &str) -> anyhow::Result<()> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {

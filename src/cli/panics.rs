@@ -1,16 +1,16 @@
-//! A panic, in any thread, becomes one line and an exit code.
+//! Converts a panic, in any thread, to one line and an exit code.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
 use std::sync::{Arc, OnceLock};
 
-/// A fault of the program.
+/// An internal error of the program.
 #[derive(Debug, thiserror::Error)]
 #[error("internal error, please report it: {0}")]
 pub(crate) struct Panic(String);
 
-/// Runs `work` with panics turned into errors.
+/// Runs `work` and converts panics to errors.
 pub(crate) fn caught<T>(work: impl FnOnce() -> anyhow::Result<T>) -> anyhow::Result<T> {
-    // The hook knows the place, the payload does not; of several threads that panic the first is told.
+    // The hook knows the source location, the payload does not. If several threads panic, the first panic is reported.
     let first = Arc::new(OnceLock::new());
     let seen = Arc::clone(&first);
     set_hook(Box::new(move |panic| {

@@ -1,14 +1,14 @@
-//! How far the work is, on stderr, if someone is watching.
+//! Progress on stderr, if it is a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::Duration;
 
-/// A line on stderr that is gone in the end; nothing if stderr is no terminal.
+/// A progress line on stderr, cleared at the end; nothing if stderr is not a terminal.
 pub(super) struct Progress(ProgressBar);
 
 impl Progress {
-    /// What is being done, with the time since its start.
+    /// Shows the current task, with the time since its start.
     pub(super) fn of(what: &'static str) -> Self {
         let bar = Self::shown(ProgressBar::new_spinner(), "{spinner} {msg}, {elapsed}");
         bar.set_message(what);
@@ -16,7 +16,7 @@ impl Progress {
         Self(bar)
     }
 
-    /// How many of so many things are done.
+    /// Shows the number of finished items out of `count`.
     pub(super) fn bar(what: &'static str, count: u64) -> Self {
         let bar = Self::shown(ProgressBar::new(count), "{wide_bar} {pos}/{len} {msg}, {eta} left");
         bar.set_message(what);
@@ -33,17 +33,17 @@ impl Progress {
         }
     }
 
-    /// Something else is being done now.
+    /// Changes the name of the current task.
     pub(super) fn now(&self, what: &'static str) {
         self.0.set_message(what);
     }
 
-    /// One more is done.
+    /// Counts one finished item.
     pub(super) fn step(&self) {
         self.0.inc(1);
     }
 
-    /// The work is done.
+    /// Clears the line.
     pub(super) fn end(self) {
         self.0.finish_and_clear();
     }

@@ -1,4 +1,4 @@
-//! A proof as tables for people, and as one document for programs.
+//! A proof as tables for people, and as a JSON document.
 
 use super::arguments::{planted, planting, program};
 use super::exit::Exit;
@@ -14,10 +14,10 @@ use beamgap::test_beam::Family;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Refutations shown; the others are counted.
+/// The number of refutations shown; the others are counted.
 const SHOWN: usize = 5;
 
-/// What a proof amounts to, with one entry for each layer of each quantity.
+/// The outcome of a proof, with one entry for each layer of each quantity.
 pub(super) fn outcome(proof: &Proof) -> Outcome {
     let (exit, name, words) = if proof.holds() {
         let words = "PROVED: closed form and automatic differentiation are equal in every draw.".to_owned();
@@ -45,7 +45,7 @@ pub(super) fn outcome(proof: &Proof) -> Outcome {
     Outcome { command: "prove", verdict: Verdict { exit, name, words }, entries: entries.collect() }
 }
 
-/// What is asked, before anything is found.
+/// The heading: the request.
 pub(super) fn head(plant: &[String], seed: u64, families: &[Family], draws: u64) -> String {
     format!(
         "Contact geometry of two beams: closed form against automatic differentiation,\n\
@@ -88,7 +88,7 @@ pub(super) fn human(proved: &Proved) -> String {
     text + "\n" + &outcome(proof).verdict.words + "\n"
 }
 
-/// All entries of one draw: what is unequal starts where the fault is, and goes on through all that hangs on it.
+/// All entries of one draw. The unequal entries begin at the fault and include all entries that depend on it.
 fn in_full(draw: &Draw) -> String {
     let part = |title: &str, wanted: fn(&Entry<PrimeField>) -> bool| {
         let mut table = Table::new(&["quantity", "part", "closed form", "AD", "ratio"]).left(&[1]);
@@ -123,7 +123,7 @@ fn in_full(draw: &Draw) -> String {
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("\n")
 }
 
-/// The first inequality of a draw and the command that shows it again.
+/// The first inequality of a draw, and the command that repeats it.
 fn told(repeat: &str, draw: &Draw) -> String {
     let Draw { families: [one, other], number, held, .. } = draw;
     let Some(first) = draw.unequal().next() else { return String::new() };
@@ -151,7 +151,7 @@ fn told(repeat: &str, draw: &Draw) -> String {
     )
 }
 
-/// The command that shows a draw again.
+/// The command that repeats a draw.
 fn repeat(seed: u64, Draw { families: [one, other], number, .. }: &Draw, plant: &[String]) -> String {
     let mut families = format!("--family {}", one.name());
     if one != other {
@@ -167,7 +167,7 @@ fn name(entry: &Entry<PrimeField>) -> String {
     entry.axis().map_or_else(|| quantity.into(), |axis| format!("{quantity}.{axis}"))
 }
 
-/// Closed form over AD, if it is a small fraction.
+/// The ratio of the closed form to AD, if it is a small fraction.
 fn ratio(entry: &Entry<PrimeField>) -> Option<String> {
     entry.ratio().map(|(above, below)| match below {
         1 => above.to_string(),
@@ -175,7 +175,7 @@ fn ratio(entry: &Entry<PrimeField>) -> Option<String> {
     })
 }
 
-/// The proof for programs, of the schema `beamgap-prove/1`; residues are strings, as not all readers hold 61 bits.
+/// The proof as JSON, of the schema `beamgap-prove/1`. Residues are strings: some readers cannot represent 61 bits.
 pub(super) fn json(proved: &Proved) -> anyhow::Result<String> {
     let Proved { plant, seed, families, draws, proof } = proved;
     let rows = proof.rows.iter().map(|row| {
@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn a_refutation_shows_what_the_fault_touches() {
         let text = human(&refuted());
-        // A command is to be pasted, whatever its width.
+        // A command may be wider, because it is copied and pasted.
         let fits = |line: &str| line.contains(" prove --seed") || line.chars().count() <= 80;
         assert!(text.lines().all(fits), "{text}");
         let last = |start: [&str; 2]| {

@@ -36,7 +36,7 @@ pub(crate) struct Prove {
     threads: Option<u16>,
 }
 
-/// What was asked, and what was found.
+/// The request and the result.
 pub(super) struct Proved {
     pub(super) plant: Vec<String>,
     pub(super) seed: u64,
@@ -46,7 +46,7 @@ pub(super) struct Proved {
 }
 
 impl Prove {
-    /// Does the proof and writes the result, and to stderr the time it took: that is not the same every time.
+    /// Runs the proof and writes the result. The time goes to stderr, because it differs from run to run.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         let mut outputs = self.output.open()?;
         work_with(self.threads)?;
@@ -59,7 +59,7 @@ impl Prove {
         let proof = prove(&variant, seed, &families, draws);
         progress.end();
         let all = proof.pairs as u64 * draws;
-        // A closed stderr is no reason to lose the result.
+        // The result is written even if stderr is closed.
         let _ = writeln!(std::io::stderr(), "{all} draws in {:.1} s", start.elapsed().as_secs_f64());
         let proved = Proved { plant, seed, families, draws, proof };
         let outcome = proof::outcome(&proved.proof);

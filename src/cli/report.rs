@@ -1,4 +1,4 @@
-//! `beamgap report`: the reports, written anew.
+//! `beamgap report`: writes the reports again.
 
 use super::accuracy::verdict;
 use super::exit::Exit;
@@ -37,7 +37,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes the benchmark, which is there or not, then what takes minutes: the reports of the checks.
+    /// Writes the benchmark, if it was measured, then the reports of the checks, which take minutes.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         Environment::is_clean(self.allow_dirty)?;
         if !self.verified.is_empty() {
@@ -52,7 +52,7 @@ impl Report {
             record.claims().iter().for_each(|claim| println!("- {claim}"));
             return Ok(Exit::Agree);
         }
-        // What is missing is said first: the rest takes minutes.
+        // A missing benchmark is reported first, because the rest takes minutes.
         if let Err(missing) = &measured {
             eprintln!("Left out: benchmark: {missing}.");
         }
@@ -61,7 +61,7 @@ impl Report {
         let written = ["crosscheck", "bounds", "accuracy", "equations", "derivation", "faults", "symbols"];
         let written: Vec<&str> = written.into_iter().chain(benchmark).collect();
         println!("Wrote to {}: {}.", self.to.display(), written.join(", "));
-        // That nothing was measured is no failure; that something was measured in part is one.
+        // A missing measurement is not a failure; an incomplete measurement is one.
         match measured {
             Err(error) if !matches!(error, ReportError::NoMeasurements { .. }) && exit == Exit::Agree => {
                 Ok(Exit::Input)

@@ -1,4 +1,4 @@
-//! What a shell and `man` know of the command line.
+//! Shell completions, and manual pages for `man`.
 
 use super::exit::Exit;
 use super::output::to_stdout;

@@ -3,7 +3,7 @@
 use beamgap::report::Page;
 use std::io::IsTerminal;
 
-/// The page with the verdict below it, as wide as the terminal: from 80 to 120 columns, and 80 if there is none.
+/// The page with the verdict below it, as wide as the terminal (80 to 120 columns); 80 columns if there is no terminal.
 pub(super) fn page(page: &Page, verdict: &str) -> String {
     format!("{}\n{verdict}\n", page.to_text(columns()))
 }

@@ -52,12 +52,12 @@ pub(crate) struct Verify {
     threads: Option<u16>,
 }
 
-/// What was found, and how it was asked for.
+/// The result and the request.
 pub(super) struct Verified {
     pub(super) report: Report,
     pub(super) demands: Demands,
     pub(super) command: String,
-    /// Why so many digits are asked for.
+    /// The reason for the requested number of digits.
     pub(super) reason: Option<String>,
 }
 
@@ -69,7 +69,7 @@ impl Verify {
         let mut failed = None;
         let verified = match self.verified(&mut outputs) {
             Ok(verified) => verified,
-            // What it answered before it failed is shown first.
+            // The answers before the failure are shown first.
             Err(error) => match error.downcast::<ProcessError>()? {
                 ProcessError::Failed { program, status, answered, stderr, mut report, conventions }
                     if report.compared > 0 =>
@@ -91,7 +91,7 @@ impl Verify {
         let outcome = answered::outcome(&verified);
         let exit = outcome.verdict.exit;
         let explain = !self.no_explanation && exit == Exit::Disagree;
-        // The tables first: an explanation takes seconds.
+        // The tables are printed first, because an explanation takes seconds.
         outputs.begin(&answered::human(&verified))?;
         let explanation =
             LazyCell::new(|| if explain { answered::explained(&verified) } else { String::new() });
@@ -112,7 +112,7 @@ impl Verify {
         Verified { report, demands, command: self.from(), reason: self.reason.clone() }
     }
 
-    /// Who answers.
+    /// The source of the answers.
     fn from(&self) -> String {
         let path = self.answers.as_ref().map(|path| path.display().to_string());
         path.or_else(|| self.run.clone()).unwrap_or_default()
@@ -153,7 +153,7 @@ impl Verify {
     }
 }
 
-/// How many cases were compared, on a terminal, ten times a second.
+/// Prints the number of compared cases on a terminal, ten times a second.
 struct Progress {
     last: Instant,
     is_shown: bool,
@@ -169,7 +169,7 @@ impl Progress {
             return;
         }
         (self.last, self.is_shown) = (Instant::now(), true);
-        // A closed stderr is no reason to stop.
+        // A closed stderr does not stop the comparison.
         let _ = write!(std::io::stderr(), "\r{} cases compared, {} wrong", report.compared, report.wrong);
     }
 

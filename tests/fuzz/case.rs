@@ -1,9 +1,9 @@
-//! What the fuzz target does with the file of `check --case-file`, and the tests with a fixed corpus.
+//! The body of the fuzz target for the file of `check --case-file`. A test runs it on a fixed corpus.
 
 use super::case_file;
 use beamgap::check::CheckConfig;
 
-/// Reads a case; what is read is written, and read again to the last bit. Then it is compared.
+/// Reads a case. A valid case is written, read again without loss of a bit, and compared.
 pub(crate) fn case(text: &str) {
     let Ok(case) = case_file::parse(text, "the case") else { return };
     let written = serde_json::Value::Object(case_file::object(&case)).to_string();

@@ -1,4 +1,4 @@
-//! What the fuzz targets do with a text, and the tests with a fixed corpus: each reader takes it, and none panics.
+//! The bodies of the fuzz targets for text. A test runs them on a fixed corpus: no text makes a reader panic.
 
 use beamgap::check::external::{
     AnswerReader, Demands, Drawing, Expected, Matching, Vector, VectorReader, VectorWriter, hex, parse,
@@ -6,7 +6,7 @@ use beamgap::check::external::{
 use beamgap::check::{Family, Regime};
 use std::sync::OnceLock;
 
-/// Two straight beams: the case that answers are compared with.
+/// Two straight beams: the case of the answers.
 fn vector() -> &'static Vector {
     static VECTOR: OnceLock<Vector> = OnceLock::new();
     VECTOR.get_or_init(|| {
@@ -15,7 +15,7 @@ fn vector() -> &'static Vector {
     })
 }
 
-/// Reads answers, JSON Lines or CSV, and compares those to case 0.
+/// Reads answers, JSON Lines or CSV, and compares the answers of case 0.
 pub(crate) fn answers(text: &[u8]) {
     let Ok(mut reader) = AnswerReader::new(text, "answers") else { return };
     let demands = Demands { conventions: *reader.conventions(), digits: None };
@@ -29,7 +29,7 @@ pub(crate) fn answers(text: &[u8]) {
     let _ = matching.finish(next);
 }
 
-/// Reads cases; what is read is written, and read again to the last bit.
+/// Reads cases. A valid case is written, and read again without loss of a bit.
 pub(crate) fn vectors(text: &[u8]) {
     let Ok(mut reader) = VectorReader::new(text, "vectors") else { return };
     while let Ok(Some(vector)) = reader.next_vector() {
@@ -47,7 +47,7 @@ fn reader_head() -> &'static str {
     "{\"schema\":\"beamgap-vectors/1\"}"
 }
 
-/// Reads a number; one that is read is written in hexadecimal, and read again to the last bit.
+/// Reads a number. A valid number is written in hexadecimal, and read again without loss of a bit.
 pub(crate) fn number(text: &str) {
     let Ok(number) = parse(text) else { return };
     let again = parse(&hex(number)).expect("what was written is read");

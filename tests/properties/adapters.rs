@@ -1,12 +1,12 @@
-//! The programs that `beamgap adapter` prints are right, and a wrong term in them is named.
+//! The programs that `beamgap adapter` prints are correct, and a wrong term in them is named.
 //!
-//! A language whose compiler is missing is left out, unless BEAMGAP_ADAPTERS is set: then it is an error.
+//! A language without a compiler is skipped. If BEAMGAP_ADAPTERS is set, a missing compiler is an error.
 
 use crate::program::{run, stdout};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// A language: the name of its file, how the program is made, and the line that is planted.
+/// A language: the name of its file, the command of its compiler, and the line with the injected fault.
 struct Adapter {
     language: &'static str,
     file: &'static str,
@@ -48,7 +48,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Writes and compiles a program; the command that runs it, or nothing if there is no compiler.
+/// Writes and compiles a program. Returns the command that runs it, or nothing if there is no compiler.
 fn made(adapter: &Adapter, folder: &Path, text: &str) -> Option<String> {
     let source = folder.join(adapter.file);
     std::fs::write(&source, text).unwrap();
@@ -116,7 +116,7 @@ fn the_python_program_agrees_until_a_term_is_wrong() {
     verified(&ADAPTERS[3]);
 }
 
-/// Octave runs the program for MATLAB. It is large, so nobody is asked to install it.
+/// Octave runs the program for MATLAB. Octave is large, so its installation is not required.
 #[test]
 fn the_matlab_program_agrees_until_a_term_is_wrong() {
     let text = stdout(&run(&["adapter", "matlab"]));

@@ -1,4 +1,4 @@
-//! No evaluation allocates: not the curves, not the closed form, not AD. The first linearization by value of a thread does.
+//! No evaluation of the curves, the closed form or AD allocates; the first linearization by value of a thread does.
 
 use crate::pairs::{Contacting, contacting, hermite};
 use beamgap::linearization::closed_form::kernel::{Packed, PairAtPoint, write_d_batch};
@@ -27,6 +27,6 @@ fn nothing_is_allocated_in_an_evaluation() {
         std::hint::black_box(ad::expand_by_orders::<_, _, 12, 12, 8, 1>(pair, q, point, |q| [q.xi]));
     });
     assert_eq!(counted.count_total, 0);
-    // The counter counts.
+    // Checks that the counter counts.
     assert_eq!(allocation_counter::measure(|| drop(std::hint::black_box(vec![0_u8; 8]))).count_total, 1);
 }

@@ -1,4 +1,4 @@
-//! Four pairs in the lanes of a vector are four pairs one by one.
+//! Four pairs in the lanes of a vector give the same results as four single pairs.
 
 #![expect(clippy::large_stack_arrays, reason = "five quantities of 24 dofs")]
 
@@ -16,7 +16,7 @@ use beamgap::pair::{DofVector, Pair};
 use nalgebra::SVector;
 use proptest::prelude::*;
 
-/// Each of at most eight pairs is the same in its lane as alone.
+/// Each of at most eight pairs gives the same result in its lane as alone.
 fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>]) {
     let pairs_at_points: Vec<_> =
         cases.iter().map(|Contacting { pair, q, point, .. }| PairAtPoint { pair, q, point }).collect();
@@ -31,7 +31,7 @@ fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>]) {
     }
 }
 
-/// The packed numbers are near, by tolerances of all numbers in full.
+/// The packed numbers agree within the tolerances; the tolerances are those of a full matrix.
 fn near(one: &[f64], in_lane: &[f64], tolerances: &[f64], dofs: usize) {
     let (of_value, of_hessian) = tolerances.split_at(1 + dofs);
     let of_half = of_hessian.chunks(dofs).enumerate().flat_map(|(i, row)| &row[..=i]);
@@ -46,12 +46,12 @@ fn lane(of_four: &Packed<Lanes, 24, 300>, lane: usize) -> Vec<f64> {
     [value].into_iter().chain(gradient).chain(hessian).map(|x| x.0[lane]).collect()
 }
 
-/// The same of one pair.
+/// Value, gradient and Hessian of a single pair.
 fn alone(Packed { hessian, gradient, value }: &Packed<f64, 24, 300>) -> Vec<f64> {
     [value].into_iter().chain(gradient).chain(hessian).copied().collect()
 }
 
-/// Beams whose tangents are those of the curve, or half of these.
+/// Beams whose tangents are those of the curve, or half of them.
 fn scaled() -> impl Strategy<Value = (Hermite, SVector<f64, 12>)> {
     (prop_oneof![Just(Hermite::new()), Just(Hermite::scaled_by(4.0))], vector())
 }
@@ -60,7 +60,7 @@ impl Movable<18> for Bezier<6> {
     const POINTS: &'static [usize] = &[0, 3, 6, 9, 12, 15];
 }
 
-/// A beam of six control vectors above one of two, bent by these dofs.
+/// A beam of six control vectors, bent by these dofs, above a beam of two control vectors.
 fn long_and_short(bent: &SVector<f64, 18>) -> Contacting<Bezier<6>, Segment, 18, 6> {
     let pair = Pair::new(Bezier::new(), Segment::new());
     let straight = [-1.0, -0.6, -0.2, 0.2, 0.6, 1.0];
@@ -71,7 +71,7 @@ fn long_and_short(bent: &SVector<f64, 18>) -> Contacting<Bezier<6>, Segment, 18,
 }
 
 proptest! {
-    /// What a machine without vectors does in lanes, by the source of every scalar.
+    /// The lane arithmetic of a machine without vector instructions; it uses the source code of every scalar.
     #[test]
     fn numbers_in_lanes(cases in proptest::array::uniform4(contacting(hermite(), hermite()))) {
         let form = Formulation::paper(Held::default());
@@ -95,7 +95,7 @@ proptest! {
         }
     }
 
-    /// The lanes have no fixed number of control vectors.
+    /// The lanes support any number of control vectors.
     #[test]
     fn batches_of_long_and_short_curves(bent in proptest::array::uniform4(vector::<18>())) {
         let cases = bent.each_ref().map(long_and_short);
@@ -110,19 +110,19 @@ proptest! {
         }
     }
 
-    /// Each lane is its pair, the last four and those at an end of a beam among them; whatever is too long is left.
+    /// Each lane equals its pair, also in an incomplete batch and at an end. Pairs beyond the memory are skipped.
     #[test]
     fn batches(cases in proptest::collection::vec(contacting(hermite(), hermite()), 1..=6)) {
         equal_in_lanes(&cases);
     }
 
-    /// Pairs of different curves, of which the lanes hold none.
+    /// Pairs of different curves, which cannot share the lanes.
     #[test]
     fn batches_of_different_curves(cases in proptest::collection::vec(contacting(scaled(), scaled()), 2..=6)) {
         equal_in_lanes(&cases);
     }
 
-    /// Whether or not the memory is for all pairs, each is done as in a batch of four.
+    /// Each pair gives the result of a batch of four, for any length of the memory.
     #[test]
     fn batches_of_any_length(
         cases in proptest::collection::vec(contacting(hermite(), hermite()), 5),
@@ -145,7 +145,7 @@ proptest! {
         prop_assert!(d == d_of_four);
     }
 
-    /// So it is where pairs ask for another form than the paper's, or for several.
+    /// The same is true of pairs that need another formulation than the paper's, or different formulations.
     #[test]
     fn batches_of_near_pairs(
         cases in proptest::collection::vec(contacting(hermite(), hermite()), 4),
@@ -155,7 +155,7 @@ proptest! {
     ) {
         let near = |i: usize| if alike { (1.0, f64::exp2(-6.0 - 0.5 * gaps[i])) } else { (angles[i], f64::exp2(-gaps[i])) };
         let cases: Vec<_> = cases.iter().enumerate().map(|(i, case)| brought_near(case, near(i).0, near(i).1)).collect();
-        // The closest point has to be known, or there are no tolerances.
+        // Without a known closest point there are no tolerances.
         prop_assume!(cases.iter().all(|case| !tolerances::<_, _, 12, 12, 24>(case)[0].iter().any(|of| of.is_nan())));
         equal_in_lanes(&cases);
     }

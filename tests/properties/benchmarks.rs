@@ -1,4 +1,4 @@
-//! What criterion measured and callgrind counted is read, summed up and compared as it should be.
+//! The samples of criterion and the counts of callgrind are read, summarized and compared correctly.
 
 use crate::reports::committed;
 use beamgap::report::{
@@ -19,7 +19,7 @@ fn committed_medians_and_intervals_follow_from_the_samples() {
     }
 }
 
-/// What is timed with which beams, whatever the tests can afford to compile.
+/// The committed benchmark contains every method and family, also those that are too slow to compile in a test.
 #[test]
 fn every_family_is_timed_in_every_way() {
     let all = Benchmark::from_json(&committed("benchmark.json")).unwrap().scenarios;
@@ -51,7 +51,7 @@ fn every_family_is_timed_in_every_way() {
     }
 }
 
-/// An entry of a large result costs no more than one of a small result, by the count of instructions.
+/// An entry of a large result costs no more instructions than an entry of a small result.
 #[test]
 fn the_cost_is_proportional_to_the_size_of_the_result() {
     let counts = Instructions::from_json(&committed("instructions.json")).unwrap().rows;
@@ -83,7 +83,7 @@ fn intervals_of_medians_have_the_ranks_of_the_tables() {
         let sorted: Vec<f64> = (1..=n).map(f64::from).collect();
         assert_eq!(median_interval(&sorted, 0.95), [f64::from(rank), f64::from(n + 1 - rank)], "n = {n}");
     }
-    // Too few for 95 %.
+    // Three samples are too few for 95 %.
     assert_eq!(median_interval(&[1.0, 2.0, 3.0], 0.95), [1.0, 3.0]);
 }
 
@@ -95,7 +95,7 @@ fn times_are_summed_up_in_any_order() {
     assert!(spread(&[]).is_none());
 }
 
-/// A directory as criterion leaves it, removed in the end.
+/// A directory with the files that criterion writes; it is removed at the end.
 struct Left(PathBuf);
 
 impl Left {
@@ -123,7 +123,7 @@ impl Left {
         verdicts.write(&self.0).unwrap();
     }
 
-    /// Ten samples, of one iteration more each, at so many nanoseconds an iteration.
+    /// Ten samples with 1 to 10 iterations, at `time` nanoseconds an iteration.
     fn samples(&self, method: &str, time: f64) {
         self.samples_of("d/hermite, 24 dofs", method, time);
     }
@@ -154,7 +154,7 @@ fn what_criterion_left_is_read_and_what_it_should_not_hold_is_passed_over() {
     left.samples("hyper-dual", 160_000.0);
     left.samples("of an older version", 1.0);
     let roofline = Rounds::Roofline { multiply_adds: 1500, samples: vec![[812.5, 0.5, 0.25]] };
-    // The machine is slower in the second round; by their samples alone the dual numbers take 200 times as long.
+    // The machine is slower in the second round. By their own samples the dual numbers take 200 times as long.
     let samples = vec![[48_000.0, 200.0], [72_000.0, 300.0], [49_000.0, 200.0]];
     let of_group =
         |method: &str, rounds: &Rounds| ("d/hermite, 24 dofs".to_owned(), method.to_owned(), rounds.clone());
@@ -193,7 +193,7 @@ fn what_is_missing_is_named_with_the_command_that_makes_it() {
     assert!(matches!(error(), ReportError::NoVerdicts { .. }));
     assert!(error().to_string().contains("`cargo bench`") && error().to_string().contains(VERDICTS));
 
-    // Timed before it was verified, by a clock that may not tell the two caches apart.
+    // The method is timed before it is verified. The sleep makes the times of the two files differ.
     std::thread::sleep(std::time::Duration::from_millis(20));
     left.verdicts(&[("closed form", 0.1)]);
     assert!(matches!(error(), ReportError::NotTimed { .. }));

@@ -1,4 +1,4 @@
-//! Linearizations with bounds on their rounding: the tolerances of the properties.
+//! Linearizations with running error bounds: the tolerances of the properties.
 
 use crate::pairs::Contacting;
 use beamgap::closest_point::Held;
@@ -35,7 +35,7 @@ pub(crate) fn parameters<A: Curve<N>, B: Curve<M>, const N: usize, const M: usiz
     (RunningError::new(at.0, step), RunningError::new(at.1, step_bar))
 }
 
-/// The linearization at the exact closest point near `at`, of dofs that may have bounds themselves.
+/// The linearization at the exact closest point near `at`; the dofs may have error bounds themselves.
 pub(crate) fn linearized<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<RunningError, N, M>,
@@ -65,7 +65,7 @@ pub(crate) fn scalars<const N: usize, const M: usize>(
     [&l.d, &l.t, &l.t_bar, &l.xi, &l.xi_bar, &l.g_t, &l.g_t_bar]
 }
 
-/// Whether both may be the same number.
+/// Whether both intervals can contain the same number.
 pub(crate) fn is_near(x: RunningError, y: RunningError) -> bool {
     (x.value - y.value).abs() <= x.bound + y.bound
 }

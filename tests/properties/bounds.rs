@@ -1,6 +1,6 @@
-//! The bounds on rounding that the gate compares with are bounds.
+//! The rounding errors do not exceed the error bounds that the check uses.
 //!
-//! `beamgap bounds` does the same for 100,000 cases.
+//! `beamgap bounds` runs the same test for 100,000 cases.
 
 use beamgap::check::{Bounds, Order, Regime, Selection, Side, bounds};
 
@@ -8,7 +8,7 @@ fn measured(seed: u64) -> Bounds {
     bounds(seed, &Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1000 }, || ())
 }
 
-/// Against the closed form in double-double, for both sides, in every order and every regime.
+/// Compares with the closed form in double-double, for both sides, in every order and every regime.
 #[test]
 fn no_error_exceeds_its_bound() {
     let found = measured(0xb0d);
@@ -19,7 +19,7 @@ fn no_error_exceeds_its_bound() {
             for order in [Order::Value, Order::First, Order::Second] {
                 let measured = &found.regimes[&(side, order)][&regime];
                 assert!(measured.entries > 1000, "{regime:?} {side:?} {order:?}: {measured:?}");
-                // The smallest ratio is no less than one, and f64 has rounded indeed.
+                // The smallest overestimation factor is at least one, and `f64` has rounding errors.
                 assert!(measured.overestimation.unwrap().min >= 1.0);
                 assert!(measured.error.unwrap().max > 1e-17);
             }

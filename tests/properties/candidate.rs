@@ -1,4 +1,4 @@
-//! A linearization of the user's own through the gate.
+//! The check of a linearization of the user.
 
 use beamgap::check::{self, Answer, Family, Found, Order, Situation};
 use beamgap::curve::Segment;
@@ -57,7 +57,7 @@ fn found(change: impl Fn(Quantity, &mut Numbers) + Sync) -> Found {
 fn the_textbook_formulas_agree_in_every_regime() {
     let found = found(|_, _| ());
     assert!(found.agrees(), "{found}");
-    // Eight quantities in three orders; contracted by the gate and by the candidate, so twice as many variations.
+    // Eight quantities in three orders. Both the check and the candidate contract, which doubles the variations.
     assert_eq!(found.digits.len(), 8 * 3);
     assert!(
         found.compared > 100 && (found.mismatches, found.unanswered, found.doubted) == (0, 0, 0),
@@ -88,7 +88,7 @@ fn the_first_wrong_number_is_named_with_its_equations() {
         let found = halved(quantity, order);
         assert!(!found.agrees() && found.mismatches > 50 && found.doubted == 0, "{found}");
         assert!(found.first.keys().all(|&first| first == (order, quantity)), "{:?}", found.first);
-        // Of a few numbers is left what the fault needs.
+        // The shrunk case keeps only the numbers that the fault needs.
         let example = found.example.as_ref().unwrap();
         let numbers = example.case.test_beams.iter().flat_map(|s| [&s.q, &s.dq, &s.linear_dq]).flatten();
         let not_zero = numbers.filter(|&&number| number != 0.0).count();

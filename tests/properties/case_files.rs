@@ -1,4 +1,4 @@
-//! Cases as files: read back as they were written, or refused with the place of what is wrong.
+//! Cases as files: they are read back without a change, or rejected with the place of the error.
 
 use crate::program::{command, golden, run, stdout};
 use beamgap::check::{CaseData, CheckConfig, Comparison, Family, TestBeam, Verdict, test_source};
@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::io::Write as _;
 use std::process::{Output, Stdio};
 
-/// Checks the case that is given on standard input.
+/// Checks the case on standard input.
 fn check(case: &str, more: &[&str]) -> Output {
     let mut command = command(&[&["check", "--case-file", "-"], more].concat());
     let piped = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -19,7 +19,7 @@ fn check(case: &str, more: &[&str]) -> Output {
 
 #[test]
 fn a_case_is_read_back_to_the_last_bit() {
-    // One for each family, and all regimes.
+    // One case for each family, and all regimes.
     for k in 0..11 {
         let drawn = run(&["check", "--case", &(109 * k).to_string(), "--format", "json"]);
         let text = String::from_utf8(drawn.stdout).unwrap();
@@ -45,7 +45,7 @@ fn a_file_is_as_good_as_standard_input() {
     assert!(text.starts_with("segment and quadratic\n") && text.contains("\nAGREE: "), "{text}");
 }
 
-/// A case with few small numbers: a curve of this family over a straight one.
+/// A case with few short numbers: a curve of this family above a straight one.
 fn small(family: Family) -> CaseData {
     let node = |x: f64| [x, 0.0, 0.25 * x * x];
     let points = |nodes: &[f64]| nodes.iter().flat_map(|&x| node(x)).collect::<Vec<_>>();
@@ -95,12 +95,12 @@ fn tests_to_be_pasted_are_the_golden_ones() {
                 },
             )
             .unwrap_or_else(|| panic!("{compared:?}"));
-        // All kinds of entries in turn.
+        // The cases take all kinds of entries one after another.
         let entry: &Comparison = &entries[(k * 29 + 9) % entries.len()];
         let name = family.name().replace('-', "_");
         let _ = writeln!(text, "mod {name} {{\n{}}}", test_source(&case, minimum, entry));
     }
-    // The kernel has numbers that no other layout has.
+    // Only the kernel for d alone has these numbers.
     let case = small(Family::Hermite);
     let compared = case.compare(&CheckConfig::default()).unwrap();
     let of_d = compared[0].1.entries().iter().filter(|entry| entry.against == "kernel, d alone");
@@ -113,7 +113,7 @@ fn tests_to_be_pasted_are_the_golden_ones() {
     {
         assert!(text.contains(needed), "{needed}");
     }
-    // The tolerance is derived from how the formulas are written.
+    // The tolerance depends on how the formulas are written, so it is not compared.
     let blind = |text: &str| {
         let tolerance =
             |line: &str| line.split_once(" <= ").map_or(line.into(), |(before, _)| before.to_owned());
@@ -232,7 +232,7 @@ fn what_is_no_case_at_all_is_refused() {
     assert_eq!(output.status.code(), Some(2));
 }
 
-/// Two lines that cross above the origin: x is zero there, and no less comparable than elsewhere.
+/// Two lines that cross above the origin. There x is zero, and it is compared as elsewhere.
 #[test]
 fn a_closest_point_at_the_origin_is_compared() {
     let line = |q: [f64; 6], dq: [f64; 6], linear_dq: [f64; 6]| json!({ "family": "segment", "q": q, "dq": dq, "linear_dq": linear_dq });
@@ -251,7 +251,7 @@ fn a_closest_point_at_the_origin_is_compared() {
     );
 }
 
-/// Reports name cases by their numbers alone: a number must draw the same beams for ever.
+/// Reports identify cases by their numbers alone, so a number must always draw the same beams.
 #[test]
 fn a_number_draws_the_case_that_it_always_drew() {
     let golden = include_str!("../golden/case.txt");

@@ -1,4 +1,4 @@
-//! Centroids in the parametrization of the sources that reference values come from, and pieces of closed curves.
+//! Centroids in the parametrization of the sources of the reference values, and pieces of closed curves.
 
 use beamgap::closest_point::{Centroid, ClosestPoint, Search, closest_points};
 use beamgap::curve::Geometry;
@@ -37,7 +37,7 @@ impl Winding {
         0.5 * (self.from + self.to) + self.half() * xi
     }
 
-    /// The equal `count` pieces of the curve.
+    /// The curve divided into `count` equal pieces.
     pub(crate) fn pieces(&self, count: u32) -> Vec<Self> {
         let step = (self.to - self.from) / f64::from(count);
         let from = |i: u32| self.from + step * f64::from(i);
@@ -89,8 +89,8 @@ impl Centroid for Cubic {
     }
 }
 
-/// The points over the union of all pieces at which the distance is stationary: those that no piece holds strictly,
-/// each once, with the parameters of the closed curves in place of xi and `xi_bar`.
+/// The points over the union of all pieces at which the distance is stationary. Points strictly at an end of a piece
+/// are omitted. Each point is listed once, with the parameters of the closed curves in place of xi and `xi_bar`.
 pub(crate) fn over_pieces(curve: &Winding, bar: &Winding, counts: [u32; 2]) -> Vec<ClosestPoint> {
     let mut points: Vec<ClosestPoint> = Vec::new();
     for piece in curve.pieces(counts[0]) {
@@ -115,13 +115,13 @@ pub(crate) fn over_pieces(curve: &Winding, bar: &Winding, counts: [u32; 2]) -> V
     points
 }
 
-/// The distance of two angles.
+/// The absolute difference of two angles.
 pub(crate) fn apart(a: f64, b: f64) -> f64 {
     let turn = (a - b).rem_euclid(TAU);
     turn.min(TAU - turn)
 }
 
-/// Asserts that a value is the expected one to a relative tolerance.
+/// Asserts that a value equals the expected one within a relative tolerance.
 #[track_caller]
 pub(crate) fn close(value: f64, expected: f64, tolerance: f64) {
     let error = (value - expected).abs() / expected.abs();

@@ -1,6 +1,6 @@
-//! Results for continuous integration: parts of a run, and formats.
+//! Results for continuous integration: shards of a run, and formats.
 //!
-//! A tool that is missing is left out, unless BEAMGAP_ADAPTERS is set: then it is an error.
+//! A missing tool is skipped. If BEAMGAP_ADAPTERS is set, a missing tool is an error.
 
 use crate::program::{command, golden, json, run, stdout};
 use crate::schemas::is_valid;
@@ -19,7 +19,7 @@ pub(crate) fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Runs in a folder, with its output in all formats in files of their names.
+/// Runs in a folder and writes the output in all formats; each file has the name of its format.
 fn in_all_formats(folder: &Path, arguments: &[&str]) -> Output {
     let outputs: Vec<String> = FORMATS.map(|format| format!("--output={format}={format}")).to_vec();
     let outputs: Vec<&str> = outputs.iter().map(String::as_str).collect();
@@ -30,7 +30,7 @@ fn read(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap()
 }
 
-/// The parts of a run, merged, are the run to the last byte, in every format.
+/// The merged shards of a run equal the run to the last byte, in every format.
 #[test]
 fn a_merged_run_is_the_run() {
     let selections: [&[&str]; 2] = [
@@ -127,13 +127,13 @@ fn what_a_time_budget_leaves_out_is_said() {
     assert_eq!(run(&["check", "--time-budget", "soon"]).status.code(), Some(2));
 }
 
-/// The log against the schema of OASIS.
+/// Validates the log against the schema of OASIS.
 fn is_sarif(text: &str) {
     let schema: Value = serde_json::from_str(include_str!("../schemas/sarif-2.1.0.json")).unwrap();
     is_valid(&serde_json::from_str(text).unwrap(), &schema, &schema).unwrap();
 }
 
-/// The suite against the schema of Jenkins' xUnit plugin.
+/// Validates the suite against the schema of Jenkins' xUnit plugin.
 fn is_junit(path: &Path) {
     let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/schemas/junit-10.xsd");
     let validated = Command::new("xmllint").arg("--noout").arg("--schema").arg(schema).arg(path).output();
@@ -165,7 +165,7 @@ fn every_format_is_of_its_schema() {
         assert!(read(&folder, "markdown").starts_with(if code == 0 { "## ✅" } else { "## ❌" }));
         assert!(read(&folder, "human").ends_with(&String::from_utf8(output.stdout).unwrap()));
     }
-    // A schema that nothing violates checks nothing.
+    // The schema must reject an invalid log.
     let schema: Value = serde_json::from_str(include_str!("../schemas/sarif-2.1.0.json")).unwrap();
     let wrong =
         serde_json::json!({ "version": "2.1.0", "runs": [{ "tool": { "driver": { "title": "beamgap" } } }] });
@@ -199,7 +199,7 @@ fn wrong_answers_are_shown_at_their_line() {
     assert!(read(&folder, "junit").contains(&format!("\nanswers.jsonl:{line}</failure>")));
 }
 
-/// Of a proof, where nothing is rounded; the lines of the source change.
+/// A proof is used, because it has no rounding. The line numbers of the source are not compared.
 #[test]
 fn formats_are_the_golden_ones() {
     let folder = folder("golden");

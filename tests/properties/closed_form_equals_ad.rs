@@ -1,5 +1,5 @@
-//! The closed form, in every layout of its kernel, and every method of automatic differentiation, through the gate that a user's linearization goes
-//! through: in every regime, within tolerances derived from rounding.
+//! The closed form, in every layout of its kernel, and every method of automatic differentiation, tested by the
+//! check for linearizations of users: in every regime, within tolerances derived from rounding.
 
 use crate::kernel::targets;
 use beamgap::check::{self, Answer, Case, CheckConfig, Family, Situation, Verdict, compare};
@@ -16,7 +16,7 @@ use beamgap::pair::{DofVector, Pair};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 
-/// Of one component a value, a gradient and a Hessian.
+/// Value, gradient and Hessian of one component.
 fn of_expansion<const N: usize, const M: usize>(
     component: usize,
     numbers: &Derivatives<f64, N, M>,
@@ -33,7 +33,7 @@ fn of_expansion<const N: usize, const M: usize>(
     }
 }
 
-/// Of all components the variations.
+/// The variations of all components.
 fn of_variations(all: &Quantities<Varied<f64>>) -> Vec<Answer> {
     let of = |(component, varied): (usize, Varied<f64>)| Answer {
         axis: Quantity::axis_of_component(component),
@@ -57,7 +57,7 @@ struct At<A, B, const N: usize, const M: usize> {
 const VECTORS: [VectorQuantity; 5] =
     [VectorQuantity::X, VectorQuantity::XBar, VectorQuantity::D, VectorQuantity::T, VectorQuantity::TBar];
 
-/// The scalars that are differentiated, with the places of their components.
+/// The scalars that are differentiated, in the order of their components.
 fn scalars<S: nalgebra::Scalar>(q: Quantities<S>) -> [S; 8] {
     [q.d, q.t, q.t_bar, q.xi, q.xi_bar, q.g_n, q.g_t, q.g_t_bar]
 }
@@ -68,7 +68,7 @@ fn of_scalars<const N: usize, const M: usize>(all: [Derivatives<f64, N, M>; 8]) 
 
 type Method<A, B, const N: usize, const M: usize> = (&'static str, fn(&At<A, B, N, M>) -> Vec<Answer>);
 
-/// Everything that answers, by name.
+/// All methods that are compared, by name.
 fn methods<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const S: usize>()
 -> [Method<A, B, N, M>; 10] {
     [
@@ -104,7 +104,7 @@ fn methods<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const S: us
             let chord = ad::chord(&at.pair, &at.q, &at.point);
             of_scalars(ad::expand_by_sweep(Route::Chord(chord, 2), &at.pair, &at.q, &at.point, scalars))
         }),
-        // Rows of eight are longer than what is left of some rows, and with rows of five no length is a multiple.
+        // Rows of eight dofs are longer than the rest of some rows. With rows of five dofs no length is a multiple.
         ("orders", |at| {
             let mut all =
                 of_scalars(ad::expand_by_orders::<_, _, N, M, 8, 8>(&at.pair, &at.q, &at.point, scalars));
@@ -126,7 +126,7 @@ fn by_route<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     of_variations(&ad::vary(route, &at.pair, &at.q, &at.point, &at.dq, &at.linear_dq))
 }
 
-/// Of the scalars but the slips value, gradient and Hessian, as the kernel writes them to memory of some layout.
+/// Value, gradient and Hessian of the scalars except the slips, as the kernel writes them in one layout.
 fn of_kernel<A: Curve<N>, B: Curve<M>, W: Target<f64, N, M> + Copy, const N: usize, const M: usize>(
     at: &At<A, B, N, M>,
     zeros: W,
@@ -145,7 +145,7 @@ fn of_kernel<A: Curve<N>, B: Curve<M>, W: Target<f64, N, M> + Copy, const N: usi
     quantities.into_iter().zip(&mut all).map(of).collect()
 }
 
-/// The layouts of the kernel beside blocks, which `linearize` returns.
+/// The layouts of the kernel besides blocks, which `linearize` returns.
 fn layouts<A: Curve<9>, B: Curve<12>>() -> [Method<A, B, 9, 12>; 3] {
     [
         ("kernel, full", |at| of_kernel(at, Full::<f64, 21>::zeros(), |full, i, j| full.hessian[i][j])),
@@ -154,7 +154,7 @@ fn layouts<A: Curve<9>, B: Curve<12>>() -> [Method<A, B, 9, 12>; 3] {
     ]
 }
 
-/// d in the last of four lanes; in the others the beam is another.
+/// d in the last of four lanes. The other lanes have another beam.
 fn in_lanes(at: &At<Hermite, Hermite, 12, 12>) -> Vec<Answer> {
     let At { pair, point, q, .. } = at;
     let other = DofVector { beam: q.beam * 1.5, bar: q.bar };
@@ -173,7 +173,7 @@ fn in_lanes(at: &At<Hermite, Hermite, 12, 12>) -> Vec<Answer> {
     }]
 }
 
-/// All methods agree, for a pair of families whose curves are made of their parameters.
+/// All methods agree, for a pair of families whose curves are built from their parameters.
 fn agree<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     methods: impl IntoIterator<Item = Method<A, B, N, M>>,
     families: [Family; 2],
@@ -194,7 +194,7 @@ fn agree<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
                 linear_dq: along(at.linear_dq),
             })
         };
-        // A number with a Hessian over 25 dofs is long, and there are 23 of them.
+        // 23 numbers, each with a Hessian over 25 dofs, need a large stack.
         let pool = rayon::ThreadPoolBuilder::new().stack_size(16 << 20).build().unwrap();
         let found = pool.install(|| check::linearization(&answers, families, 4));
         assert!(found.agrees(), "{name}\n{found}");
@@ -234,7 +234,7 @@ fn weighted_nurbs_and_arc() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
-    /// Within the derived tolerance, whatever the seed, the regime and the pair of families.
+    /// Agreement within the derived tolerance, for any seed, regime and pair of families.
     #[test]
     fn every_case_that_the_gate_can_draw(seed: u64, number in 0..100_000_u64) {
         let case = Case::draw(seed, number);

@@ -1,4 +1,4 @@
-//! Closest points against published values and values computed with fifty digits.
+//! Closest points compared with published values and with values computed with fifty digits.
 
 use crate::centroids::{Winding, apart, close, ellipse, line, over_pieces};
 use beamgap::closest_point::{Centroid, ClosestPoint};
@@ -12,7 +12,7 @@ fn unit_circle() -> Winding {
     ellipse([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]).over(-PI, PI)
 }
 
-/// a, b, a_bar and D per unit of the sources' parameters, of which a piece covers `half` to either side.
+/// a, b, a_bar and D per unit of the sources' parameters. A piece extends `half` of this parameter to either side.
 fn projection(curve: &Winding, bar: &Winding, point: &ClosestPoint) -> SquaredDistance {
     SquaredDistance::new(&curve.geometry(point.xi), &bar.geometry(point.xi_bar))
 }
@@ -50,7 +50,7 @@ fn skew_lines() {
 fn line_against_circle() {
     let third = 1.0 / 3.0;
     let x = line([1.5, -0.25, 0.5], [third, 2.0 * third, 2.0 * third], -4.0, 4.0);
-    // The saddle has eta = -3.63, which is 2.65 on the circle.
+    // The saddle has eta = -3.63, which is the angle 2.65 on the circle.
     let found = over_pieces(&x, &unit_circle(), [1, 2]);
     assert_eq!(found.len(), 2, "{found:?}");
     let [minimum, saddle] = [found[0], found[1]];
@@ -128,7 +128,7 @@ fn two_segments() {
     assert_eq!((again.xi, again.xi_bar), (point.xi, point.xi_bar));
 }
 
-/// A curve whose points are known to ten digits only.
+/// A curve whose points are accurate to ten digits only.
 struct Rough(Winding);
 
 impl Centroid for Rough {
@@ -152,7 +152,7 @@ fn newtons_method_ends_at_the_rounding_of_the_points() {
     assert!((point.xi - exact.xi).abs().max((point.xi_bar - exact.xi_bar).abs()) < 1e-8);
 }
 
-/// The ellipse with the elements (a, e, ω, Ω, i), angles in degrees, over the eccentric anomaly.
+/// The ellipse with the elements (a, e, ω, Ω, i), angles in degrees, as a function of the eccentric anomaly.
 fn orbit([a, e, perihelion, node, inclination]: [f64; 5]) -> Winding {
     let turn = |axis, degrees: f64| Rotation3::from_axis_angle(&axis, degrees.to_radians());
     let frame = turn(Vector3::z_axis(), node)

@@ -1,6 +1,6 @@
-//! The scripts that run a check on several machines give the result of one machine.
+//! The scripts that run a check on several machines give the same result as one machine.
 //!
-//! What is missing is left out, unless BEAMGAP_ADAPTERS is set: then it is an error. BEAMGAP_PYTHON names a Python with
+//! A missing tool is skipped. If BEAMGAP_ADAPTERS is set, it is an error. BEAMGAP_PYTHON names a Python with
 //! `dask.distributed`.
 
 use crate::program::{run, stdout};
@@ -11,7 +11,7 @@ use std::process::Command;
 
 const SMALL: [&str; 4] = ["--cases", "8", "--family", "segment"];
 
-/// A folder, an example in it, and the search path with the command.
+/// A folder, the path of an example in it, and the search path with the command.
 fn prepared(name: &str) -> (PathBuf, PathBuf, OsString) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cluster-{name}"));
     let _ = fs::remove_dir_all(&folder);
@@ -24,7 +24,7 @@ fn prepared(name: &str) -> (PathBuf, PathBuf, OsString) {
     (folder, example, path)
 }
 
-/// The document of a run on one machine; the test's own cargo is not to show in its commands.
+/// The document of a run on one machine. The cargo that runs the test must not appear in its commands.
 fn of_one_machine(more: &[&str]) -> String {
     stdout(&run(&[&["check", "--format", "json"][..], &SMALL, more].concat()))
 }

@@ -1,4 +1,4 @@
-//! The command line: what it prints, how it ends, and that it prints the same again.
+//! The command line: its output, its exit codes, and that its output is reproducible.
 
 use crate::program::{blind_json, blind_text, command, golden, json, run, stdout};
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ fn small(more: &[&str]) -> Output {
     run(&[&SMALL, more].concat())
 }
 
-/// A file of this test alone.
+/// A file that only this test uses.
 fn scratch(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
@@ -29,7 +29,7 @@ fn the_document_is_the_golden_one() {
 
 #[test]
 fn one_case_is_the_golden_one() {
-    // Of the text, what does not hang on last digits: the words, the names and the order.
+    // The numbers depend on the machine in their last digits, so only the words, the names and the order are compared.
     let words = |text: &str| {
         let number = |token: &&str| token.parse::<f64>().is_err();
         let lines =
@@ -39,7 +39,7 @@ fn one_case_is_the_golden_one() {
     golden("case.txt", &stdout(&run(&["check", "--case", "17"])), words);
 }
 
-/// Of a case with a fault, only what differs is shown on request.
+/// For a case with a fault, `--only-wrong` shows only the numbers that differ.
 #[test]
 fn one_case_fits_a_terminal_and_shows_what_differs() {
     let fault = ["--plant", "Dd|d|: d.turned = sign"];
@@ -120,7 +120,7 @@ fn bad_input_is_one_line_and_a_code() {
             "invalid value 'xml' for '--format <FORMAT>' [possible values: human, json, junit, sarif, github, markdown] (see --help)",
         ),
         (
-            // Were it noticed last, this would take hours.
+            // The path must be checked before the work, which takes hours.
             &["check", "--cases", "1000000", "--output", "/nowhere/at/all"],
             3,
             "cannot write /nowhere/at/all: No such file or directory (os error 2)",
@@ -152,7 +152,7 @@ fn a_closed_pipe_is_no_error() {
     }
 }
 
-/// The document for programs has every number; the tables are made of the same.
+/// The JSON document contains every number, and the tables are made from the same numbers.
 #[test]
 fn threads_do_not_matter() {
     for work in [&["check", "--cases", "121"][..], &["prove", "--draws", "2"]] {
@@ -172,7 +172,7 @@ fn threads_do_not_matter() {
 #[test]
 fn the_file_holds_what_standard_output_would() {
     let path = scratch("check.txt");
-    // Longer than the document: none of it may be left.
+    // The old text is longer than the document, and none of it may remain.
     std::fs::write(&path, "old\n".repeat(10_000)).unwrap();
     let verdict = stdout(&small(&["--output", path.to_str().unwrap()]));
     let document = stdout(&small(&[]));

@@ -1,6 +1,6 @@
-//! The closed form keeps its digits where the paper's formulas lose theirs: at small gaps and at small angles.
+//! The closed form keeps its digits where the paper's formulas lose digits: at small gaps and at small angles.
 //!
-//! Errors are those of `f64` at the closest point rounded to it, against double-double at the closest point refined there.
+//! Errors are those of `f64` at the rounded closest point, compared with double-double at the refined closest point.
 
 mod forms;
 
@@ -26,7 +26,7 @@ const ROBUST: Formulation = Formulation {
     system: System::CrossProducts,
 };
 
-/// The beam moved along d until the gap is `gap`; none if the tangents are nearly parallel there.
+/// The beam moved along d until the gap is `gap`; nothing if the tangents are nearly parallel there.
 fn with_gap<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     case: &Contacting<A, B, N, M>,
     gap: f64,
@@ -40,20 +40,20 @@ fn with_gap<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     (case.point.is_interior() && sine > 0.3).then_some(((case.pair, q), at))
 }
 
-/// The Hessian of the signed distance, at gaps of all sizes.
+/// The Hessian of the signed distance keeps its digits at gaps of all sizes.
 fn keeps_its_digits<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     case: &Contacting<A, B, N, M>,
 ) {
     for gap in [1e-2, 1e-6, 1e-10, 0.0] {
         let Some((beams, at)) = with_gap(case, gap) else { return };
         let (form, [of_d, _], _) = errors(&beams, at, []);
-        // Strongly bent beams, next to their centres of curvature, are left to the paper's form.
+        // For strongly bent beams near their centres of curvature the paper's formulation is chosen.
         assert!(gap > 1e-3 || form.sign().is_some(), "{form:?} at a gap of {gap:e}");
         assert!(form.sign().is_none() || of_d < 1e-13, "{of_d:e} at a gap of {gap:e}");
     }
 }
 
-/// Where the choice changes with the gap, the forms on both sides of it agree within what rounding makes of each.
+/// Where the choice changes with the gap, the formulations on both sides agree within their rounding errors.
 fn is_continuous<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     case: &Contacting<A, B, N, M>,
 ) {
@@ -70,7 +70,7 @@ fn is_continuous<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     let (Some((below, ..)), Some((above, ..))) = (chosen(near), chosen(far)) else { return };
     assert!(below.sign().is_some());
     if above.sign().is_some() {
-        // Straight beams, and those that hardly bend, have no gap beyond their radius of curvature.
+        // Straight beams and almost straight beams have no gap beyond their radius of curvature.
         return;
     }
     while far - near > 1e-12 * far {
@@ -108,7 +108,7 @@ fn is_continuous<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
 macro_rules! for_pairs {
     ($($name:ident: $beam:expr, $bar:expr;)*) => {$(
         proptest! {
-            // Always the same cases: of as many as one likes some lose another digit.
+            // The cases are fixed, because among more cases some lose another digit.
             #![proptest_config(ProptestConfig { cases: 24, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
             #[test]
             fn $name(case in contacting($beam, $bar)) {
@@ -125,7 +125,7 @@ for_pairs! {
     quadratic_and_hermite_keep_their_digits: quadratic(), hermite();
 }
 
-/// Two segments about the origin, at an angle and a gap.
+/// Two segments through the origin, at an angle and a gap.
 fn segments(angle: f64, gap: f64) -> Beams<Segment, Segment, 6, 6> {
     let (axis, side) = (Vector3::new(0.36, 0.48, 0.8), Vector3::new(0.8, -0.6, 0.0));
     let along = (axis * angle.cos() + side * angle.sin()) * 0.75;
@@ -149,7 +149,7 @@ fn nearly_parallel_segments_keep_their_digits() {
     }
 }
 
-/// Next to the angle at which the system is solved otherwise, both solutions are good to a few units of the last digit.
+/// Near the angle where the method of solution changes, both solutions have errors of a few units of the last digit.
 #[test]
 fn the_choice_of_the_system_is_continuous() {
     let switch = 0.25_f64.asin();
@@ -163,7 +163,7 @@ fn the_choice_of_the_system_is_continuous() {
     }
 }
 
-/// Crossing centroids: what a closest point tells is that d has no derivative; along the normal it has.
+/// Where centroids cross, d has no derivative, but the signed distance along the normal has one.
 #[test]
 fn the_signed_distance_has_derivatives_where_the_centroids_cross() {
     let (pair, q) = segments(1.0, 0.0);
@@ -171,7 +171,7 @@ fn the_signed_distance_has_derivatives_where_the_centroids_cross() {
     assert_eq!(point.degeneracy(), Some(Degeneracy::Crossing));
     let crossing = pair.linearize(&q, &point).d;
     assert!(crossing.value.abs() < 1e-16);
-    // The mean of the signed distances on both sides; there the paper's form does, in double-double.
+    // The reference is the mean of the signed distances on both sides, by the paper's formulation in double-double.
     let h = 1e-6;
     let sides = [h, -h].map(|gap| {
         let beams = segments(1.0, gap);
@@ -190,7 +190,7 @@ fn the_signed_distance_has_derivatives_where_the_centroids_cross() {
     }
 }
 
-/// An derivatives's gradient as a direction.
+/// The gradient of derivatives as a direction.
 trait AsF64<const N: usize, const M: usize> {
     fn gradient_as_f64(&self) -> DofVector<f64, N, M>;
 }
@@ -202,7 +202,7 @@ impl<const N: usize, const M: usize> AsF64<N, M> for Derivatives<DoubleDouble, N
 }
 
 proptest! {
-    /// Where a parameter is held the forms do not differ, in any bit.
+    /// Where a parameter is held the formulations give the same bits.
     #[test]
     fn at_an_end_there_is_one_form(case in contacting(hermite(), any_arc())) {
         let Contacting { pair, q, point, .. } = case;
@@ -216,10 +216,10 @@ proptest! {
     }
 }
 
-/// A Hermite beam through a point off a fixed one by `d` along the normal, at an angle to a fixed direction across it; in
-/// its middle the tangent is `slow` long and changes at the rate `change`, given along the beam, across it and along d.
+/// A Hermite beam through a point at distance `d` along the normal from a fixed point, at an angle to a fixed
+/// direction. In its middle the tangent has length `slow` and derivative `change` in a frame of the beam.
 fn placed(angle: f64, d: f64, slow: f64, change: [f64; 3]) -> SVector<f64, 12> {
-    // Columns (2, 1, 2), (-2, 2, 1), (-1, -2, 2), over 3: orthonormal.
+    // The columns (2, 1, 2), (-2, 2, 1), (-1, -2, 2), divided by 3, are orthonormal.
     let frame = Matrix3::from_column_slice(&[2.0, 1.0, 2.0, -2.0, 2.0, 1.0, -1.0, -2.0, 2.0]) / 3.0;
     let frame = frame * Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
     let (along, change) = (Vector3::x(), Vector3::from(change));
@@ -229,14 +229,14 @@ fn placed(angle: f64, d: f64, slow: f64, change: [f64; 3]) -> SVector<f64, 12> {
     SVector::from_fn(|i, _| [x1, t1, x2, t2][i / 3][i % 3])
 }
 
-/// Where the paper's form of the distance loses less, it is taken.
+/// Where the paper's formulation of the distance loses fewer digits, it is chosen.
 #[test]
 fn short_tangents_and_parallel_ones_are_left_to_the_paper() {
     let pair = Pair { curve: Hermite::new(), curve_bar: Hermite::new(), contact: Contact::default() };
     let straight = |angle| placed(angle, 0.0, 1.0, [0.0; 3]);
     // A slow parametrization, whose tangent changes along itself.
     let slow = (placed(0.0, 0.1, 1e-3, [0.5, 0.0, 0.0]), straight(1.0));
-    // Tangents nearly parallel, beams apart by their curvature.
+    // The tangents are nearly parallel, and the beams separate by their curvature.
     let curved = (placed(0.0, 0.1, 1.0, [0.0, 0.0, 0.3]), straight(1e-4));
     for (beam, bar) in [slow, curved] {
         let beams = (pair, DofVector { beam, bar });

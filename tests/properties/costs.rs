@@ -1,5 +1,5 @@
-//! What the search costs: a looser bound, a box that is not discarded where it could be, or a step that is not trusted
-//! changes no result, and shows here.
+//! The cost of the search. A looser bound, a box that could be discarded but is not, or a rejected step changes
+//! no result, but it changes the cost.
 
 use crate::centroids::Cubic;
 use beamgap::closest_point::{Centroid, ClosestPoint, Held, Search, closest_points, refine};
@@ -7,7 +7,7 @@ use beamgap::curve::Geometry;
 use nalgebra::Vector3;
 use std::cell::Cell;
 
-/// Cubics whose coefficients are eighths in [-1, 1), the same at every run.
+/// Cubics whose coefficients are multiples of 1/8 in [-1, 1), the same in every run.
 fn cubics() -> impl Iterator<Item = Cubic> {
     let mut state = 1_u32;
     let mut eighths = move || {
@@ -17,7 +17,7 @@ fn cubics() -> impl Iterator<Item = Cubic> {
     std::iter::repeat_with(move || Cubic([(); 4].map(|()| Vector3::from_fn(|_, _| eighths()))))
 }
 
-/// The sums of boxes, intervals and evaluations by the search and in all over pairs of cubics.
+/// The sums of boxes, intervals and evaluations of the search, and of all evaluations, over pairs of cubics.
 fn costs(options: &Search, change: impl Fn(Cubic) -> Cubic) -> [usize; 4] {
     let mut curves = cubics().map(change);
     let mut costs = [0; 4];
@@ -39,7 +39,7 @@ fn a_search_looks_at_as_many_boxes_as_it_did() {
     let bent = |factor: f64| move |Cubic([c0, c1, c2, c3]): Cubic| Cubic([c0, c1, c2 * factor, c3 * factor]);
     let all = Search::default();
     let slow = |Cubic([c0, c1, c2, c3]): Cubic| Cubic([c0, c1 * 1e-3, c2, c3]);
-    // Nearly parallel beams, which bend and turn away from each other a little or not at all.
+    // Nearly parallel beams that bend and turn away from each other a little or not at all.
     let along = |factor: f64| {
         let direction = Vector3::new(1.0, 0.5, 0.25);
         move |Cubic(c): Cubic| Cubic([c[0], direction + c[1] * factor, c[2] * factor, c[3] * factor])
@@ -69,7 +69,7 @@ fn a_search_looks_at_as_many_boxes_as_it_did() {
     );
 }
 
-/// A curve that counts its evaluations, and may deny that it is a cubic.
+/// A curve that counts its evaluations, and may report that it is not a cubic.
 struct OperationCount<'a> {
     curve: &'a Cubic,
     is_cubic: bool,
@@ -97,7 +97,7 @@ impl Centroid for OperationCount<'_> {
     }
 }
 
-/// How often Newton's method evaluates a curve until it has the closest points, from so far away.
+/// The number of evaluations of a curve by Newton's method, started at distance `away` from the closest points.
 fn evaluations(are_cubic: [bool; 2], away: f64) -> usize {
     let mut curves = cubics();
     let mut count = 0;
@@ -117,7 +117,7 @@ fn evaluations(are_cubic: [bool; 2], away: f64) -> usize {
 
 #[test]
 fn of_two_equal_beams_the_first_is_halved_first() {
-    // Each with its mirror image, somewhere else.
+    // Each curve is paired with its mirror image, translated.
     let costs = cubics().take(8).map(|x| {
         let [c0, c1, c2, c3] = x.0.map(|c| Vector3::new(c.y, c.x, c.z));
         let bar = Cubic([c0 + Vector3::new(0.5, 1.5, 1.0), c1, c2, c3]);

@@ -119,7 +119,7 @@ fn cross_of_minima() {
     close(found.unresolved[0].point.distance, 1.0, 1e-14);
 }
 
-/// What is singular matters if it is nearest.
+/// A singular region matters only if it is the nearest.
 #[test]
 fn a_continuum_hides_no_nearer_minimum() {
     let x = line([0.0; 3], [1.0, 0.0, 0.0], -1.0, 1.0);
@@ -130,7 +130,7 @@ fn a_continuum_hides_no_nearer_minimum() {
     }
 }
 
-/// A line that is finite at fractions of a power of two alone, where the search looks before Newton's method does.
+/// A line that is finite only at fractions of a power of two. The search evaluates these before Newton's method starts.
 struct Holey(Winding);
 
 impl Centroid for Holey {
@@ -145,7 +145,7 @@ impl Centroid for Holey {
     }
 }
 
-/// Where the bar has a centre of curvature, its parameter has no equation.
+/// At the centre of curvature of the bar beam, the equation of its parameter is singular.
 #[test]
 fn newtons_method_tells_where_one_parameter_is_singular() {
     let zero = Vector3::zeros();
@@ -187,7 +187,7 @@ fn crossing_centroids_are_found() {
     assert_eq!(point.degeneracy(), Some(Degeneracy::Crossing));
 }
 
-/// The line x = (xi, 0, 0) and one across it, at `at`.
+/// The line x = (xi, 0, 0) and a line across it, at `at`.
 fn tee(at: f64) -> ClosestPoints {
     let x = line([0.0; 3], [1.0, 0.0, 0.0], -1.0, 1.0);
     search(&x, &line([at, 0.0, 0.5], [0.25, 1.0, 0.125], -1.0, 1.0))
@@ -196,7 +196,7 @@ fn tee(at: f64) -> ClosestPoints {
 #[test]
 fn a_minimum_about_an_end_is_reported_once() {
     let end = |found: &ClosestPoints| found.minima[0].end;
-    // The bar is inclined, so its nearest point to the line is at xi_bar = -4/65 and its foot 1/65 further down.
+    // The bar is inclined: its nearest point to the line is at xi_bar = -4/65, and the foot is 1/65 away.
     for sign in [-1.0, 1.0] {
         for offset in [-3e-15, -1e-15, -2e-16, 0.0, 2e-16, 1e-15, 3e-15] {
             let found = tee(sign * (1.0 + 1.0 / 65.0 * sign + offset));
@@ -236,7 +236,7 @@ fn input_that_is_not_finite() {
         assert_eq!(refine(&x, &bar, (0.0, 0.0), Held::default()), Err(ProjectionError::NonFinite));
         assert_eq!(refine(&x, &x, (bad, 0.0), Held::default()), Err(ProjectionError::NonFinite));
     }
-    // Finite, but their squares are not.
+    // These numbers are finite, but their squares are not.
     for huge in
         [line([0.0, 0.0, 1e155], [0.0, 1.0, 0.0], -1.0, 1.0), line([0.0; 3], [0.0, 1e155, 0.0], -1.0, 1.0)]
     {
@@ -254,7 +254,7 @@ fn tangents_of_zero_length() {
     assert_eq!(closest_points(&point, &x, &Search::default()), collapsed(Which::Beam));
     assert_eq!(closest_points(&x, &point, &Search::default()), collapsed(Which::Bar));
 
-    // A cusp that points at the line.
+    // A cusp that points towards the line.
     let zero = Vector3::zeros();
     let cusp = Cubic([Vector3::new(0.25, 0.0, 0.0), zero, Vector3::new(0.0, 0.5, -1.0), Vector3::y()]);
     let found = closest_points(&x, &cusp, &Search::default()).unwrap();

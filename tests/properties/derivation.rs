@@ -1,4 +1,4 @@
-//! The page of the derivation says what the program computes, and stands alone.
+//! The page of the derivation states what the program computes, and needs no other file.
 
 use super::reports::{committed, is_committed};
 use beamgap::equations::StandardCase;
@@ -6,12 +6,12 @@ use beamgap::report::{Derivation, Record};
 use serde_json::Value;
 use std::collections::HashSet;
 
-/// Numbers may differ in their last digits from machine to machine; all else may not.
+/// Numbers may differ in their last digits from machine to machine; everything else must be equal.
 fn same(one: &Value, other: &Value, path: &str) {
     match (one, other) {
         (Value::Number(one), Value::Number(other)) => {
             let (one, other) = (one.as_f64().unwrap(), other.as_f64().unwrap());
-            // What is rounding of zero is rounding on every machine; errors of differences are rounding near their floor.
+            // Rounding errors of zero are small on every machine. Differences at their best step have rounding errors.
             let loose = path.contains("differences") || path.contains("floors") || path.contains("residuals");
             let tolerance = if loose { one.abs().max(1e-6) } else { 1e-9 * one.abs().max(1.0) };
             assert!((one - other).abs() <= tolerance, "{path}: {one} is {other}");
@@ -33,7 +33,7 @@ fn same(one: &Value, other: &Value, path: &str) {
 
 #[test]
 fn the_committed_record_of_the_derivation_is_computed_again() {
-    // `equations` and `report` write it.
+    // The commands `equations` and `report` write this record.
     let command = Derivation::from_json(&committed("derivation.json")).unwrap().command;
     let found = Derivation::compute(&command).unwrap().to_json().unwrap();
     if std::env::var_os("BEAMGAP_BLESS").is_some() {
@@ -43,7 +43,7 @@ fn the_committed_record_of_the_derivation_is_computed_again() {
     same(&json(&committed("derivation.json")), &json(&found), "");
 }
 
-/// The fractions in the prose.
+/// Tests the fractions in the prose.
 #[test]
 fn the_pair_by_hand_has_the_numbers_of_the_prose() {
     let found = Derivation::compute("").unwrap().by_hand;
@@ -69,7 +69,7 @@ fn the_pair_by_hand_has_the_numbers_of_the_prose() {
     close(100.0 * (found.derivatives[0].powi(2) - 0.05 * found.derivatives[1]), 56.738_281_25);
 }
 
-/// In the standard case every equation agrees as corrected, to the digits that the page claims.
+/// In the standard case every corrected equation agrees, to the digits that the page claims.
 #[test]
 fn every_equation_agrees_in_the_standard_case() {
     use beamgap::equations::Reading;
@@ -87,7 +87,7 @@ fn every_equation_agrees_in_the_standard_case() {
     assert!(right > 60 && refuted >= 15, "{right} {refuted}");
 }
 
-/// A fault of the self-checks that no term has the name of would change nothing.
+/// A fault whose name belongs to no term would change nothing.
 #[test]
 fn every_fault_of_the_self_checks_does_something() {
     for effect in Derivation::compute("").unwrap().effects {

@@ -1,4 +1,4 @@
-//! Every equation of the paper is in the table and in the source, and is what the table says it is.
+//! Every equation of the paper is in the table and in the source, and has the verdict that the table states.
 
 use beamgap::equations::{
     CASES, Counts, DRAWS, EquationRow, EquationTable, Reading, SOURCES, Symmetry, Verdict, equation_table,
@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 
-/// The table of now, run once for all tests.
+/// The current table, computed once for all tests.
 static NOW: LazyLock<EquationTable> = LazyLock::new(|| {
     let committed = committed();
     equation_table(committed.seed, committed.draws, CASES)
@@ -28,8 +28,8 @@ fn numbers(wanted: impl Fn(&EquationRow) -> bool) -> Vec<u8> {
     NOW.equations.iter().filter(|entry| wanted(entry)).map(|entry| entry.number).collect()
 }
 
-/// Equal but for the lines of the source, and for the last digits of errors, which depend on the machine: what is
-/// rounding has to be rounding, what is an error has to have its two digits, give or take one of the last.
+/// Equal except for the line numbers of the source and the last digits of errors, which depend on the machine. A
+/// rounding error must be one in both. Any other error must agree in two digits, within one unit of the last digit.
 fn same(one: &Value, other: &Value, key: &str) -> bool {
     match (one, other) {
         (Value::Object(one), Value::Object(other)) => {
@@ -93,8 +93,8 @@ fn every_file_that_names_an_equation_is_searched() {
     for path in found {
         let name = path.strip_prefix(&source).unwrap().to_str().unwrap().replace('\\', "/");
         let names_one = std::fs::read_to_string(&path).unwrap().lines().any(|line| !named(line).is_empty());
-        // The table quotes the paper, a rewrite computes what the closed form computes by other formulas, and the story on the front
-        // page computes nothing.
+        // Excluded: the table quotes the paper, a rewrite uses other formulas than the closed form, and the text of
+        // the front page computes nothing.
         let others = ["equations", "variant", "front_page", "report/front_page"];
         if names_one && !others.iter().any(|start| name.starts_with(start)) {
             assert!(SOURCES.iter().any(|(file, _)| *file == name), "src/equations/source.rs lacks {name}");
@@ -129,7 +129,7 @@ fn verdicts_are_those_of_the_derivation() {
 
 #[test]
 fn the_field_and_floating_point_agree_on_every_reading() {
-    // What is refuted at random residues is off in f64, and what is equal there is off by rounding.
+    // An equation that is refuted at random residues is wrong in f64, and one that is equal there differs by rounding.
     for entry in &NOW.equations {
         for part in &entry.parts {
             for run in &part.runs {
@@ -163,7 +163,7 @@ fn the_slip_is_an_arc_length_where_the_tangent_keeps_its_length() {
     for arc in &NOW.equation(14).unwrap().arcs {
         let constant = ["segment", "arc", "helix"].contains(&arc.family.as_str());
         assert_eq!(arc.is_exact(), constant, "{arc:?}");
-        // Quadratic in the slip to leading order.
+        // The error is quadratic in the slip to leading order.
         assert!(arc.ratio.is_none_or(|ratio| (ratio - 4.0).abs() < 0.3), "{arc:?}");
     }
 }

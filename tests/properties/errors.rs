@@ -1,4 +1,4 @@
-//! How the benches measure an error. They judge every method by it before they time it.
+//! The measure of errors in the benches. The benches verify every method with it before they time the method.
 
 #[path = "../../benches/linearization/scenario/error.rs"]
 mod of;

@@ -1,4 +1,4 @@
-//! The search misses nothing: against brute force on strongly curved pairs, and against itself on transformed ones.
+//! The search finds all minima. It is tested with brute force on strongly curved pairs, and with transformed pairs.
 
 use crate::centroids::Cubic;
 use beamgap::closest_point::{
@@ -11,12 +11,12 @@ fn vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
     prop::array::uniform3(-size..size).prop_map(Vector3::from)
 }
 
-/// Cubics that turn back on themselves: a pair has five minima and more.
+/// Cubics that turn back on themselves, so that a pair has five or more minima.
 fn cubic() -> impl Strategy<Value = Cubic> {
     (vector(0.5), vector(1.0), vector(1.0), vector(2.0)).prop_map(|(c0, c1, c2, c3)| Cubic([c0, c1, c2, c3]))
 }
 
-/// Cubics with few digits, so that pairs of them run into ties, ends and zeros.
+/// Cubics with few digits, so that pairs of them have ties, points at ends and zeros.
 fn coarse_cubic() -> impl Strategy<Value = Cubic> {
     let component = || (-4..=4_i32).prop_map(|i| 0.5 * f64::from(i));
     prop::array::uniform4(prop::array::uniform3(component()).prop_map(Vector3::from)).prop_map(Cubic)
@@ -30,7 +30,7 @@ fn squared_distance(x: &Cubic, bar: &Cubic, at: [f64; 2]) -> f64 {
     (x.geometry(at[0]).x - bar.geometry(at[1]).x).norm_squared()
 }
 
-/// The points of a grid whose neighbours are no nearer, each walked downhill.
+/// The points of a grid at most as distant as their neighbours, each improved by descent.
 fn brute_force(x: &Cubic, bar: &Cubic, count: usize) -> Vec<[f64; 2]> {
     #[expect(clippy::cast_precision_loss, reason = "a grid has few points")]
     let parameter = |i: usize| -1.0 + 2.0 * (i as f64) / (count as f64);
@@ -52,7 +52,7 @@ fn brute_force(x: &Cubic, bar: &Cubic, count: usize) -> Vec<[f64; 2]> {
 
 fn descend(x: &Cubic, bar: &Cubic, mut at: [f64; 2], mut step: f64) -> Option<[f64; 2]> {
     let mut value = squared_distance(x, bar, at);
-    // In a curved valley with a flat floor the walk would take for ever; nothing is said about those.
+    // In a curved valley with a flat floor descent would be too slow. Such points are not compared.
     for _ in 0..5000 {
         if step < 1e-9 {
             return Some(at);
@@ -75,7 +75,7 @@ fn is_near(point: &ClosestPoint, at: [f64; 2], tolerance: f64) -> bool {
     (point.xi - at[0]).abs() < tolerance && (point.xi_bar - at[1]).abs() < tolerance
 }
 
-/// Whether both list the same points, after `map` of those of the second.
+/// Whether both lists contain the same points, after `map` of those of the second.
 fn same(p: &[ClosestPoint], q: &[ClosestPoint], map: impl Fn(&ClosestPoint) -> [f64; 2]) -> bool {
     p.len() == q.len()
         && q.iter()
@@ -107,7 +107,7 @@ proptest! {
                     [region.xi, region.xi_bar].iter().zip(at).all(|(extent, at)| extent[0] - 1e-3 <= at && at <= extent[1] + 1e-3)
                 });
                 let known = found.minima.iter().any(|point| is_near(point, at, 1e-3));
-                // Where descent is slow the walk may end on a saddle.
+                // Where descent is slow it may end at a saddle.
                 let saddle = found.stationary.iter().any(|point| point.conditioning < 0.0 && is_near(point, at, 1e-3));
                 prop_assert!(open || known || saddle, "{:?} not in {:?}", at, found);
             }

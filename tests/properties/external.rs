@@ -1,4 +1,4 @@
-//! Answers of other programs are read in every notation and compared by the same tolerances.
+//! Answers of other programs are read in every notation and compared with the same tolerances.
 
 mod conventions;
 mod explanations;
@@ -20,13 +20,13 @@ fn vectors(drawing: &Drawing) -> Vec<Vector> {
     (0..drawing.count()).map(|number| drawing.vector(number)).collect()
 }
 
-/// What the library answers, as text.
+/// The answers of the library, as text.
 fn answers(evaluator: &Evaluator, vectors: &[Vector]) -> String {
     let lines = vectors.iter().map(|vector| evaluator.line(vector) + "\n");
     format!("{}\n{}", evaluator.head(), lines.collect::<String>())
 }
 
-/// What is found of a text of answers.
+/// The result of the comparison of a text of answers.
 fn verified(vectors: &[Vector], text: &str, digits: Option<u8>) -> Result<Report, String> {
     let mut reader = AnswerReader::new(text.as_bytes(), "answers").map_err(|error| error.to_string())?;
     let demands = Demands { conventions: *reader.conventions(), digits };
@@ -38,7 +38,7 @@ fn verified(vectors: &[Vector], text: &str, digits: Option<u8>) -> Result<Report
     matching.finish(next).map_err(|error| error.to_string())
 }
 
-/// The text with entries added to its head.
+/// The text with additional entries in its head.
 fn with_head(text: &str, entries: &str) -> String {
     text.replacen('}', &format!(",{entries}}}"), 1)
 }
@@ -107,18 +107,18 @@ fn what_is_not_answered_is_told() {
     let report = verified(&all, &some, None).unwrap();
     assert_eq!((report.vectors, report.compared, report.missing), (10, 3, 7));
     assert_eq!(report.first_missing.as_deref(), Some("0"));
-    // In another order, and one that says that there is nothing.
+    // The answers are in another order, and one of them has no numbers.
     let mut lines: Vec<&str> = text.lines().collect();
     lines[1..].reverse();
     lines[5] = "{\"id\":5,\"result\":\"degenerate\"}";
     let report = verified(&all, &lines.join("\n"), None).unwrap();
     assert_eq!((report.compared, report.unanswered, report.missing), (9, 1, 0));
-    // Twice, or of no case.
+    // An answer that occurs twice belongs to no open case.
     let twice = format!("{text}{}\n", lines[3]);
     assert!(
         verified(&all, &twice, None).unwrap_err().contains("a case that is still open expected, found \"7\"")
     );
-    // The value alone.
+    // Answers with values only.
     let value = "{\"schema\":\"beamgap-answers/1\"}\n{\"id\":\"0\",\"d\":1e3,\"x\":{\"value\":[0,0,0]}}\n";
     let report = verified(&all, value, None).unwrap();
     assert_eq!((report.wrong, report.parts.len()), (1, 2));
@@ -133,7 +133,7 @@ fn csv_says_the_same_as_json() {
         let line: serde_json::Value = serde_json::from_str(line).unwrap();
         let (id, d) = (line["id"].as_str().unwrap(), &line["d"]);
         let _ = write!(csv, "{id},d,{}\r\n", d["value"]);
-        // As Fortran prints it.
+        // A number as Fortran prints it.
         let delta = format!("{:.16e}", line["xi"]["delta"].as_f64().unwrap()).replace('e', "D");
         let _ = write!(csv, "{id}, xi:delta, {delta}\r\n");
         for i in 0..18 {

@@ -1,11 +1,11 @@
-//! What each family of curves is known for: its ends, its circles, its limits and what it refuses.
+//! Known properties of each family of curves: its ends, its circles, its limits and the inputs it rejects.
 
 use crate::strategies::{arc, helix, knots, parameter, vector, weighted_points, weights};
 use beamgap::curve::{Arc, BSpline, Bezier, Cubic, Curve, CurveError, Helix, Hermite, Nurbs, NurbsWeighted};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 
-/// Rounding, relative to the size of the dofs.
+/// The rounding error, relative to the size of the dofs.
 const TOLERANCE: f64 = 1e-13;
 
 proptest! {
@@ -63,7 +63,7 @@ proptest! {
 
     #[test]
     fn neighbouring_spans_meet_smoothly(q in vector::<15>(), start in -2.0..2.0, steps in weights::<6>()) {
-        // A cubic over simple knots is twice continuously differentiable; xi runs faster over a longer span.
+        // A cubic over simple knots is twice continuously differentiable. Over a longer span xi runs faster.
         let mut knots = vec![start];
         knots.extend(steps.iter().scan(start, |knot, step| {
             *knot += step;
@@ -125,7 +125,7 @@ proptest! {
 
     #[test]
     fn helix_rises_by_its_pitch_in_a_turn(q in helix()) {
-        // From xi = -1 to xi = 1 it winds through 2 alpha: one turn.
+        // From xi = -1 to xi = 1 the helix turns by 2 alpha, which is one turn.
         let curve = Helix::new(std::f64::consts::PI);
         let [w, i, j, k] = [q[3], q[4], q[5], q[6]];
         let axis = nalgebra::UnitQuaternion::new_normalize(nalgebra::Quaternion::new(w, i, j, k)) * Vector3::z();

@@ -1,4 +1,4 @@
-//! Planted faults: the checks turn red for each of them, and for nothing else.
+//! Injected faults: the checks fail for each of them, and for nothing else.
 
 use crate::program::{json, run, stdout};
 use beamgap::check::Regime;
@@ -31,7 +31,7 @@ fn the_catalogue_has_every_kind_of_fault_of_every_formula() {
         *kinds.entry(fault.kind).or_default() += 1;
     }
     assert_eq!(kinds.len(), Kind::ALL.len(), "{kinds:?}");
-    // A term that is missing is wrong, whichever it is, but for the root of a square that is none.
+    // A missing term is a fault for every term. The exception is the root of a square that is missing.
     let terms: BTreeSet<_> = faults.iter().map(|fault| fault.label).collect();
     assert_eq!(kinds[&Kind::Dropped], terms.len());
     let formulas: BTreeSet<_> = terms.iter().map(|label| label.name.split(':').next().unwrap()).collect();
@@ -42,7 +42,7 @@ fn the_catalogue_has_every_kind_of_fault_of_every_formula() {
     }
 }
 
-/// At a draw inside both beams, in either form, or at an end of either.
+/// Draws inside both beams, in both formulations, and at an end of either beam.
 #[test]
 fn the_proof_is_red_for_every_fault() {
     let pairs = [[Family::NurbsWeighted, Family::Helix], [Family::Arc, Family::NurbsWeighted]];
@@ -68,7 +68,7 @@ fn committed_faults_are_detected_by_the_gate_alone() {
         assert_eq!(whole && row.pairs_detected == row.pairs, ours, "{row:?}");
     }
     assert!(Rewrite::ALL.len() >= 20);
-    // Of single operations nothing is left open, and nothing at all in the equations and in the kernel as it is run most.
+    // Undetected faults in single operations have a reason. The equations and the most used kernel have none.
     assert!(committed.operations.len() > 30);
     for row in &committed.operations {
         assert!(row.undetected.iter().all(|undetected| undetected.reason.is_some()), "{row:?}");
@@ -79,7 +79,7 @@ fn committed_faults_are_detected_by_the_gate_alone() {
             assert_eq!((row.detected, row.undetected.len()), (row.faults, 0), "{row:?}");
         }
     }
-    // Every term but a few is seen to a millionth of it, in every regime.
+    // For every term and every regime, the smallest detected error is less than 1e-5 of the term.
     for (term, limits) in &committed.limits {
         assert_eq!(limits.len(), Regime::ALL.len());
         assert!(limits.values().all(|limit| limit.0 < 1e-5), "{term}: {limits:?}");
@@ -127,7 +127,7 @@ fn the_list_of_faults_is_the_catalogue() {
     assert_eq!(listed.lines().collect::<Vec<_>>(), names);
 }
 
-/// What a run finds now is compared with the committed record by `.ci/run`, with optimization.
+/// `.ci/run`, which is optimized, compares the result of a run with the committed record.
 #[test]
 fn the_committed_record_covers_the_catalogue() {
     let committed = committed();

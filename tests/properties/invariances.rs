@@ -1,4 +1,4 @@
-//! What no choice of coordinates, units or names may change.
+//! Results do not depend on the choice of coordinates, units or names.
 
 #![expect(clippy::float_cmp, reason = "multiplying by a power of two is exact, and claimed to be")]
 
@@ -54,12 +54,12 @@ fn translation(by: &Vector3<f64>) -> Dofs<12, 12> {
     DofVector { beam: of_beam, bar: of_beam }
 }
 
-/// H v.
+/// The product H v.
 fn times(e: &Derivatives<RunningError, 12, 12>, v: &Dofs<12, 12>) -> Vec<RunningError> {
     (0..24).map(|i| e.hessian.along(&DofVector::unit(i), v)).collect()
 }
 
-/// A rotation without an error but that of its entries, which are fractions of small numbers.
+/// A rotation whose entries are fractions of small integers, so that only the division rounds.
 fn rotation([a, b, c, d]: [i8; 4]) -> Matrix3<RunningError> {
     let [a, b, c, d] = [a, b, c, d].map(f64::from);
     let entries = [
@@ -71,12 +71,12 @@ fn rotation([a, b, c, d]: [i8; 4]) -> Matrix3<RunningError> {
     Matrix3::from_fn(|i, j| RunningError::from(entries[i][j]) / norm)
 }
 
-/// Zero, to rounding.
+/// Whether the number is zero within rounding.
 fn is_zero(x: RunningError) -> bool {
     is_near(x, RunningError::from(0.0))
 }
 
-/// The same for verdicts: all pairs of families in all regimes, in units from 2^-40 to 2^40.
+/// The same test for verdicts: all pairs of families in all regimes, in units from 2^-40 to 2^40.
 #[test]
 fn scaling_by_powers_of_two_scales_every_comparison_of_the_gate() {
     for (number, power) in (0..1089).zip((-40..=40).cycle()) {
@@ -89,12 +89,12 @@ fn scaling_by_powers_of_two_scales_every_comparison_of_the_gate() {
     }
 }
 
-/// What a comparison of the gate becomes in a unit of 2^-power.
+/// The expected comparison of the check in a unit of 2^-power.
 fn in_unit(compared: &Compared, power: i32) -> Compared {
     let unit = 2.0_f64.powi(power);
     let entries = |entries: &[Comparison]| {
         let scaled = |entry: &Comparison| {
-            // A variation of a length is a length, as the directions are.
+            // The variation of a length has the unit of a length, because the directions have it.
             let unit = if matches!(entry.quantity, Quantity::Xi | Quantity::XiBar) { 1.0 } else { unit };
             let [closed, other, scale, bound, tolerance] =
                 [entry.closed, entry.other, entry.scale, entry.bound, entry.tolerance].map(|x| x * unit);
@@ -120,7 +120,7 @@ fn in_unit(compared: &Compared, power: i32) -> Compared {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// d -> x, G -> R G, H -> R H Rᵀ: contracted with turned directions nothing changes.
+    /// d -> x, G -> R G, H -> R H Rᵀ: contracted with rotated directions nothing changes.
     #[test]
     fn rigid_motion_changes_nothing(
         case in contacting(hermite(), hermite()),
@@ -143,7 +143,7 @@ proptest! {
         }
     }
 
-    /// The names of the beams mean nothing.
+    /// The result does not depend on the names of the beams.
     #[test]
     fn swapping_the_beams_swaps_the_results(case in contacting(hermite(), segment())) {
         let Contacting { pair, q, point, .. } = &case;
@@ -170,15 +170,15 @@ proptest! {
         }
     }
 
-    /// The unit of length means nothing, to the last bit: d -> s d, and xi stays.
+    /// The result does not depend on the unit of length, to the last bit: d -> s d, and xi stays.
     #[test]
     fn scaling_by_powers_of_two_scales_exactly(case in contacting(hermite(), hermite()), power in -40_i32..=40) {
         let s = 2.0_f64.powi(power);
-        // Both are solved for from the same start: a second solution may differ from the first in the last digit.
+        // Both are solved from the same start, because a second solution may differ from the first in the last digit.
         let (case, scaled) = (moved(&case, case.q), moved(&case, case.q.times(s)));
         prop_assert_eq!((scaled.point.xi, scaled.point.xi_bar), (case.point.xi, case.point.xi_bar));
         let (before, after) = (linearized_in_f64(&case), linearized_in_f64(&scaled));
-        // Value, gradient and Hessian of a length scale by s, 1 and 1/s; of a parameter by 1, 1/s and 1/s².
+        // Value, gradient and Hessian of a length scale by s, 1 and 1/s. Those of a parameter scale by 1, 1/s and 1/s².
         for (i, (x, y)) in all_derivatives(&before).into_iter().zip(all_derivatives(&after)).enumerate() {
             let unit = if i == 3 || i == 4 { 1.0 } else { s };
             prop_assert_eq!(x.value * unit, y.value);
@@ -191,7 +191,7 @@ proptest! {
         }
     }
 
-    /// A rigid translation is no variation: G . c = 0 and H c = 0.
+    /// A rigid translation causes no variation: G . c = 0 and H c = 0.
     #[test]
     fn rigid_translations_are_annihilated(case in contacting(hermite(), hermite()), by in vector::<3>()) {
         let c = translation(&by);
@@ -215,7 +215,7 @@ proptest! {
         }
     }
 
-    /// Euler: lengths are homogeneous of degree 1 in q (G . q = v, H q = 0), parameters of degree 0 (G . q = 0, H q = -G).
+    /// Euler's theorem: degree 1 in q for lengths (G . q = v, H q = 0), degree 0 for parameters (G . q = 0, H q = -G).
     #[test]
     fn eulers_theorem_holds(case in contacting(hermite(), hermite())) {
         let (q, zero) = (exact_dofs(&case.q), RunningError::from(0.0));
@@ -230,19 +230,19 @@ proptest! {
         }
     }
 
-    /// The part of a Bezier curve over [-1, s], as a curve of its own: xi is another, d and its variations are not.
+    /// The part of a Bezier curve over [-1, s], as a separate curve. xi changes; d and its variations do not change.
     #[test]
     fn an_affine_change_of_parameter_changes_no_distance(
         case in contacting(bezier(), bezier()).prop_filter("inside both", |case| case.point.held() == Held::default()),
         cut in 0.1..0.9_f64,
     ) {
-        // The fraction of the curve that is kept, beyond the point.
+        // The fraction of the curve that is kept; it extends beyond the point.
         let at = 0.5 * (1.0 + case.point.xi);
         let u = at + cut * (1.0 - at);
         let near = (2.0 * at / u - 1.0, case.point.xi_bar);
         let u = RunningError::from(u);
         let change = |q: &DofVector<f64, 12, 12>| DofVector { beam: split(&exact(&q.beam), u), bar: exact(&q.bar) };
-        // Slips count from a parameter that has another name on the part.
+        // The reference parameter of the slips has another value on the part, so the slips are not compared.
         let before = linearized_case(&case);
         let after = linearized(&case.pair, &change(&case.q), near, Held::default());
         let numbers = |e: &Derivatives<RunningError, 12, 12>, [dq, linear_dq]: [Dofs<12, 12>; 2]| {
@@ -273,7 +273,7 @@ impl Movable<12> for Bezier<4> {
     const POINTS: &'static [usize] = &[0, 3, 6, 9];
 }
 
-/// De Casteljau: the control points of the first part, up to the fraction `u`; linear in the points.
+/// De Casteljau's algorithm: the control points of the first part, up to the fraction `u`; linear in the points.
 fn split(q: &SVector<RunningError, 12>, u: RunningError) -> SVector<RunningError, 12> {
     let mut points: Vec<Vector3<RunningError>> =
         (0..4).map(|i| q.fixed_rows::<3>(3 * i).into_owned()).collect();

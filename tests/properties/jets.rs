@@ -1,4 +1,4 @@
-//! What [`Curve::jet`] states in closed form is the derivative of what [`Curve::position`] computes.
+//! [`Curve::jet`] returns in closed form the derivatives of [`Curve::position`].
 
 use crate::strategies::{arc, helix, knots, parameter, vector, weighted_points, weights};
 use beamgap::check;
@@ -9,7 +9,7 @@ use beamgap::number::RunningError;
 use nalgebra::SVector;
 use proptest::prelude::*;
 
-/// The bound holds wherever x,xixixi is sampled.
+/// The bound is not exceeded by x,xixixi at the sampled parameters.
 fn bound_holds<const N: usize>(curve: &impl Curve<N>, q: &SVector<f64, N>) {
     let bound = curve.third_derivative_bound(q);
     for i in -10..=10 {
@@ -20,7 +20,7 @@ fn bound_holds<const N: usize>(curve: &impl Curve<N>, q: &SVector<f64, N>) {
     }
 }
 
-/// The properties that every family has, over random dofs.
+/// The properties of every family, over random dofs.
 macro_rules! families {
     ($($name:ident: $curve:expr, $dofs:expr;)*) => {proptest! {$(
         #[test]

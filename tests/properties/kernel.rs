@@ -1,4 +1,4 @@
-//! The blocks are the matrices: exactly over a prime field, within the rounding of both in `f64`.
+//! The blocks of the kernel equal the matrices: exactly over a prime field, within the rounding of both in `f64`.
 
 use crate::bounded::{exact_dofs, parameters};
 use crate::pairs::{Contacting, Movable, contacting, hermite, quadratic};
@@ -17,7 +17,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
-/// The form of small angles.
+/// The formulation for small angles.
 const ROBUST: Formulation = Formulation {
     held: Held { xi: false, xi_bar: false },
     distance: Distance::Normal { reversed: false },
@@ -38,7 +38,7 @@ pub(crate) fn flat<T: Real, const S: usize>(full: &Full<T, S>) -> Vec<T> {
     [&[full.value], &full.gradient[..], full.hessian.as_flattened()].concat()
 }
 
-/// The very operations of `f64` over any scalar.
+/// The operations of the kernel in `f64`, over any scalar.
 fn by_blocks<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, const S: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
@@ -51,7 +51,7 @@ fn by_blocks<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usi
     [d, xi, xi_bar, t, t_bar, g_t, g_t_bar].map(flat)
 }
 
-/// The same by the matrices.
+/// The same quantities by the matrices.
 fn by_matrices<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<T, N, M>,
@@ -64,7 +64,7 @@ fn by_matrices<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: u
     [d, xi, xi_bar, t, t_bar, g_t, g_t_bar].map(flat_expansion)
 }
 
-/// The same of blocks.
+/// The same quantities in blocks.
 pub(crate) fn flat_expansion<T: Real, const N: usize, const M: usize>(
     quantity: Derivatives<T, N, M>,
 ) -> Vec<T> {
@@ -75,7 +75,7 @@ pub(crate) fn flat_expansion<T: Real, const N: usize, const M: usize>(
     all
 }
 
-/// Whatever the dofs, once the bar beam is moved to where the point is stationary.
+/// The blocks are exact for any dofs, after the bar beam is moved so that the point is stationary.
 fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize>(
     pair: &Pair<A, B, N, M>,
     numbers: &[u64],
@@ -98,7 +98,7 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
         (false, true) => normal_to(&x.t),
         (true, true) => w,
     };
-    // A length is a number of the field in one of two cases.
+    // A length needs a square root, which exists in the field in one of two cases.
     if ![d, x.t, x_bar.t, x.t.cross(&x_bar.t)].iter().all(|v| v.dot(v).is_square()) {
         return;
     }
@@ -120,7 +120,7 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
     }
 }
 
-/// The form that loses the fewest digits.
+/// The formulation that loses the fewest digits.
 fn form_at<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     Contacting { pair, q, point, .. }: &Contacting<A, B, N, M>,
 ) -> Formulation {
@@ -128,7 +128,7 @@ fn form_at<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.held())
 }
 
-/// The bar beam turned about d until the tangents are at `angle`, and the beam moved along d until the gap is `gap`.
+/// Rotates the bar beam about d until the tangents are at `angle`, and moves the beam along d until the gap is `gap`.
 pub(crate) fn brought_near<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     case: &Contacting<A, B, N, M>,
     angle: f64,
@@ -150,8 +150,8 @@ pub(crate) fn brought_near<A: Movable<N>, B: Movable<M>, const N: usize, const M
     near
 }
 
-/// Twice the bounds of the kernel's operations at the exact closest point, of d, xi, xi_bar, t, t_bar and the slips in the
-/// order of [`flat`]: how far two evaluations of the same numbers may be apart.
+/// Twice the error bounds of the kernel's operations at the exact closest point, of d, xi, xi_bar, t, t_bar and the
+/// slips in the order of [`flat`]: the maximum difference of two evaluations of the same numbers.
 pub(crate) fn tolerances<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, const S: usize>(
     case: &Contacting<A, B, N, M>,
 ) -> [Vec<f64>; 7] {
@@ -162,7 +162,7 @@ pub(crate) fn tolerances<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
         .map(|numbers| numbers.into_iter().map(|number| 2.0 * number.bound).collect())
 }
 
-/// The blocks that users get are within both running bounds of the matrices; how wide these are, in parts of a Hessian.
+/// The blocks are within the sum of the running error bounds. Returns the largest bound, relative to the largest entry.
 fn equal_within_rounding<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, const S: usize>(
     case: &Contacting<A, B, N, M>,
 ) -> f64 {
@@ -185,7 +185,7 @@ fn equal_within_rounding<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
     widest
 }
 
-/// The bounds of 19 in 20 cases, always the same ones, are bounds of something: narrower than this.
+/// In 19 of 20 cases, which are fixed, the bounds are less than `useful`, so the comparison is meaningful.
 fn narrow<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, const S: usize>(
     cases: impl Strategy<Value = Contacting<A, B, N, M>>,
     useful: f64,
@@ -197,7 +197,7 @@ fn narrow<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize, const S:
     assert!(widths[190] < useful, "{:e}", widths[190]);
 }
 
-/// Pairs at angles from 0.05 on and gaps from 2^-20 on.
+/// Pairs at angles of 0.05 or more and gaps of 2^-20 or more.
 fn near() -> impl Strategy<Value = Contacting<Quadratic, Hermite, 9, 12>> {
     let inside = contacting(quadratic(), hermite()).prop_filter("inside", |case| case.point.is_interior());
     (inside, 0.05..1.5_f64, 0.0..20.0_f64)
@@ -233,13 +233,13 @@ proptest! {
         equal_over_a_prime_field::<_, _, 6, 12, 18>(&pair(Segment::new(), spline), &numbers, held);
     }
 
-    /// 9 dofs are no multiple of what is taken at once.
+    /// 9 dofs are not a multiple of the vector length.
     #[test]
     fn within_rounding(case in contacting(quadratic(), hermite())) {
         equal_within_rounding::<_, _, 9, 12, 21>(&case);
     }
 
-    /// So they are where digits cancel in the paper's form, and another is taken.
+    /// The same is true where digits cancel in the paper's formulation, and another one is chosen.
     #[test]
     fn within_rounding_at_small_gaps_and_angles(case in near()) {
         equal_within_rounding::<_, _, 9, 12, 21>(&case);

@@ -31,13 +31,13 @@ proptest! {
             for (j, row) in full.hessian.iter().enumerate() {
                 prop_assert_eq!(blocks[i].gradient.entry(j), full.gradient[j]);
                 for (k, entry) in row.iter().enumerate() {
-                    // Either triangle was written; what differs is the order of sums.
+                    // Only one triangle is computed. The other differs by the order of sums.
                     let tolerance = tolerances[i][1 + 21 + 21 * j + k];
                     prop_assert!((packed[i].entry(j, k) - entry).abs() <= tolerance);
                     prop_assert!((blocks[i].hessian.entry(j, k) - entry).abs() <= tolerance);
                     if k <= j {
                         prop_assert_eq!(packed[i].entry(j, k), *entry);
-                        // Matrices lie in memory by their columns.
+                        // Matrices are stored column by column.
                         prop_assert_eq!(blocks[i].hessian.entry(k, j), *entry);
                     }
                 }
@@ -48,7 +48,7 @@ proptest! {
         prop_assert!(d == full[0], "d alone is d");
     }
 
-    /// What stood in the memory before is nowhere in the result.
+    /// The previous content of the memory does not occur in the result.
     #[test]
     fn linearizations_write_every_number(
         case in contacting(quadratic(), hermite()),
@@ -69,13 +69,13 @@ proptest! {
             pair.linearize_into(q, point, &mut to);
             let mut clear = Linearization::zeros();
             pair.linearize_into(q, point, &mut clear);
-            // A NaN equals nothing.
+            // A NaN does not equal any number.
             to == clear && *pair.linearize(q, point) == clear
         }
         prop_assert!(written(&case) && written(&other));
     }
 
-    /// Curves without shape functions are linearized all the same.
+    /// Curves without shape functions are linearized too.
     #[test]
     fn curves_without_shape_functions(case in contacting(hermite(), any_arc())) {
         let Contacting { pair, q, point, .. } = &case;
@@ -89,7 +89,7 @@ proptest! {
         prop_assert_eq!(full.each_ref().map(flat), [d, xi, xi_bar, t, t_bar].map(flat_expansion));
     }
 
-    /// So they are in halves, by dofs that are no multiple of three.
+    /// The packed layout also works for curves without shape functions whose number of dofs is not a multiple of three.
     #[test]
     fn halves_of_curves_without_shape_functions(case in contacting(any_helix(), hermite())) {
         let Contacting { pair, q, point, .. } = &case;

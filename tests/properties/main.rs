@@ -1,4 +1,4 @@
-//! The properties that beamgap claims, one module a claim; inputs come from [`strategies`].
+//! The properties that beamgap claims, one module for each claim. The inputs come from [`strategies`].
 
 mod adapters;
 mod allocation;

@@ -1,10 +1,10 @@
-//! The example of Newton's method: the tangent of the contact force is its derivative, and what is said of it is so.
+//! The example of Newton's method: the tangent of the contact force is its derivative; the stated numbers are correct.
 
 use beamgap::linearization::ad::{self, Route};
 use beamgap::pair::DofVector;
 use beamgap::teaching::{Problem, Tangent, contact};
 
-/// The Hessian of the contact's energy eps g_N²/2 by hyper-dual numbers, against the tangent; both in all 24 dofs.
+/// Compares the tangent with the Hessian of the contact energy eps g_N²/2 by hyper-dual numbers, in all 24 dofs.
 #[test]
 fn the_tangent_of_the_contact_force_is_its_derivative_by_ad() {
     let problem = Problem::default();
@@ -33,7 +33,7 @@ fn the_tangent_of_the_contact_force_is_its_derivative_by_ad() {
     assert!(others.iter().all(|other| other.force == exact.force), "the force is always right");
 }
 
-/// The residual, too, has the tangent as its derivative: elastic forces and contact together.
+/// The tangent is the derivative of the residual: elastic forces and contact together.
 #[test]
 fn the_system_is_consistent() {
     let problem = Problem::default();
@@ -52,7 +52,7 @@ fn the_system_is_consistent() {
     }
 }
 
-/// The numbers that the page of the derivation has in its prose.
+/// Tests the numbers in the prose of the page of the derivation.
 #[test]
 fn only_the_exact_tangent_converges_quadratically() {
     let problem = Problem::default();
@@ -60,10 +60,10 @@ fn only_the_exact_tangent_converges_quadratically() {
     let iterations = runs.each_ref().map(|run| run.converged().then(|| run.iterations()));
     assert_eq!(iterations, [Some(4), Some(13), None, Some(53)]);
     let residuals = |i: usize| runs[i].iterates.iter().map(|iterate| iterate.residual).collect::<Vec<_>>();
-    // The logarithm of the residual doubles, until rounding ends it.
+    // The logarithm of the residual doubles in each iteration until rounding dominates.
     let exact = residuals(0);
     assert!(exact[2] < exact[1].powf(1.8) && exact[3] < exact[2].powf(1.8), "{exact:?}");
-    // Without the curvature terms each iteration gains the same factor.
+    // Without the curvature terms each iteration reduces the residual by the same factor.
     let rates: Vec<f64> = residuals(1).windows(2).skip(4).map(|pair| pair[1] / pair[0]).collect();
     assert!(rates.iter().all(|rate| (0.13..0.16).contains(rate)), "{rates:?}");
     let end = |i: usize| runs[i].iterates.last().unwrap();

@@ -1,4 +1,4 @@
-//! The scalars of the library against each other, over random expressions.
+//! The scalars of the library compared with each other, over random expressions.
 
 use crate::strategies::{Expression, expression};
 use beamgap::number::{
@@ -7,7 +7,7 @@ use beamgap::number::{
 use num_dual::{Dual64, HyperDual64};
 use proptest::prelude::*;
 
-/// What a double-double may err, relative to its terms; 8e-32 is the largest error seen in 200 000 samples.
+/// The largest accepted error of a double-double, relative to its terms. In 200 000 samples the largest error is 8e-32.
 const DOUBLE_DOUBLE: f64 = 2e-31;
 
 fn double_double() -> impl Strategy<Value = DoubleDouble> {
@@ -18,7 +18,7 @@ fn pair() -> impl Strategy<Value = [f64; 2]> {
     proptest::array::uniform2(-2.0..2.0)
 }
 
-/// The same bits; one NaN is as good as another.
+/// Whether the bits are equal; all NaNs are equal.
 fn same_bits(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
 }
@@ -28,7 +28,7 @@ fn distance(a: DoubleDouble, b: DoubleDouble) -> f64 {
     (a - b).abs().value()
 }
 
-/// Two roundings lie no farther apart than a few times the bound of one of them.
+/// Two rounded results differ by at most a few times the error bound of one of them.
 fn assert_near(what: &str, ours: RunningError, theirs: f64) -> Result<(), TestCaseError> {
     let error = (ours.value - theirs).abs();
     let conclusive = ours.value.is_finite() && ours.bound.is_finite() && theirs.is_finite();
@@ -173,7 +173,7 @@ fn root_of_negative_zero_has_a_bound() {
     assert!((1e-2..1e-2 + 1e-8).contains(&root.bound));
 }
 
-/// The trap that every comparison of dual numbers has to avoid.
+/// The equality of `num-dual` compares real parts only, so comparisons of dual numbers must not use it.
 #[test]
 fn equality_on_dual_numbers_of_num_dual_sees_the_real_part_only() {
     assert_eq!(Dual64::new(1.0, 2.0), Dual64::new(1.0, 3.0));

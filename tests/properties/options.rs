@@ -1,4 +1,4 @@
-//! Options from flags, from the environment and from a file; colours; what shells and manuals know of them.
+//! Options from flags, from the environment and from a file; colours; shell completions and manual pages.
 
 use crate::ci::folder;
 use crate::program::{command, json, run, stdout};
@@ -38,13 +38,13 @@ fn flags_win_over_the_environment_and_it_over_the_file() {
         assert_eq!((code, output.stdout.is_empty()), (Some(3), true));
     }
     assert_eq!(cases(&["--config", "none.toml"], &[]).0, Some(3));
-    // One case has no number of cases, whatever the file says of it.
+    // With `--case`, the number of cases in the file has no effect.
     fs::write(folder.join("beamgap.toml"), "[check]\ncases = 3\n").unwrap();
     let one = command(&["check", "--case", "17"]).current_dir(&folder).output().unwrap();
     assert!(one.status.success(), "{one:?}");
 }
 
-/// A tolerance that is loosened in the file stands in the result with its reason.
+/// The result contains a tolerance that the file loosens, and the reason.
 #[test]
 fn few_digits_need_a_reason() {
     let folder = folder("digits");

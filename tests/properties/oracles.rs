@@ -1,4 +1,4 @@
-//! The command line measures its own tolerances, and asks a third oracle.
+//! The command line measures its own tolerances, and uses a third oracle.
 
 use crate::program::{json, run, stdout};
 use serde_json::Value;
@@ -66,7 +66,7 @@ fn the_third_oracle_is_asked_on_demand() {
     assert!(case["closest_points"][0]["arbitration"].is_null());
 }
 
-/// Where AD's tolerance means nothing, the third oracle's does.
+/// Where AD's tolerance is not meaningful, that of the third oracle is.
 #[test]
 fn the_third_oracle_decides_what_ad_cannot() {
     let case = ["check", "--seed", "7", "--case", "23"];

@@ -1,14 +1,14 @@
-//! A curve of the user's own through the gate.
+//! The check of a curve of the user.
 
 use beamgap::check;
 use beamgap::curve::{Bezier, Curve, DofDerivatives, Geometry, Jet};
 use beamgap::number::Real;
 use nalgebra::{SMatrix, SVector, Vector3};
 
-/// a + b xi + k n xi^2/2 with the dofs a, b, n and k: not linear in them.
+/// a + b xi + k n xi^2/2 with the dofs a, b, n and k. It is not linear in them.
 #[derive(Clone, Copy, Debug, Default)]
 struct Parabola {
-    /// What is wrong with it.
+    /// The fault in the curve.
     fault: Option<Fault>,
 }
 
@@ -20,7 +20,7 @@ enum Fault {
     Second,
     Gradient,
     Hessian,
-    /// Only between two parameters, where no jet is compared.
+    /// A fault only between two parameters, where no jet is compared.
     Narrow,
 }
 
@@ -105,16 +105,16 @@ const BEAMS: [[f64; 10]; 2] = [
 fn a_curve_that_is_right_agrees_in_every_regime() {
     let found = check::curve(&Parabola::default(), &BEAMS, 13);
     assert!(found.agrees(), "{found}");
-    // Thirteen pairs in each of ten regimes; few of them have no closest point that can be compared.
+    // Thirteen pairs in each of ten regimes. A few of them have no closest point that can be compared.
     assert!(
         found.compared > 90 && found.to_string().ends_with("nothing differs beyond rounding."),
         "{found}"
     );
-    // The result depends on the arguments alone.
+    // The result depends only on the arguments.
     assert_eq!(found, check::curve(&Parabola::default(), &BEAMS, 13));
 }
 
-/// There is no room for so many dofs where the gate keeps matrices.
+/// This number of dofs exceeds the size of the matrices in the check.
 #[test]
 fn a_curve_may_have_many_dofs() {
     let bent = [0.0, 1.0, 4.0, 9.0, 16.0, 25.0, 36.0, 49.0];
@@ -137,14 +137,14 @@ fn what_is_wrong_with_a_curve_is_named() {
         assert!(!found.agrees() && found.to_string().contains("DISAGREE"), "{fault:?}: {found}");
         let jet = found.jets.iter().find(|jet| jet.part.starts_with(part));
         let jet = jet.unwrap_or_else(|| panic!("{fault:?}: {found}"));
-        // Shown where the numbers are round: three digits after the point at the most.
+        // The fault is shown at round numbers, with at most three digits after the point.
         assert!(jet.q.iter().all(|q| (1e3 * q - (1e3 * q).round()).abs() < 1e-9), "{fault:?}: {found}");
     }
 }
 
 const NARROW: std::ops::Range<f64> = -0.8..-0.7;
 
-/// The number that a scalar is about, of any type: no curve needs it, but this fault does.
+/// The value of a scalar of any type. Only this fault needs it.
 fn about<T: Real>(number: &T) -> f64 {
     let text = format!("{number:?}");
     let mut words = text.split(|c: char| c.is_whitespace() || ",{}()".contains(c));

@@ -1,4 +1,4 @@
-//! Pairs of beams at a closest point: drawn at random, made stationary, with directions to vary in.
+//! Pairs of beams at a closest point: drawn at random, made stationary, with directions of variation.
 
 use crate::strategies::{arc, helix, parameter, vector, weighted_points};
 use beamgap::closest_point::{ClosestPoint, Held};
@@ -7,7 +7,7 @@ use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{SVector, Vector3};
 use proptest::prelude::*;
 
-/// A pair at a point that is stationary in the parameters that are free.
+/// A pair at a point that is stationary in the free parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Contacting<A, B, const N: usize, const M: usize> {
     pub(crate) pair: Pair<A, B, N, M>,
@@ -17,9 +17,9 @@ pub(crate) struct Contacting<A, B, const N: usize, const M: usize> {
     pub(crate) linear_dq: DofVector<f64, N, M>,
 }
 
-/// A curve whose dofs hold points: how to move it.
+/// A curve whose dofs contain points, with the translation of these points.
 pub(crate) trait Movable<const N: usize>: Curve<N> + Copy + std::fmt::Debug + 'static {
-    /// Where in the dofs the points start.
+    /// The indices in the dofs at which the points start.
     const POINTS: &'static [usize];
 
     fn moved(q: &SVector<f64, N>, by: &Vector3<f64>) -> SVector<f64, N> {
@@ -77,10 +77,10 @@ fn geometry<C: Curve<N>, const N: usize>(curve: &C, q: &SVector<f64, N>, xi: f64
     [jet.geometry.x, jet.geometry.t]
 }
 
-/// Pairs of two families, stationary inside, or with an end held.
+/// Pairs of two families, stationary at interior parameters, or with a parameter held at an end.
 ///
-/// The bar beam is moved so that d is normal to the tangents of all free parameters; whether the point is a minimum,
-/// a saddle or a maximum makes no difference to its variations.
+/// The bar beam is moved so that d is normal to the tangents of all free parameters. The variations do not depend on
+/// whether the point is a minimum, a saddle or a maximum.
 pub(crate) fn contacting<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     beam: impl Strategy<Value = (A, SVector<f64, N>)>,
     bar: impl Strategy<Value = (B, SVector<f64, M>)>,

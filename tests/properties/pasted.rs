@@ -1,3 +1,3 @@
-//! What the gate prints as a test is one: it compiles, and it is green.
+//! The tests that the check prints compile and pass.
 
 include!("../golden/pasted.rs");

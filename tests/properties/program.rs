@@ -1,7 +1,7 @@
 //! The program is run, and its output is compared with golden files.
 //!
-//! The golden files hold real output. The last digits of sine and power depend on the machine, so errors and the cases
-//! that show the worst of them are left out of the comparison; all else must be equal. `BEAMGAP_BLESS=1` writes them.
+//! The golden files contain real output. The last digits of sine and power depend on the machine. Errors and the
+//! cases with the worst errors are thus not compared; all else must be equal. `BEAMGAP_BLESS=1` writes the files.
 
 use serde_json::Value;
 use std::path::Path;
@@ -17,7 +17,7 @@ pub(crate) fn run(arguments: &[&str]) -> Output {
     command(arguments).output().unwrap()
 }
 
-/// Standard output of a run that must succeed in silence.
+/// Standard output of a run that must succeed without output on stderr.
 pub(crate) fn stdout(output: &Output) -> String {
     assert!(output.stderr.is_empty() && output.status.success(), "{output:?}");
     String::from_utf8(output.stdout.clone()).unwrap()
@@ -27,7 +27,7 @@ pub(crate) fn json(output: &Output) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// Compares with a golden file, both seen through `blind`; or writes it.
+/// Compares with a golden file after both are filtered by `blind`, or writes the file.
 pub(crate) fn golden(name: &str, output: &str, blind: impl Fn(&str) -> String) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
     if std::env::var_os("BEAMGAP_BLESS").is_some() {
@@ -37,7 +37,7 @@ pub(crate) fn golden(name: &str, output: &str, blind: impl Fn(&str) -> String) {
     assert_eq!(blind(output), blind(&expected), "BEAMGAP_BLESS=1 writes {name} again");
 }
 
-/// Tables without errors and without the cases that showed them.
+/// Tables without errors and without the cases of the worst errors.
 pub(crate) fn blind_text(text: &str) -> String {
     let mut kept = usize::MAX;
     let mut blind = String::new();
@@ -46,7 +46,7 @@ pub(crate) fn blind_text(text: &str) -> String {
             kept = match line.split_whitespace().next() {
                 Some("Worst" | "The") => 1,
                 Some("Regimes:") => 5,
-                // A formula that is written otherwise has another degree.
+                // The degree depends on how the formula is written.
                 Some("degree") => 4,
                 _ => usize::MAX,
             };
@@ -60,7 +60,7 @@ pub(crate) fn blind_text(text: &str) -> String {
     blind
 }
 
-/// The same for the document.
+/// The same filter for the document.
 pub(crate) fn blind_json(text: &str) -> String {
     fn hide(value: &mut Value) {
         match value {

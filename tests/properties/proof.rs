@@ -1,4 +1,4 @@
-//! Over a prime field the closed form and AD are equal, not nearly equal.
+//! Over a prime field the closed form and AD are exactly equal.
 
 use crate::program::{blind_json, blind_text, golden, run};
 use beamgap::number::PrimeField;
@@ -12,10 +12,10 @@ fn all_pairs_of_families_are_proved() {
     let proof = prove(&Variant::Unmodified, 7, &Family::ALL, 8);
     assert_eq!(proof.pairs, 121);
     assert!(proof.holds(), "{:?}", proof.refutations.first());
-    // Thirteen quantities in three layers, and seven in matrices and by the kernel.
+    // Thirteen quantities in three layers, and seven quantities in matrices and in the kernel.
     assert_eq!(proof.rows.len(), 13 * 3 + 2 * 7);
     for row in &proof.rows {
-        // The kernel is for curves that are linear in their dofs, of which there are eight families.
+        // The kernel supports curves that are linear in their dofs. Eight families are.
         let pairs = if row.layer == Layer::Kernel { 8 * 8 } else { proof.pairs as u64 };
         let entries = 8 * pairs;
         assert!(row.equal >= entries && row.equal % entries == 0, "{row:?}");
@@ -30,7 +30,7 @@ fn nothing_proves_nothing() {
 }
 
 proptest! {
-    /// What a refutation is told by: the ratio of both sides, if it is a small fraction.
+    /// A refutation reports the ratio of both sides, if it is a small fraction.
     #[test]
     fn small_fractions_are_recognized(above in -1000_i64..=1000, below in 1..=1000_u32, other: u64) {
         let (one, whole) = (PrimeField::new(above.unsigned_abs()), PrimeField::new(below.into()));
@@ -38,12 +38,12 @@ proptest! {
         let (numerator, denominator) = fraction.fraction(1000).unwrap();
         prop_assert_eq!(i128::from(numerator) * i128::from(below), i128::from(above) * i128::from(denominator));
         prop_assert!(numerator.unsigned_abs() <= above.unsigned_abs() && denominator <= below.into());
-        // One number in 10^12 is a small fraction.
+        // Only one number in 10^12 is a small fraction.
         prop_assert_eq!(PrimeField::new(other | 1 << 20).fraction(1000), None);
     }
 }
 
-/// Standard output of a proof that must succeed; stderr has the time it took, and nothing else.
+/// Standard output of a proof that must succeed. Stderr must contain the time and nothing else.
 fn proved(more: &[&str]) -> String {
     let output = run(&[&["prove", "--draws", "8", "--family", "segment", "--family", "arc"], more].concat());
     let told = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -1,4 +1,4 @@
-//! The fuzz targets take a fixed corpus: no text makes a reader panic, and what is read is written to the last bit.
+//! The fuzz targets run on a fixed corpus: no text makes a reader panic, and a valid text is written to the last bit.
 
 #[path = "../fuzz/case.rs"]
 mod case;
@@ -8,14 +8,14 @@ mod case_file;
 #[path = "../fuzz/readers.rs"]
 mod fuzz;
 
-/// What the module asks the command line for.
+/// The items of the command line that the module uses.
 mod arguments {
     pub(crate) fn program() -> &'static str {
         "beamgap"
     }
 }
 
-/// The texts of a target, and pieces of them: cut anywhere, and with a byte changed.
+/// The texts of a target, and parts of them: truncated at any place, and with a byte changed.
 fn corpus(target: &str) -> Vec<Vec<u8>> {
     let folder = format!("{}/tests/fuzz/seeds/{target}", env!("CARGO_MANIFEST_DIR"));
     let mut files: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|file| file.unwrap().path()).collect();

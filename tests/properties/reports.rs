@@ -1,4 +1,4 @@
-//! The reports say what was found and measured, and nothing else.
+//! The reports state what was found and measured, and nothing else.
 
 use beamgap::check::{self, CheckConfig, Regime, Selection};
 use beamgap::equations;
@@ -74,7 +74,7 @@ fn committed_records_are_written_again_as_they_are() {
     assert!(json.len() < 300_000, "{} bytes", json.len());
 }
 
-/// What the report, the gate and the proof say hangs on the seed alone, not on who does the work.
+/// The results of the report, the check and the proof depend on the seed only, not on the number of threads.
 #[test]
 fn threads_do_not_matter() {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 40 };
@@ -93,7 +93,7 @@ fn threads_do_not_matter() {
     assert!(one == found(2) && one == found(5));
 }
 
-/// The front page claims of the benchmarks what their record says, in the words that are made of it.
+/// The front page states the claims of the benchmark record, in the words generated from the record.
 #[test]
 fn the_front_page_claims_what_was_measured() {
     let front = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
@@ -105,7 +105,7 @@ fn the_front_page_claims_what_was_measured() {
     }
 }
 
-/// The packages that users of the library compile, this one not counted.
+/// The packages that users of the library compile, without this one.
 #[test]
 fn the_front_page_counts_packages() {
     let packages = |features: &[&str]| {
@@ -204,7 +204,7 @@ fn claims_of_the_table() -> [String; 7] {
     ]
 }
 
-/// A count with its thousands apart.
+/// A count with separators between thousands.
 fn count(number: u64) -> String {
     let digits = number.to_string();
     let grouped: Vec<&str> =

@@ -1,7 +1,7 @@
-//! A scalar of one's own: the prime field of 2^61 - 1, over which the library's formulas hold exactly.
+//! A user-defined scalar: the prime field of 2^61 - 1, over which the library's formulas are exact.
 //!
-//! Nothing is rounded there and nothing is small, so identities are compared by `==`. Sine and cosine are not those of
-//! analysis but any map to the unit circle x^2 + y^2 = 1, which is all that a derivative by the chain rule asks of them.
+//! No operation rounds, so identities are compared by `==`. Sine and cosine are not those of analysis. They are a map
+//! to the unit circle x^2 + y^2 = 1, which is sufficient for derivatives by the chain rule.
 
 use beamgap::curve::{Bezier, Curve, DofDerivatives, Helix, Hermite, NurbsWeighted};
 use beamgap::number::{Dual, HyperDual, Real};
@@ -124,7 +124,7 @@ impl One for PrimeField {
 }
 
 impl Real for PrimeField {
-    /// The root of a square; the prime is 3 modulo 4.
+    /// The square root of a square; the prime is 3 modulo 4.
     fn sqrt(self) -> Self {
         self.power((PRIME + 1) / 4)
     }
@@ -145,7 +145,7 @@ fn residues<const N: usize>() -> impl Strategy<Value = SVector<PrimeField, N>> {
     proptest::array::uniform::<_, N>(residue()).prop_map(SVector::from)
 }
 
-/// Every identity between the jet and the position that a first-order dual number can state, exactly.
+/// Every identity between the jet and the position that a first-order dual number can test, exactly.
 fn jet_is_exact<const N: usize>(
     curve: &impl Curve<N>,
     q: &SVector<PrimeField, N>,

@@ -1,9 +1,9 @@
-//! What is exported and answered is what the JSON Schemas say.
+//! Exported cases and answers are valid by the JSON Schemas.
 
 use crate::program::{run, stdout};
 use serde_json::Value;
 
-/// Whether a value is of a schema; an unknown keyword is an error of the schema.
+/// Whether a value is valid by a schema; an unknown keyword is an error of the schema.
 pub(crate) fn is_valid(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
     let wrong = |what: &str| Err(format!("{what}: {value} is not {schema}"));
     let Some(schema) = schema.as_object() else { return wrong("schema") };

@@ -1,4 +1,4 @@
-//! A mismatch is shrunk, and stays the mismatch it was.
+//! A mismatch is shrunk, and its diagnosis does not change.
 
 use beamgap::check::{
     Case, CaseData, CheckConfig, Comparison, Diagnosis, Family, Finding, Order, TestBeam, Verdict, shrink,
@@ -7,7 +7,7 @@ use beamgap::linearization::Quantity;
 use beamgap::pair::Contact;
 use proptest::prelude::*;
 
-/// What the gate would say of a case that could pass, were the closed form's numbers as `fault` has them.
+/// The diagnosis of the check for a case that can pass, if `fault` changes the closed form's numbers.
 fn diagnosed(case: &CaseData, fault: impl Fn(&mut Comparison)) -> Option<Diagnosis> {
     let mut compared = case.compare(&CheckConfig::default()).ok()?;
     for (_, verdict) in &mut compared {
@@ -21,10 +21,10 @@ fn diagnosed(case: &CaseData, fault: impl Fn(&mut Comparison)) -> Option<Diagnos
     Some(Finding::of(&compared).filter(|finding| finding.is_clear)?.diagnosis)
 }
 
-/// A wrong sign.
+/// A fault: a wrong sign.
 fn flipped(quantity: Quantity, order: Order) -> impl Fn(&mut Comparison) {
     move |entry| {
-        // The kernel's values are compared too, but of some families only: a fault of matrices leaves them alone.
+        // The kernel's values are compared for some families only, so the fault does not change them.
         let is_value = entry.order == Order::Matrix && entry.part == "value";
         if (entry.quantity, entry.order) == (quantity, order) && !is_value {
             entry.closed = -entry.closed;
@@ -32,13 +32,13 @@ fn flipped(quantity: Quantity, order: Order) -> impl Fn(&mut Comparison) {
     }
 }
 
-/// How many dofs are not zero, in q and in both directions.
+/// The numbers of dofs that are not zero, in q and in both directions.
 fn counts(case: &CaseData) -> [usize; 3] {
     let lists: [fn(&TestBeam) -> &Vec<f64>; 3] = [|s| &s.q, |s| &s.dq, |s| &s.linear_dq];
     lists.map(|list| case.test_beams.iter().flat_map(list).filter(|&&number| number != 0.0).count())
 }
 
-/// The longest dof when written.
+/// The length of the longest dof when written.
 fn digits(case: &CaseData) -> usize {
     let numbers = case.test_beams.iter().flat_map(|s| s.q.iter().chain(&s.dq).chain(&s.linear_dq));
     numbers.map(|number| number.to_string().len()).max().unwrap_or(0)
@@ -76,7 +76,7 @@ fn faults_are_shown_by_few_small_numbers() {
     assert!(shown.iter().all(|&shown| shown > 25), "{shown:?}");
 }
 
-/// Where there are two faults, the second never takes the place of the first.
+/// With several faults, shrinking never replaces the first by another.
 #[test]
 fn a_diagnosis_does_not_drift() {
     let faults = |entry: &mut Comparison| {
@@ -102,7 +102,7 @@ fn a_beam_that_must_bend_bends_in_few_numbers() {
             compared.iter().any(|(point, verdict)| point.is_some() && matches!(verdict, Verdict::Pass(_)))
         })
     };
-    // Quadratics and their like: the middle is off the chord by a tenth of it.
+    // Quadratics with a second difference of more than a tenth of the chord.
     let bent = |case: &CaseData| {
         let TestBeam { family: Family::Quadratic, q, .. } = &case.test_beams[0] else { return false };
         let size = |of: fn(&[f64], usize) -> f64| (0..3).map(|i| of(q, i).powi(2)).sum::<f64>().sqrt();
@@ -122,7 +122,7 @@ fn every_family_becomes_plain() {
             let families = case.test_beams.each_ref().map(|beam| beam.family) == [family; 2];
             families && diagnosed(case, flipped(Quantity::Xi, Order::First)).is_some()
         };
-        // In turn, the cases of a regime go through the 121 pairs of families; xi is held in some.
+        // The cases of a regime cycle through the 121 pairs of families. In some cases xi is held.
         let mut cases = (0..20).map(|round| Case::draw(2, 9 * (12 * k + 121 * round)).data());
         let case = cases.find(|case| kept(case)).unwrap();
         let small = shrink(&case, kept);
@@ -143,7 +143,7 @@ fn what_makes_no_beam_is_left_alone() {
     assert_eq!(shrink(&case, |_| 0), case);
 }
 
-/// Any number that JSON holds.
+/// Any number that JSON can represent.
 fn number() -> impl Strategy<Value = f64> {
     let extreme =
         proptest::sample::select(vec![0.0, -0.0, 1.0, -1.0, 5e-324, 1e-300, 1e-160, 1e154, 1e300, f64::MAX]);
@@ -163,7 +163,7 @@ fn test_beam() -> impl Strategy<Value = TestBeam> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
-    /// Whatever the numbers: a verdict or an error, and no panic.
+    /// Any numbers give a verdict or an error, and no panic.
     #[test]
     fn any_numbers_can_be_compared_and_shrunk(beam in test_beam(), bar in test_beam(), radius in number()) {
         let contact = Contact { radius, ..Contact::default() };

@@ -1,10 +1,10 @@
-//! Random inputs. What they promise is tested below.
+//! Random inputs. The tests below verify their properties.
 
 use beamgap::number::Real;
 use nalgebra::{SVector, Vector4};
 use proptest::prelude::*;
 
-/// Any parameter, the ends among them.
+/// Any parameter, including the ends.
 pub(crate) fn parameter() -> impl Strategy<Value = f64> {
     prop_oneof![6 => -1.0..=1.0, 1 => Just(-1.0), 1 => Just(1.0), 1 => Just(0.0)]
 }
@@ -97,7 +97,7 @@ impl Expression {
     }
 }
 
-/// Any formula, ill-conditioned ones and such that divide by zero or take the root of a negative number included.
+/// Any formula, including ill-conditioned ones, divisions by zero and roots of negative numbers.
 pub(crate) fn expression() -> impl Strategy<Value = Expression> {
     let leaf = prop_oneof![
         4 => (0..2_usize).prop_map(Expression::Variable),

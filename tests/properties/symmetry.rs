@@ -1,5 +1,5 @@
-//! Every second variation is symmetric: Delta-delta does not depend on the order of the directions. The blocks of either
-//! beam are computed in full; the mixed block is one, so it is the gate that takes it in both orders.
+//! Every second variation is symmetric: Delta-delta does not depend on the order of the directions. The block of each
+//! beam is computed in full. The mixed block is stored once, so the check evaluates it in both orders.
 
 use crate::bounded::{is_near, linearized_case, scalars};
 use crate::pairs::{Contacting, Movable, any_helix, contacting, hermite, nurbs};
@@ -25,7 +25,7 @@ proptest! {
     #[test]
     fn of_weighted_nurbs_and_helix(case in contacting(nurbs(), any_helix())) { symmetric(&case); }
 
-    /// Components of vectors too, by the tolerances of the gate.
+    /// The same for components of vectors, within the tolerances of the check.
     #[test]
     fn of_every_component(seed: u64, number in 0..100_000_u64) {
         for (point, verdict) in compare(&CheckConfig::default(), &Case::draw(seed, number)) {

@@ -1,6 +1,6 @@
-//! As many threads work as are asked for.
+//! The number of threads is the requested one.
 
-/// That the result is the same with any number says nothing of whether the number is heard.
+/// The results do not depend on the number of threads, so this test counts the threads.
 #[cfg(target_os = "linux")]
 #[test]
 fn as_many_threads_work_as_are_asked_for() {

@@ -1,4 +1,4 @@
-//! The linearization against numbers that share no derivative with it: values from outside, and differences of values.
+//! The linearization compared with independent numbers: published values, and differences of values.
 
 use crate::centroids::Winding;
 use crate::pairs::{Contacting, Movable, any_helix, contacting, hermite, nurbs, refined};
@@ -13,7 +13,7 @@ fn close(ours: f64, theirs: f64) {
     assert!((ours - theirs).abs() <= 1e-14 * theirs.abs(), "{ours:.17}, not {theirs:.17}");
 }
 
-/// Computed with 40 digits elsewhere.
+/// The reference values were computed elsewhere with 40 digits.
 #[test]
 #[expect(clippy::excessive_precision, reason = "the digits of the source")]
 fn two_lines_have_the_known_derivatives() {
@@ -36,8 +36,8 @@ fn two_lines_have_the_known_derivatives() {
     close(l.d.hessian.entry(8, 11), 0.148_535_989_330_797_648);
 }
 
-/// Values with the closest point solved for again, along one direction: fourth-order central differences of the values
-/// give the first variation, and of the first variations the second.
+/// The closest point is solved for again at points along one direction. Fourth-order central differences of the values
+/// give the first variation, and those of the first variations give the second variation.
 fn differences_agree<A: Movable<N>, B: Movable<M>, const N: usize, const M: usize>(
     case: &Contacting<A, B, N, M>,
 ) {
@@ -48,7 +48,7 @@ fn differences_agree<A: Movable<N>, B: Movable<M>, const N: usize, const M: usiz
         let point = refined(pair, &q, at, point.held()).expect("stays regular");
         closed_form::vary(pair, &q, &point, dq, linear_dq).components()
     };
-    // A step that moves the parameters by a ten-thousandth.
+    // The step moves the parameters by 1e-4.
     let first = closed_form::vary(pair, q, point, dq, linear_dq);
     let h = 1e-4 / first.xi.linear.abs().max(first.xi_bar.linear.abs()).max(1.0);
     let [two, one, minus_one, minus_two] = [2.0, 1.0, -1.0, -2.0].map(|k| along(k * h));
@@ -86,12 +86,12 @@ proptest! {
     }
 }
 
-/// Two circles that curve towards each other by k and k_bar, at the distance h under the angle alpha. In arc length
+/// Two circles that curve towards each other with curvatures k and k_bar, at distance h and angle alpha. In arc length
 /// D = cos² alpha - (1 - h k)(1 - h k_bar).
 #[test]
 fn the_local_theory_gives_the_determinant() {
     for (h, k, k_bar, alpha) in [(0.3, 0.7, -0.4, 0.6_f64), (0.05, 2.0, 3.0, 1.2), (1.5, -0.2, 0.1, 0.3)] {
-        // The bar beam is above; each circle passes its point at phase 0, along its tangent.
+        // The bar beam is above. Each circle passes its point at phase 0, along its tangent.
         let circle = |height: f64, along: Vector3<f64>, towards: f64, k: f64| {
             let radius = 1.0 / k;
             Winding {

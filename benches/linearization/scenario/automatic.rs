@@ -1,4 +1,4 @@
-//! Automatic differentiation, by every route and with numbers of every width.
+//! Automatic differentiation, by every route and with rows of every width.
 
 use super::input::{Input, TimedCurve};
 use super::work::{Judge, Method, rows, scenario};
@@ -9,7 +9,7 @@ use beamgap::linearization::ad::{
 };
 use beamgap::linearization::{Derivatives, Quantities};
 
-/// The dofs that a row takes at once: four vectors of the default target.
+/// The number of dofs in a row: four vectors of the default target.
 const ROW: usize = 8;
 
 /// The quantity of [`Task::Distance`].
@@ -22,12 +22,12 @@ pub(super) fn all<S>(of: Quantities<S>) -> [S; 5] {
     [of.d, of.xi, of.xi_bar, of.t, of.t_bar]
 }
 
-/// Every method but [`at_once`].
+/// Every method except [`at_once`].
 pub(super) fn scenarios<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
     judge: &Judge,
 ) -> Vec<Scenario> {
-    // One chord step makes the first variation of xi exact, and d needs no more.
+    // One chord step makes the first variation of xi exact, which is sufficient for d.
     let of_d: [Method<A, B, [Derivatives<f64, N, M>; 1], N, M>; 5] = [
         ("rows of hyper-duals, by orders", |p| {
             [expand_d_by_orders::<_, _, N, M, ROW>(&p.pair, &p.q, &p.point)]
@@ -62,7 +62,7 @@ pub(super) fn scenarios<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, cons
     scenarios
 }
 
-/// Numbers with all `S` dofs at once: the dearest to compile, and so for one family only.
+/// Numbers with all `S` dofs at once. They take the longest to compile, so they are used for one family only.
 pub(super) fn at_once<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize, const S: usize>(
     input: &Input<A, B, N, M>,
     judge: &Judge,

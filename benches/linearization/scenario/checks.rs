@@ -1,9 +1,9 @@
-//! What holds of the list of scenarios, whatever they take.
+//! Consistency checks of the list of scenarios.
 
 use super::{Scenario, Task};
 use std::collections::BTreeSet;
 
-/// Methods have names of their own, each task has a closed form or a search, and multiply-adds are counted right.
+/// The methods have different names, each task has a closed form or a search, and the multiply-adds are correct.
 pub(crate) fn check(all: &[Scenario]) {
     let names: BTreeSet<String> = all.iter().map(Scenario::to_string).collect();
     assert_eq!(names.len(), all.len(), "two scenarios have the same name");
@@ -16,15 +16,15 @@ pub(crate) fn check(all: &[Scenario]) {
     check_multiply_adds(all);
 }
 
-/// An entry of a Hessian is a sum of products, and all that leads to these does not depend on the layout: of d two, of xi
-/// and of xi_bar three, of t and t_bar two, and four among the dofs of their own beam.
+/// An entry of a Hessian is a sum of products; all previous operations do not depend on the layout. The numbers of
+/// products are two for d, three for xi and xi_bar, two for t and t_bar, and four among the dofs of their own beam.
 fn check_multiply_adds(all: &[Scenario]) {
     let of = |task: Task, method: &str| {
         let is_counted =
             |of: &&Scenario| of.task == task && of.method == method && of.multiply_adds.is_some();
         all.iter().find(is_counted).and_then(|of| of.multiply_adds).expect("they are counted")
     };
-    // Between the beams, and among the dofs of both.
+    // The products between the beams, and among the dofs of each beam.
     for (task, mixed, own) in [(Task::Distance, 2, 2 + 2), (Task::All, 2 + 3 + 3 + 2 + 2, 4 + 6 + 6 + 6 + 6)]
     {
         let blocks = of(task, "closed form");

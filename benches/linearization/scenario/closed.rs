@@ -1,4 +1,4 @@
-//! The closed form: in blocks, as it runs fastest, and term by term, as it reads best.
+//! The closed form: in blocks, which is the fastest, and term by term, which is the most readable.
 
 use super::error::Rows;
 use super::input::{Input, TimedCurve};
@@ -13,7 +13,7 @@ pub(super) const IN_FULL: &str = "closed form, in full";
 pub(super) const PACKED: &str = "closed form, packed";
 const BY_TERMS: &str = "closed form, term by term";
 
-/// All that the closed form has for a pair of `S` dofs.
+/// All methods of the closed form for a pair of `S` dofs.
 pub(super) fn scenarios<
     A: TimedCurve<N>,
     B: TimedCurve<M>,
@@ -71,7 +71,7 @@ pub(super) fn distance<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const
     written((task, CLOSED_FORM), input, work, Derivatives::zero, |of| rows(&[of]), judge.of_first(3))
 }
 
-/// All quantities but the slips.
+/// All quantities except the slips.
 pub(super) fn all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     task: Task,
     input: &Input<A, B, N, M>,
@@ -92,7 +92,7 @@ fn d_by_terms<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize
     Matrices::new(&jet, &jet_bar, p.point.held()).d()
 }
 
-/// The layouts other than that of blocks: `S` dofs, `H` entries of the lower triangle.
+/// The layouts other than blocks: `S` dofs, `H` entries of the lower triangle.
 pub(super) fn layouts<
     A: TimedCurve<N>,
     B: TimedCurve<M>,

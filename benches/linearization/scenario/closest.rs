@@ -1,11 +1,11 @@
-//! Where the closest point comes from, which all the rest takes as given.
+//! The computation of the closest point, which all other tasks take as given.
 
 use super::input::{Input, Inputs, TimedCurve};
 use super::truth;
 use super::work::{Judge, Method, scenario};
 use super::{Scenario, Task};
 
-/// How far from the closest point Newton's method starts: what a time step may move it.
+/// The distance from the closest point at which Newton's method starts, like the change in a time step.
 const OFF: f64 = 0.05;
 
 /// Every other family.

@@ -1,4 +1,4 @@
-//! The arithmetic of the closed form with the standard pair, counted.
+//! Operation counts of the closed form for the standard pair.
 
 use super::closed::{IN_FULL, PACKED};
 use super::input::{Input, hermites};
@@ -15,7 +15,7 @@ use beamgap::pair::{DofVector, Pair};
 use beamgap::report::CLOSED_FORM;
 use nalgebra::SVector;
 
-/// The same scenarios of the standard family with their multiply-adds, where they are counted.
+/// The scenarios with the multiply-adds of those of the standard family that are counted.
 pub(super) fn counted(mut scenarios: Vec<Scenario>) -> Vec<Scenario> {
     for scenario in &mut scenarios {
         scenario.multiply_adds = multiply_adds(scenario.task, &scenario.method);

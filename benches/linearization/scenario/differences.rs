@@ -10,12 +10,12 @@ use beamgap::linearization::closed_form::kernel::{self, Gradient, Targets};
 use beamgap::linearization::{Derivatives, Quantities};
 use beamgap::pair::DofVector;
 
-/// The step for differences of values: the fourth root of epsilon, about the best for lengths near 1.
+/// The step for differences of values: the fourth root of epsilon, nearly optimal for lengths near 1.
 const OF_VALUES: f64 = 1.0 / 8192.0;
 /// The step for differences of gradients: the third root of epsilon.
 const OF_GRADIENTS: f64 = 1.0 / 131_072.0;
 
-/// The dofs moved by steps, and the closest point there.
+/// The dofs after the steps, and the closest point there.
 fn moved<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
     moves: &[(usize, f64)],
@@ -29,7 +29,7 @@ fn moved<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     (q, point)
 }
 
-/// Gradients and Hessians of the quantities that `pick` picks, by differences of values `width` steps wide.
+/// Gradients and Hessians of the quantities that `pick` selects, by differences of values over `width` steps.
 fn of_values<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize, const K: usize>(
     input: &Input<A, B, N, M>,
     pick: impl Fn(Quantities<f64>) -> [f64; K],
@@ -61,7 +61,7 @@ fn of_values<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize,
     all_derivatives
 }
 
-/// Values and gradients that `gradients` has in closed form, and Hessians by differences of them `width` steps wide.
+/// Values and gradients from `gradients` in closed form, and Hessians by differences of them over `width` steps.
 fn of_gradients<
     A: TimedCurve<N>,
     B: TimedCurve<M>,
@@ -96,7 +96,7 @@ fn of_gradients<
     all_derivatives
 }
 
-/// What is differenced.
+/// The kind of numbers that are differenced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Differenced {
     Values,
@@ -143,7 +143,7 @@ fn gradients_of_all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M:
     to
 }
 
-/// `work` by differences; its second argument is how many times as wide as usual the steps are.
+/// The scenario of `work` by differences. The second argument of `work` is the factor on the width of the steps.
 fn by<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize, const K: usize>(
     task: Task,
     differenced: Differenced,
@@ -162,13 +162,13 @@ fn by<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize, const 
     scenario((task, method), input, move |p| work(p, 1.0), rows, error)
 }
 
-/// What differences may be off: what changes when the steps are twice as wide, which is three times the truncation, and
-/// the rounding of what is differenced over the steps.
+/// The error of differences. The allowance is the change if the steps are doubled, which is three times the truncation,
+/// and the rounding error of the differenced numbers divided by the steps.
 fn error(fine: &Rows, coarse: &Rows, truth: &[Vec<Exact>], differenced: Differenced) -> Error {
     let rounding = |row: usize| truth[row].iter().fold(0.0_f64, |most, exact| most.max(exact.tolerance));
     let allowance = |row: usize| {
         let changes = fine[row].iter().zip(&coarse[row]).map(|(a, b)| (a - b).abs());
-        // Values, gradients and Hessians take rounds.
+        // The rows are values, gradients and Hessians in turn.
         let divided = match (differenced, row % 3) {
             (Differenced::Values, 1) => rounding(row - 1) / OF_VALUES,
             (Differenced::Values, 2) => 4.0 * rounding(row - 2) / (OF_VALUES * OF_VALUES),

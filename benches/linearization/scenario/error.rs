@@ -1,37 +1,37 @@
-//! How far a result is from the truth.
+//! The error of a result.
 
 use beamgap::number::DoubleDouble;
 
-/// A number as it should be, and how far off it may be.
+/// An exact number and its tolerance.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Exact {
     pub(crate) value: DoubleDouble,
     pub(crate) tolerance: f64,
 }
 
-/// Numbers of one kind stand in one row; errors are relative to the largest of their row.
+/// A row contains numbers of one kind. Errors are relative to the largest number of the row.
 pub(crate) type Rows = Vec<Vec<f64>>;
 
-/// How far a result is from the truth.
+/// The error of a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Error {
     /// The largest error, relative to the largest number of its kind (a value, a gradient or a Hessian).
     pub(crate) relative: f64,
-    /// The largest error over what is allowed for it: one at most if the result is right.
+    /// The largest error divided by its tolerance. It is at most one if the result is correct.
     pub(crate) share: f64,
 }
 
 impl Error {
-    /// Nothing wrong so far.
+    /// No error.
     pub(crate) const NONE: Self = Self { relative: 0.0, share: 0.0 };
 
-    /// The worse of both; what is not a number is worst.
+    /// The larger of both errors; NaN is the largest.
     pub(crate) fn worse(self, other: Self) -> Self {
         let worse = |a: f64, b: f64| if a >= b { a } else { b };
         Self { relative: worse(self.relative, other.relative), share: worse(self.share, other.share) }
     }
 
-    /// Compares a result with the truth, where `more` of the row may be added to what is allowed.
+    /// Compares a result with the exact numbers; `more` is added to the tolerances of a row.
     pub(crate) fn of(rows: &Rows, truth: &[Vec<Exact>], more: impl Fn(usize) -> f64) -> Self {
         assert_eq!(rows.len(), truth.len(), "the same quantities");
         let of_row = |(row, (numbers, exact)): (usize, (&Vec<f64>, &Vec<Exact>))| {

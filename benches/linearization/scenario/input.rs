@@ -1,4 +1,4 @@
-//! The pairs of beams that are timed: always the same, each at its closest point.
+//! The pairs of beams that are timed: fixed pairs, each at its closest point.
 
 use beamgap::check::{Case, Regime, Selection};
 use beamgap::closest_point::ClosestPoint;
@@ -10,11 +10,11 @@ use beamgap::pair::{Contact, DofVector, Pair};
 use beamgap::test_beam::{Family, TestBeam};
 use nalgebra::{SVector, Vector3};
 
-/// The seed of the pairs that are drawn.
+/// The seed of the drawn pairs.
 const SEED: u64 = 0x5eed;
-/// How many cases are looked at for pairs; one in 21 of those with a family has it twice.
+/// The number of cases that are searched for pairs. One in 21 of the cases with a family has it twice.
 const CASES: u64 = 10_000;
-/// Pairs nearer to a singular one are left to the gate: a benchmark is of what is usual.
+/// The minimum conditioning. Pairs that are nearly singular are left to the check, because they are rare in practice.
 const CONDITIONED: f64 = 0.2;
 
 /// A pair with its dofs, two directions of variation and its closest point.
@@ -28,7 +28,7 @@ pub(super) struct Input<A, B, const N: usize, const M: usize> {
     pub(super) point: ClosestPoint,
 }
 
-/// What is timed can be sent to any thread.
+/// A curve that can be sent to any thread.
 pub(super) trait TimedCurve<const N: usize>: Curve<N> + Copy + Send + Sync + 'static {}
 impl<C: Curve<N> + Copy + Send + Sync + 'static, const N: usize> TimedCurve<N> for C {}
 
@@ -94,7 +94,7 @@ pub(super) fn drawn<C: TimedCurve<N>, const N: usize>(
     pairs(family, curve).filter(Input::is_wide).take(count).collect()
 }
 
-/// The well-conditioned pairs of two beams of a family that the gate draws.
+/// The well-conditioned pairs of two beams of a family among the cases of the check.
 fn pairs<C: TimedCurve<N>, const N: usize>(
     family: Family,
     curve: impl Fn(&TestBeam) -> C,
@@ -119,7 +119,7 @@ impl<C: TimedCurve<N>, const N: usize> Input<C, C, N, N> {
         Some(Self { family: case.families[0].name(), pair, q, dq, linear_dq, point })
     }
 
-    /// Whether both the gap and the angle are wide: an eighth of a tangent, and a sine of a quarter.
+    /// Whether the gap is at least an eighth of a tangent, and the sine of the angle is more than a quarter.
     fn is_wide(&self) -> bool {
         let Self { pair, q, point, .. } = self;
         let (jet, jet_bar) = jets(pair, q, (point.xi, point.xi_bar));
@@ -130,7 +130,7 @@ impl<C: TimedCurve<N>, const N: usize> Input<C, C, N, N> {
             && (x.x - x_bar.x).norm_squared() >= t2.min(t_bar2) / 64.0
     }
 
-    /// Two gently bent beams that cross, by points at the parameters `nodes` of a family that has a point for each.
+    /// Two slightly bent beams that cross; the points are at the parameters `nodes`, one for each point of the family.
     pub(super) fn of_nodes(family: &'static str, curve: C, nodes: &[f64]) -> Self {
         let parabola = |middle: Vector3<f64>, half: Vector3<f64>, sag: Vector3<f64>| {
             let points = nodes.iter().flat_map(|&s| (middle + half * s + sag * (s * s)).data.0[0]);
@@ -148,7 +148,7 @@ impl<C: TimedCurve<N>, const N: usize> Input<C, C, N, N> {
     }
 }
 
-/// The closest point, if it is inside both beams and regular.
+/// The closest point, if it is interior to both beams and regular.
 fn closest<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     pair: &Pair<A, B, N, M>,
     q: &DofVector<f64, N, M>,
@@ -157,7 +157,7 @@ fn closest<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     (point.degeneracy().is_none() && point.conditioning > CONDITIONED).then_some(point)
 }
 
-/// A direction in which no dof stands still and no two go alike.
+/// A direction in which all dofs vary, and all by different amounts.
 #[expect(clippy::cast_precision_loss, reason = "counts dofs")]
 fn wave<const N: usize, const M: usize>(frequency: f64) -> DofVector<f64, N, M> {
     let wave = |i: usize| (frequency * (i + 1) as f64).sin();

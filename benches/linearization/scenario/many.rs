@@ -1,4 +1,4 @@
-//! Many pairs on one thread and on two: what an assembly asks for.
+//! Many pairs on one thread and on two, as in an assembly.
 
 use super::error::Rows;
 use super::input::{Twins, drawn};
@@ -15,25 +15,25 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::hint::black_box;
 use std::sync::Arc;
 
-/// So many pairs of different shape, over and over.
+/// The number of different pairs, which are repeated.
 const DIFFERENT: usize = 8;
-/// So many quantities in a run, which then takes so long that waking a thread does not show.
+/// The number of quantities in a run. Such a run takes so long that the wake-up time of a thread is negligible.
 const IN_CACHE: usize = 655_360;
-/// So many quantities where each result has memory of its own: 98 MB, far more than the caches of one core.
+/// The number of quantities if each result has separate memory: 98 MB, far more than the caches of one core.
 const TO_MEMORY: usize = 40_960;
-/// So many to a task of a thread, where the results stay in its cache.
+/// The number of pairs in a task of a thread. Their results stay in its cache.
 const CHUNK: usize = 128;
 
 /// One pair after another.
 const ONE_BY_ONE: &str = "closed form, one by one";
 /// Four pairs in the lanes of a vector.
 const LANES: &str = "closed form, four at once";
-/// What is added to the name of a method that writes each result to memory of its own.
+/// The suffix of the name of a method that writes each result to separate memory.
 const TO_MEMORY_NAME: &str = ", to memory";
-/// The lanes by one thread.
+/// The lanes on one thread.
 pub(super) const FOUR_AT_ONCE: &str = "closed form, four at once, 1 thread";
 
-/// The name of the same work one pair after another, if this is the name of four at once.
+/// The name of the same work one pair after another, if `method` is four at once.
 pub(super) fn one_by_one(method: &str) -> Option<String> {
     method.strip_prefix(LANES).map(|rest| format!("{ONE_BY_ONE}{rest}"))
 }
@@ -42,9 +42,9 @@ type Hermites = Twins<Hermite, 12>;
 type Met = PairAtPoint<'static, Hermite, Hermite, 12, 12>;
 /// `K` quantities of a pair.
 type AllDerivatives<const K: usize> = [Derivatives<f64, 12, 12>; K];
-/// d of four pairs, halves of the Hessians.
+/// d of four pairs, with half of the Hessians.
 type Four = Packed<Lanes, 24, 300>;
-/// `K` quantities of a pair.
+/// A method for `K` quantities of a pair.
 type One<const K: usize> = fn(&Met, &mut AllDerivatives<K>);
 
 const D: One<1> = |p, [d]| kernel::write_d(p.pair, p.q, p.point, d);
@@ -52,9 +52,9 @@ const ALL: One<5> = |p, [d, xi, xi_bar, t, t_bar]| {
     kernel::write_all(p.pair, p.q, p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
 };
 
-/// By one thread and by two.
+/// The scenarios on one thread and on two.
 pub(super) fn scenarios() -> Vec<Scenario> {
-    // For as long as the program runs.
+    // The pairs live as long as the program.
     let different: &[Hermites] = drawn(Family::Hermite, DIFFERENT, |_| Hermite::new()).leak();
     let met = |Twins { pair, q, point, .. }: &'static Hermites| Met { pair, q, point };
     let pairs: Arc<[Met]> = different.iter().map(met).cycle().take(IN_CACHE).collect();
@@ -74,12 +74,12 @@ pub(super) fn scenarios() -> Vec<Scenario> {
 
 struct Many {
     pairs: Arc<[Met]>,
-    /// Of the first pairs, one each.
+    /// One judge for each of the different pairs.
     judges: Arc<[Judge]>,
 }
 
 impl Many {
-    /// `work` for all pairs, each result left where the next one will be.
+    /// `work` for all pairs; each result overwrites the previous one.
     fn one_by_one<const K: usize>(&self, task: Task, threads: usize, work: One<K>) -> Scenario {
         let pairs = self.pairs.clone();
         let runner = move || -> Runner {
@@ -98,7 +98,7 @@ impl Many {
         self.scenario::<K>((task, ONE_BY_ONE, threads), runner, self.rows_of_one(work))
     }
 
-    /// The same, each result in memory of its own.
+    /// `work` for all pairs; each result has separate memory.
     fn one_by_one_to_memory<const K: usize>(&self, task: Task, threads: usize, work: One<K>) -> Scenario {
         let pairs = self.pairs.clone();
         let many = TO_MEMORY / K;
@@ -121,7 +121,7 @@ impl Many {
         Scenario { pairs: many, ..scenario }
     }
 
-    /// d of four pairs in the lanes of a vector, the results left where the next ones will be.
+    /// d of four pairs in the lanes of a vector; the results overwrite the previous ones.
     fn four_at_once(&self, threads: usize) -> Scenario {
         let pairs = self.pairs.clone();
         let runner = move || -> Runner {
@@ -140,7 +140,7 @@ impl Many {
         self.scenario::<1>((Task::DistanceOfMany, LANES, threads), runner, self.rows_of_four())
     }
 
-    /// The same, each result in memory of its own.
+    /// d of four pairs in the lanes of a vector; the results have separate memory.
     fn four_at_once_to_memory(&self, threads: usize) -> Scenario {
         let pairs = self.pairs.clone();
         let runner = move || -> Runner {
@@ -161,7 +161,7 @@ impl Many {
         Scenario { pairs: TO_MEMORY, ..scenario }
     }
 
-    /// What a method yields for one of the first pairs.
+    /// The result of a method for one of the different pairs.
     fn rows_of_one<const K: usize>(&self, work: One<K>) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
         let pairs = self.pairs.clone();
         move |i| {
@@ -171,7 +171,7 @@ impl Many {
         }
     }
 
-    /// What the lanes yield for one of the first pairs.
+    /// The result of the lanes for one of the different pairs.
     fn rows_of_four(&self) -> impl Fn(usize) -> Rows + Send + Sync + 'static {
         let pairs = self.pairs.clone();
         move |i| {
@@ -181,7 +181,7 @@ impl Many {
         }
     }
 
-    /// Judged by the first pairs.
+    /// A scenario that is verified on the different pairs.
     fn scenario<const K: usize>(
         &self,
         (task, method, threads): (Task, &str, usize),
@@ -207,7 +207,7 @@ impl Many {
     }
 }
 
-/// The name of a method by so many threads.
+/// The name of a method on this number of threads.
 pub(super) fn by_threads(method: &str, threads: usize) -> String {
     format!("{method}, {threads} {}", if threads == 1 { "thread" } else { "threads" })
 }
@@ -216,7 +216,7 @@ fn pool(threads: usize) -> ThreadPool {
     ThreadPoolBuilder::new().num_threads(threads).build().expect("threads")
 }
 
-/// What one lane holds.
+/// The numbers in one lane.
 fn lane(of: &Four, lane: usize) -> [Vec<f64>; 3] {
     let entries = (0..24).flat_map(|i| (0..24).map(move |j| of.entry(i, j).0[lane]));
     [vec![of.value.0[lane]], of.gradient.iter().map(|g| g.0[lane]).collect(), entries.collect()]

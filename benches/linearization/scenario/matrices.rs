@@ -5,7 +5,7 @@ use super::work::Judge;
 use super::{Scenario, Task, automatic, closed, differences, truth};
 use beamgap::curve::Hermite;
 
-/// The standard pair, with what is compiled for one pair only.
+/// The standard pair, with the methods that are compiled for one pair only.
 pub(super) fn standard(input: &Twins<Hermite, 12>) -> Vec<Scenario> {
     let owned = *input;
     let judge = Judge::new(move || truth::all_derivatives(&owned));
@@ -17,7 +17,7 @@ pub(super) fn standard(input: &Twins<Hermite, 12>) -> Vec<Scenario> {
     scenarios
 }
 
-/// Straight, curved, rational, and with dofs that enter nonlinearly.
+/// Straight and curved families, rational ones, and families with dofs that enter nonlinearly.
 pub(super) fn others(of: &Inputs) -> Vec<Scenario> {
     let mut all = Vec::new();
     all.extend(near());

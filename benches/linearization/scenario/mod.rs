@@ -1,7 +1,7 @@
-//! What is timed and counted: every task in every method, each judged against double-double.
+//! The scenarios that are timed and counted: every task by every method, each verified with double-double.
 //!
-//! Benches and counts go through one list, [`all`], so that no number is reported of what was not judged by the same code
-//! on the same pair.
+//! Benches and counts use one list, [`all`]. Every reported number therefore belongs to code that was verified on the
+//! same pair.
 
 mod automatic;
 mod checks;
@@ -25,7 +25,7 @@ pub(crate) use checks::check;
 use beamgap::report::{Task, Verdict};
 use std::fmt;
 
-/// One method to do one task with one kind of beams.
+/// One method for one task with one kind of beams.
 pub(crate) struct Scenario {
     /// The task.
     pub(crate) task: Task,
@@ -35,7 +35,7 @@ pub(crate) struct Scenario {
     pub(crate) dofs: usize,
     /// The method.
     pub(crate) method: String,
-    /// How many pairs a run does.
+    /// The number of pairs in a run.
     pub(crate) pairs: usize,
     /// The multiply-adds of a pair, if they are counted.
     pub(crate) multiply_adds: Option<usize>,
@@ -43,16 +43,16 @@ pub(crate) struct Scenario {
     judge: Box<dyn Fn() -> Error + Send + Sync>,
 }
 
-/// Does a scenario once each time it is called, with memory of its own for the results.
+/// Runs a scenario once in each call, with separate memory for the results.
 pub(crate) type Runner = Box<dyn FnMut()>;
 
 impl Scenario {
-    /// What does it; neither the input nor the result is visible to the optimizer.
+    /// The runner; neither the input nor the result is visible to the optimizer.
     pub(crate) fn runner(&self) -> Runner {
         (self.runner)()
     }
 
-    /// Compares what it yields with the truth.
+    /// Compares the result with the exact one.
     pub(crate) fn verdict(&self) -> Verdict {
         let Error { relative, share } = (self.judge)();
         Verdict {
@@ -66,17 +66,17 @@ impl Scenario {
         }
     }
 
-    /// The name of the same method by one thread, if this is one by two.
+    /// The name of the same method on one thread, if this one is on two.
     pub(crate) fn by_one_thread(&self) -> Option<String> {
         Some(many::by_threads(self.method.strip_suffix(&many::by_threads("", 2))?, 1))
     }
 
-    /// The name of the same method one pair after another, if this is four pairs at once.
+    /// The name of the same method one pair after another, if this one is four pairs at once.
     pub(crate) fn one_by_one(&self) -> Option<String> {
         many::one_by_one(&self.method)
     }
 
-    /// The task and the beams, which the methods of a group have in common.
+    /// The task and the beams, which are common to the methods of a group.
     pub(crate) fn group(&self) -> String {
         self.task.group(self.family, self.dofs)
     }
@@ -101,7 +101,7 @@ pub(crate) fn all() -> Vec<Scenario> {
     all
 }
 
-/// Those of one pair of the standard family, two Hermite beams: all the code there is, compiled once.
+/// The scenarios of the standard pair, two Hermite beams. They contain all methods, which are compiled once.
 fn standard() -> Vec<Scenario> {
     let input = input::hermites();
     let mut standard = matrices::standard(&input);

@@ -1,11 +1,11 @@
-//! The closed form for curves of more and more dofs, 12 to 96 for a pair.
+//! The closed form for curves with increasing numbers of dofs, 12 to 96 for a pair.
 
 use super::input::{Input, TimedCurve, Twins};
 use super::work::Judge;
 use super::{Scenario, Task, closed, truth};
 use beamgap::curve::{BSpline, Curve, Lagrange};
 
-/// Higher and higher Lagrange curves and B-splines.
+/// Lagrange curves and B-splines of increasing degree.
 pub(super) fn scenarios() -> Vec<Scenario> {
     let mut all = Vec::new();
     all.extend(of_pair(lagrange::<2, 6>()));
@@ -28,7 +28,7 @@ where
     Input::of_nodes("lagrange", Lagrange::new(), &nodes)
 }
 
-/// Spans of length 2, as xi has it, and control points at the averages of their knots.
+/// Spans of length 2, like the range of xi, and control points at the averages of their knots.
 #[expect(clippy::cast_precision_loss, reason = "a handful of knots")]
 fn spline<const P: usize, const N: usize>() -> Twins<BSpline<P>, N>
 where

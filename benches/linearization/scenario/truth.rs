@@ -1,9 +1,9 @@
-//! What the results should be, and how far rounding may take them from there.
+//! The exact results and their tolerances.
 //!
-//! The truth is the closed form in double-double, at the closest point refined there. A result may be as far from it as
-//! the running error bounds of both linearizations allow together, that of the closed form and that of automatic
-//! differentiation, which is what the gate lets the two differ by: no tolerance is tuned. The closest point itself may
-//! be as far off as twice the rounding of the orthogonality conditions, through the inverse of their matrix.
+//! The exact result is the closed form in double-double, at the closest point refined there. The tolerance of a result
+//! is the sum of the running error bounds of both linearizations, that of the closed form and that of automatic
+//! differentiation. The check uses the same tolerance, and none is tuned. The tolerance of the closest point itself
+//! is twice the rounding of the orthogonality conditions, multiplied by the inverse of their matrix.
 
 use super::error::Exact;
 use super::input::{Input, TimedCurve};
@@ -16,22 +16,22 @@ use beamgap::number::{DoubleDouble, Dual, HyperDual, Real, RunningError};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::SVector;
 
-/// The same rows as they should be.
+/// The exact rows of a result.
 pub(super) type Truth = Vec<Vec<Exact>>;
 
-/// The places in [`Quantities::components`](beamgap::linearization::Quantities::components) of the scalars d, xi,
-/// xi_bar, t, t_bar, g_T and g_T_bar: in the order in which they are written and judged.
+/// The indices in [`Quantities::components`](beamgap::linearization::Quantities::components) of the scalars d, xi,
+/// xi_bar, t, t_bar, g_T and g_T_bar, in the order in which they are written and verified.
 const SCALARS: [usize; 7] = [15, 18, 19, 16, 17, 21, 22];
 
-/// A beam at its closest point, in the scalars of the truth.
+/// A beam at its closest point, in the scalars of the exact result.
 trait Side {
     /// In double-double, varied along two directions.
     fn precise(&self, along: [&[f64]; 2]) -> PartialVariations<DoubleDouble>;
 
-    /// With bounds, varied along two directions.
+    /// With running error bounds, varied along two directions.
     fn bounded(&self, along: [&[f64]; 2]) -> PartialVariations<RunningError>;
 
-    /// With bounds and hyper-dual dofs.
+    /// With running error bounds and hyper-dual dofs.
     fn perturbed(&self, along: [&[f64]; 2]) -> Box<dyn PositionAt<Dual<HyperDual<RunningError>>> + '_>;
 }
 
@@ -104,7 +104,7 @@ impl<'a> EvaluationPoint<'a> {
         }
     }
 
-    /// All components with their variations along two directions, each for beam and bar beam.
+    /// All components with their variations along two directions, each given for beam and bar beam.
     fn along(&self, of_beam: [&[f64]; 2], of_bar: [&[f64]; 2]) -> [Varied<Exact>; COMPONENTS] {
         let Self { sides: [beam, bar], xi: [xi, xi_bar], near, held, contact, .. } = self;
         let partial = [beam.precise(of_beam), bar.precise(of_bar)];
@@ -171,7 +171,7 @@ pub(super) fn directions<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, con
     by_quantity(varied)
 }
 
-/// A row for each part of each quantity.
+/// One row for each part of each quantity.
 pub(super) fn by_quantity<T>(varied: [Varied<T>; COMPONENTS]) -> Vec<Vec<T>> {
     let mut rows: Vec<Vec<T>> = std::iter::repeat_with(Vec::new).take(4 * Quantity::ALL.len()).collect();
     for (i, component) in varied.into_iter().enumerate() {
@@ -190,7 +190,7 @@ pub(super) fn closest_point<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, 
     vec![parameters(input).map(exact).to_vec()]
 }
 
-/// xi and xi_bar in double-double, and as they were found, with how far off they may be.
+/// xi and xi_bar in double-double, and the values found in `f64` with their error bounds.
 fn parameters<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
 ) -> [(DoubleDouble, RunningError); 2] {
@@ -214,7 +214,7 @@ fn parameters<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize
     [(xi, RunningError::new(point.xi, far[0])), (xi_bar, RunningError::new(point.xi_bar, far[1]))]
 }
 
-/// Steps of Newton's method from a point that is good to `f64`: each doubles the digits.
+/// The number of steps of Newton's method from a point with the accuracy of `f64`. Each step doubles the digits.
 const STEPS: usize = 3;
 
 fn geometry<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(

@@ -9,7 +9,7 @@ use beamgap::linearization::closed_form::vary;
 use beamgap::linearization::{Quantities, Varied};
 use beamgap::report::CLOSED_FORM;
 
-/// The other families that the matrices are of.
+/// The same families as for the matrices.
 pub(super) fn others(of: &Inputs) -> Vec<Scenario> {
     let mut all = Vec::new();
     all.extend(of_pair(of.segment));
@@ -20,7 +20,7 @@ pub(super) fn others(of: &Inputs) -> Vec<Scenario> {
     all
 }
 
-/// By every route.
+/// The scenarios by every route.
 pub(super) fn of_pair<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: Input<A, B, N, M>,
 ) -> [Scenario; 4] {

@@ -1,4 +1,4 @@
-//! From a function on a pair to a scenario: how it is run, and how it is judged.
+//! Makes a scenario from a function on a pair: how it is run, and how it is verified.
 
 use super::error::Rows;
 use super::input::{Input, TimedCurve};
@@ -8,10 +8,10 @@ use beamgap::linearization::Derivatives;
 use std::hint::black_box;
 use std::sync::{Arc, OnceLock};
 
-/// A method to `R` from a pair, and its name.
+/// The name of a method, and the method from a pair to `R`.
 pub(super) type Method<A, B, R, const N: usize, const M: usize> = (&'static str, fn(&Input<A, B, N, M>) -> R);
 
-/// The truth about a pair, found once and when it is first asked for.
+/// The exact result for a pair, computed once at the first use.
 #[derive(Clone)]
 pub(super) struct Judge {
     truth: Arc<dyn Fn() -> Truth + Send + Sync>,
@@ -27,13 +27,13 @@ impl Judge {
         self.found.get_or_init(|| (self.truth)())
     }
 
-    /// A judge of results that are the first so many rows of the truth, but for rounding.
+    /// Verifies results that consist of the first `rows` rows of the exact result.
     pub(super) fn of_first(&self, rows: usize) -> impl Fn(Rows) -> Error + Send + Sync + 'static {
         let judge = self.clone();
         move |result| Error::of(&result, &judge.truth()[..rows], |_| 0.0)
     }
 
-    /// The same of values and gradients, without the Hessians of the truth.
+    /// Verifies values and gradients, without the Hessians of the exact result.
     pub(super) fn of_gradients(&self, quantities: usize) -> impl Fn(Rows) -> Error + Send + Sync + 'static {
         let judge = self.clone();
         move |result| {
@@ -44,7 +44,7 @@ impl Judge {
     }
 }
 
-/// One method to work on a pair, judged by `judge` from the rows that `rows` sorts its result into.
+/// A method on a pair; `rows` arranges its result in rows, and `judge` verifies the rows.
 pub(super) fn scenario<A, B, R, const N: usize, const M: usize>(
     (task, method): (Task, &str),
     input: &Input<A, B, N, M>,
@@ -58,7 +58,7 @@ where
 {
     let input = *input;
     let runner = move || -> Runner {
-        // The result is looked at where it lies: to pass it on would cost a copy of it.
+        // The result is passed to the optimizer by reference, because a copy takes time.
         Box::new(move || {
             black_box(&work(black_box(&input)));
         })
@@ -69,7 +69,7 @@ where
     Scenario { task, family, dofs, method, pairs: 1, multiply_adds: None, runner, judge }
 }
 
-/// One method to work on a pair that writes its result over memory of the caller.
+/// A method on a pair that writes its result to memory of the caller.
 pub(super) fn written<A, B, R, const N: usize, const M: usize>(
     (task, method): (Task, &str),
     input: &Input<A, B, N, M>,

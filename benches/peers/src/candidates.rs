@@ -1,4 +1,4 @@
-//! The crate's own candidates, each as a function that a peer could be, and one that reads what it wrote.
+//! The methods of this crate as candidates: functions with the interface of a peer, and functions that read results.
 
 use crate::cases::{Case, PAIR};
 use crate::reference::write_full;
@@ -13,7 +13,7 @@ use beamgap::linearization::{Derivatives, Linearization, Linearized, Quantities}
 use beamgap::number::Lanes;
 use std::cell::RefCell;
 
-/// Numbers in a block of the full layout.
+/// The number of numbers in a block of the full layout.
 pub(crate) const FULL: usize = 608;
 
 pub(crate) type Quantity = Derivatives<f64, 12, 12>;
@@ -27,7 +27,7 @@ macro_rules! candidate {
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(q: *const f64, _xi: f64, _xi_bar: f64, out: *mut f64) {
             let work: fn(&Case, &mut $result) = $work;
-            // SAFETY: the caller's promise.
+            // the caller guarantees this.
             unsafe { work(Case::of(q), &mut *out.cast()) }
         }
 
@@ -35,7 +35,7 @@ macro_rules! candidate {
         /// `out` is what the method wrote, `full` has room for its quantities.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $read(out: *const f64, _pair: usize, full: *mut f64) {
-            // SAFETY: the caller's promise.
+            // the caller guarantees this.
             let (result, full) = unsafe { (&*out.cast::<$result>(), std::slice::from_raw_parts_mut(full, 5 * $crate::candidates::FULL)) };
             let write: fn(&$result, &mut [f64]) = $write;
             write(result, full);
@@ -71,7 +71,7 @@ candidate!(crate_all, crate_all_read: Linearization<f64, 12, 12>, |case, to| {
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 thread_local! {
-    /// The result by value of the last pair: a caller drops it before the next.
+    /// The last result by value. A caller drops a result before the next call.
     static BY_VALUE: RefCell<Option<Linearized<12, 12>>> = const { RefCell::new(None) };
 }
 
@@ -105,7 +105,7 @@ candidate!(blocks_all_upper, blocks_all_upper_read: [Quantity; 5], |case, to| {
     kernel::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
 }, |all, full| write(&all.each_ref(), full));
 
-/// A quantity of four pairs in the lanes of a vector, half of its Hessian.
+/// A quantity of four pairs in the lanes of a vector, with half of its Hessian.
 type Four = Packed<Lanes, 24, 300>;
 
 /// A method from four cases to a result.
@@ -116,9 +116,9 @@ macro_rules! four {
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(q: *const *const f64, out: *mut f64) {
             let work: fn(&[PairAtPoint<'_, Hermite, Hermite, 12, 12>; 4], &mut $result) = $work;
-            // SAFETY: the caller's promise.
+            // the caller guarantees this.
             let cases = unsafe { (&*q.cast::<[*const f64; 4]>()).map(|q| Case::of(q)) };
-            // SAFETY: the caller's promise.
+            // the caller guarantees this.
             let to = unsafe { &mut *out.cast() };
             work(&cases.map(|Case { q, point, .. }| PairAtPoint { pair: &PAIR, q, point }), to);
         }
@@ -127,7 +127,7 @@ macro_rules! four {
         /// `out` is what the method wrote, `full` has room for its quantities.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $read(out: *const f64, pair: usize, full: *mut f64) {
-            // SAFETY: the caller's promise.
+            // the caller guarantees this.
             let (result, full) = unsafe { (&*out.cast::<$result>(), std::slice::from_raw_parts_mut(full, 5 * $crate::candidates::FULL)) };
             for (of, block) in result.iter().zip(full.chunks_exact_mut(FULL)) {
                 write_lane(of, pair, block);
@@ -160,7 +160,7 @@ pub(crate) fn all<S>(of: Quantities<S>) -> [S; 5] {
     [of.d, of.xi, of.xi_bar, of.t, of.t_bar]
 }
 
-/// A method by automatic differentiation to one quantity, and to all.
+/// A method by automatic differentiation for one quantity, and for all.
 macro_rules! ad {
     ($d:ident, $d_read:ident, $all:ident, $all_read:ident: |$case:ident, $pick:ident, $steps:ident| $work:expr) => {
         candidate!($d, $d_read: [Quantity; 1], |$case, to| {

@@ -1,11 +1,11 @@
-//! The pairs that every peer is given.
+//! The pairs that every peer gets.
 
 use beamgap::closest_point::{Held, ClosestPoint, Kind};
 use beamgap::curve::{Curve, Hermite};
 use beamgap::nalgebra::SVector;
 use beamgap::pair::{Contact, DofVector, Pair};
 
-/// What is compared: two cubic Hermite curves.
+/// The compared pair: two cubic Hermite curves.
 pub(crate) type Hermites = Pair<Hermite, Hermite, 12, 12>;
 
 /// The curves of every pair.
@@ -15,7 +15,7 @@ pub(crate) const PAIR: Hermites = Pair {
     contact: Contact { radius: 0.1, radius_bar: 0.05, xi_0: -0.2, xi_bar_0: 0.3 },
 };
 
-/// A pair at its closest point: first what a peer is given, then what the crate is given.
+/// A pair at its closest point: first the input of a peer, then the input of the crate.
 #[derive(Clone)]
 #[repr(C)]
 pub(crate) struct Case {
@@ -27,7 +27,7 @@ pub(crate) struct Case {
 }
 
 impl Case {
-    /// The case whose dofs a peer is given.
+    /// The case whose dofs a peer gets.
     ///
     /// # Safety
     /// `q` points to a case of [`draw_cases`].
@@ -51,7 +51,7 @@ impl Random {
     }
 }
 
-/// Two beams that cross, bent at random; none unless their closest point is unique, inside both and well conditioned.
+/// Two beams that cross, bent at random; nothing unless their closest point is unique, interior and well conditioned.
 fn draw(random: &mut Random) -> Option<Case> {
     const BEAM: [f64; 12] = [-1.0, 0.0, 0.3, 1.0, 0.0, 0.0, 1.0, 0.0, 0.3, 1.0, 0.0, 0.0];
     const BAR: [f64; 12] = [0.0, -1.0, -0.3, 0.0, 1.0, 0.0, 0.0, 1.0, -0.3, 0.0, 1.0, 0.0];
@@ -70,16 +70,16 @@ fn draw(random: &mut Random) -> Option<Case> {
     Some(Case { plain, xi: point.xi, xi_bar: point.xi_bar, q, point })
 }
 
-/// The same pair with its beams at another gap; none if its closest point is then another.
+/// The same pair with another gap; nothing if the closest point then changes.
 ///
-/// A negative gap puts them on the other side of each other.
+/// A negative gap moves the bar beam to the other side of the beam.
 fn moved(case: &Case, gap: f64) -> Option<Case> {
     let mut case = case.clone();
     let (x, x_bar) = (PAIR.curve.jet(&case.q.beam, case.xi).geometry, PAIR.curve_bar.jet(&case.q.bar, case.xi_bar).geometry);
     let d = x.x - x_bar.x;
     let by = d * (1.0 - gap * x.t.norm() / d.norm());
     for (i, dof) in case.q.bar.iter_mut().enumerate() {
-        // The points move, the tangents do not.
+        // The points move, and the tangents stay.
         if i % 6 < 3 {
             *dof += by[i % 3];
         }
@@ -94,14 +94,14 @@ fn moved(case: &Case, gap: f64) -> Option<Case> {
     Some(case)
 }
 
-/// Draws `count` pairs, to be kept for good, and sets `stride` to their distance in bytes.
+/// Draws `count` pairs, which are never freed, and sets `stride` to their distance in bytes.
 ///
-/// Without `gaps` their gaps are those drawn. Else each pair is moved to one of the `gaps`, in lengths of a tangent: to
-/// that of number `which`, or to any, at random, if there is none of this number. Only pairs that can be moved to every
-/// gap are taken, so that `which` does not change which pairs they are, nor on which side.
+/// Without `gaps` the drawn gaps are kept. Otherwise each pair is moved to one of the `gaps`, in lengths of a tangent:
+/// to the gap with index `which`, or to a random one if there is no such index. Only pairs that can be moved to every
+/// gap are used, so the choice of the pairs and of their sides does not depend on `which`.
 ///
 /// # Safety
-/// `stride` can be written to, and `gaps` points to so many numbers.
+/// `stride` can be written to, and `gaps` points to `gap_count` numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn draw_cases(
     seed: u64,
@@ -111,9 +111,9 @@ pub unsafe extern "C" fn draw_cases(
     which: usize,
     stride: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the caller's promise.
+    // the caller guarantees this.
     let gaps = unsafe { std::slice::from_raw_parts(gaps, gap_count) };
-    // Gaps have random numbers of their own, so that the pairs are drawn as they are without them.
+    // Gaps have their own random numbers, so the pairs do not depend on the gaps.
     let (mut random, mut of_gaps) = (Random(seed), Random(!seed));
     let cases: Vec<Case> = std::iter::repeat_with(|| {
         let case = draw(&mut random)?;
@@ -128,7 +128,7 @@ pub unsafe extern "C" fn draw_cases(
     .flatten()
     .take(count)
     .collect();
-    // SAFETY: the caller's promise.
+    // the caller guarantees this.
     unsafe { *stride = size_of::<Case>() };
     cases.leak().as_ptr().cast()
 }

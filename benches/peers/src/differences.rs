@@ -9,12 +9,12 @@ use beamgap::linearization::ad::{Perturbed, evaluate};
 use beamgap::linearization::closed_form::{Projection, jets};
 use beamgap::pair::DofVector;
 
-/// The step of second differences: the fourth root of epsilon, about the best for lengths near 1.
+/// The step of second differences: the fourth root of epsilon, nearly optimal for lengths near 1.
 const STEP: f64 = 1.0 / 8192.0;
 /// The step of first differences: its cube root.
 const FIRST_STEP: f64 = 1.0 / 131_072.0;
 
-/// The pair with some dofs moved, and its closest point found again.
+/// The pair after some dofs have moved, and its new closest point.
 fn moved(case: &Case, moves: &[(usize, f64)]) -> (DofVector<f64, 12, 12>, (f64, f64)) {
     let mut q = case.q;
     for &(i, step) in moves {
@@ -57,7 +57,7 @@ candidate!(values_d, values_d_read: [Quantity; 1], |case, to| differences(case, 
 candidate!(values_all, values_all_read: [Quantity; 5], |case, to| differences(case, all, to),
     |all, full| write(&all.each_ref(), full));
 
-/// Values and gradients of d, xi, xi_bar, t and t_bar in closed form; the first `K` of them are wanted.
+/// Values and gradients of d, xi, xi_bar, t and t_bar in closed form; the first `K` of them are used.
 fn gradients<const K: usize>(q: &DofVector<f64, 12, 12>, at: (f64, f64)) -> [(f64, DofVector<f64, 12, 12>); K] {
     let (jet, jet_bar) = jets(&PAIR, q, at);
     let (x, y) = (jet.geometry, jet_bar.geometry);
@@ -86,7 +86,7 @@ fn gradients<const K: usize>(q: &DofVector<f64, 12, 12>, at: (f64, f64)) -> [(f6
     std::array::from_fn(|k| all[k])
 }
 
-/// Central differences of gradients, 48 closest points and the pair's own.
+/// Central differences of gradients, 48 closest points and the one of the pair.
 fn differences_of_gradients<const K: usize>(case: &Case, to: &mut [Quantity; K]) {
     let centre = gradients::<K>(&case.q, (case.point.xi, case.point.xi_bar));
     for (to, (value, gradient)) in to.iter_mut().zip(centre) {

@@ -1,6 +1,6 @@
-//! Rust's part of the comparison with peers: the pairs, what is right for each, and the crate's own candidates.
+//! The Rust part of the comparison with peers: the pairs, the exact result for each, and the candidates of this crate.
 //!
-//! Everything is handed over in the layouts of `peer.h`, through plain functions that `run` loads as it loads the peers.
+//! All data have the layouts of `peer.h`. The functions are C functions, which `run` loads like those of the peers.
 
 mod cases;
 mod reference;

@@ -1,4 +1,4 @@
-//! What is right: the closed form in double-double, at the closest point to as many digits.
+//! The reference result: the closed form in double-double, at the closest point in double-double.
 
 use crate::cases::{Case, PAIR};
 use crate::candidates::FULL;
@@ -8,7 +8,7 @@ use beamgap::linearization::closed_form::{Matrices, Projection, jets};
 use beamgap::number::DoubleDouble;
 use beamgap::pair::DofVector;
 
-/// Steps of Newton's method from a point that is right to 16 digits: each doubles their number.
+/// The number of steps of Newton's method from a point with 16 correct digits. Each step doubles the digits.
 const STEPS: usize = 3;
 
 /// The closest point in double-double.
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn right_all_full(q: *const f64, xi: f64, xi_bar: f64, out
     }
 }
 
-/// Writes an derivatives in the full layout.
+/// Writes derivatives in the full layout.
 pub(crate) fn write_full<T: Copy + beamgap::number::Real>(
     quantity: &Derivatives<T, 12, 12>,
     value: impl Fn(T) -> f64,

@@ -20,19 +20,19 @@ use serde::Serialize;
 use std::cell::RefCell;
 use std::fmt::Write;
 
-/// Pieces of the page, as HTML or SVG unless another form is said.
+/// Parts of the page, as HTML or SVG unless the field says otherwise.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Answer {
-    /// What is wrong with the request, as text; all else is empty then.
+    /// The error in the request, as text. All other fields are then empty.
     pub error: Option<String>,
     /// The gap at the closest point, as text.
     pub gap: String,
     /// The picture, without its frame.
     pub scene: String,
     handles: Vec<Handle>,
-    /// Right, up and away from the eye in space.
+    /// The vectors to the right, up and away from the eye, in space.
     basis: [[f64; 3]; 3],
-    /// The situation in words.
+    /// The description of the configuration.
     pub words: String,
     /// The table of the closest points.
     pub points: String,
@@ -40,11 +40,11 @@ pub struct Answer {
     pub checks: String,
     /// The table of the predictions.
     pub prediction: String,
-    /// Their errors over the step.
+    /// The plot of the errors of the predictions against the step.
     pub plot: String,
     /// The table of the quantities.
     pub numbers: String,
-    /// The equations of the paper, as text; nothing if they were not asked for.
+    /// The equations of the paper, as text; nothing if they were not requested.
     pub equations: Option<Vec<EquationCells>>,
     /// This case as a Rust test, as text.
     pub test: String,
@@ -52,7 +52,7 @@ pub struct Answer {
     pub command: String,
 }
 
-/// Answers a request, a state as JSON, by JSON.
+/// Answers a request. Both are JSON; the request is a state.
 pub fn answer(request: &str) -> String {
     let answer = State::read(request).and_then(|state| Answer::of(&state));
     let answer = answer.unwrap_or_else(|error| Answer { error: Some(error), ..Answer::default() });
@@ -60,10 +60,10 @@ pub fn answer(request: &str) -> String {
 }
 
 impl Answer {
-    /// All that the page shows of a state.
+    /// Everything that the page shows for a state.
     ///
     /// # Errors
-    /// What is wrong with the state.
+    /// The error in the state.
     pub fn of(state: &State) -> Result<Self, String> {
         let case = state.case()?;
         let variant = variant(state.fault.as_deref())?;
@@ -148,7 +148,7 @@ impl Answer {
     }
 }
 
-/// The number that the test is about: the first that AD does not agree with, or the second variation of d.
+/// The number that the test checks: the first that differs from AD, or the second variation of d.
 fn to_test(entries: &[Comparison]) -> Option<&Comparison> {
     let wrong = entries.iter().filter(|entry| is_ad(entry)).find(|entry| entry.is_wrong());
     let second =
@@ -156,7 +156,7 @@ fn to_test(entries: &[Comparison]) -> Option<&Comparison> {
     wrong.or_else(|| entries.iter().find(second))
 }
 
-/// The comparison of the closed form with its references at the point.
+/// The comparison of the closed form with its references at the closest point.
 fn verdict(case: &CaseData, variant: Variant, found: &Found) -> Result<Option<Verdict>, String> {
     let config = CheckConfig { variant, ..CheckConfig::default() };
     let compared = case.compare(&config).map_err(|error| error.to_string())?;
@@ -164,7 +164,7 @@ fn verdict(case: &CaseData, variant: Variant, found: &Found) -> Result<Option<Ve
     Ok(compared.into_iter().find(|(point, _)| point.as_ref().is_some_and(near)).map(|(_, verdict)| verdict))
 }
 
-/// The closed form with the fault of this name; the last one is kept, as looking one up takes long.
+/// The closed form with the fault of this name. The last one is cached, because the lookup is slow.
 fn variant(fault: Option<&str>) -> Result<Variant, String> {
     thread_local! {
         static LAST: RefCell<Option<(String, Variant)>> = const { RefCell::new(None) };

@@ -1,4 +1,4 @@
-//! The checks one after the other: which turn red, which stay green.
+//! The results of the checks, one after the other.
 
 use crate::html::{Outcome, linked, table};
 use crate::numbers::{is_ad, letter, name, outcome};
@@ -7,10 +7,10 @@ use beamgap::check::{Comparison, Finding, Order, Verdict, look_at};
 use beamgap::closest_point::ClosestPoint;
 use std::fmt::Write;
 
-/// What is compared by a check: some of the entries.
+/// The entries that a check compares.
 type Pick = fn(&Comparison) -> bool;
 
-/// The checks that compare numbers: name, what it does, which entries.
+/// The checks that compare numbers: the name, the description, the compared entries.
 const CHECKS: [(&str, &str, Pick); 4] = [
     ("automatic differentiation", "all numbers, by three methods of hyper-dual numbers", is_ad),
     ("gradients and Hessians", "the matrices, times δq and Δq, against the variations", |entry| {
@@ -22,7 +22,7 @@ const CHECKS: [(&str, &str, Pick); 4] = [
     }),
 ];
 
-/// The table of the checks, and what follows.
+/// The table of the checks, and the conclusion.
 pub(crate) fn checks(
     point: &ClosestPoint,
     verdict: &Verdict,
@@ -37,7 +37,7 @@ pub(crate) fn checks(
         let outcome = outcome(of_check());
         let (count, wrong) = (of_check().count(), of_check().filter(|entry| entry.is_wrong()).count());
         outcomes.push(outcome);
-        // The differences are asked only where something is wrong.
+        // The differences are computed only if an entry is wrong.
         if count > 0 {
             row(&mut rows, check, what, outcome, &format!("{wrong} of {count}"));
         }
@@ -69,7 +69,7 @@ fn row(rows: &mut String, check: &str, what: &str, outcome: Outcome, count: &str
     );
 }
 
-/// What is to be learnt from the outcomes of AD, symmetry and Taylor's test.
+/// The conclusion from the outcomes of AD, symmetry and Taylor's test.
 fn lesson(
     point: &ClosestPoint,
     verdict: &Verdict,

@@ -1,4 +1,4 @@
-//! SVG: lines, arrows, points, letters, in the classes of the page.
+//! SVG elements: lines, arrows, points, letters, with the classes of the page.
 
 use std::fmt::Write;
 
@@ -11,7 +11,7 @@ pub(crate) fn path(class: &str, points: impl IntoIterator<Item = [f64; 2]>) -> S
     format!("<path class=\"{class}\" d=\"{data}\"/>\n")
 }
 
-/// An arrow with a head at its end, on a line in the colour of the page, so that it stands out from the beams.
+/// An arrow with a head at its end. A line in the colour of the page behind it separates it from the beams.
 pub(crate) fn arrow(class: &str, from: [f64; 2], to: [f64; 2]) -> String {
     let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     let length = dx.hypot(dy);
@@ -36,7 +36,7 @@ pub(crate) fn dot(class: &str, [x, y]: [f64; 2]) -> String {
     format!("<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>\n")
 }
 
-/// Words in the picture.
+/// A text in the picture.
 pub(crate) fn text(class: &str, [x, y]: [f64; 2], words: &str) -> String {
     format!("<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{words}</text>\n")
 }

@@ -1,4 +1,4 @@
-//! The handles: where the points and tangents of a beam, and the directions at them, are grasped.
+//! The handles by which the user moves the points and tangents of a beam, and the directions.
 
 use crate::state::{Dragged, State};
 use crate::view::View;
@@ -7,24 +7,24 @@ use beamgap::nalgebra::Vector3;
 use beamgap::test_beam::{Family, TestBeam, Unit};
 use serde::Serialize;
 
-/// The part of a tangent that is drawn.
+/// The fraction of a tangent that is drawn.
 const TANGENT: f64 = 0.5;
 
 /// Three dofs that are moved together.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Handle {
-    /// 0 is the beam, 1 the bar beam.
+    /// The beam is 0, the bar beam is 1.
     pub(crate) beam: usize,
-    /// Its first dof.
+    /// The index of its first dof.
     pub(crate) start: usize,
-    /// How far the handle moves in space if the dofs grow by one.
+    /// The distance that the handle moves in space if the dofs grow by one.
     pub(crate) factor: f64,
-    /// Where it is in the picture.
+    /// The position in the picture.
     pub(crate) at: [f64; 2],
-    /// What it is held by.
+    /// The start of the rod in the picture.
     #[serde(skip)]
     pub(crate) from: [f64; 2],
-    /// Whether it is held by anything but itself.
+    /// Whether the handle has a rod.
     #[serde(skip)]
     pub(crate) is_rod: bool,
     /// Its name.
@@ -36,9 +36,9 @@ pub(crate) struct Handle {
 /// Three dofs of a beam as a vector in space.
 struct Triple {
     start: usize,
-    /// What it is drawn from.
+    /// The start of the vector.
     base: Vector3<f64>,
-    /// How long one is drawn.
+    /// The length at which a unit vector is drawn.
     factor: f64,
     is_point: bool,
     name: String,
@@ -58,7 +58,7 @@ pub(crate) fn handles(case: &CaseData, state: &State, view: &View) -> Vec<Handle
             let place = triple.base + vector(&test_beam.q, triple.start) * triple.factor;
             let (from, to) = match direction {
                 Some(_) => (place, place + value * triple.factor),
-                // Points hang on nothing.
+                // Points have no rod.
                 None if triple.is_point => (place, place),
                 None => (triple.base, place),
             };

@@ -1,8 +1,8 @@
-//! Pieces of HTML: numbers, verdicts, links to equations.
+//! HTML elements: numbers, verdicts, links to equations.
 
 use std::fmt::Write;
 
-/// A text with what HTML takes for its own replaced.
+/// A text in which the special characters of HTML are escaped.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
@@ -33,21 +33,21 @@ pub(crate) fn digits(relative: f64) -> String {
     }
 }
 
-/// What came of comparisons.
+/// The outcome of comparisons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Outcome {
-    /// There were none.
+    /// There were no comparisons.
     NotCompared,
-    /// All agree.
+    /// All comparisons agree.
     Agrees,
-    /// Rounding may explain any difference.
+    /// Every difference can be a rounding error.
     Unclear,
-    /// Some differ beyond rounding.
+    /// Some comparisons differ beyond rounding.
     Wrong,
 }
 
 impl Outcome {
-    /// The outcome as a mark with a word, so that colour is not all that tells.
+    /// The outcome as a mark with a word, so that it does not depend on colour alone.
     pub(crate) fn html(self) -> &'static str {
         match self {
             Self::NotCompared => "<span class=\"muted\">not compared</span>",
@@ -58,7 +58,7 @@ impl Outcome {
     }
 }
 
-/// Words in which the numbers of equations are links to the page of the derivation.
+/// A text in which the numbers of equations are links to the page of the derivation.
 pub(crate) fn linked(words: &str) -> String {
     let mut out = String::new();
     let mut rest = words;
@@ -77,7 +77,7 @@ pub(crate) fn linked(words: &str) -> String {
     out + rest
 }
 
-/// A table that is scrolled where it is too wide.
+/// A table that can be scrolled if it is too wide.
 pub(crate) fn table(name: &str, heads: &[&str], rows: &str) -> String {
     let heads: Vec<_> = heads.iter().map(|head| format!("<th scope=\"col\">{head}</th>")).collect();
     let heads = heads.concat();

@@ -1,9 +1,9 @@
-//! The explorer: a state in, all that the page shows of it out.
+//! The explorer: the input is a state, the output is everything that the page shows for it.
 //!
-//! [`answer`] is an ordinary function. The page calls it in WebAssembly; the tests call it natively and compare the two
-//! byte by byte. A state is JSON: both beams, the view, the fault. The answer is JSON of pieces of the page.
+//! [`answer`] is an ordinary function. The page calls it in WebAssembly. The tests call it natively and compare the two
+//! answers byte by byte. A state is JSON: both beams, the view, the fault. The answer is JSON of parts of the page.
 //!
-//! Data flow: state -> case -> closest points -> numbers, prediction, equations -> pieces of the page.
+//! Data flow: state -> case -> closest points -> numbers, prediction, equations -> parts of the page.
 
 mod answer;
 mod checks;

@@ -1,4 +1,4 @@
-//! Puts the page together: the template, the style of the derivation, the standard case, the module.
+//! Builds the page from the template, the style of the derivation, the standard case and the module.
 //!
 //! `beamgap-explorer MODULE REPORTS` reads `REPORTS/equations.json` and writes `REPORTS/explorer.html`.
 
@@ -31,7 +31,7 @@ const SCRIPT: &str = concat!(
 const STYLES: [&str; 2] =
     [include_str!("../../../src/report/derivation/style.css"), include_str!("../page/explorer.css")];
 
-/// Faults that teach something: their names, and what the button says.
+/// Instructive faults: their names, and the labels of their buttons.
 const LESSONS: [(&str, &str); 6] = [
     ("", "no fault"),
     ("a: d.t,xi = dropped", "a without its curvature term"),
@@ -72,7 +72,7 @@ fn compressed(module: &[u8]) -> std::io::Result<Vec<u8>> {
     encoder.finish()
 }
 
-/// The page, with the standard case before the module is there.
+/// The page, with the standard case as it is shown before the module is loaded.
 fn page(module: &str, equations: &Value) -> Result<String, Box<dyn Error>> {
     let standard = State::default();
     let answer = Answer::of(&standard)?;
@@ -125,7 +125,7 @@ fn page(module: &str, equations: &Value) -> Result<String, Box<dyn Error>> {
     Ok(page)
 }
 
-/// Whether a line of the style is about MathML, which this page has not.
+/// Whether a line of the style is for MathML, which this page does not use.
 fn is_of_formulas(line: &str) -> bool {
     ["@namespace", "@font-face", "m|"].iter().any(|start| line.starts_with(start))
 }
@@ -160,7 +160,7 @@ fn terms() -> Vec<(String, Vec<String>)> {
     terms
 }
 
-/// All that the script starts from, in a form that ends no script.
+/// The initial data of the script; the text cannot close the script element.
 fn data(standard: &State) -> Result<String, serde_json::Error> {
     let presets = |bar: bool| -> Result<Map<String, Value>, serde_json::Error> {
         let of = |family: Family| Ok((family.name().to_owned(), serde_json::to_value(preset(family, bar))?));
@@ -176,7 +176,7 @@ fn data(standard: &State) -> Result<String, serde_json::Error> {
     Ok(data.to_string().replace("</", "<\\/"))
 }
 
-/// Beams in a special position: pieces of a state by name.
+/// Beams in a special position: parts of a state by name.
 fn situations() -> Vec<(&'static str, Value)> {
     let directed = |q: &[f64], bar: bool| {
         let family = if q.len() == 6 { Family::Segment } else { Family::Quadratic };

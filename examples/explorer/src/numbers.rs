@@ -1,11 +1,11 @@
-//! The table of all quantities: the closed form, hyper-dual numbers, and what each check says.
+//! The table of all quantities: the closed form, hyper-dual numbers, and the results of the checks.
 
 use crate::html::{Outcome, digits, linked, number, table};
 use beamgap::check::{Comparison, Order, look_at};
 use beamgap::linearization::{Quantity, Varied};
 use std::fmt::Write;
 
-/// What comparisons come to.
+/// The outcome of comparisons.
 pub(crate) fn outcome<'a>(entries: impl Iterator<Item = &'a Comparison>) -> Outcome {
     let of = |entry: &Comparison| match (entry.is_wrong(), entry.is_meaningful()) {
         (true, _) => Outcome::Wrong,
@@ -20,7 +20,7 @@ pub(crate) fn is_ad(entry: &Comparison) -> bool {
     entry.against.contains("hyper-dual")
 }
 
-/// A row for each part of each quantity; of a vector its component that is farthest off.
+/// A row for each part of each quantity. For a vector it shows the component with the largest error.
 pub(crate) fn numbers(entries: &[Comparison]) -> String {
     let mut rows = String::new();
     for quantity in Quantity::ALL {
@@ -69,7 +69,7 @@ pub(crate) fn numbers(entries: &[Comparison]) -> String {
     table("quantities", &heads, &rows)
 }
 
-/// A quantity in letters.
+/// The symbol of a quantity.
 pub(crate) fn name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::X => "<b>x</b><sub>C</sub>",
@@ -89,7 +89,7 @@ pub(crate) fn name(quantity: Quantity) -> &'static str {
     }
 }
 
-/// A part in letters.
+/// The symbol of a part.
 pub(crate) fn letter(part: &str) -> &'static str {
     match part {
         "value" => "value",

@@ -1,4 +1,4 @@
-//! The errors of both predictions over the step, over logarithmic axes.
+//! The errors of both predictions against the step, with logarithmic axes.
 
 use crate::draw::{path, text};
 use crate::prediction::Prediction;
@@ -12,7 +12,7 @@ const HEIGHT: f64 = 270.0;
 const STEPS: [i32; 2] = [-5, 0];
 const ERRORS: [i32; 2] = [-17, 1];
 
-/// Where a number lies between two powers of ten, from 0 to 1.
+/// The position of a number between two powers of ten, from 0 to 1.
 fn place(x: f64, [low, high]: [i32; 2]) -> f64 {
     let place = (x.log10() - f64::from(low)) / f64::from(high - low);
     if place.is_nan() { 0.0 } else { place.clamp(0.0, 1.0) }

@@ -1,4 +1,4 @@
-//! The closest points: found, and described in a table.
+//! The closest points: the search, and the table.
 
 use crate::html::{number, short, table};
 use beamgap::check::CaseData;
@@ -8,19 +8,19 @@ use beamgap::closest_point::{
 use beamgap::linearization::closed_form::Projection;
 use std::fmt::Write;
 
-/// What the search found, and the point that the numbers are of.
+/// The result of the search, and the point that the numbers belong to.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub(crate) closest: ClosestPoints,
     pub(crate) point: ClosestPoint,
-    /// Its place among the minima.
+    /// The index of the point among the minima.
     pub(crate) minimum: usize,
 }
 
-/// All closest points; the `minimum`-th is looked at, or the last one.
+/// All closest points; the `minimum`-th is selected, or the last one.
 ///
 /// # Errors
-/// What keeps the search from an answer.
+/// The reason why the search has no result.
 pub(crate) fn find(
     centroids: [&dyn Centroid; 2],
     minimum: usize,
@@ -32,7 +32,7 @@ pub(crate) fn find(
     Ok((closest, found))
 }
 
-/// The table of all points; a button at each minimum chooses it.
+/// The table of all points; a button at each minimum selects it.
 pub(crate) fn points(
     case: &CaseData,
     centroids: [&dyn Centroid; 2],
@@ -45,7 +45,7 @@ pub(crate) fn points(
         |point: &ClosestPoint| [centroids[0].geometry(point.xi), centroids[1].geometry(point.xi_bar)];
     let det = |point: &ClosestPoint| {
         let [x, y] = geometry(point);
-        // At an end there is no two-by-two system.
+        // At an end there is no 2x2 system.
         if point.is_interior() {
             number(Projection::new(&x, &y, point.held()).det())
         } else {

@@ -1,4 +1,4 @@
-//! The varied state: the gap that is true there, and the gaps that the linearization predicts.
+//! The varied state: the exact gap there, and the gaps that the linearization predicts.
 
 use crate::points::Found;
 use crate::state::State;
@@ -8,20 +8,20 @@ use beamgap::linearization::Quantity;
 use beamgap::test_beam::TestBeam;
 use beamgap::variant::Variant;
 
-/// How many steps are measured: powers of two from 1 downwards.
+/// The number of measured steps: powers of two from 1 downwards.
 const STEPS: i32 = 18;
-/// Steps from this one on may be too long for a rate to show.
+/// The largest step for the rate. Longer steps may not show it.
 const SHORT: f64 = 0.125;
-/// Errors below this many units in the last place are rounding.
+/// Errors below this number of units in the last place are rounding errors.
 const ROUNDING: f64 = 1e3;
-/// A Taylor test rejects what does not converge at least this fast: the mean of the rates 2 and 3.
+/// The minimum rate of convergence in the Taylor test: the mean of the rates 2 and 3.
 const RATE: f64 = 2.5;
 
 /// The state at the step.
 pub(crate) struct Varied {
     /// Both centroids.
     pub(crate) centroids: [Box<dyn Centroid>; 2],
-    /// Where the closest point went; nothing if a step does not find it.
+    /// The new closest point; nothing if a step does not find it.
     pub(crate) point: Option<ClosestPoint>,
 }
 
@@ -31,7 +31,7 @@ impl std::fmt::Debug for Varied {
     }
 }
 
-/// One step, the gap there, and what is predicted by the variations of first and of second order.
+/// One step, the gap there, and the predictions by the variations of first and of second order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
     pub(crate) step: f64,
@@ -42,11 +42,11 @@ pub(crate) struct Sample {
 /// Predictions along one direction.
 #[derive(Clone, Debug)]
 pub(crate) struct Prediction {
-    /// The gap and its variations: of first order, and of second order with both directions the same.
+    /// The gap and its variations: of first order, and of second order with two equal directions.
     pub(crate) derivatives: [f64; 3],
-    /// At steps from small to large, as far as the closest point could be followed.
+    /// The samples at steps from small to large, as far as the closest point could be followed.
     pub(crate) samples: Vec<Sample>,
-    /// At the step of the state.
+    /// The sample at the step of the state.
     pub(crate) here: Option<Sample>,
 }
 
@@ -61,14 +61,14 @@ fn moved(case: &CaseData, state: &State, step: f64) -> Option<[Box<dyn Centroid>
     Some([moved(beam)?, moved(bar)?])
 }
 
-/// Follows the closest point to the state at the step; nothing without a step.
+/// Follows the closest point to the state at the step; nothing if the step is zero.
 pub(crate) fn varied(case: &CaseData, state: &State, found: &Found) -> Option<Varied> {
     if state.step == 0.0 {
         return None;
     }
     let mut at = (found.point.xi, found.point.xi_bar);
     let mut point = None;
-    // In eight steps, so that a large variation does not end at another point.
+    // Eight steps are used, so that a large variation does not lead to another point.
     for part in 1..=8 {
         let centroids = moved(case, state, state.step * f64::from(part) / 8.0)?;
         point = refine(&*centroids[0], &*centroids[1], at, found.point.held()).ok();
@@ -80,7 +80,7 @@ pub(crate) fn varied(case: &CaseData, state: &State, found: &Found) -> Option<Va
     Some(Varied { centroids: moved(case, state, state.step)?, point })
 }
 
-/// Compares the gap with its predictions; nothing where the gap has no derivatives.
+/// Compares the gap with its predictions; nothing if the gap has no derivatives.
 pub(crate) fn predict(
     case: &CaseData,
     state: &State,
@@ -132,14 +132,14 @@ impl Sample {
 }
 
 impl Prediction {
-    /// The power of the step that the error of a prediction is proportional to; nothing if it is rounding.
+    /// The order of the error of a prediction in the step; nothing if the error is rounding.
     pub(crate) fn rate(&self, order: usize) -> Option<f64> {
         let size =
             self.samples.iter().fold(self.derivatives[0].abs(), |size, sample| size.max(sample.gap.abs()));
         let clear = |sample: &&Sample| {
             sample.step <= SHORT && sample.errors()[order] > ROUNDING * f64::EPSILON * size
         };
-        // The smallest steps that are clear of rounding.
+        // The smallest steps whose error is more than rounding.
         let mut clear = self.samples.iter().filter(clear).take(4);
         let first = clear.next()?;
         let last = clear.last()?;
@@ -147,7 +147,7 @@ impl Prediction {
         Some(ratio.log2() / (last.step / first.step).log2())
     }
 
-    /// Whether the errors of the second-order prediction fall as fast as they should.
+    /// Whether the errors of the second-order prediction decrease at the required rate.
     pub(crate) fn passes(&self) -> bool {
         self.rate(1).is_none_or(|rate| rate > RATE)
     }

@@ -1,4 +1,4 @@
-//! A beam of each family to start from: close to those of the standard case.
+//! An initial beam of each family, near those of the standard case.
 
 use crate::state::{BeamState, ContactState, Dragged, Parameter, State, ViewState};
 use beamgap::curve::{Curve, Hermite};
@@ -8,7 +8,7 @@ use beamgap::pair::Contact;
 use beamgap::test_beam::Family;
 use std::collections::BTreeMap;
 
-/// Directions are taken from these numbers in turn, and from these again.
+/// The directions cycle through these numbers.
 const DIRECTIONS: [f64; 13] = [0.1, -0.2, 0.3, 0.05, 0.4, -0.3, 0.2, -0.1, 0.25, -0.4, 0.15, 0.35, -0.25];
 
 impl Default for State {
@@ -52,7 +52,7 @@ pub fn preset(family: Family, bar: bool) -> BeamState {
     };
     let one = |name: &str, value: f64| BTreeMap::from([(name.to_owned(), Parameter::One(value))]);
     let many = |name: &str, values: &[f64]| (name.to_owned(), Parameter::Many(values.to_vec()));
-    // About the middle of the beam, along it and upwards.
+    // The centre is the middle of the beam, and the axes are along it and upwards.
     let centre = (at(-1.0) + at(1.0)) * 0.5;
     let turn = if bar { std::f64::consts::FRAC_PI_3 } else { 0.0 };
     let (curve, q) = match family {
@@ -88,15 +88,15 @@ pub fn preset(family: Family, bar: bool) -> BeamState {
     BeamState { family: family.name().to_owned(), curve, q, dq, linear_dq }
 }
 
-/// The dofs of an arc or a helix in a vertical plane; that of the bar beam is turned about the vertical axis.
+/// The dofs of an arc or a helix in a vertical plane. That of the bar beam is rotated about the vertical axis.
 fn winding(centre: &Vector3<f64>, turn: f64, bar: bool, helix: bool) -> Vec<f64> {
-    // The circle lies in the plane of x and z: first turned about x by a right angle, then about z.
+    // The circle lies in the plane of x and z: it is rotated about x by a right angle, then about z.
     let (half, quarter) = (0.5 * turn, std::f64::consts::FRAC_PI_4);
     let (sin, cos) = half.sin_cos();
     let (sin_x, cos_x) = quarter.sin_cos();
     let quaternion = [cos * cos_x, cos * sin_x, sin * sin_x, sin * cos_x];
     let radius = if helix { 0.4 } else { 1.3 };
-    // The middle of the arc is its highest point for the bar beam, its lowest for the other one.
+    // The middle of the arc is its highest point for the bar beam, and its lowest point for the other beam.
     let phase = if bar { std::f64::consts::FRAC_PI_2 } else { -std::f64::consts::FRAC_PI_2 };
     let down = if helix { 0.0 } else { radius * phase.sin() };
     let centre = [centre.x, centre.y, centre.z - down];
@@ -108,7 +108,7 @@ fn winding(centre: &Vector3<f64>, turn: f64, bar: bool, helix: bool) -> Vec<f64>
     all.into_iter().map(rounded).collect()
 }
 
-/// With three decimals.
+/// The number rounded to three decimals.
 fn rounded(x: f64) -> f64 {
     (x * 1000.0).round() / 1000.0
 }

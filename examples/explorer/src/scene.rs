@@ -9,9 +9,9 @@ use crate::view::View;
 use beamgap::closest_point::{Centroid, ClosestPoint, Kind};
 use beamgap::nalgebra::Vector3;
 
-/// How many pieces a beam is drawn with.
+/// The number of pieces of a drawn beam.
 const PIECES: u32 = 32;
-/// How much of the next piece each piece covers, so that no line shows between them.
+/// The fraction of the next piece that each piece covers, so that no gap is visible between them.
 const OVERLAP: f64 = 0.3;
 /// The length of a tangent in the picture.
 const TANGENT: f64 = 90.0;
@@ -48,12 +48,12 @@ pub(crate) fn scene(
     body
 }
 
-/// Both beams, the pieces farthest from the eye first, so that over and under are seen.
+/// Both beams. The pieces farthest from the eye come first, so nearer pieces cover them.
 fn tubes(view: &View, centroids: [&dyn Centroid; 2], radii: [f64; 2]) -> String {
     let mut pieces: Vec<(f64, String)> = Vec::new();
     for (i, centroid) in centroids.into_iter().enumerate() {
         let at = |s: f64| centroid.geometry((-1.0 + 2.0 * s / f64::from(PIECES)).clamp(-1.0, 1.0)).x;
-        // A beam without thickness is a line.
+        // A beam without thickness is drawn as a line.
         let width = (2.0 * radii[i].abs() * view.scale).clamp(1.0, 400.0);
         for piece in 0..PIECES {
             let s = f64::from(piece);
@@ -75,7 +75,7 @@ fn tubes(view: &View, centroids: [&dyn Centroid; 2], radii: [f64; 2]) -> String 
     pieces.into_iter().map(|(_, svg)| svg).collect()
 }
 
-/// d, both tangents and the gap at the closest point that the numbers are of.
+/// d, both tangents and the gap at the selected closest point.
 fn closest_point(
     view: &View,
     centroids: [&dyn Centroid; 2],

@@ -1,7 +1,7 @@
-//! What the module exports: a buffer, and a function that replaces the request in it by its answer.
+//! The exports of the module: a buffer, and a function that replaces the request in it by its answer.
 //!
-//! The caller asks for room, writes the request, calls `respond` and reads the answer from the buffer. No memory is read
-//! or written through a pointer on this side. Only the names of the functions need `unsafe`.
+//! The caller reserves memory, writes the request, calls `respond` and reads the answer from the buffer. No memory is
+//! read or written through a pointer on this side. Only the names of the functions need `unsafe`.
 
 #![expect(unsafe_code, reason = "an exported name may clash with another; the code itself is safe")]
 
@@ -11,7 +11,7 @@ thread_local! {
     static BUFFER: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Makes room for a request of `length` bytes, and tells where.
+/// Reserves memory for a request of `length` bytes, and returns its address.
 #[unsafe(no_mangle)]
 pub extern "C" fn reserve(length: usize) -> *mut u8 {
     BUFFER.with_borrow_mut(|buffer| {
@@ -21,7 +21,7 @@ pub extern "C" fn reserve(length: usize) -> *mut u8 {
     })
 }
 
-/// Replaces the request by its answer, and tells how long it is.
+/// Replaces the request by its answer, and returns the length of the answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn respond() -> usize {
     BUFFER.with_borrow_mut(|buffer| {
@@ -30,7 +30,7 @@ pub extern "C" fn respond() -> usize {
     })
 }
 
-/// Where the answer is.
+/// The address of the answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer_at() -> *const u8 {
     BUFFER.with_borrow(|buffer| buffer.as_ptr())

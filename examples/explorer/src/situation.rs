@@ -1,11 +1,11 @@
-//! What is special about the beams as they lie, in words.
+//! A description of what is special about the configuration of the beams.
 
 use crate::html::{linked, number, short};
 use crate::points::Found;
 use beamgap::check::CaseData;
 use beamgap::closest_point::{ClosestPoints, Degeneracy, End, Side};
 
-/// Paragraphs; one at least.
+/// The paragraphs of the description; at least one.
 pub(crate) fn words(case: &CaseData, closest: &ClosestPoints, found: Option<&Found>) -> String {
     let mut all = Vec::new();
     if !closest.unresolved.is_empty() {

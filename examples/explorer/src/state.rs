@@ -1,4 +1,4 @@
-//! What the reader has set: the beams, the directions, the view, the fault.
+//! The input of the user: the beams, the directions, the view, the fault.
 
 use beamgap::check::CaseData;
 use beamgap::pair::Contact;
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::error::Error;
 
-/// All that the page depends on.
+/// Everything that the page depends on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct State {
@@ -17,23 +17,23 @@ pub struct State {
     pub bar: BeamState,
     /// Radii and reference parameters.
     pub contact: ContactState,
-    /// From where the beams are seen.
+    /// The direction of view.
     pub view: ViewState,
     /// The name of the fault in the closed form, if there is one.
     pub fault: Option<String>,
-    /// How far the varied state is along the direction.
+    /// The step from the beams to the varied state along the direction.
     pub step: f64,
-    /// Whether the varied state goes along Delta q instead of delta q.
+    /// Whether the direction of the varied state is Delta q instead of delta q.
     pub along_linear: bool,
-    /// The place of the closest point among the minima.
+    /// The index of the closest point among the minima.
     pub minimum: usize,
-    /// What handles move.
+    /// The vectors that the handles move.
     pub dragged: Dragged,
-    /// Whether the equations of the paper are evaluated, too.
+    /// Whether the equations of the paper are evaluated too.
     pub equations: bool,
 }
 
-/// A beam, as `beamgap-case/1` has it.
+/// A beam, as in `beamgap-case/1`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BeamState {
@@ -54,13 +54,13 @@ pub struct BeamState {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Parameter {
-    /// One.
+    /// One number.
     One(f64),
-    /// Several.
+    /// Several numbers.
     Many(Vec<f64>),
 }
 
-/// Radii and reference parameters, as `beamgap-case/1` has them.
+/// Radii and reference parameters, as in `beamgap-case/1`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ContactState {
@@ -68,13 +68,13 @@ pub struct ContactState {
     pub radius: f64,
     /// The radius of the bar beam.
     pub radius_bar: f64,
-    /// The parameter of the beam that slips are measured from.
+    /// The reference parameter of the slip on the beam.
     pub xi_0: f64,
-    /// The parameter of the bar beam that slips are measured from.
+    /// The reference parameter of the slip on the bar beam.
     pub xi_bar_0: f64,
 }
 
-/// From where the beams are seen.
+/// The direction of view, and the scale.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ViewState {
@@ -82,11 +82,11 @@ pub struct ViewState {
     pub azimuth: f64,
     /// The angle above the horizon, in degrees.
     pub elevation: f64,
-    /// Pixels a unit of length.
+    /// Pixels per unit of length.
     pub scale: f64,
 }
 
-/// What handles move.
+/// The vectors that the handles move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Dragged {
@@ -108,10 +108,10 @@ struct CaseFile<'a> {
 }
 
 impl State {
-    /// The state of a request.
+    /// Reads the state from a request.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The error in the request.
     pub fn read(json: &str) -> Result<Self, String> {
         let state: Self = serde_json::from_str(json).map_err(|error| error.to_string())?;
         let ViewState { azimuth, elevation, scale } = state.view;
@@ -126,7 +126,7 @@ impl State {
     /// Both beams.
     ///
     /// # Errors
-    /// What is wrong with the numbers.
+    /// The error in the numbers.
     pub fn case(&self) -> Result<CaseData, String> {
         let ContactState { radius, radius_bar, xi_0, xi_bar_0 } = self.contact;
         if ![radius, radius_bar, xi_0, xi_bar_0].into_iter().all(f64::is_finite) {
@@ -148,10 +148,10 @@ impl State {
 }
 
 impl BeamState {
-    /// The beam; `name` is what errors call it.
+    /// The beam; `name` is its name in errors.
     ///
     /// # Errors
-    /// What is wrong with the numbers.
+    /// The error in the numbers.
     pub fn test_beam(&self, name: &str) -> Result<TestBeam, String> {
         let family = Family::from_name(&self.family)
             .ok_or_else(|| format!("{name}: no family is called {:?}", self.family))?;

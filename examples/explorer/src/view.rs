@@ -1,23 +1,23 @@
-//! From space to the picture: an orthographic projection.
+//! The orthographic projection from space to the picture.
 
 use crate::state::ViewState;
 use beamgap::nalgebra::Vector3;
 
-/// The size of the picture.
+/// The width of the picture.
 pub(crate) const WIDTH: f64 = 720.0;
-/// The size of the picture.
+/// The height of the picture.
 pub(crate) const HEIGHT: f64 = 460.0;
 
 /// A view of the beams.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
-    /// To the right in the picture.
+    /// The vector to the right in the picture.
     pub(crate) right: Vector3<f64>,
-    /// Upwards in the picture.
+    /// The vector upwards in the picture.
     pub(crate) up: Vector3<f64>,
-    /// Away from the eye.
+    /// The vector away from the eye.
     pub(crate) away: Vector3<f64>,
-    /// Pixels a unit of length.
+    /// Pixels per unit of length.
     pub(crate) scale: f64,
 }
 
@@ -33,12 +33,12 @@ impl View {
         }
     }
 
-    /// Where a point is seen.
+    /// The position of a point in the picture.
     pub(crate) fn at(&self, x: &Vector3<f64>) -> [f64; 2] {
         [WIDTH / 2.0 + self.scale * self.right.dot(x), HEIGHT / 2.0 - self.scale * self.up.dot(x)]
     }
 
-    /// How far from the eye a point is; the zero is of no importance.
+    /// The depth of a point, up to a constant.
     pub(crate) fn depth(&self, x: &Vector3<f64>) -> f64 {
         self.away.dot(x)
     }

@@ -1,4 +1,4 @@
-//! What the explorer says, tried natively.
+//! The answers of the explorer, tested natively.
 
 use beamgap::test_beam::Family;
 use beamgap_explorer::{Answer, State, preset};

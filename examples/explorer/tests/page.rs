@@ -1,5 +1,5 @@
-//! The module in the committed page is the library as it is: what it answers is compared with the native answers, byte by
-//! byte. `examples/explorer/build` makes the page anew.
+//! The module in the committed page is built from the current library: its answers equal the native answers, byte by
+//! byte. `examples/explorer/build` builds the page again.
 
 use beamgap::test_beam::Family;
 use beamgap_explorer::{Dragged, State, answer, preset};
@@ -9,7 +9,7 @@ use wasmi::{Engine, Instance, Linker, Memory, Module, Store, TypedFunc};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reports/explorer.html");
 
-/// The module of the page, running.
+/// The running module of the page.
 struct Running {
     store: Store<()>,
     memory: Memory,
@@ -22,7 +22,7 @@ fn committed() -> String {
     std::fs::read_to_string(PAGE).unwrap_or_else(|error| panic!("{PAGE}: {error}"))
 }
 
-/// What stands in the element of this id.
+/// The content of the element with this id.
 fn element<'a>(page: &'a str, id: &str) -> &'a str {
     let (_, from) = page.split_once(&format!("id=\"{id}\">")).unwrap();
     from.split("</script>").next().unwrap()
@@ -63,7 +63,7 @@ fn decoded(text: &str) -> Vec<u8> {
     bytes
 }
 
-/// States of every family, view and fault, and requests that are wrong.
+/// States of every family, view and fault, and invalid requests.
 fn requests() -> Vec<String> {
     let mut requests = Vec::new();
     let mut add = |state: &State| requests.push(serde_json::to_string(state).unwrap());
@@ -86,7 +86,7 @@ fn requests() -> Vec<String> {
             ..State::default()
         });
     }
-    // Parallel, crossing, at an end, of no length.
+    // Parallel beams, crossing beams, a closest point at an end, and a beam of length zero.
     for (q, q_bar) in [
         ([-1.0, 0.0, 0.25, 1.0, 0.0, 0.25], [-1.0, 0.0, -0.25, 1.0, 0.0, -0.25]),
         ([-1.0, 0.0, 0.0, 1.0, 0.0, 0.0], [0.0, -1.0, 0.0, 0.0, 1.0, 0.0]),

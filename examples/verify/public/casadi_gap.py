@@ -20,7 +20,7 @@ def difference(at):
     return point(q[:12], at[0]) - point(q[12:], at[1])
 
 
-# Zero at the closest point, without a unit; a parameter that an end holds stays where it is.
+# Dimensionless and zero at the closest point. A parameter that is held at an end is constant.
 slope = casadi.gradient(0.5 * casadi.sumsqr(difference(at)), at)
 tangents = casadi.jacobian(difference(at), at)
 squares = casadi.vertcat(casadi.sumsqr(tangents[:, 0]), casadi.sumsqr(tangents[:, 1]))
@@ -29,7 +29,7 @@ parameters = casadi.vertcat(q, start, free)
 problem = {"x": at, "p": parameters, "g": condition}
 options = {"abstol": 1e-15, "abstolStep": 1e-15, "max_iter": 20}
 solve = casadi.rootfinder("closest_point", "newton", problem, options)
-# Away from the closest point, so that the iterations have something to do.
+# The start differs from the closest point, so that the iterations are needed.
 found = solve(x0=start + 1e-5 * free, p=parameters)["x"]
 quantities = {"xi": found[0], "xi_bar": found[1], "d": casadi.norm_2(difference(found))}
 outputs = [part for of in quantities.values() for part in (of, casadi.gradient(of, q), casadi.hessian(of, q)[0])]

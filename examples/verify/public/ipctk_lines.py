@@ -8,7 +8,7 @@ signed          line_line_signed_distance, times its sign, with gradient and Hes
 edge-edge       edge_edge_distance, the squared distance of two edges, with gradient and Hessian
 closest-point   edge_edge_closest_point with edge_edge_closest_point_jacobian
 
-The lines are infinite: where an end holds a parameter only edge-edge has an answer.
+The lines are infinite, so only edge-edge answers if a parameter is held at an end.
 """
 import sys
 

@@ -4,7 +4,7 @@
     beamgap verify vectors.jsonl --time-out 300 --run "python3 jax_gap.py unrolled"
 
 unrolled   jax.hessian of the gap through the iterations of Newton's method for the closest point
-implicit   the same through jax.lax.custom_root, which differentiates the condition that the solution meets
+implicit   the same through jax.lax.custom_root, which differentiates the equation of the solution
 """
 import sys
 
@@ -32,12 +32,12 @@ def half_squared(at, q):
 
 
 def condition(at, q, start, free):
-    """Zero at the closest point; a parameter that an end holds stays where it is."""
+    """Zero at the closest point. A parameter that is held at an end is constant."""
     return jnp.where(free, jax.grad(half_squared)(at, q), at - start)
 
 
 def solved(matrix, b):
-    """Two equations, by Cramer's rule."""
+    """Solves two equations by Cramer's rule."""
     (m00, m01), (m10, m11) = matrix
     return jnp.stack([m11 * b[0] - m01 * b[1], m00 * b[1] - m10 * b[0]]) / (m00 * m11 - m01 * m10)
 
@@ -49,7 +49,7 @@ def newton(residual, at):
 
 
 def unrolled(q, start, free):
-    # Away from the closest point, so that the iterations have something to do.
+    # The start differs from the closest point, so that the iterations are needed.
     return newton(lambda at: condition(at, q, start, free), start + jnp.where(free, AWAY, 0.0))
 
 

@@ -1,10 +1,10 @@
-"""Cases on standard input, answers on standard output: what the programs of this folder share."""
+"""Reads cases from standard input and writes answers to standard output, for the programs of this folder."""
 import json
 import sys
 
 
 def answer(element, families, **head):
-    """Answers each case that has a closest point and these families with `element(case)`; `head` states conventions."""
+    """Answers each case that has a closest point and these families by `element(case)`; `head` declares conventions."""
     sys.stdin.readline()  # the head of the cases
     print(json.dumps({"schema": "beamgap-answers/1", **head}), flush=True)
     for line in sys.stdin:

@@ -1,4 +1,4 @@
-//! What is wrong with the answers of a program, and why, for people.
+//! The first wrong number in the answers of a program, and the cause, for people.
 
 use super::name_of;
 use crate::cli::human::error;
@@ -8,7 +8,7 @@ use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
 use std::fmt::Write;
 
-/// What is wrong, and why.
+/// The first wrong number and the cause.
 pub(in crate::cli) fn explained(verified: &Verified) -> String {
     let Verified { report, demands, .. } = verified;
     let mut text = String::new();
@@ -36,7 +36,7 @@ pub(in crate::cli) fn explained(verified: &Verified) -> String {
     text + "\n"
 }
 
-/// What is wrong, or that it is not known.
+/// The cause, or that it is not known.
 pub(in crate::cli) fn cause(explanation: &Explanation) -> String {
     let Explanation { causes, before, after, runner_up, cases, is_faint } = explanation;
     let after = after.map_or_else(|| "-".into(), error);

@@ -1,4 +1,4 @@
-//! What was found of the answers of a program, for programs.
+//! The result for the answers of a program, as JSON.
 
 use super::verdict;
 use crate::cli::json;
@@ -8,7 +8,7 @@ use beamgap::check::external::{self, Explanation, locate, other_conventions};
 use beamgap::linearization::Quantity;
 use serde_json::{Value, json};
 
-/// The result for programs, of the schema `beamgap-verify/1`.
+/// The result as JSON, of the schema `beamgap-verify/1`.
 pub(in crate::cli) fn json(verified: &Verified, explain: bool) -> anyhow::Result<String> {
     let Verified { report, demands, command, reason } = verified;
     let parts = report.parts.iter().map(|((_, quantity, part), found)| {
@@ -95,7 +95,7 @@ pub(in crate::cli) fn json(verified: &Verified, explain: bool) -> anyhow::Result
     }))
 }
 
-/// An explanation for programs.
+/// An explanation as JSON.
 pub(in crate::cli) fn explanation(of: &Explanation) -> Value {
     let causes = of
         .causes

@@ -25,7 +25,7 @@ pub(in crate::cli) fn github(outcome: &Outcome) -> String {
 
 /// Appends the result as Markdown to the file that `GITHUB_STEP_SUMMARY` names, if it names one.
 ///
-/// That the summary cannot be written changes no verdict: it is told on stderr.
+/// If the summary cannot be written, the error is printed on stderr and the verdict does not change.
 pub(in crate::cli) fn write_step_summary(outcome: &Outcome) {
     let Some(path) = std::env::var_os("GITHUB_STEP_SUMMARY").filter(|path| !path.is_empty()) else { return };
     let file = OpenOptions::new().append(true).create(true).open(&path);
@@ -35,12 +35,12 @@ pub(in crate::cli) fn write_step_summary(outcome: &Outcome) {
     }
 }
 
-/// What a message may not have as it is.
+/// Escapes the characters that a message must not contain.
 fn message(text: &str) -> String {
     text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
 }
 
-/// The same of a property.
+/// Escapes the characters that a property must not contain.
 fn property(text: &str) -> String {
     message(text).replace(':', "%3A").replace(',', "%2C")
 }

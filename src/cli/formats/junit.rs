@@ -9,7 +9,7 @@ use std::fmt::Write;
 /// The result as a test suite.
 pub(in crate::cli) fn junit(outcome: &Outcome) -> String {
     let count = |state| outcome.entries.iter().filter(|entry| entry.state == state).count();
-    // The verdict is a test case, so that a suite in which nothing was compared is not green.
+    // The verdict is a test case, so that a suite in which nothing was compared does not pass.
     let tests = outcome.entries.len() + 1;
     let failures = count(State::Differs) + usize::from(outcome.verdict.exit != Exit::Agree);
     let skipped = count(State::NotCompared);
@@ -55,7 +55,7 @@ fn failure(kind: &str, message: &str, text: &str) -> String {
     format!("\n      <failure type=\"{kind}\" message=\"{message}\">{text}</failure>\n    ")
 }
 
-/// Text of an attribute or an element; without the characters that XML does not have.
+/// Text of an attribute or an element, without the characters that XML does not allow.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

@@ -4,7 +4,7 @@ use crate::cli::exit::Exit;
 use crate::cli::outcome::{Entry, Outcome};
 use std::fmt::Write;
 
-/// The verdict, what differs, and a table of all entries folded away.
+/// The verdict, the entries that differ, and a collapsed table of all entries.
 pub(in crate::cli) fn markdown(outcome: &Outcome) -> String {
     let sign = if outcome.verdict.exit == Exit::Agree { "✅" } else { "❌" };
     let mut text = format!("## {sign} beamgap {}\n\n", outcome.command);
@@ -33,7 +33,7 @@ fn table(entries: &[&Entry]) -> String {
     text
 }
 
-/// Text that stays text: the marks of Markdown and of HTML are escaped.
+/// Escapes the markup of Markdown and of HTML.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

@@ -18,7 +18,7 @@ pub(in crate::cli) fn sarif(outcome: &Outcome) -> anyhow::Result<String> {
         .wrong()
         .map(|entry| (id(&entry.group), format!("beamgap {command}, {}: a number differs.", entry.group)))
         .collect();
-    // What is wrong as a whole has no line.
+    // An error of the whole result has no line in the source.
     if outcome.is_wrong_as_a_whole() {
         results.push(json!({
             "ruleId": id("verdict"),
@@ -57,7 +57,7 @@ fn result(rule: &str, entry: &Entry) -> Value {
         "ruleId": rule,
         "level": "error",
         "message": { "text": text },
-        // The same alert in the next run, although the worst case may be another one.
+        // The fingerprint identifies the alert in the next run, even if the worst case differs.
         "partialFingerprints": { "entry/v1": format!("{rule}/{}", entry.name) },
     });
     if let Some(source) = &entry.source {
@@ -73,7 +73,7 @@ fn location(Source { file, line }: &Source) -> Value {
     } })
 }
 
-/// A path as a reference: what a path may have and a reference may not is escaped.
+/// A path as a URI reference: characters that are not allowed in a reference are escaped.
 fn uri(path: &str) -> String {
     let mut uri = String::new();
     for byte in path.replace('\\', "/").bytes() {
@@ -84,7 +84,7 @@ fn uri(path: &str) -> String {
             _ => drop(write!(uri, "%{byte:02X}")),
         }
     }
-    // An absolute path would be one of this machine, which no reader of the log has; it is marked as such.
+    // An absolute path is valid on this machine only. The scheme `file:` marks it.
     if uri.starts_with('/') { format!("file://{uri}") } else { uri }
 }
 

@@ -1,4 +1,4 @@
-//! Every format says the same, of a result that agrees, one that differs and one in which nothing was compared.
+//! Every format reports the same, for a result that agrees, one that differs and one in which nothing was compared.
 
 use super::{github, junit, markdown, sarif};
 use crate::cli::exit::Exit;

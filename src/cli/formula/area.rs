@@ -1,6 +1,6 @@
-//! Rows of text that stand beside each other.
+//! Rows of text that are placed side by side.
 
-/// Rows of text, of which one is the base line: that in the middle.
+/// Rows of text; the middle row is the base line.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Area {
     pub(super) rows: Vec<String>,
@@ -10,12 +10,12 @@ pub(super) struct Area {
     operator: bool,
 }
 
-/// The row that others align with: the middle one, or the upper one of the two.
+/// The base line: the middle row, or the upper one of two middle rows.
 fn base(rows: usize) -> usize {
     rows.saturating_sub(1) / 2
 }
 
-/// How many columns a text takes: accents take none.
+/// The number of columns of a text. Combining accents have no width.
 pub(super) fn columns(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
@@ -29,17 +29,17 @@ impl Area {
         Self { rows, ..Self::default() }
     }
 
-    /// δ or Δ: a blank before it ends the factor before.
+    /// δ or Δ, which is separated by a blank from the factor before.
     pub(super) fn variation(text: &str) -> Self {
         Self { variation: true, ..Self::text(text) }
     }
 
-    /// An operator with a blank on both sides, or, where nothing precedes it, none.
+    /// An operator with a blank on both sides, or without blanks if nothing precedes it.
     pub(super) fn operator(sign: char) -> Self {
         Self { operator: true, ..Self::text(&sign.to_string()) }
     }
 
-    /// The only row.
+    /// The row, if there is only one.
     pub(super) fn line(&self) -> Result<String, String> {
         match &self.rows[..] {
             [] => Ok(String::new()),
@@ -48,7 +48,7 @@ impl Area {
         }
     }
 
-    /// Both in a row.
+    /// Both areas side by side.
     pub(super) fn beside(&self, next: &Self) -> Self {
         if self.rows.is_empty() {
             return next.clone();
@@ -84,7 +84,7 @@ impl Area {
         };
         let join = |i: usize| {
             let before = row(self, i);
-            // No two blanks where an operator follows a blank.
+            // Avoids two blanks where an operator follows a blank.
             let before = if gap[0] == " " && before.ends_with(' ') && tall == 1 {
                 before.trim_end().to_owned()
             } else {
@@ -95,7 +95,7 @@ impl Area {
         Self::of((0..tall).map(join).collect())
     }
 
-    /// Cells in columns, each row one line.
+    /// Cells in columns. Each cell must have one line.
     pub(super) fn matrix(rows: &[Vec<Self>]) -> Result<Self, String> {
         let cells: Vec<Vec<String>> = rows
             .iter()
@@ -113,7 +113,7 @@ impl Area {
         Ok(Self::of(cells.iter().map(line).collect()))
     }
 
-    /// In brackets of its height: pieces for the top, the middle, the bottom, and for a single row.
+    /// The area in brackets of its height: pieces for the top, the middle and the bottom, and for a single row.
     pub(super) fn enclosed(&self, left: [&str; 4], right: Option<[&str; 4]>) -> Self {
         let last = self.rows.len().saturating_sub(1);
         let piece = |[top, middle, bottom, only]: [&str; 4], i: usize| -> String {

@@ -1,12 +1,12 @@
 //! Letters, indices and brackets in UTF-8.
 
-/// In brackets, if it is more than one factor.
+/// Puts the part in brackets if it is more than one factor.
 pub(super) fn bracketed(part: &str) -> String {
     let part = part.trim();
     if part.contains([' ', '·']) { format!("({part})") } else { part.to_owned() }
 }
 
-/// A letter as a bold one.
+/// The bold form of a letter.
 pub(super) fn bold(letter: char) -> char {
     let from = |base: u32, first: u8| char::from_u32(base + u32::from(letter) - u32::from(first));
     match letter {
@@ -17,7 +17,7 @@ pub(super) fn bold(letter: char) -> char {
     .unwrap_or(letter)
 }
 
-/// A letter or a derivative below the line.
+/// A letter or a derivative as a subscript.
 pub(super) fn subscript(index: &str) -> String {
     match index {
         "u" => "ᵤ".to_owned(),
@@ -27,7 +27,7 @@ pub(super) fn subscript(index: &str) -> String {
     }
 }
 
-/// An exponent.
+/// An exponent as a superscript.
 pub(super) fn superscript(index: &str) -> Result<String, String> {
     match index {
         "2" => Ok("²".to_owned()),

@@ -1,4 +1,4 @@
-//! Tables that fit a terminal, and disagreements that can be repeated.
+//! Tests: tables fit a terminal, and mismatches can be repeated.
 
 use super::{case_of, error, name};
 use crate::cli::arguments::program;
@@ -62,7 +62,7 @@ fn a_disagreement_is_shown_with_the_command_that_repeats_it() {
     assert!(text.contains(&told) && text.contains("value of x.x (value), against"), "{text}");
     assert!(text.contains("DISAGREE: 1 of 1 closest point"), "{text}");
 
-    // One route of AD alone is off: the routes contradict each other, and the closed form is not rejected.
+    // One route of AD alone is wrong: the routes contradict each other, and the closed form is not rejected.
     let route = entries[0].against;
     for entry in entries.iter_mut().filter(|entry| name(entry) == "x.x" && entry.against != route) {
         entry.other = entry.closed;

@@ -1,4 +1,4 @@
-//! Answers, as CSV.
+//! Fuzz target: answers as CSV.
 
 #![no_main]
 

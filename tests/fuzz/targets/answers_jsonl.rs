@@ -1,4 +1,4 @@
-//! Answers, as JSON Lines.
+//! Fuzz target: answers as JSON Lines.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! The file of `check --case-file`.
+//! Fuzz target: the file of `check --case-file`.
 
 #![no_main]
 
@@ -8,7 +8,7 @@ mod case;
 #[allow(dead_code, reason = "the command line uses the rest")]
 mod case_file;
 
-/// What the module asks the command line for.
+/// The items of the command line that the module uses.
 mod arguments {
     pub(crate) fn program() -> &'static str {
         "beamgap"

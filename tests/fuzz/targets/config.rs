@@ -1,4 +1,4 @@
-//! The file `beamgap.toml`.
+//! Fuzz target: the file `beamgap.toml`.
 
 #![no_main]
 
@@ -8,12 +8,12 @@ mod config;
 
 use clap::{Arg, ArgAction, Command, value_parser};
 
-/// What the module asks the command line for.
+/// The function of the command line that the module uses.
 fn one_line(message: &str) -> String {
     message.lines().collect::<Vec<_>>().join(" ")
 }
 
-/// Options of each kind that the command line has.
+/// Options of each kind that occurs on the command line.
 fn command() -> Command {
     let options = || {
         [
@@ -30,7 +30,7 @@ fn command() -> Command {
 }
 
 libfuzzer_sys::fuzz_target!(|text: &str| {
-    // What is taken as a default is taken when the command runs.
+    // A default that was accepted must be accepted when the command is parsed.
     if let Ok(command) = config::with_file(command(), "beamgap.toml", text) {
         command.try_get_matches_from(["beamgap", "check"]).expect("the defaults are taken");
     }

@@ -1,4 +1,4 @@
-//! Numbers in the notations of all languages.
+//! Fuzz target: numbers in the notations of all languages.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! Cases.
+//! Fuzz target: cases as JSON Lines.
 
 #![no_main]
 

@@ -38,7 +38,7 @@ pub(super) fn precise<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     at
 }
 
-/// The difference of two matrices over the size of the second, both in the norm of Frobenius.
+/// The difference of two matrices divided by the size of the second, both in the Frobenius norm.
 pub(super) fn error<const N: usize, const M: usize>(
     of: &BlockHessian<f64, N, M>,
     exact: &BlockHessian<DoubleDouble, N, M>,
@@ -52,7 +52,7 @@ pub(super) fn error<const N: usize, const M: usize>(
     (off / size).sqrt()
 }
 
-/// The form of the choice, and the errors of the Hessians of d and xi in this and in other forms.
+/// The chosen formulation, and the errors of the Hessians of d and xi in it and in other formulations.
 pub(super) fn errors<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, const K: usize>(
     beams: &Beams<A, B, N, M>,
     near: (f64, f64),
@@ -65,7 +65,7 @@ pub(super) fn errors<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize, c
         choice = Formulation::at(points, INSIDE);
         choice
     });
-    // n of either side, the same in both numbers.
+    // The normal n must have the same sign in both results.
     let reversed =
         |form: Formulation| if is_reversed(choice, beams, rounded) { form.reversed() } else { form };
     let exact = all(beams, at, |_| reversed(ROBUST));

@@ -1,11 +1,11 @@
-//! Conventions that are stated are converted, and others are named.
+//! Stated conventions are converted, and unstated ones are named.
 
 use super::{answers, drawing, vectors, verified, with_head};
 use beamgap::check::external::{AnswerReader, Conventions, Demands, Evaluator, explain, other_conventions};
 use beamgap::check::{Family, Regime};
 use std::fmt::Write as _;
 
-/// The answers of the library with the numbers of a quantity changed.
+/// The answers of the library with changed numbers.
 pub(super) fn changed(text: &str, change: impl Fn(&mut serde_json::Value)) -> String {
     let mut lines = text.lines();
     let mut changed = lines.next().unwrap().to_owned() + "\n";
@@ -79,7 +79,7 @@ fn other_conventions_are_converted_if_they_are_stated_and_named_if_not() {
             map(&mut line["g_N"][part], &|x| -x);
         }
     });
-    // Of the dof k of the program the place among ours.
+    // `place` maps a dof k of the program to its place in the library.
     let reordered = |place: &dyn Fn(usize) -> usize, factor: &dyn Fn(usize) -> f64| {
         changed(&text, |line| {
             for name in ["d", "t", "t_bar", "xi", "xi_bar", "g_N", "g_T", "g_T_bar"] {
@@ -151,7 +151,7 @@ fn a_contact_element_is_checked_by_its_residual_and_tangent() {
     let right = only(&text, &|line, k| line["tangent"][k].as_f64().unwrap());
     let report = verified(&all, &right, None).unwrap();
     assert!(report.agrees() && report.parts.len() == 2, "{report:?}");
-    // Without the geometric part.
+    // The tangent without the geometric part.
     let gauss_newton = only(&text, &|line, k| {
         let g = |i: usize| line["d"]["gradient"][i].as_f64().unwrap();
         250.0 * g(k / 24) * g(k % 24)
@@ -160,7 +160,7 @@ fn a_contact_element_is_checked_by_its_residual_and_tangent() {
     let reader = AnswerReader::new(gauss_newton.as_bytes(), "answers").unwrap();
     let found = explain(&report.kept, &Demands { conventions: *reader.conventions(), digits: None }).unwrap();
     assert_eq!(found.causes[0].name, "geometric-stiffness-missing", "{found:?}");
-    // With the other sign.
+    // The tangent with the opposite sign.
     let negative = only(&text, &|line, k| -line["tangent"][k].as_f64().unwrap());
     assert!(verified(&all, &with_head(&negative, "\"tangent_sign\":\"-\""), None).unwrap().agrees());
     let report = verified(&all, &negative, None).unwrap();

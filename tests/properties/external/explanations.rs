@@ -1,4 +1,4 @@
-//! The wrong term is named.
+//! The explanation names the wrong term.
 
 use super::conventions::changed;
 use super::{answers, drawing, vectors, verified};
@@ -6,7 +6,7 @@ use beamgap::check::external::{AnswerReader, Demands, Evaluator, Formulas, Vecto
 use beamgap::check::{Family, Regime};
 use beamgap::variant::with_faults;
 
-/// What explains the answers of a program with these faults.
+/// The cause of the errors in the answers of a program with these faults.
 fn cause(all: &[Vector], faults: &[&str], digits: Option<u8>) -> String {
     let names: Vec<String> = faults.iter().map(|fault| (*fault).to_owned()).collect();
     let variant = with_faults(&names).unwrap();
@@ -90,7 +90,7 @@ fn gradients_and_hessians_of_few_digits_tell_terms_apart() {
     assert_eq!(arrays("H_d: A0'A0 = doubled"), ["H_d: A0'A0 = doubled"]);
 }
 
-/// Straight beams keep the terms of curvature at zero: a fault in them is none here.
+/// For straight beams the terms of curvature are zero, so a fault in them changes no answer.
 #[test]
 fn a_cause_is_not_named_where_nothing_is_wrong() {
     let all = vectors(&drawing(&[Family::Segment], &[Regime::Generic], 1));

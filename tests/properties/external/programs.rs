@@ -75,7 +75,7 @@ fn results_are_written_for_programs_too() {
     assert!(
         document["first"]["line"].as_u64().unwrap() >= 2 && document["first"]["entry"]["of"] == "gradient"
     );
-    // What is expected is accepted as an answer.
+    // The expected answers are accepted as answers.
     let text = std::fs::read_to_string(&path).unwrap();
     let mut expected = "{\"schema\":\"beamgap-answers/1\"}\n".to_owned();
     for line in text.lines().skip(1) {
@@ -89,7 +89,7 @@ fn results_are_written_for_programs_too() {
     let expected = scratch("json-expected.jsonl", &expected);
     let output = run(&["verify", vectors, expected.to_str().unwrap(), "--format", "json"]);
     assert_eq!(json(&output)["verdict"], "agree", "{output:?}");
-    // Nothing compared is no success.
+    // A result in which nothing is compared is not a success.
     let none = scratch("json-none.jsonl", "{\"schema\":\"beamgap-answers/1\"}\n");
     let output = run(&["verify", vectors, none.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(4), "{output:?}");
