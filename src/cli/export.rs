@@ -134,7 +134,7 @@ pub(crate) struct Evaluate {
     /// Write numbers as hexadecimal strings, as C's %a prints them
     #[arg(long, conflicts_with = "digits")]
     hex: bool,
-    /// Write so many significant digits, and not all
+    /// Write N significant digits, instead of all
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=17))]
     digits: Option<u8>,
     /// Write to this file, and not to standard output

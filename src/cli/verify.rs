@@ -35,11 +35,11 @@ pub(crate) struct Verify {
     /// How many cases may be open: sent and not yet answered, or answered out of order
     #[arg(long, value_name = "N", default_value = "4096", value_parser = value_parser!(u32).range(1..=1_000_000))]
     look_ahead: u32,
-    /// Ask for so many significant digits, wherever they are attainable [default: those that a careful evaluation of the
+    /// Ask for N significant digits, wherever they are attainable [default: those that a careful evaluation of the
     /// textbook formulas keeps]
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=15))]
     digits: Option<u8>,
-    /// Why so few digits are enough; the result has it
+    /// The reason why N digits are enough; the result shows it
     #[arg(long, value_name = "TEXT")]
     reason: Option<String>,
     #[command(flatten)]
