@@ -1,4 +1,4 @@
-//! A number that knows how wrong it can be: running error analysis.
+//! A number with a bound on its error: running error analysis.
 //!
 //! Each operation passes on the errors of its operands to first and second order and adds half an ulp of its own
 //! (J. H. Wilkinson, "Error analysis revisited", 1986; N. Higham, *Accuracy and Stability*, section 3.3). Running a

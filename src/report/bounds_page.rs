@@ -35,7 +35,8 @@ impl Bounds {
                 "The overestimation factor is the bound over the true error. If the bound holds, the factor is at least 1. The check does \
                  not detect a fault that is smaller than this factor times the error. The true error is the difference from the closed form in double-double \
                  numbers, at the closest point refined there. *First*: delta and Delta, the first variations; *second*: \
-                 Delta-delta. The scale of a number is the sum of the absolute values of its terms.",
+                 Delta-delta. The scale of a number is the sum of the absolute values of its terms. 5 % \
+                 and 95 % are quantiles; max is the maximum.",
             ),
             table(["side", "order"], &all),
             counts(&all),
@@ -118,13 +119,13 @@ fn table(names: [&str; 2], rows: &[([&str; 2], &Measured)]) -> Block {
     let head = [
         names[0],
         names[1],
-        "#factor: 5 % quantile",
+        "#factor: 5 %",
         "#median",
-        "#95 % quantile",
-        "#maximum",
+        "#95 %",
+        "#max",
         "#error / scale: median",
-        "#95 % quantile",
-        "#maximum",
+        "#95 %",
+        "#max",
     ];
     Block::table(&head, rows.iter().map(row).collect())
 }

@@ -50,12 +50,13 @@ impl Explain {
             String::new()
         } else {
             format!(
-                " Of {} such programs with two faults, {} have both named alone, {} have them named with such faults, and {} have one \
-                 of them named.",
+                " Of {} such programs with two faults, {} have both named alone, {} have them named with such faults, {} have one of them \
+                 named, and {} have none named.",
                 count(two),
                 count(count_of(2, &[Naming::First])),
                 count(count_of(2, &together)),
                 count(count_of(2, &[Naming::Fewer])),
+                count(count_of(2, &[Naming::None])),
             )
         };
         format!(

@@ -42,7 +42,9 @@ pub fn symbols() -> Page {
         Block::heading("Numbers and programs"),
         words(&TERMS),
         Block::heading("Regimes"),
-        Block::text("Each regime draws random pairs of beams of all curve families."),
+        Block::text(
+            "Each regime draws random pairs of beams of all curve families. In this table *gap* is the distance of the centroids.",
+        ),
         Block::table(&["regime", "pairs of beams"], regimes.to_vec()),
     ];
     Page::new("Symbols", blocks)
@@ -167,7 +169,10 @@ const TERMS: [(&str, &str); 17] = [
         "adapter",
         "a small program that reads the exported cases, calls the code of a user, and writes its answers",
     ),
-    ("chord", "Newton's method with a fixed matrix: one step for first derivatives, two for second ones"),
+    (
+        "chord",
+        "Newton's method with a fixed matrix: one step gives all derivatives of d, two steps those of all quantities",
+    ),
     ("double-double", "a number stored as the sum of two `f64`, with about 32 decimal digits"),
     ("equivalent formula", "a formula that is written in another way and has the same value"),
     ("fault", "a term or an operation that is made wrong on purpose"),

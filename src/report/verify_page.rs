@@ -140,10 +140,10 @@ impl VerifyRun {
             ),
             Block::table(&["quantity", "order", "#numbers", "#wrong", "#fewer digits"], parts.collect()),
         ];
-        let reasons = self.not_compared.iter().map(|(reason, of)| format!("{}: {reason}", count(*of)));
+        let reasons = self.not_compared.iter().map(|(reason, of)| format!("{} ({reason})", count(*of)));
         let reasons: Vec<_> = reasons.collect();
         if !reasons.is_empty() {
-            blocks.push(Block::text(&format!("Not compared: {}.", reasons.join("; "))));
+            blocks.push(Block::text(&format!("Closest points not compared: {}.", reasons.join(", "))));
         }
         if let Some(words) = &self.agrees_if {
             blocks.push(Block::text(&format!("The answers agree if {words}.")));

@@ -104,7 +104,7 @@ fn read(text: &[char], found: &mut Vec<String>) {
                     *last += "_";
                     *last += &plain;
                 }
-                if plain.starts_with(',') {
+                if plain.contains(',') {
                     found.extend(plain.contains("\\xi").then(|| "\\xi".to_owned()));
                 }
             }
@@ -235,5 +235,6 @@ mod tests {
         assert_eq!(ids(r"J_d=G+\vt g^{\mathsf T}"), ["t", "A", "g", "J"]);
         assert_eq!(ids(r"\Delta_u\delta_u\uh"), ["delta", "Delta", "uhat", "K"]);
         assert_eq!(ids(r"\vn=\vd/d"), ["d", "n"]);
+        assert_eq!(ids(r"\vt=\vx_{C,\xi}"), ["x", "xi", "t"]);
     }
 }
