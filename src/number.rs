@@ -50,7 +50,7 @@ use std::ops::Neg;
 
 /// A number type for the geometry of contact: a field with `sqrt` and `sin_cos`, and without an order.
 ///
-/// It is implemented for `f64` and every (nested) dual number of [`num_dual`], by one blanket implementation, and for
+/// It is implemented for `f64` and every (nested) dual number of the crate `num_dual`, by one blanket implementation, and for
 /// the scalars of this module. A user-defined scalar implements the operators, [`Zero`], [`One`], `From<f64>`,
 /// [`Real::sqrt`] and [`Real::sin_cos`], nothing else.
 ///

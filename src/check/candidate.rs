@@ -26,7 +26,7 @@ pub use found::{Digits, Example, Found};
 pub(super) use found::{contact_in_words, list};
 pub(super) use sides::{Entry, Sides, is_doubted};
 
-/// How many times the rounding of the textbook formulas a careful evaluation in another order of sums may lose.
+/// The factor on the rounding of the textbook formulas: a choice, which allows another order of the sums.
 pub const CAREFUL: f64 = 8.0;
 
 /// A pair of beams at a closest point.

@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 pub enum Regime {
     /// Lengths near 1, moderate bending, crossing at a wide angle.
     Generic,
-    /// A gap of 1e-4 to 1e-2 of the length.
+    /// A distance of 1e-4 to 1e-2 of the length.
     Slender,
     /// Bent by 1e-6 to 1e-3 radians only. Arcs and helices are then wound about an axis far away.
     NearlyStraight,
@@ -17,7 +17,7 @@ pub enum Regime {
     StronglyCurved,
     /// Crossing at an angle of 1e-4 to 1e-1 radians.
     NearlyParallel,
-    /// A gap of 1e-8 to 1e-3 of the length.
+    /// A distance of 1e-8 to 1e-3 of the length.
     NearlyCrossing,
     /// The crossing within 1e-6 to 1e-1 of an end of one beam or both, or beyond it.
     NearEnd,
@@ -87,11 +87,11 @@ impl Regime {
     pub fn what(self) -> &'static str {
         match self {
             Self::Generic => "lengths near 1, moderate bending, crossing at a wide angle",
-            Self::Slender => "a gap of 1e-4 to 1e-2 of the length",
+            Self::Slender => "a distance of 1e-4 to 1e-2 of the length",
             Self::NearlyStraight => "bent by 1e-6 to 1e-3 radians only",
             Self::StronglyCurved => "bent by 2 to 5 radians",
             Self::NearlyParallel => "crossing at an angle of 1e-4 to 1e-1 radians",
-            Self::NearlyCrossing => "a gap of 1e-8 to 1e-3 of the length",
+            Self::NearlyCrossing => "a distance of 1e-8 to 1e-3 of the length",
             Self::NearEnd => "the crossing within 1e-6 to 1e-1 of an end of one beam or both, or beyond it",
             Self::Metres => "a fibre measured in metres: lengths near 1e-6",
             Self::Millimetres => "measured in millimetres: lengths near 1e3",

@@ -13,7 +13,7 @@ use std::cell::Cell;
 /// A check of derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Check {
-    /// Equality with AD over the prime field; it knows no regime.
+    /// Equality with AD over the prime field; regimes do not apply to it.
     Exact,
     /// The gate: AD within derived tolerances.
     Gate,
@@ -54,7 +54,7 @@ impl Check {
     /// What it does, in words.
     pub fn what(self) -> &'static str {
         match self {
-            Self::Exact => "closed form and AD over a prime field, compared by ==; it knows no regime",
+            Self::Exact => "closed form and AD over a prime field, compared by ==; regimes do not apply",
             Self::Gate => "closed form and AD in f64, within tolerances derived from rounding",
             Self::Invariants => {
                 "symmetry, translation, rotation and unit of length, with the same tolerances"

@@ -1,4 +1,4 @@
-//! Detection limits: the smallest relative error of a term that the gate sees.
+//! Detection limits: the smallest relative error of a term that the gate detects.
 
 use super::test_points::{Sample, test_points};
 use crate::check::serialized::short;

@@ -176,7 +176,7 @@ impl Planted {
             let variant = Variant::Faulty(faults.to_vec());
             !fair.iter().any(|sample| rejects(&variant, sample))
         };
-        let is_accused =
+        let is_rejected =
             |&rewrite: &Rewrite| samples.iter().any(|sample| rejects(&Variant::Rewritten(rewrite), sample));
         let undetected: Vec<Fault> =
             self.faults.par_iter().copied().filter(|&fault| is_undetected(&[fault])).collect();
@@ -187,7 +187,7 @@ impl Planted {
             rejected: samples.len() - fair.len(),
             planted: self.faults.len(),
             detected: self.faults.len() - undetected.len(),
-            false_positives: Rewrite::ALL.into_par_iter().filter(is_accused).collect(),
+            false_positives: Rewrite::ALL.into_par_iter().filter(is_rejected).collect(),
             pairs: self.pairs.len(),
             pairs_detected: self.pairs.par_iter().filter(|pair| !is_undetected(*pair)).count(),
         };

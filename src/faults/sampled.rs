@@ -161,7 +161,7 @@ mod tests {
             let (name, detected, faults) = (of.code.name(), of.detected, of.faults);
             assert!(100 * detected > least * faults, "{name}: {detected} of {faults}");
             let of_d = &of.limits[&Quantity::D];
-            // A relative error of a millionth of an operation that d depends on is seen, in the median.
+            // A relative error of a millionth of an operation that d depends on is detected, in the median.
             assert!(of_d.median.0 < 1e-6 && of_d.smallest.0 > 1e-17, "{of_d:?}");
         }
     }

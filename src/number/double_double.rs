@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use twofloat::TwoFloat;
 
-/// An unevaluated sum of two `f64`, about 106 bits; arithmetic by [`twofloat`].
+/// An unevaluated sum of two `f64`, about 106 bits; arithmetic by the crate `twofloat`.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct DoubleDouble(TwoFloat);
 

@@ -16,10 +16,10 @@ impl Accuracy {
             )
         };
         let conclusion = format!(
-            "**At a gap of 1e-6 lengths the median relative error of Delta-delta d, the second variation of the distance, is {}. At \
-             an angle of 1e-5 between straight beams that of Delta-delta xi, the second variation of the parameter, is {}.** At \
-             each closest point the library chooses between two formulations that are equal in exact arithmetic. The error of \
-             its choice is at most {} times that of the better one.",
+            "**At a distance d of 1e-6 beam lengths the median relative error of Delta-delta d, the second variation of the distance, \
+             is {}. At an angle of 1e-5 between straight beams that of Delta-delta xi, the second variation of the parameter, \
+             is {}.** At each closest point the library chooses between two formulations that are equal in exact arithmetic. In \
+             every row of the tables below the median error of its choice is at most {} times the smaller of the two medians.",
             at(&self.found.gaps, 1e-6, |row| row.d),
             at(&self.found.angles, 1e-5, |row| row.xi),
             plain(self.found.worst_choice()),
@@ -46,16 +46,16 @@ impl Accuracy {
             caption: caption.to_owned(),
             svg,
         };
-        let gaps = "Pairs of all curve families, moderately bent, that cross at a wide angle. The gap is the distance of the \
-                    centroids over the length of a beam.";
-        let angles = "Straight beams at a gap of a few hundredths to tenths of their length.";
+        let distances = "Pairs of all curve families, moderately bent, that cross at a wide angle. d/L is the distance of the \
+                         centroids over the length of a beam. Of two beams in contact d is the sum of the radii.";
+        let angles = "Straight beams at a distance d of a few hundredths to tenths of their length.";
         let (seed, pairs) = (format!("{:#x}", self.seed), count(self.pairs as u64));
         let blocks = vec![
             Block::text(&conclusion),
             formulations,
-            Block::heading("Over the gap"),
-            picture("accuracy-gap.svg", gaps, self.gap_to_svg()),
-            Block::details("The numbers of this figure", vec![table("gap", &self.found.gaps)]),
+            Block::heading("Over the distance"),
+            picture("accuracy-gap.svg", distances, self.gap_to_svg()),
+            Block::details("The numbers of this figure", vec![table("d/L", &self.found.gaps)]),
             Block::heading("Over the angle"),
             picture("accuracy-angle.svg", angles, self.angle_to_svg()),
             Block::details("The numbers of this figure", vec![table("angle", &self.found.angles)]),
@@ -76,13 +76,13 @@ impl Accuracy {
                  numbers at the closest point refined there. Each number is a median over random pairs and directions. All \
                  numbers are in `accuracy.json`, from which alone this page and its figures are made. [Symbols](symbols.md).",
             ),
-            self.environment.table(vec![("seed", seed), ("pairs at each gap and angle", pairs)]),
+            self.environment.table(vec![("seed", seed), ("pairs at each distance and angle", pairs)]),
         ];
         Page::new("Accuracy", blocks)
     }
 }
 
-/// Both quantities at every gap or angle, from small to large.
+/// Both quantities at every distance or angle, from small to large.
 fn table(at: &str, rows: &[Level]) -> Block {
     let head = [
         at,

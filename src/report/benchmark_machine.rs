@@ -61,8 +61,9 @@ impl Benchmark {
             Block::table(&head, one.collect()),
             Block::text(&format!(
                 "Two threads against one, on {} cores. Each row was measured with both in interleaved rounds; its times are \
-                 those of these rounds. The last column is what \
-                 two threads gain that only multiply and add in registers: what the machine gives.",
+                 those of these rounds. The column \
+                 *multiply-adds alone* is the speed-up of two threads that only multiply and add in registers, which is the \
+                 speed-up of the machine.",
                 self.environment.cores
             )),
             Block::table(&heads, two.collect()),
@@ -96,8 +97,8 @@ impl Benchmark {
         let [multiply_adds, bytes] = self.roof();
         let text = format!(
             "The roofline bound is the time that the multiply-adds of a method take, or its stores, whichever is longer, if the \
-             machine does nothing else. One core does {} multiply-adds in a nanosecond and stores {} bytes into its first \
-             cache. A number at a point is its time over the bound.",
+             machine does nothing else. One core does {} multiply-adds in a nanosecond. It stores {} bytes in a nanosecond into \
+             its first-level cache. The number at a point is its time over the bound.",
             plain(multiply_adds),
             plain(bytes)
         );

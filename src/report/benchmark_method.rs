@@ -15,9 +15,9 @@ impl Benchmark {
                 "One thread and one pair, the same each time, unless something else is said; the closest point is given, unless \
                  it is what is timed. Dofs in, all results out."
                     .to_owned(),
-                "The pairs are drawn by the gate's own generator, generic, well-conditioned, and at wide gaps and angles, \
-                 where the paper's form keeps its digits, but for the near one; those of growing size are two \
-                 gently bent beams that cross.".to_owned(),
+                "The pairs are drawn by the generator of the check. They are generic and well-conditioned. Distances and angles are wide, \
+                 where the paper's form keeps its digits; only the pair *near* has a smaller distance or angle. The pairs of growing size \
+                 are two slightly bent beams that cross.".to_owned(),
                 format!(
                     "A time is the median of at least {} samples, none left out. Its 95 % interval lies between two of the \
                      samples (order statistics) and assumes no distribution.",
@@ -35,8 +35,8 @@ impl Benchmark {
                  exceeds it anywhere is not timed."
                     .to_owned(),
                 "The chord methods take one step for d alone, which is enough there, and two for all quantities. By orders: the \
-                 first derivatives of xi and xi_bar once for each dof, the second by the implicit function theorem. A row is \
-                 one dof against eight."
+                 first derivatives of xi and xi_bar are computed once for each dof, the second derivatives by the implicit function \
+                 theorem. Rows of hyper-duals: one evaluation has one dof as its first direction and eight dofs as its second."
                     .to_owned(),
                 "All samples are in `benchmark.json`, from which alone this page and its pictures are made.".to_owned(),
             ]),
@@ -48,12 +48,12 @@ impl Benchmark {
 
 const SILENCE: [&str; 5] = [
     "Nothing about other processors, compilers or flags.",
-    "Nothing about other programs but those listed: a speed-up over the automatic differentiation of this crate is none over \
-     another's. How far apart honest methods of automatic differentiation are among themselves, the tables show.",
-    "The samples of one time follow each other, so whatever else the machine did meanwhile is in some rows and not in \
-     others. Their intervals say how much the samples scatter, not how far a busy machine shifts them all; ratios are \
-     taken in interleaved rounds for that reason.",
+    "Nothing about other programs but those listed. The speed-up over the automatic differentiation of this crate is not the \
+     speed-up over that of another program. The tables show how much methods of automatic differentiation differ.",
+    "The samples of one time are measured one after the other. Other work of the machine therefore affects some rows and not \
+     others. The intervals show the scatter of the samples. They do not show a shift of all samples by a busy machine. \
+     Ratios are therefore measured in interleaved rounds.",
     "One pair of each family stands for all; its numbers are in the cache. An assembly that writes every Hessian to memory \
      waits for memory.",
-    "The errors are those of one well-conditioned pair. How errors grow is the business of the crosscheck.",
+    "The errors are those of one well-conditioned pair. The [accuracy report](accuracy.md) shows how errors grow.",
 ];

@@ -31,7 +31,7 @@ impl Benchmark {
         blocks.extend(self.sizes());
         blocks.extend(self.roofline());
         blocks.extend(self.many());
-        blocks.push(Block::heading("All measurements"));
+        blocks.extend([Block::heading("All measurements"), Block::text(&self.times_of_closed_form())]);
         for task in [Task::Distance, Task::All, Task::Directions] {
             let tables = [
                 Block::text(task.description()),
@@ -52,6 +52,31 @@ impl Benchmark {
         blocks.extend(self.instructions.as_ref().map(instructions));
         blocks.extend(self.method());
         Page::new("Benchmark", blocks)
+    }
+
+    /// Why the closed form for d has several times.
+    fn times_of_closed_form(&self) -> String {
+        let find = |task: Task, method: &str| {
+            let of = self.of(task).find(|of| of.family == STANDARD && of.method == method);
+            of.map_or_else(|| "no time".to_owned(), |of| time(of.median))
+        };
+        let of_peers = self.peers.as_ref().map(|peers| {
+            let times =
+                peers.times_of_ours("A").into_iter().map(|(layout, ns)| format!("{} {layout}", time(ns)));
+            let times: Vec<_> = times.collect();
+            format!(" In the run with other programs, on {} pairs: {}.", count(peers.pairs), times.join(", "))
+        });
+        format!(
+            "The closed form for d, 24 dofs, has several times, since layouts and pairs differ. One pair, the same each time: {} in \
+             blocks, {} in full, {} packed. Many pairs, one by one, in blocks: {}. In interleaved rounds each time is that of these \
+             rounds.{} *In blocks*: the three blocks of the Hessian of beam, bar beam and both. *In full*: the whole matrix. *Packed*: the \
+             entries on and above the diagonal.",
+            find(Task::Distance, CLOSED_FORM),
+            find(Task::Distance, "closed form, in full"),
+            find(Task::Distance, "closed form, packed"),
+            find(Task::DistanceOfMany, "closed form, one by one, 1 thread"),
+            of_peers.unwrap_or_default()
+        )
     }
 
     /// All methods of a task for the standard pair.

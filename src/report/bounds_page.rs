@@ -32,10 +32,11 @@ impl Bounds {
         blocks.extend([
             Block::heading("Overestimation factor"),
             Block::text(
-                "The overestimation factor is the bound over the true error: at least 1 if the bound holds, and a fault smaller \
-                 than this many errors is not seen. The true error is the difference from the closed form in double-double \
+                "The overestimation factor is the bound over the true error. If the bound holds, the factor is at least 1. The check does \
+                 not detect a fault that is smaller than this factor times the error. The true error is the difference from the closed form in double-double \
                  numbers, at the closest point refined there. *First*: delta and Delta, the first variations; *second*: \
-                 Delta-delta. The scale of a number is the sum of the absolute values of its terms.",
+                 Delta-delta. The scale of a number is the sum of the absolute values of its terms. 5 % \
+                 and 95 % are quantiles; max is the maximum.",
             ),
             table(["side", "order"], &all),
             counts(&all),
@@ -55,7 +56,7 @@ impl Bounds {
         blocks.extend([
             Block::heading("How it was made"),
             Block::text(
-                "Quantiles are good to 1.2 %. All numbers are in `bounds.json`, from which alone this page is made. \
+                "Quantiles have an error of at most 1.2 %. All numbers are in `bounds.json`, from which alone this page is made. \
                  [Symbols and regimes](symbols.md).",
             ),
             self.environment.table(vec![("seed", seed), ("cases of each regime", cases)]),
@@ -92,7 +93,7 @@ impl Bounds {
         };
         let head = ["regime", "#closest points", "#tolerance too wide", "#share", "#left out"];
         vec![
-            Block::heading("Where the tolerance says nothing"),
+            Block::heading("Points whose tolerance is too wide"),
             Block::text(
                 "A tolerance is too wide if it exceeds a thousandth of the scale, for some number of the point. The check does \
                  not count such a point as compared. A point is left out if it has no derivatives to compare, or cannot be \
@@ -134,6 +135,12 @@ fn counts(rows: &[([&str; 2], &Measured)]) -> Block {
         let counts = [measured.entries, measured.exact, measured.unbounded].map(count);
         names.map(str::to_owned).into_iter().chain(counts).collect()
     };
-    let head = ["side", "order", "#numbers with an error", "#without an error", "#without a finite bound"];
+    let head = [
+        "side",
+        "order",
+        "#numbers with an error",
+        "#numbers without an error",
+        "#numbers without a finite bound",
+    ];
     Block::table(&head, rows.iter().map(row).collect())
 }

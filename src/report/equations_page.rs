@@ -10,22 +10,26 @@ impl Equations {
     pub fn page(&self) -> Page {
         let table = &self.table;
         let of = |verdict| table.equations.iter().filter(|entry| entry.verdict == verdict).count();
+        let (evaluated, others): (Vec<&EquationRow>, Vec<&EquationRow>) =
+            table.equations.iter().partition(|entry| !entry.parts.is_empty());
         let conclusion = format!(
-            "**Of the {} equations of the paper {} are misprinted; {} as corrected.** This report evaluates every numbered equation, as \
-             printed and as corrected, and compares it with automatic differentiation by hyper-dual numbers.",
+            "**Of the {} equations of the paper {} are misprinted; {} as corrected.** This report evaluates {} of them, as printed and as \
+             corrected, and compares them with automatic differentiation by hyper-dual numbers. The others, {}, define, assume or \
+             list something; they are judged by their words.",
             table.equations.len(),
             of(Verdict::Misprint),
             match of(Verdict::Refuted) {
                 0 => "none is refuted".to_owned(),
                 n => format!("{n} are refuted"),
             },
+            evaluated.len(),
+            numbers(&others),
         );
         let verdicts = VERDICTS.iter().filter_map(|(verdict, meaning)| {
-            let numbers: Vec<String> = (table.equations.iter().filter(|entry| entry.verdict == *verdict))
-                .map(|entry| format!("({})", entry.number))
-                .collect();
-            let names = [format!("**{}**", verdict.words()), (*meaning).to_owned(), numbers.join(", ")];
-            (!numbers.is_empty()).then(|| names.to_vec())
+            let with_it: Vec<&EquationRow> =
+                table.equations.iter().filter(|entry| entry.verdict == *verdict).collect();
+            let names = [format!("**{}**", verdict.words()), (*meaning).to_owned(), numbers(&with_it)];
+            (!with_it.is_empty()).then(|| names.to_vec())
         });
         let [linear, nonlinear] = table.pairs.map(|pairs| count(pairs * table.draws));
         let mut blocks = vec![
@@ -36,14 +40,19 @@ impl Equations {
                 &format!(
                     "Exactly: over the field of 2^61 - 1 elements, where nothing is rounded, two sides are equal or they are not. A \
                      draw is a random pair of curves at a stationary point. {linear} draws have curves that are linear in their \
-                     dofs; {nonlinear} draws have one that is not, as a helix with its pitch as a dof."
+                     dofs; {nonlinear} draws have one that is not, such as a helix with its pitch as a dof."
                 ),
                 &format!(
                     "In `f64`: at {} closest points. The error is the difference of both sides over the larger sum of the absolute \
                      values of their terms.",
                     count(table.points.iter().sum())
                 ),
-                "A misprint may have several readings. An equation is refuted as printed if every reading is refuted.",
+                "A misprint may have several readings. An equation is refuted as printed if every reading of the print is refuted in \
+                 some draw.",
+                "A row *read otherwise* is evaluated, but it is no reading of the print and does not count for the verdict. It gives a \
+                 letter another meaning than the paper does: by (37) û_C stands for u_C − ū_C̄, so Δû_C is not Δd, which \
+                 holds the points before the deformation too. In (43), (45) and (46) such a row has variations in place of \
+                 finite increments.",
                 "As corrected, an equation holds for curves that are linear in their dofs. As completed, it holds for all curves.",
             ]),
         ];
@@ -128,7 +137,7 @@ impl EquationTable {
             }
             if !entry.omitted.is_empty() {
                 let left_out: Vec<String> = entry.omitted.iter().map(|term| inline(term)).collect();
-                blocks.push(Block::text(&format!("Left out: {}.", left_out.join(", "))));
+                blocks.push(Block::text(&format!("The printed list lacks {}.", left_out.join(", "))));
             }
             if !entry.parts.is_empty() {
                 blocks.push(Block::details("Every reading, tested", vec![readings(entry, |_| true)]));
@@ -186,13 +195,20 @@ impl EquationTable {
             entry.parts.iter().any(|part| part.corrected().is_some_and(is_so))
         });
         let numbers: Vec<String> = by_orthogonality.map(|entry| format!("({})", entry.number)).collect();
-        let head = ["the paper says, or implies", "where", "#by form", "#by orthogonality", "#not", "holds"];
+        let head = [
+            "the paper says, or implies",
+            "where",
+            "#symmetric by form",
+            "#by orthogonality",
+            "#not symmetric",
+            "holds",
+        ];
         vec![
             Block::heading("Symmetry"),
             Block::text(
-                "A second variation must not change if delta and Delta are exchanged. A formula can show this *by form*: for random \
-                 numbers in place of all operands. Or only *by orthogonality*: at stationary points, where d is normal to both \
-                 tangents. The numbers count formulas.",
+                "A second variation must not change if delta and Delta are exchanged. A formula is symmetric *by form* if it is \
+                 symmetric for random numbers in place of all operands. It is symmetric *by orthogonality* if it is symmetric only at \
+                 stationary points, where d is normal to both tangents. The numbers count formulas.",
             ),
             Block::table(&head, self.claims.iter().map(row).collect()),
             Block::text(&format!("Symmetric as corrected, though not by form: {}.", numbers.join(", "))),
@@ -202,16 +218,16 @@ impl EquationTable {
 
 /// Every verdict with its meaning.
 const VERDICTS: [(Verdict, &str); 10] = [
-    (Verdict::Definition, "true by its words"),
-    (Verdict::List, "of terms, complete"),
-    (Verdict::Assumption, "what is supposed"),
-    (Verdict::NotInTheScan, "lost, and reconstructed"),
+    (Verdict::Definition, "gives a quantity its name"),
+    (Verdict::List, "names terms, and none is missing"),
+    (Verdict::Assumption, "supposes something"),
+    (Verdict::NotInTheScan, "missing in the scan, and reconstructed from the text"),
     (Verdict::Exact, "equal in every draw"),
     (Verdict::ExactIfFinite, "equal for finite increments, with a remainder for variations"),
     (Verdict::ExactIfLinear, "equal for curves linear in their dofs, refuted for others"),
-    (Verdict::Approximation, "measurably not what it stands for"),
-    (Verdict::Misprint, "refuted as printed, equal as corrected"),
-    (Verdict::Refuted, "refuted as corrected, too"),
+    (Verdict::Approximation, "not equal to the quantity that it replaces"),
+    (Verdict::Misprint, "refuted as printed, equal as corrected; or a list that lacks a term"),
+    (Verdict::Refuted, "also refuted as corrected"),
 ];
 
 /// The rows of an equation's readings.
@@ -254,6 +270,11 @@ fn readings(entry: &EquationRow, shown: impl Fn(&Run) -> bool) -> Block {
     Block::table(&head, rows)
 }
 
+/// The numbers of equations, as the paper has them.
+fn numbers(entries: &[&EquationRow]) -> String {
+    entries.iter().map(|entry| format!("({})", entry.number)).collect::<Vec<_>>().join(", ")
+}
+
 /// Refuted draws of all draws.
 fn refuted(counts: [Counts; 2]) -> String {
     if counts.iter().all(|counts| counts.total() == 0) {
@@ -268,10 +289,11 @@ fn inline(latex: &str) -> String {
 }
 
 const SILENCE: [&str; 5] = [
-    "A draw overlooks a wrong formula with a small probability, as `beamgap prove` explains. A refuted one is refuted.",
-    "The print is read from a scan: what is called a misprint may be the scan's.",
-    "Truth is what hyper-dual numbers make of the definitions and of the curves' positions. A wrong definition would make both \
-     sides wrong.",
+    "A wrong formula can be equal in a draw, with a small probability that `beamgap prove` states. A refuted formula is certainly \
+     wrong.",
+    "The print is read from a scan. A misprint may be a fault of the scan.",
+    "The reference is the derivative of the definitions and of the curves' positions by hyper-dual numbers. A wrong definition \
+     makes both sides wrong.",
     "Closest points lie inside both beams, as in the paper. `beamgap prove` treats ends.",
-    "The errors in `f64` are the largest of those that were drawn, not bounds.",
+    "The errors in `f64` are the largest of the errors that were measured. They are no bounds.",
 ];

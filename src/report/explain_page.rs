@@ -9,14 +9,18 @@ impl Explain {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
         let taken = match self.every {
-            1 => "Every fault of the catalogue is planted in the closed form".to_owned(),
-            every => format!("One of every {every} faults of the catalogue is planted in the closed form"),
+            1 => "Every fault of the catalogue is injected into the closed form".to_owned(),
+            every => format!("One of every {every} faults of the catalogue is injected into the closed form"),
         };
-        let mut blocks = vec![Block::text(&format!(
-            "`beamgap verify` and `beamgap explain` name the term that is wrong in the answers of a program. This report \
-             measures how often they are right. {taken}, and pairs of faults: of every other pair both terms belong to the \
-             same formula. The faulty program answers 24 cases, its answers are written as text, read again and explained.",
-        ))];
+        let mut blocks = vec![
+            Block::text(&self.conclusion()),
+            Block::text(&format!(
+                "`beamgap verify` and `beamgap explain` name the term that is wrong in the answers of a program. This report \
+                 measures how often they are right. {taken}. Pairs of faults are injected, too; in every second pair both terms \
+                 belong to the same formula. The faulty program answers 24 cases. Its answers are written as text, read again and \
+                 explained.",
+            )),
+        ];
         blocks.extend(self.programs.iter().flat_map(ExplainProgram::blocks));
         blocks.extend([
             Block::heading("How it was made"),
@@ -24,6 +28,44 @@ impl Explain {
             self.environment.table(vec![("seed", format!("{:#x}", self.seed))]),
         ]);
         Page::new("Explanations", blocks)
+    }
+
+    /// How often the faults were named that change an answer.
+    fn conclusion(&self) -> String {
+        let of = |faults: usize| self.programs.iter().filter(move |of| of.faults == faults);
+        let count_of = |faults: usize, namings: &[Naming]| -> u64 {
+            of(faults).flat_map(|of| namings.iter().map(|&naming| of.count(naming) as u64)).sum()
+        };
+        let shows = |naming: &Naming| *naming != Naming::Undetected;
+        let shown: Vec<Naming> = Naming::ALL.into_iter().filter(shows).collect();
+        let [one, two] = [1, 2].map(|faults| count_of(faults, &shown));
+        let together = [Naming::Equivalent, Naming::Among];
+        let wrong: u64 = [1, 2].map(|faults| count_of(faults, &[Naming::Other])).iter().sum();
+        let wrong = if wrong == 0 {
+            "No explanation names a wrong fault.".to_owned()
+        } else {
+            format!("{} explanations name a wrong fault.", count(wrong))
+        };
+        let of_two = if two == 0 {
+            String::new()
+        } else {
+            format!(
+                " Of {} such programs with two faults, {} have both named alone, {} have them named with such faults, {} have one of them \
+                 named, and {} have none named.",
+                count(two),
+                count(count_of(2, &[Naming::First])),
+                count(count_of(2, &together)),
+                count(count_of(2, &[Naming::Fewer])),
+                count(count_of(2, &[Naming::None])),
+            )
+        };
+        format!(
+            "**Of {} programs whose answers show one fault, {} have the fault named alone, and {} have it named with faults that the answers \
+             cannot tell from it. {wrong}**{of_two}",
+            count(one),
+            count(count_of(1, &[Naming::First])),
+            count(count_of(1, &together)),
+        )
     }
 }
 

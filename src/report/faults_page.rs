@@ -19,7 +19,16 @@ impl Faults {
             count(self.terms.faults() as u64),
             Rewrite::ALL.len()
         );
-        let mut blocks = vec![Block::text(&conclusion), self.best_regimes()];
+        let of_variations = self.terms.detections.iter().map(|row| row.planted).min().unwrap_or_default();
+        let names = format!(
+            "*gate* is `beamgap check`, and *exact* is `beamgap prove`. *torch*, *jax*, *scipy* and *taylor* are finite differences \
+             by the rules of common tools. {} of the {} faults are in variations. The other checks compare variations only, so only \
+             these faults are injected for them. A check has its row for the regime in which it detects the most faults, and of \
+             these for the one in which it rejects the fewest points of the unmodified form.",
+            count(of_variations as u64),
+            count(self.terms.faults() as u64)
+        );
+        let mut blocks = vec![Block::text(&conclusion), Block::text(&names), self.best_regimes()];
         blocks.push(Block::details("What each check does", vec![what_checks_do()]));
         blocks.push(Block::details("Detection in every regime", self.detections()));
         let kinds = self.terms.kinds.iter().map(|(kind, number)| {
@@ -47,7 +56,7 @@ impl Faults {
         Page::new("Faults", blocks)
     }
 
-    /// Each check in the regime in which it detects the most faults, of those in which it accepts the most points.
+    /// Each check in the regime in which it detects the most faults, and of these in that in which it accepts the most points.
     fn best_regimes(&self) -> Block {
         let rows = Check::ALL.into_iter().filter_map(|check| {
             let row = self.best(check)?;
@@ -59,13 +68,14 @@ impl Faults {
             ];
             Some(cells.to_vec())
         });
-        let head = ["check", "its best regime", "#faults detected", "#equivalent formulas rejected"];
+        let head =
+            ["check", "regime with the most detected", "#faults detected", "#equivalent formulas rejected"];
         Block::table(&head, rows.collect())
     }
 
     fn best(&self, check: Check) -> Option<&Detection> {
         let of_check = self.terms.detections.iter().filter(|row| row.check == check);
-        of_check.min_by_key(|row| row.planted - row.detected)
+        of_check.min_by_key(|row| (row.planted - row.detected, row.rejected))
     }
 
     fn detections(&self) -> Vec<Block> {
@@ -79,10 +89,10 @@ impl Faults {
         ];
         vec![
             Block::list(&[
-                "Points rejected: points at which the check rejects the unmodified closed form. It is not asked there again.",
-                "False positives: equivalent formulas that the check rejects at some point.",
-                "The exact check and the gate compare matrices too. The other checks compare variations only, so no fault of \
-                 the matrices is injected for them.",
+                "Points rejected: points at which the check rejects the unmodified closed form. Detected faults are not counted there.",
+                "False positives: equivalent formulas that the check rejects at some point. The points at which it rejects the \
+                 unmodified form count. A check that rejects the unmodified form at one point therefore rejects all of them.",
+                "The exact check and the gate compare matrices too. No fault of the matrices is injected for the other checks.",
             ]),
             Block::table(&head, self.terms.detections.iter().map(detection).collect()),
         ]
@@ -105,7 +115,7 @@ impl Faults {
         });
         let head = ["check", "regime", "#undetected", "in the formulas"];
         let table = Block::table(&head, rows.collect());
-        vec![Block::details("Undetected faults of the other checks, in their best regimes", vec![table])]
+        vec![Block::details("Undetected faults of the other checks, in these regimes", vec![table])]
     }
 
     /// What became of single operations.
@@ -132,8 +142,8 @@ impl Faults {
         vec![
             Block::heading("Faults of single operations"),
             Block::text(&format!(
-                "Not only terms: {} faults of single operations over a prime field, {} of them detected. Each of the others has \
-                 a reason why it changes no result. An operation gets the opposite sign, or its result is zero, doubled or \
+                "{} faults of single operations were injected over a prime field; {} are detected. The others change no result, and the \
+                 report gives the reason of each. An operation gets the opposite sign, or its result is zero, doubled or \
                  one too large, or it is the result of another run: with directions exchanged, beams exchanged, the beam in \
                  place of the bar beam, or other parameters.",
                 count(faults as u64),
@@ -143,8 +153,10 @@ impl Faults {
                 "By code and place",
                 vec![
                     Block::text(
-                        "The place is the formulation and which ends hold a parameter. *Length* divides by d, *normal* uses the \
-                     common normal; *determinants* and *cross* solve the 2x2 system.",
+                        "The place is the formulation, or the parameters that are held at an end. *length*: the distance is the \
+                     length of d, and (40) divides by d. *normal*: the distance is measured along the common normal. \
+                     *determinants*: the 2x2 system is solved by determinants. *cross*: it is solved by cross products. *xi at \
+                     an end*: xi is held.",
                     ),
                     Block::table(&head, self.operations.iter().map(row).collect()),
                 ],
@@ -153,8 +165,8 @@ impl Faults {
                 "A sample in f64",
                 vec![
                     Block::text(
-                        "Operations spread evenly over the code and the points of each regime, their results multiplied by -1, 0 \
-                     and 2. A fault is detected if a number exceeds its tolerance. A fault that is not detected changes all \
+                        "The operations are spread evenly over the code and the points of each regime. Their results are multiplied by \
+                     -1, 0 and 2. A fault is detected if a number exceeds its tolerance. A fault that is not detected changes all \
                      numbers by less than rounding does.",
                     ),
                     sampled,

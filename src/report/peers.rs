@@ -69,7 +69,7 @@ pub struct AtGap {
     pub task: String,
     /// How the Hessians are stored.
     pub layout: String,
-    /// The gap of every pair, in lengths of a tangent; none if each pair has one of the gaps.
+    /// The distance of every pair, in lengths of a tangent; none if each pair has one of the gaps.
     pub gap: Option<f64>,
     /// The median time of a pair in nanoseconds.
     pub ns_median: f64,
@@ -114,10 +114,18 @@ impl Peers {
         Some(fastest(program)? / fastest(OURS)?)
     }
 
+    /// The time of a pair by the closed form, for each layout in which one pair is computed after the other.
+    pub(super) fn times_of_ours(&self, task: &str) -> Vec<(&str, f64)> {
+        let rows = self.rows.iter().filter(|row| row.method == OURS && row.task == task);
+        rows.map(|row| (row.layout.as_str(), row.ns_median)).collect()
+    }
+
     /// What the page says of them, folded away.
     pub(super) fn blocks(&self) -> Vec<Block> {
         let mut blocks = vec![Block::text(&format!(
-            "The same {} pairs of Hermite beams through other programs, on one machine in one run of {} rounds: {}.",
+            "Other programs compute the same {} pairs of Hermite beams, on one machine in one run of {} rounds: {}. Layouts: *full* is \
+             the whole Hessian, *upper* its blocks on and above the diagonal, *half* its entries on and above the diagonal; \
+             *four lanes* are four pairs at once, in the lanes of a vector.",
             count(self.pairs),
             count(self.rounds),
             self.what
@@ -166,7 +174,7 @@ impl Peers {
         let names: Vec<String> = gaps.iter().map(name).collect();
         let head: Vec<&str> =
             ["method", "layout", "task"].into_iter().chain(names.iter().map(String::as_str)).collect();
-        vec![Block::details("Cost over the gap", vec![Block::text(OF_GAPS), Block::table(&head, rows)])]
+        vec![Block::details("Cost over the distance", vec![Block::text(OF_GAPS), Block::table(&head, rows)])]
     }
 }
 
@@ -181,11 +189,11 @@ fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
     found
 }
 
-/// What the table of the gaps shows.
-const OF_GAPS: &str = "A gap is the distance of the centroids over the length of a tangent. In contact it is 4 r/L for elements \
-     of length L and radius r: 0.1 at L = 40 r, 0.02 at L = 200 r. In the mixture each pair has one of the gaps, at random. \
-     Each number is the ratio to the reference on the same pairs in the same run. The reference has one form for all gaps, \
-     which loses digits at small ones.";
+/// What the table of the distances shows.
+const OF_GAPS: &str = "The columns are d/|t|, the distance of the centroids over the length of a tangent. In contact it is 4 r/L for \
+     elements of length L and radius r: 0.1 at L = 40 r, 0.02 at L = 200 r. In the mixture each pair has one of these \
+     distances, at random. Each number is the ratio to the reference on the same pairs in the same run. The reference has one \
+     form for all distances, which loses digits at small ones.";
 
 /// A gap in few characters.
 fn short(gap: f64) -> String {
@@ -199,9 +207,16 @@ impl AtGap {
     }
 }
 
+/// A note with the names of the tasks for their letters.
+fn in_words(note: &str) -> String {
+    note.replace("A one chord step, B two", "one chord step for d, two for all")
+        .replace("B: with", "all: with")
+}
+
 impl Peer {
     fn cells(&self) -> Vec<String> {
         let Self { method, version, how, layout, ns_median, ns_low, ns_high, ratio, note, .. } = self;
+        let note = in_words(note);
         let note = if note.is_empty() { how.clone() } else { format!("{how}; {note}") };
         vec![
             reader_name(method),

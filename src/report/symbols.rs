@@ -9,15 +9,20 @@ pub fn symbols() -> Page {
         let row = |(name, meaning): &(&str, &str)| vec![format!("`{name}`"), (*meaning).to_owned()];
         Block::table(&head, rows.iter().map(row).collect())
     };
+    let words = |rows: &[(&str, &str)]| {
+        let row = |(name, meaning): &(&str, &str)| vec![(*name).to_owned(), (*meaning).to_owned()];
+        Block::table(&["word", "meaning"], rows.iter().map(row).collect())
+    };
     let regimes = Regime::ALL.map(|regime| vec![regime.name().to_owned(), regime.what().to_owned()]);
     let blocks = vec![
         Block::text(
-            "Every symbol and name that the reports use. *Bar* marks the second beam. Parameters run over [-1, 1]. Lengths have the \
-             unit of the dofs.",
+            "**This page defines the symbols, names and terms of the reports.** *Bar* marks the second beam. Parameters run over \
+             [-1, 1]. Lengths have the unit of the dofs.",
         ),
         Block::heading("Quantities"),
         table(["symbol", "meaning"], &QUANTITIES),
         Block::heading("Variations"),
+        Block::text("Letters before a symbol. `D` that stands alone is the determinant of the next table."),
         table(["symbol", "meaning"], &VARIATIONS),
         Block::heading("The system of the closest point"),
         table(["symbol", "meaning"], &SYSTEM),
@@ -27,10 +32,19 @@ pub fn symbols() -> Page {
         Block::heading("Names of faults"),
         Block::text(
             "A fault is named `formula: term = kind`. `H_d: d G11 jj' = sign` is the fault that the term d G11 jj' of the Hessian of \
-             d has the opposite sign. `(bar)` is the same term of the bar beam.",
+             d has the opposite sign. `(bar)` is the same term of the bar beam. The kinds are in [faults](faults.md).",
         ),
+        table(["part of a name", "meaning"], &NAMES),
+        Block::heading("Beams and contact"),
+        words(&CONTACT),
+        Block::heading("Closest points that are not compared"),
+        words(&NOT_COMPARED),
+        Block::heading("Numbers and programs"),
+        words(&TERMS),
         Block::heading("Regimes"),
-        Block::text("Each regime draws random pairs of beams of all curve families."),
+        Block::text(
+            "Each regime draws random pairs of beams of all curve families.",
+        ),
         Block::table(&["regime", "pairs of beams"], regimes.to_vec()),
     ];
     Page::new("Symbols", blocks)
@@ -50,18 +64,18 @@ const QUANTITIES: [(&str, &str); 13] = [
     ("n", "unit normal: d over its length, or t x t_bar over its length"),
     ("c", "t x t_bar"),
     ("g_N", "normal gap: d minus both radii `r` and `r_bar`"),
-    ("g_T, g_T_bar", "tangential gaps, or slips: t (xi - xi_0) and its twin"),
-    ("slip", "xi - xi_0: the parameter since first contact"),
+    ("g_T, g_T_bar", "tangential gaps, also called slips: t (xi - xi_0) and its twin"),
+    ("slip", "in names of terms the factor xi - xi_0: the change of the parameter since first contact"),
     ("w", "unit tangent t / |t|"),
 ];
 
 const VARIATIONS: [(&str, &str); 6] = [
-    ("d before a symbol: dx, dt, dxi", "delta: the first variation along the first direction"),
-    ("D before a symbol: Dx, Dt, Dxi", "Delta: the first variation along the second direction"),
+    ("d before a symbol: dx, dt, dxi, dn", "delta: the first variation along the first direction"),
+    ("D before a symbol: Dx, Dt, Dxi, Dn", "Delta: the first variation along the second direction"),
     ("Dd before a symbol: Ddx, Ddxi", "Delta-delta: the second variation, along both"),
     (
         "du, Du, Ddu",
-        "variations of the position at a fixed parameter: delta_u u, Delta_u u, Delta_u delta_u u",
+        "variations of the position at a fixed parameter: delta_u u, Delta_u u, Delta_u delta_u u, where u is the displacement",
     ),
     ("u_hat", "difference of beam and bar beam: du_hat = du - du_bar"),
     ("rest", "the second variation without the term of Delta-delta xi"),
@@ -71,24 +85,26 @@ const SYSTEM: [(&str, &str); 7] = [
     ("a", "t.t + d.t,xi, equation (50)"),
     ("a_bar", "-t_bar.t_bar + d.t_bar,xi, equation (50)"),
     ("b", "t.t_bar, equation (50)"),
-    ("D", "a a_bar + b b, equation (52): negative at a minimum of the distance"),
+    ("D", "the determinant a a_bar + b b, equation (52): negative at a minimum of the distance"),
     ("R, R_bar", "right-hand sides of the first order, equation (50)"),
     ("R2, R2_bar", "right-hand sides of the second order, equation (55)"),
     (
         "u, u_bar",
-        "vectors of the solution by cross products: D u = t_bar x c - (d.t_bar,xi) t; dxi contains u.du_hat",
+        "before a colon or a dot: vectors of the solution by cross products, not displacements; D u = t_bar x c - (d.t_bar,xi) t, \
+         and dxi contains u.du_hat",
     ),
 ];
 
-const MATRICES: [(&str, &str); 13] = [
+const MATRICES: [(&str, &str); 14] = [
     ("A0, A1, A2", "derivatives of x, x,xi and x,xixi by the dofs of the beam: 3 rows"),
     ("B0, B1, B2", "the same of the bar beam"),
     ("G", "A0 - B0, the derivative of d at fixed parameters"),
     ("g, g_bar", "gradients of xi and xi_bar"),
-    ("H_d, H_t, H_xi, H_g_T", "Hessians of d, t, xi and g_T"),
+    ("grad", "gradient: `grad t`, `grad R`"),
+    ("H_d, H_t, H_t_bar, H_xi, H_g_T", "Hessians of d, t, t_bar, xi and g_T"),
     (
-        "K(v)  K,xi(v)",
-        "second derivatives of v.x and v.x,xi by the dofs: zero for curves linear in their dofs",
+        "K(v)  K,xi(v)  K_bar(v)",
+        "second derivatives of v.x, v.x,xi and v.x_bar by the dofs: zero for curves linear in their dofs",
     ),
     ("S", "Hessian of m.x at fixed second derivatives of xi: m.t,xi gg' + g(A1'm)' + (A1'm)g' + K(m)"),
     ("m", "the vector that S is taken with: a sum of t and t_bar, or u"),
@@ -102,15 +118,94 @@ const MATRICES: [(&str, &str); 13] = [
     ("C, C_bar", "the terms of both Hessians without g and g_bar: G'A1 + A1'G + K,xi(d)"),
 ];
 
+/// Words in names of faults that are no symbols.
+const NAMES: [(&str, &str); 3] = [
+    ("moved", "in (40) the vector t Dxi - t_bar Dxi_bar: `du_hat.moved` is its product with du_hat"),
+    ("turned", "in (40) the vector du,xi Dxi - du_bar,xi Dxi_bar: `d.turned` is its product with d"),
+    ("held", "the formula for a parameter that is held: `xi_bar, xi held` is that of xi_bar with xi held"),
+];
+
+const CONTACT: [(&str, &str); 7] = [
+    (
+        "bar beam",
+        "the second beam of the pair; other codes call the two slave and master, or beam 1 and beam 2",
+    ),
+    ("centroid", "the curve of the cross-section centres; a beam is this curve with a radius"),
+    (
+        "slip",
+        "the tangential gap of friction, the length by which the contact has moved along a beam since it began",
+    ),
+    (
+        "frozen projection",
+        "a tangent with fixed closest points: the motion of the closest points is left out",
+    ),
+    ("held", "a parameter at an end of its beam, where the closest point stays; it does not vary"),
+    ("family", "a type of curve with its dofs, such as `hermite` or `bspline`"),
+    ("jet", "a point of a curve with its derivatives by the parameter and by the dofs"),
+];
+
+const NOT_COMPARED: [(&str, &str); 5] = [
+    (
+        "kink",
+        "a parameter is about to leave its end; the constraint becomes inactive, and only one-sided derivatives exist",
+    ),
+    ("crossing", "the centroids cross, d = 0 to rounding; the distance has no derivatives there"),
+    (
+        "unresolved",
+        "the search left regions open that may hold a closest point: the centroids are nearly parallel there",
+    ),
+    (
+        "degenerate",
+        "one of the reasons of this table, or D = 0, or a tangent of length zero: there is nothing to compare with",
+    ),
+    (
+        "not meaningful",
+        "the tolerance exceeds a thousandth of the scale, the sum of the absolute values of the terms",
+    ),
+];
+
+const TERMS: [(&str, &str); 17] = [
+    (
+        "adapter",
+        "a small program that reads the exported cases, calls the code of a user, and writes its answers",
+    ),
+    (
+        "chord",
+        "Newton's method with a fixed matrix: one step gives all derivatives of d, two steps those of all quantities",
+    ),
+    ("double-double", "a number stored as the sum of two `f64`, with about 32 decimal digits"),
+    ("equivalent formula", "a formula that is written in another way and has the same value"),
+    ("fault", "a term or an operation that is made wrong on purpose"),
+    ("gate", "`beamgap check`: closed form against automatic differentiation in `f64`"),
+    ("golden file", "a file with the expected output of a test"),
+    ("hyper-dual number", "a number with two directions: it holds value, delta, Delta and Delta-delta"),
+    ("kernel", "the fast code for gradients and Hessians, in vector arithmetic"),
+    ("lanes", "the numbers of one vector register: here four pairs are computed at once"),
+    (
+        "layout",
+        "how a Hessian is stored: in blocks, in full, as its upper blocks, or as its entries on and above the diagonal",
+    ),
+    ("lift", "to give the closest point its derivatives by the dofs"),
+    (
+        "prime field",
+        "the integers modulo the prime 2^61 - 1: nothing is rounded, so two formulas are equal or not",
+    ),
+    ("roofline bound", "the least time that the arithmetic or the stores of a method take on the machine"),
+    ("scale", "the sum of the absolute values of the terms of a number"),
+    ("tolerance", "the sum of the rounding bounds of the two numbers that are compared"),
+    ("ulp", "the distance of two neighbouring floating-point numbers"),
+];
+
 #[cfg(test)]
 mod tests {
-    use super::{MATRICES, QUANTITIES, SYSTEM, VARIATIONS};
+    use super::{MATRICES, NAMES, QUANTITIES, SYSTEM, VARIATIONS};
     use crate::variant::catalogue;
 
-    /// Every name that a fault starts with is in a table, but for its `d`, `D`, `Dd` or `grad`, and its bars.
+    /// Every name that a fault starts with is in a table, but for its `d`, `D` or `Dd`, and its bars; so is every word in its
+    /// term.
     #[test]
     fn every_formula_of_a_fault_is_explained() {
-        let known: Vec<&str> = [&QUANTITIES[..], &VARIATIONS, &SYSTEM, &MATRICES]
+        let known: Vec<&str> = [&QUANTITIES[..], &VARIATIONS, &SYSTEM, &MATRICES, &NAMES]
             .into_iter()
             .flatten()
             .flat_map(|(names, _)| names.split([' ', ',', '(', ':']))
@@ -119,7 +214,7 @@ mod tests {
         for fault in catalogue() {
             let fault = fault.to_string();
             let formula = fault.split(':').next().unwrap_or(&fault);
-            for name in formula.split([' ', ',']).filter(|name| !["", "held", "grad"].contains(name)) {
+            for name in formula.split([' ', ',']).filter(|name| !name.is_empty()) {
                 let bare = name.trim_matches('|');
                 let rest = ["Dd", "D", "d", ""].map(|prefix| bare.strip_prefix(prefix));
                 let is_known = rest.into_iter().flatten().any(|rest| {
@@ -127,6 +222,11 @@ mod tests {
                     rest.is_empty() || known.contains(&rest) || known.contains(&rest.trim_end_matches("_bar"))
                 });
                 assert!(is_known, "{fault}: {name}");
+            }
+            let term = fault.split([':', '=']).nth(1).unwrap_or_default();
+            let is_word = |word: &&str| word.len() > 4 && word.chars().all(|c| c.is_ascii_lowercase());
+            for word in term.split([' ', ',', '.', '(', ')', '\'']).filter(is_word) {
+                assert!(known.contains(&word), "{fault}: {word}");
             }
         }
     }

@@ -8,19 +8,30 @@ impl Verify {
     /// The page; the same record always makes the same page.
     pub fn page(&self) -> Page {
         let mut blocks = vec![
-            Block::text(
-                "`beamgap verify` checks programs that others wrote. This report says what was run and what came out. The \
-                 programs that ask them for answers are in `examples/verify/public`.",
-            ),
+            Block::text(&self.conclusion()),
             Block::table(
                 &["program", "version", "#cases", "#compared", "#wrong", "#not answered"],
                 self.runs.iter().map(VerifyRun::row).collect(),
             ),
-            Block::text(
-                "Not answered: the lines of the IPC Toolkit are infinite, so cases with a parameter at an end have no answer; where \
-                 CasADi's iteration does not converge, it gives none. Compared: closest points at which a number was compared. Wrong: those at which a number differs by more than \
-                 a careful evaluation of the textbook formulas loses.",
-            ),
+            Block::list(&[
+                "Compared: closest points at which a number was compared.",
+                "Wrong: closest points at which a number differs by more than its tolerance. If no digits are asked for, the \
+                 tolerance is 8 times the bound on the rounding of the textbook formulas, and bounds on the rounding of the \
+                 closest point and of the reference are added. The factor 8 is a choice; it allows for another order of the sums.",
+                "Not answered: the lines of the IPC Toolkit are infinite, so it does not answer cases with a parameter at an end. \
+                 CasADi does not answer cases in which its iteration does not converge.",
+            ]),
+            Block::heading("How to read the tables"),
+            Block::list(&[
+                "*Worst number*: the number of the regime with the largest error over its size. The size of a gradient or a \
+                 Hessian along the directions is the sum of the absolute values of what is summed.",
+                "*Its digits*: the correct digits of this number. *Bound there*: the digits that the best formulas keep at this \
+                 point at least, by their rounding bound. Most numbers have more digits than this bound.",
+                "The worst number need not be wrong. A number is wrong by its own tolerance. It can be wrong and have more digits \
+                 than the worst number, at a point where more digits can be kept.",
+                "*Fewer digits*: closest points at which a number is right, but has fewer digits than the bound of the best \
+                 formulas there. *Digits lost*: the largest number of digits below this bound.",
+            ]),
         ];
         blocks.extend(self.runs.iter().flat_map(VerifyRun::blocks));
         blocks.extend([
@@ -29,6 +40,27 @@ impl Verify {
             self.environment.table(Vec::new()),
         ]);
         Page::new("Programs of others, verified", blocks)
+    }
+
+    /// What came of all runs.
+    fn conclusion(&self) -> String {
+        let (agree, differ): (Vec<&VerifyRun>, Vec<&VerifyRun>) =
+            self.runs.iter().partition(|run| run.wrong == 0);
+        let counts = differ.iter().map(|run| {
+            let name = run.program.name.clone() + &run.asked();
+            format!("{name} at {} of {} closest points", count(run.wrong), count(run.compared))
+        });
+        let counts: Vec<_> = counts.collect();
+        let differ = match differ.len() {
+            0 => "no run has a wrong number".to_owned(),
+            n => format!("{} have wrong numbers: {}", count(n as u64), counts.join(", ")),
+        };
+        format!(
+            "**Of {} runs of programs that others wrote, {} agree with the reference; {differ}.** `beamgap verify` compared \
+             them. The programs that ask them for answers are in `examples/verify/public`.",
+            count(self.runs.len() as u64),
+            count(agree.len() as u64),
+        )
     }
 }
 
@@ -49,6 +81,19 @@ impl VerifyRun {
         self.digits.map_or_else(String::new, |digits| format!(", {digits} digits asked for"))
     }
 
+    /// Which numbers are wrong, and in which regimes.
+    fn what_is_wrong(&self) -> String {
+        let parts = self.parts.iter().filter(|of| of.wrong > 0);
+        let parts = parts.map(|of| format!("{} of {}, {}", count(of.wrong), of.quantity, of.order));
+        let regimes = self.regimes.iter().filter(|of| of.wrong > 0);
+        let regimes = regimes.map(|of| format!("{} in {}", count(of.wrong), of.regime));
+        let [parts, regimes] = [parts.collect::<Vec<_>>(), regimes.collect()].map(|of| of.join("; "));
+        if parts.is_empty() {
+            return String::new();
+        }
+        format!(" Wrong numbers: {parts}. Closest points with a wrong number: {regimes}.")
+    }
+
     fn blocks(&self) -> Vec<Block> {
         let regimes = self.regimes.iter().map(|of| {
             let worst = of.largest_error.as_ref();
@@ -58,9 +103,9 @@ impl VerifyRun {
                 count(of.compared),
                 count(of.wrong),
                 count(of.losing_digits),
+                worst.map_or_else(String::new, |of| number(&of.comparison)),
                 worst.map_or_else(String::new, |of| digits(of.error)),
                 worst.map_or_else(String::new, |of| digits(of.attainable)),
-                worst.map_or_else(String::new, |of| number(&of.comparison)),
                 of.largest_loss
                     .as_ref()
                     .and_then(|of| of.digits)
@@ -73,32 +118,32 @@ impl VerifyRun {
         });
         let mut blocks = vec![
             Block::heading(&format!("{} {}{}", self.program.name, self.program.version, self.asked())),
-            Block::text(&format!("Run as `{}`{}. Verdict: {}.", self.answers, self.asked(), self.verdict)),
+            Block::text(&format!(
+                "Run as `{}`{}. Verdict: {}.{}",
+                self.answers,
+                self.asked(),
+                self.verdict,
+                self.what_is_wrong()
+            )),
             Block::table(
                 &[
                     "regime",
                     "#compared",
                     "#wrong",
                     "#fewer digits",
-                    "#digits kept",
-                    "#attainable",
-                    "of",
+                    "worst number",
+                    "#its digits",
+                    "#bound there",
                     "#digits lost",
                 ],
                 regimes.collect(),
             ),
-            Block::text(
-                "Digits kept: of the number with the largest error over its size; attainable: those that the best formulas keep \
-                 there at least. The size of a gradient or a Hessian along the directions is the sum of the absolute values \
-                 of what is summed. Fewer digits: closest points at which a number is right, but has lost digits that the \
-                 best formulas keep; digits lost: at most.",
-            ),
             Block::table(&["quantity", "order", "#numbers", "#wrong", "#fewer digits"], parts.collect()),
         ];
-        let reasons = self.not_compared.iter().map(|(reason, of)| format!("{}: {reason}", count(*of)));
+        let reasons = self.not_compared.iter().map(|(reason, of)| format!("{} ({reason})", count(*of)));
         let reasons: Vec<_> = reasons.collect();
         if !reasons.is_empty() {
-            blocks.push(Block::text(&format!("Not compared: {}.", reasons.join("; "))));
+            blocks.push(Block::text(&format!("Closest points not compared: {}.", reasons.join(", "))));
         }
         if let Some(words) = &self.agrees_if {
             blocks.push(Block::text(&format!("The answers agree if {words}.")));

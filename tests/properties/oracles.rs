@@ -26,7 +26,7 @@ fn bounds_are_shown_for_each_side_and_regime() {
     let text = stdout(&run(&arguments));
     let (_, sides) = text.split_once("\nBy regime: closed form\n").unwrap();
     let (closed_form, ad) = sides.split_once("\nBy regime: AD\n").unwrap();
-    let (ad, _) = ad.split_once("\nWhere the tolerance says nothing\n").unwrap();
+    let (ad, _) = ad.split_once("\nPoints whose tolerance is too wide\n").unwrap();
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     for (side, shown) in [("closed form", closed_form), ("AD", ad)] {
         let has_order = |line: &&str| {

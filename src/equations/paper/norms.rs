@@ -193,7 +193,7 @@ fn distance<T: Real>(p: &Point<T>, table: &mut Table<T>) {
             r"\Delta\delta d = \ldots - \frac{1}{d^3}\left[\delta_u\hat{\mathbf{u}}_C\cdot\mathbf{d}\;
 \mathbf{d}\cdot\Delta_u\hat{\mathbf{u}}_C\right] + \frac{1}{d}\mathbf{d}\cdot\Delta_u\delta_u\hat{\mathbf{u}}_C",
         )
-        .remark("Δû_C is never defined; read as total, u is what a random reference configuration leaves of x. As Δd the last term would do here, d being normal to t and t̄, but not in (40).")
+        .remark("The paper does not define Δû_C. Read as a total variation, it is that of u_C − ū_C̄ with u = x − X and a random X. Read as Δd, the last term is equal here, since d is normal to t and t̄; in (40) it is not.")
         .part(Order::Second, "");
     readings(equation, p, formula);
 

@@ -15,21 +15,26 @@ pub(super) struct Note<'a> {
     why: &'a str,
     /// What is wrong with the print.
     wrong: Option<&'a str>,
+    /// What the numbers are, where they are not both sides of what is shown.
+    numbers: Option<&'a str>,
 }
 
 impl<'a> Note<'a> {
-    /// The notes by number: `## 40`, then `= LaTeX`, prose, and `! what is wrong`, each a paragraph.
+    /// The notes by number: `## 40`, then `= LaTeX`, prose, `# what the numbers are` and `! what is wrong`, each a
+    /// paragraph.
     pub(super) fn all(text: &'a str) -> Result<Vec<(u8, Self)>, String> {
         let mut notes = Vec::new();
         for note in text.split("\n## ").skip(1) {
             let (number, rest) = note.split_once('\n').ok_or("a note is empty")?;
             let number = number.trim().parse().map_err(|_| format!("{number:?} is no number"))?;
-            let mut found = Self { statement: None, why: "", wrong: None };
+            let mut found = Self { statement: None, why: "", wrong: None, numbers: None };
             for part in rest.split("\n\n").map(str::trim).filter(|part| !part.is_empty()) {
                 if let Some(latex) = part.strip_prefix("= ") {
                     found.statement = Some(latex);
                 } else if let Some(wrong) = part.strip_prefix("! ") {
                     found.wrong = Some(wrong);
+                } else if let Some(numbers) = part.strip_prefix("# ") {
+                    found.numbers = Some(numbers);
                 } else {
                     found.why = part;
                 }
@@ -58,12 +63,18 @@ pub(super) fn card(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Resul
         row.verdict.words(),
     );
     card += &formula(statement)?;
-    let _ = writeln!(card, "<p class=\"letters\">Letters: {}</p>", used(statement)?);
+    let letters = used(statement)?;
+    if !letters.is_empty() {
+        let _ = writeln!(card, "<p class=\"letters\">Letters: {letters}</p>");
+    }
     let _ = writeln!(card, "<p>{}</p>", prose(note.why)?);
     if row.verdict == Verdict::ExactIfLinear {
         let _ = writeln!(card, "<p>{}</p>", prose(&dropped(row))?);
     }
     card += &code(&of_equation(number)?, number)?;
+    if let Some(what) = note.numbers {
+        let _ = writeln!(card, "<p>{}</p>", prose(what)?);
+    }
     card += &numbers(worked);
     card += &evidence(row)?;
     if row.verdict == Verdict::Misprint {

@@ -49,6 +49,8 @@ pub(in crate::report) fn mathml(latex: &str, block: bool) -> Result<String, Stri
     if out.contains("<merror") {
         return Err(format!("{latex} cannot be parsed"));
     }
+    // The renderer escapes the space of `\ ` twice.
+    let out = out.replace("<mtext>&amp;nbsp;</mtext>", "<mspace width=\"0.25em\" />");
     Ok(coloured(&out.replace("\"minsize", "\" minsize")))
 }
 
@@ -116,6 +118,8 @@ mod tests {
         let math = mathml(r"\vd\cdot\vtb + \delta_u\uh", false).unwrap();
         assert!(math.contains("<mi class=\"d\">𝐝</mi>"), "{math}");
         assert!(math.contains("<mover class=\"r\">") && math.contains("<mover class=\"h\">"), "{math}");
+        let spaced = mathml(r"a\ b", true).unwrap();
+        assert!(spaced.contains("<mspace") && !spaced.contains("nbsp"), "{spaced}");
         assert!(mathml(r"\frac{1}", false).is_err() && mathml(r"\nonsense", true).is_err());
     }
 }

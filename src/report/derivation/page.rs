@@ -4,6 +4,7 @@ use super::equation::{Note, card};
 use super::figures::{Axis, Plot, Series, before_and_after, blocks, two_lines, varied_pair};
 use super::record::Derivation;
 use super::source::marked;
+use super::tables::tangent;
 use super::text::{escaped, html, inline, sections};
 use crate::check;
 use crate::equations::{EquationTable, Verdict};
@@ -26,7 +27,7 @@ const MARKED: [(&str, &str); 2] = [
 impl Derivation {
     /// The page: one file that needs no other, and no program to read it.
     ///
-    /// Without `accuracy` the figure of the digits that are lost at small gaps is left out.
+    /// Without `accuracy` the figure of the digits that are lost at small distances is left out.
     ///
     /// # Errors
     /// [`ReportError::Derivation`] if the text, a formula or the source is not as expected, with what is wrong.
@@ -116,8 +117,8 @@ impl Derivation {
         let count = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
         let series = self.newton.iter().zip(classes).map(|(run, class)| Series {
             name: match &run.stopped {
-                None => format!("{}: {} iterations", escaped(&run.tangent), run.residuals.len() - 1),
-                Some(_) => format!("{}: does not converge", escaped(&run.tangent)),
+                None => format!("{}: {} iterations", escaped(tangent(&run.tangent)), run.residuals.len() - 1),
+                Some(_) => format!("{}: does not converge", escaped(tangent(&run.tangent))),
             },
             class,
             points: run
@@ -166,7 +167,7 @@ impl Derivation {
     }
 }
 
-/// The digits that are lost at small gaps.
+/// The digits that are lost at small distances.
 fn digits_figure(accuracy: &Accuracy) -> String {
     let of = |pick: fn(&check::Errors) -> Option<f64>| {
         accuracy.found.gaps.iter().filter_map(|row| Some((row.at, pick(&row.d)?))).collect()
@@ -179,7 +180,7 @@ fn digits_figure(accuracy: &Accuracy) -> String {
             points: of(|losses| losses.robust),
         },
     ];
-    let x = (Axis::Powers(-10, 0, 2), "distance of the centroids, in lengths of a beam");
+    let x = (Axis::Powers(-10, 0, 2), "distance of the centroids over the length of a beam");
     let y = (Axis::Powers(-16, 2, 3), "median relative error of Δδd");
     Plot { title: "Error of the second variation of d over the distance, for two forms", x, y, series }.draw()
 }

@@ -21,7 +21,7 @@ impl Derivation {
     fn newton_table(&self) -> String {
         let mut head = String::new();
         for run in &self.newton {
-            let _ = write!(head, "<th scope=\"col\">{}</th>", escaped(&run.tangent));
+            let _ = write!(head, "<th scope=\"col\">{}</th>", escaped(tangent(&run.tangent)));
         }
         let mut rows = String::new();
         for i in 0..=8 {
@@ -50,13 +50,17 @@ impl Derivation {
             (r"\xb_{,z}", of.gradients[1], "15/128"),
             ("d_{,z}", of.derivatives[0], "−3/4"),
             ("d_{,zz}", of.derivatives[1], "−25/256"),
-            (r"d_{,zz}\text{, hyper-dual}", of.by_ad[1], "−25/256"),
         ];
         let mut lines = String::new();
+        let mut add = |quantity: &str, value, by_hand| {
+            let value = number(value);
+            let _ = writeln!(lines, "<tr><td>{quantity}</td><td>{by_hand}</td><td>{value}</td></tr>");
+        };
         for (latex, value, by_hand) in rows {
-            let latex = mathml(latex, false)?;
-            let _ = writeln!(lines, "<tr><td>{latex}</td><td>{by_hand}</td><td>{}</td></tr>", number(value));
+            add(&mathml(latex, false)?, value, by_hand);
         }
+        let by_ad = mathml("d_{,zz}", false)? + " by hyper-dual numbers";
+        add(&by_ad, of.by_ad[1], "−25/256");
         let head = "<th scope=\"col\">quantity</th><th scope=\"col\">by hand</th><th scope=\"col\">by the program</th>";
         Ok(wide("numbers of the pair that is worked by hand", head, &lines))
     }
@@ -77,9 +81,9 @@ impl Derivation {
             let _ = writeln!(rows, "<tr><th scope=\"row\">{name}</th><td>{deviation}</td></tr>");
         }
         let symmetry = if effect.is_symmetric {
-            "passes: it does not see the fault"
+            "passes: it does not detect the fault"
         } else {
-            "fails: it sees the fault"
+            "fails: it detects the fault"
         };
         let exact = self.newton.first().map_or(0, |run| run.residuals.len().saturating_sub(1));
         let newton = match (effect.in_hessian, effect.iterations) {
@@ -104,6 +108,11 @@ impl Derivation {
             inline(&format!("({})", effect.equation))?,
         ))
     }
+}
+
+/// The name of a tangent for a reader: that of the record, or what it leaves out in full.
+pub(super) fn tangent(record: &str) -> &str {
+    if record == "without d.t,xi" { "without d.t,xi and d.t_bar,xi_bar" } else { record }
 }
 
 /// A table that is scrolled where it is too wide.

@@ -1,4 +1,4 @@
-//! What each formulation loses: median errors over the gap and over the angle.
+//! What each formulation loses: median errors over the distance and over the angle.
 
 use super::errors;
 use crate::check::{Errors, Level};
@@ -13,12 +13,12 @@ const BOTTOM: f64 = 340.0;
 const LINES: [(usize, &str); 3] = [(1, "thick s1"), (0, "thick s0"), (2, "thick dashed s2")];
 
 impl Accuracy {
-    /// The errors of Delta-delta d over the gap; the same record always makes the same picture.
+    /// The errors of Delta-delta d over the distance; the same record always makes the same picture.
     pub fn gap_to_svg(&self) -> String {
         let names = ["paper: divides by d", "robust: along the normal", "chosen by the library"];
         picture(
-            "Second variation of d over the gap",
-            "gap / length of a beam",
+            "Second variation of d over the distance",
+            "d/L: distance / length of a beam",
             names,
             &self.found.gaps,
             |row| row.d,
