@@ -42,9 +42,7 @@ pub fn symbols() -> Page {
         Block::heading("Numbers and programs"),
         words(&TERMS),
         Block::heading("Regimes"),
-        Block::text(
-            "Each regime draws random pairs of beams of all curve families.",
-        ),
+        Block::text("Each regime draws random pairs of beams of all curve families."),
         Block::table(&["regime", "pairs of beams"], regimes.to_vec()),
     ];
     Page::new("Symbols", blocks)

@@ -34,7 +34,7 @@ const STYLES: [&str; 2] =
 /// Instructive faults: their names, and the labels of their buttons.
 const LESSONS: [(&str, &str); 6] = [
     ("", "no fault"),
-    ("a: d.t,xi = dropped", "a without its curvature term"),
+    ("a: d.t,xi = dropped", "a without d·t,ξ"),
     ("R: du,xi.d = dropped", "R without δu,ξ·d"),
     ("d|d|: n.du_hat = sign", "δd with the wrong sign"),
     ("Dd x: rest = dropped", "Δδx without its known terms"),
