@@ -2,7 +2,7 @@
 //!
 //! A language without a compiler is skipped. If BEAMGAP_ADAPTERS is set, a missing compiler is an error.
 
-use crate::program::{run, stdout};
+use crate::program::{run, shown_in_the_readme, stdout};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -109,6 +109,20 @@ fn the_c_program_agrees_until_a_term_is_wrong() {
 #[test]
 fn the_cpp_program_agrees_until_a_term_is_wrong() {
     verified(&ADAPTERS[2]);
+}
+
+/// The README shows what comes of its commands.
+#[test]
+fn the_cpp_program_is_verified_as_the_readme_shows() {
+    let folder = folder("readme");
+    let vectors = folder.join("vectors.jsonl");
+    let vectors = vectors.to_str().unwrap();
+    assert!(run(&["export", "--family", "segment", "-o", vectors]).status.success());
+    let Some(program) = made(&ADAPTERS[2], &folder, &stdout(&run(&["adapter", "cpp"]))) else { return };
+    shown_in_the_readme(
+        &stdout(&run(&["verify", vectors, "--run", &program])),
+        "$ beamgap verify vectors.jsonl --run ./adapter",
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The command line: its output, its exit codes, and that its output is reproducible.
 
-use crate::program::{blind_json, blind_text, command, golden, json, run, stdout};
+use crate::program::{blind_json, blind_text, command, golden, json, run, shown_in_the_readme, stdout};
 use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
 
@@ -54,6 +54,15 @@ fn one_case_fits_a_terminal_and_shows_what_differs() {
         assert_eq!((rows(&wrong, " WRONG"), rows(&wrong, " agrees")), (rows(&all, " WRONG"), 0));
     }
     assert_eq!(run(&["check", "--only-wrong"]).status.code(), Some(2));
+}
+
+/// The README shows what a red check prints last.
+#[test]
+fn an_injected_fault_is_answered_as_the_readme_shows() {
+    let output = run(&["check", "--cases", "121", "--plant", "a: d.t,xi = dropped"]);
+    assert_eq!(output.status.code(), Some(1));
+    let command = "$ cargo run --release -- check --cases 121 --plant 'a: d.t,xi = dropped'";
+    shown_in_the_readme(&String::from_utf8_lossy(&output.stdout), command);
 }
 
 #[test]
