@@ -10,7 +10,7 @@ use super::verify::Verified;
 use beamgap::check::external::{PartFound, Report};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
-pub(super) use diagnosis::{cause, explained};
+pub(super) use diagnosis::{Diagnosed, cause, first_wrong};
 pub(super) use json::{explanation, json};
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! `beamgap verify`: the answers of a program in any language, from a file or from the program itself.
 
-use super::answered;
+use super::answered::{self, Diagnosed};
 use super::arguments::work_with;
 use super::exit::Exit;
 use super::export::source;
@@ -11,7 +11,6 @@ use beamgap::check::external::{
 };
 use clap::error::ErrorKind;
 use clap::{Args, value_parser};
-use std::cell::LazyCell;
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -88,15 +87,19 @@ impl Verify {
                 other => return Err(other.into()),
             },
         };
-        let outcome = answered::outcome(&verified);
+        let mut outcome = answered::outcome(&verified);
         let exit = outcome.verdict.exit;
         let explain = !self.no_explanation && exit == Exit::Disagree;
         // The tables are printed first, because an explanation takes seconds.
         outputs.begin(&answered::human(&verified))?;
-        let explanation =
-            LazyCell::new(|| if explain { answered::explained(&verified) } else { String::new() });
-        let human = || answered::human(&verified) + &explanation + &outcome.verdict.words + "\n";
-        outputs.write(&outcome, human, || answered::json(&verified, explain))?;
+        let diagnosed = Diagnosed::of(&verified, explain);
+        let mut human = answered::human(&verified);
+        if explain {
+            human += &answered::first_wrong(&verified);
+            outcome.verdict.words += &diagnosed.words();
+        }
+        let human = || format!("{human}{}\n", outcome.verdict.words);
+        outputs.write(&outcome, human, || answered::json(&verified, &diagnosed))?;
         match failed {
             Some(error) if exit == Exit::Agree => Err(error),
             Some(error) => {

@@ -94,6 +94,26 @@ fn verified(adapter: &Adapter) {
         "{told}"
     );
     assert!(told.contains("In the catalogue: `R: du,xi.d = dropped`\n"), "{told}");
+    if adapter.language == "cpp" {
+        named_in_every_format(vectors, &program, &folder);
+    }
+}
+
+/// The wrong term stands in what a CI job shows.
+fn named_in_every_format(vectors: &str, program: &str, folder: &Path) {
+    let files = ["junit", "sarif", "markdown"].map(|format| (format, folder.join(format)));
+    let outputs = files
+        .iter()
+        .flat_map(|(format, path)| ["--output".to_owned(), format!("{format}={}", path.display())]);
+    let options: Vec<String> =
+        ["verify", vectors, "--run", program, "--format", "github"].map(str::to_owned).into();
+    let arguments: Vec<String> = options.into_iter().chain(outputs).collect();
+    let output = run(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let texts = files.iter().map(|(_, path)| std::fs::read_to_string(path).unwrap());
+    for text in texts.chain([String::from_utf8(output.stdout).unwrap()]) {
+        assert!(text.contains("the term du,xi.d of R, eq. (44) and (50), is missing"), "{text}");
+    }
 }
 
 #[test]

@@ -3,13 +3,54 @@
 use super::name_of;
 use crate::cli::human::error;
 use crate::cli::verify::Verified;
-use beamgap::check::external::{Cause, Explanation, Judged, Location, explain, locate, other_conventions};
+use beamgap::check::external::{self, Cause, Explanation, Judged, Location, locate, other_conventions};
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
 use std::fmt::Write;
 
-/// The first wrong number and the cause.
-pub(in crate::cli) fn explained(verified: &Verified) -> String {
+/// The cause of wrong answers.
+#[derive(Default)]
+pub(in crate::cli) struct Diagnosed {
+    /// Rounding of the textbook formulas explains the first wrong number.
+    is_rounding: bool,
+    /// The conventions in which the answers agree.
+    pub(in crate::cli) conventions: Option<String>,
+    /// The wrong term, if it was looked for.
+    pub(in crate::cli) explanation: Option<Explanation>,
+}
+
+impl Diagnosed {
+    /// Looks for conventions in which the answers agree, and if `explain` for the wrong term.
+    pub(in crate::cli) fn of(Verified { report, demands, .. }: &Verified, explain: bool) -> Self {
+        let Some((.., judged)) = &report.first else { return Self::default() };
+        if judged.is_rounding {
+            return Self { is_rounding: true, ..Self::default() };
+        }
+        let conventions = other_conventions(&report.kept, demands);
+        let is_asked = explain && conventions.is_none();
+        let explanation = is_asked.then(|| external::explain(&report.kept, demands)).flatten();
+        Self { is_rounding: false, conventions, explanation }
+    }
+
+    /// The cause in words, each line after a line break; empty if nothing is known of it.
+    pub(in crate::cli) fn words(&self) -> String {
+        let text = match self {
+            Self { is_rounding: true, .. } => {
+                "Rounding of the textbook formulas explains it: the formulas are right, but keep too few digits here."
+                    .to_owned()
+            }
+            Self { conventions: Some(words), .. } => {
+                format!("The answers agree if {words}.\nState it in the head of the answers.")
+            }
+            Self { explanation: Some(explanation), .. } => cause(explanation),
+            _ => return String::new(),
+        };
+        format!("\n{}", text.trim_end())
+    }
+}
+
+/// The first wrong number, and where to look.
+pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {
     let Verified { report, demands, .. } = verified;
     let mut text = String::new();
     let Some((vector, answers, judged)) = &report.first else { return text };
@@ -25,13 +66,6 @@ pub(in crate::cli) fn explained(verified: &Verified) -> String {
             report.wrong,
             at(order, quantity)
         );
-    }
-    if judged.is_rounding {
-        text += "Rounding of the textbook formulas explains it: the formulas are right, but keep too few digits here.\n";
-    } else if let Some(words) = other_conventions(&report.kept, demands) {
-        let _ = writeln!(text, "The answers agree if {words}.\nState it in the head of the answers.");
-    } else if let Some(explanation) = explain(&report.kept, demands) {
-        text += &cause(&explanation);
     }
     text + "\n"
 }

@@ -1,15 +1,16 @@
 //! The result for the answers of a program, as JSON.
 
+use super::diagnosis::Diagnosed;
 use super::verdict;
 use crate::cli::json;
 use crate::cli::outcome::Verdict;
 use crate::cli::verify::Verified;
-use beamgap::check::external::{self, Explanation, locate, other_conventions};
+use beamgap::check::external::{Explanation, locate};
 use beamgap::linearization::Quantity;
 use serde_json::{Value, json};
 
 /// The result as JSON, of the schema `beamgap-verify/1`.
-pub(in crate::cli) fn json(verified: &Verified, explain: bool) -> anyhow::Result<String> {
+pub(in crate::cli) fn json(verified: &Verified, diagnosed: &Diagnosed) -> anyhow::Result<String> {
     let Verified { report, demands, command, reason } = verified;
     let parts = report.parts.iter().map(|((_, quantity, part), found)| {
         json!({
@@ -63,14 +64,6 @@ pub(in crate::cli) fn json(verified: &Verified, explain: bool) -> anyhow::Result
         })
     });
     let Verdict { name, words, .. } = verdict(verified);
-    let conventions: Option<Value> = (report.wrong > 0)
-        .then(|| other_conventions(&report.kept, demands))
-        .flatten()
-        .map(|words| json!(words));
-    let explanation = (explain && conventions.is_none())
-        .then(|| external::explain(&report.kept, demands))
-        .flatten()
-        .map(|of| explanation(&of));
     json::text(&json!({
         "schema": "beamgap-verify/1",
         "version": env!("CARGO_PKG_VERSION"),
@@ -90,8 +83,8 @@ pub(in crate::cli) fn json(verified: &Verified, explain: bool) -> anyhow::Result
         "parts": parts.collect::<Vec<_>>(),
         "regimes": regimes.collect::<Vec<_>>(),
         "first": first,
-        "agrees_if": conventions,
-        "explanation": explanation,
+        "agrees_if": diagnosed.conventions,
+        "explanation": diagnosed.explanation.as_ref().map(explanation),
     }))
 }
 

@@ -18,6 +18,11 @@ pub(in crate::cli) fn sarif(outcome: &Outcome) -> anyhow::Result<String> {
         .wrong()
         .map(|entry| (id(&entry.group), format!("beamgap {command}, {}: a number differs.", entry.group)))
         .collect();
+    // The first alert shows the verdict too, which names the cause.
+    if let Some(first) = results.first_mut() {
+        let text = first["message"]["text"].as_str().unwrap_or_default();
+        first["message"]["text"] = format!("{text}\n{}", verdict.words).into();
+    }
     // An error of the whole result has no line in the source.
     if outcome.is_wrong_as_a_whole() {
         results.push(json!({
