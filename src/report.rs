@@ -1,9 +1,9 @@
 //! The reports: records as JSON with a versioned schema, and pages made from the records alone.
 //!
-//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`], [`Derivation`] and [`Benchmark`] are the records: the results of the check,
-//! the overestimation of the tolerances, the digits that each formulation keeps, the results of fault injection, the verdict
-//! on each equation, and the measurements of criterion. Markdown, HTML and SVG are pure functions of the
-//! data read back from the JSON. The same JSON therefore always gives the same pages, byte for byte.
+//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`], [`Derivation`] and [`Benchmark`] are the records: the
+//! results of the check, the overestimation of the tolerances, the digits that each formulation keeps, the results of fault
+//! injection, the verdict on each equation, and the measurements of criterion. Markdown, HTML and SVG are pure functions of
+//! the data read back from the JSON. The same JSON therefore always gives the same pages, byte for byte.
 
 mod accuracy;
 mod accuracy_page;

@@ -62,8 +62,8 @@ pub(in super::super) fn wrapped(text: &str, columns: usize, first: &str, next: &
     lines + &line + "\n"
 }
 
-/// Text in columns as wide as what they hold, within a width: else titles take several lines, then the cells of the widest
-/// column of words, and then the columns of numbers continue below.
+/// Text in columns as wide as their contents. If a table is too wide, titles take several lines, then the cells of the widest
+/// column of words do, and then the columns of numbers continue below.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     titles: Vec<String>,
