@@ -1,17 +1,17 @@
 //! The equations of the paper, as printed and as corrected, and their verdicts.
 //!
-//! Each equation is entered once, generic over the scalar, with the LaTeX of the print next to the formula. It is evaluated
+//! The table has each equation once, generic over the scalar, with the LaTeX of the print next to the formula. It is run
 //! over the prime field of [`prove`](crate::prove), at stationary pairs of all families, and in `f64`, at closest points of
-//! the [check](crate::check). The reference is hyper-dual differentiation. An equation takes reference values for everything
-//! but itself, so each equation is judged alone.
+//! the [check](crate::check). The reference is hyper-dual differentiation. An equation uses reference values for everything
+//! except itself, so each equation is judged alone.
 //!
 //! # Verdicts
 //! - Exact: the print is equal in every draw.
 //! - Exact if linear: the print is equal for curves that are linear in their dofs, and refuted for others. The paper drops
 //!   terms that it calls of higher order; they are of the order of the terms that it keeps.
 //! - Misprint: the print is refuted for linear curves too, and the correction is equal in every draw.
-//! - Refuted: the correction is refuted. The table does not hold then.
-//! - Definitions, lists, assumptions and equations that the scan has lost need no evidence.
+//! - Refuted: the correction is refuted. The table is then not valid.
+//! - Definitions, lists, assumptions and equations that are missing in the scan need no evidence.
 //!
 //! A print without a meaning has several readings. Each reading is evaluated.
 //!
@@ -21,7 +21,7 @@
 //! stationary pairs only is symmetric by orthogonality.
 //!
 //! # Places
-//! The lines that compute an equation are found in the source: `Eq. (40)` in a comment or in a doc alias.
+//! The lines that compute an equation are found in the source by `Eq. (40)` in a comment or in a doc alias.
 
 mod arc;
 mod claim;

@@ -1,8 +1,8 @@
 //! Fault injection: whether a check fails when a term is wrong, and passes when a formula is only rewritten equivalently.
 //!
 //! Every fault of the [catalogue](crate::variant::catalogue) and every [`Rewrite`](crate::variant::Rewrite) is put
-//! through the gate and through the checks that are used elsewhere. All checks evaluate the same closest points in every
-//! regime: inside both beams, in all four forms of the closed form, and at the ends of beams. The beams are linear in their
+//! through the gate and through other common checks. All checks evaluate the same closest points in every
+//! regime: inside both beams, in all four formulations of the closed form, and at the ends. The beams are linear in their
 //! dofs or not. A fault is undetected if the check passes at every point. A rewrite that the check rejects at some point is
 //! a false positive.
 

@@ -1,9 +1,9 @@
-//! The reports, as JSON of a stable form, and pages made of it alone.
+//! The reports: records as JSON with a versioned schema, and pages made from the records alone.
 //!
-//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`], [`Derivation`] and [`Benchmark`] are the records: what the gate found,
-//! how sharp its tolerances are, how many digits each form keeps, what it made of planted faults, what became of each
-//! equation, and what criterion measured. Markdown, HTML and SVG are pure functions of what
-//! is read back from the JSON, so that whoever has it can make the pages again, byte for byte.
+//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`], [`Derivation`] and [`Benchmark`] are the records: the
+//! results of the check, the overestimation of the tolerances, the digits that each formulation keeps, the results of fault
+//! injection, the verdict on each equation, and the measurements of criterion. Markdown, HTML and SVG are pure functions of
+//! the data read back from the JSON. The same JSON therefore always gives the same pages, byte for byte.
 
 mod accuracy;
 mod accuracy_page;
@@ -77,13 +77,13 @@ use std::path::Path;
 pub const SEED: u64 = 0x5eed;
 /// The cases of each regime in a report.
 pub const CASES: u64 = 10_000;
-/// The cases of each regime that the bounds on rounding are measured with.
+/// The cases of each regime for the measurement of the bounds on rounding.
 pub const BOUNDS_CASES: u64 = 11_112;
-/// The pairs at each gap and angle that the accuracy of each form is measured with: all pairs of families, eight times.
+/// The pairs at each gap and angle for the measurement of the accuracy: all pairs of families, eight times.
 pub const ACCURACY_PAIRS: u32 = 968;
 
-/// Runs the gate over `cases` cases of each regime and writes `crosscheck.json` and `crosscheck.md` into the directory
-/// `to`; `done` is called after each case.
+/// Runs the check over `cases` cases of each regime and writes `crosscheck.json` and `crosscheck.md` into the directory
+/// `to`. Calls `done` after each case.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
@@ -103,8 +103,8 @@ pub fn crosscheck(
     Ok(record)
 }
 
-/// Measures how far above the error the tolerances are, over `cases` cases of each regime, and writes `bounds.json` and
-/// `bounds.md` into the directory `to`; `done` is called after each case.
+/// Measures the overestimation of the tolerances over `cases` cases of each regime, and writes `bounds.json` and
+/// `bounds.md` into the directory `to`. Calls `done` after each case.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
@@ -124,8 +124,8 @@ pub fn bounds(
     Ok(record)
 }
 
-/// Measures how many digits each form keeps and writes `accuracy.json`, `accuracy.md` and two pictures into the directory
-/// `to`.
+/// Measures the digits that each formulation keeps. Writes `accuracy.json`, `accuracy.md` and two pictures into the
+/// directory `to`.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.
@@ -141,7 +141,7 @@ pub fn accuracy(to: &Path, seed: u64, command: &str) -> Result<Accuracy, ReportE
     Ok(record)
 }
 
-/// Writes `symbols.md`, which the other pages refer to, into the directory `to`.
+/// Writes `symbols.md` into the directory `to`. The other pages refer to it.
 ///
 /// # Errors
 /// [`ReportError::Write`] if the file cannot be written.
@@ -169,11 +169,11 @@ pub fn equations(to: &Path, record: &Equations) -> Result<(), ReportError> {
     write(to, "equations.md", &Equations::from_json(&json)?.page().to_markdown())
 }
 
-/// Writes `derivation.json` and `derivation.html` into the directory `to`; with the digits that are lost at small gaps, if
-/// `accuracy.json` is there.
+/// Writes `derivation.json` and `derivation.html` into the directory `to`. The page shows the digits lost at small gaps if
+/// `accuracy.json` exists.
 ///
 /// # Errors
-/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Derivation`] if the page cannot be put together.
+/// [`ReportError::Write`] if a file cannot be written, [`ReportError::Derivation`] if the page cannot be composed.
 pub fn derivation(to: &Path, equations: &Equations) -> Result<(), ReportError> {
     let record = Derivation::compute(&equations.environment.command)
         .map_err(|error| ReportError::Derivation { what: error.to_string() })?;
@@ -184,11 +184,11 @@ pub fn derivation(to: &Path, equations: &Equations) -> Result<(), ReportError> {
     write(to, "derivation.html", &Derivation::from_json(&json)?.to_html(&equations.table, accuracy.as_ref())?)
 }
 
-/// Reads what criterion left in `from`, and the counts of instructions and the peers if `to` has them, and writes
+/// Reads the results of criterion from `from`, and the counts of instructions and the peers if `to` has them. Writes
 /// `benchmark.json` and its pages and pictures into the directory `to`.
 ///
 /// # Errors
-/// [`ReportError::NoMeasurements`] and its like if a piece is missing: they name it, and the command that makes it;
+/// [`ReportError::NoMeasurements`] or a similar error if a part is missing; the error names the part and the command for it.
 /// [`ReportError::Write`] if a file cannot be written.
 pub fn benchmark(to: &Path, from: &Path) -> Result<Benchmark, ReportError> {
     let read = |name: &str| fs::read_to_string(to.join(name)).ok();

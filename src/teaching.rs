@@ -1,6 +1,6 @@
-//! What the derivation is taught with: two elastic beams in contact, solved by Newton's method.
+//! The example of the derivation: two elastic beams in contact, solved by Newton's method.
 //!
-//! `examples/newton.rs` prints what happens if a term of the tangent is missing or wrong. The page of the derivation draws
+//! `examples/newton.rs` prints the effect of a missing or wrong term of the tangent. The page of the derivation draws
 //! it.
 //!
 //! # The tangent of a contact element in five minutes
@@ -17,9 +17,9 @@
 //! ∇d = f,Q        Hess d = f,QQ + f,Qp ∇p        f,pp ∇p = −f,pQ
 //! ```
 //!
-//! The gradient needs no derivative of the parameters, the Hessian needs the first ones. The slip g_T = t (ξ − ξ₀) of
-//! friction holds ξ itself, so its Hessian needs Hess ξ. That is why the paper derives second variations of ξ, and why normal
-//! contact does without them.
+//! The gradient needs no derivative of the parameters. The Hessian needs the first derivatives. The slip g_T = t (ξ − ξ₀) of
+//! friction contains ξ itself, so its Hessian needs Hess ξ. For this the paper derives second variations of ξ. Normal
+//! contact does not need them.
 //!
 //! ```
 //! use beamgap::teaching::{Problem, Tangent};

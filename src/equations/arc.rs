@@ -5,10 +5,10 @@ use crate::test_beam::Family;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// The slip, in the parameter, over which both are taken; and half of it.
+/// The slips in the parameter for which both are computed: a slip and half of it.
 const SLIPS: [f64; 2] = [0.1, 0.05];
 
-/// How far (14) is from (12) for the curves of one family.
+/// The difference of (14) and (12) for the curves of one family.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Arc {
     /// The family.
@@ -17,12 +17,12 @@ pub struct Arc {
     pub slip: f64,
     /// The largest difference over the arc length, to two digits.
     pub error: f64,
-    /// The median of how many times smaller the difference is for half the slip; 4 if its leading term is quadratic.
+    /// The median ratio of the differences for the whole and for half the slip; 4 if the leading term is quadratic.
     pub ratio: Option<f64>,
 }
 
 impl Arc {
-    /// Whether the difference is rounding: the length of the tangent does not change along these curves.
+    /// Whether the difference is rounding: the length of the tangent is constant along these curves.
     pub fn is_exact(&self) -> bool {
         self.error < 1e-9
     }
@@ -36,7 +36,7 @@ pub(super) struct Measured {
     error: f64,
 }
 
-/// Compares t (xi_C - xi_C0) with the arc length, where the slip comes from the middle of the beam.
+/// Compares t (xi_C - xi_C0) with the arc length. The slip starts at the middle of the beam.
 pub(super) fn measure(family: Family, beam: &dyn Centroid, xi: f64) -> Measured {
     let length = |xi: f64| beam.geometry(xi).t.norm();
     let lengths = SLIPS.map(|slip| {

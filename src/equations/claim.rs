@@ -1,4 +1,4 @@
-//! What the paper says of symmetry, and what the runs say.
+//! The claims of the paper about symmetry, and the results of the runs.
 
 use super::record::{EquationRow, Run};
 use super::table::Reading;
@@ -10,22 +10,22 @@ use serde::{Deserialize, Serialize};
 pub struct Claim {
     /// The claim.
     pub says: String,
-    /// Where it is made.
+    /// The place of the claim in the paper.
     pub made: String,
-    /// Formulas that are symmetric whatever their operands are, that are so at stationary points, and that are not.
+    /// The numbers of formulas that are symmetric for any operands, symmetric at stationary points, and not symmetric.
     pub found: [u64; 3],
     /// The equations with a formula that is not symmetric.
     pub broken_by: Vec<u8>,
 }
 
 impl Claim {
-    /// Whether there are such formulas and all are symmetric.
+    /// Whether such formulas exist and all are symmetric.
     pub fn holds(&self) -> bool {
         self.found[2] == 0 && self.found.iter().sum::<u64>() > 0
     }
 }
 
-/// The claims, over the runs they are about.
+/// The claims, with the results of the runs that they refer to.
 pub(super) fn claims(equations: &[EquationRow]) -> Vec<Claim> {
     let as_corrected = |_: u8, run: &Run, corrected: bool| corrected && run.reading != Reading::Other;
     let printed = |run: &Run| run.reading == Reading::Printed;
@@ -51,7 +51,7 @@ pub(super) fn claims(equations: &[EquationRow]) -> Vec<Claim> {
     ]
 }
 
-/// A claim about the runs that `about` picks by number, and by whether they are the last correction.
+/// A claim about the runs that `about` selects by number, and by whether they are the last correction.
 fn claim(equations: &[EquationRow], says: &str, made: &str, about: impl Fn(u8, &Run, bool) -> bool) -> Claim {
     let mut claim =
         Claim { says: says.to_owned(), made: made.to_owned(), found: [0; 3], broken_by: Vec::new() };

@@ -16,7 +16,7 @@ use rand_chacha::ChaCha8Rng;
 
 const CONTACT: Contact = Contact { radius: 0.125, radius_bar: 0.25, xi_0: 0.5, xi_bar_0: -0.75 };
 
-/// Reads all equations at a stationary pair of these families.
+/// Evaluates all equations at a stationary pair of these families.
 pub(super) fn draw(seed: u64, families: [Family; 2], draw: u64) -> Tally {
     let mut rng = stream(seed, families, draw);
     let models = families.map(|family| family.model(&mut rng));
@@ -31,7 +31,7 @@ pub(super) fn draw(seed: u64, families: [Family; 2], draw: u64) -> Tally {
     Tally::of_draw(nonlinear, [point, exchanged], [random, random_exchanged])
 }
 
-/// The words of all equations, which are the same at every point.
+/// The texts of all equations. They are the same at every point.
 pub(super) fn words() -> Table<PrimeField> {
     let mut rng = stream(0, [Family::Segment; 2], 0);
     let models = [Family::Segment; 2].map(|family| family.model(&mut rng));
@@ -48,7 +48,7 @@ fn residue(rng: &mut ChaCha8Rng) -> PrimeField {
     PrimeField::new(rng.random())
 }
 
-/// A pair that is stationary by construction; another of the same families is where its finite increments lead.
+/// A pair that is stationary by construction. Its finite increments lead to another pair of the same families.
 fn stationary_point(models: &[Box<dyn AnyBeam>; 2], rng: &mut ChaCha8Rng) -> Point<PrimeField> {
     let (beams, at) = stationary(models, Held::default(), rng);
     let (others, other_at) = stationary(models, Held::default(), rng);
@@ -68,7 +68,7 @@ fn both(beams: &[Box<dyn ExactBeam<PrimeField>>; 2]) -> [&dyn ExactBeam<PrimeFie
     [&*beams[0], &*beams[1]]
 }
 
-/// Two chord steps, exact since what they neglect is nilpotent.
+/// Two chord steps. They are exact, because the neglected terms are nilpotent.
 fn lifted(
     [beam, bar]: [&dyn ExactBeam<PrimeField>; 2],
     at: (PrimeField, PrimeField),

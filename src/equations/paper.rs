@@ -1,8 +1,8 @@
-//! The equations of the paper, section by section: the print, and what it says run over any scalar.
+//! The equations of the paper, section by section: the print, and its formula over any scalar.
 //!
 //! G. Zavarise, "A generalized formulation for contact between beams: geometrical preliminaries", 2007. The LaTeX is
-//! that of a scan, so that a misprint cannot always be attributed to the print. Every formula is written as it is printed,
-//! not as one would compute it.
+//! from a scan, so a misprint cannot always be attributed to the print. Every formula is written as it is printed,
+//! not in the form best suited for computation.
 
 mod conditions;
 mod contact;

@@ -1,4 +1,4 @@
-//! Closest points of the gate, in `f64`.
+//! Closest points of the check, in `f64`.
 
 use super::arc::{Arc, Arcs};
 use super::paper;
@@ -18,14 +18,14 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Regimes whose closest points lie inside and are well conditioned, in three units of length.
+/// Regimes with well-conditioned closest points inside both beams, in three units of length.
 const REGIMES: [Regime; 4] = [Regime::Generic, Regime::StronglyCurved, Regime::Metres, Regime::Millimetres];
-/// The least scaled eigenvalue of the projection that counts as well conditioned.
+/// The smallest scaled eigenvalue of a well-conditioned projection.
 const CONDITIONING: f64 = 0.1;
-/// How far one beam is moved for a finite increment, over the distance.
+/// The displacement of one beam for a finite increment, over the distance.
 const MOVED: f64 = 0.1;
 
-/// Reads all equations at closest points of so many cases of each regime, and measures slips.
+/// Evaluates all equations at closest points of `cases` cases of each regime, and measures slips.
 pub(super) fn cases(seed: u64, cases: u64) -> (Tally, Vec<Arc>) {
     let numbers = Selection { regimes: REGIMES.to_vec(), family: None, cases }.numbers();
     let results: Vec<_> = numbers.par_iter().filter_map(|&number| case(seed, number)).collect();
@@ -40,7 +40,7 @@ pub(super) fn cases(seed: u64, cases: u64) -> (Tally, Vec<Arc>) {
     (tally, arcs.found())
 }
 
-/// One case; nothing if it has no well-conditioned closest point inside, before and after it is moved.
+/// One case; none if it has no well-conditioned closest point inside, before and after the displacement.
 fn case(seed: u64, number: u64) -> Option<(Tally, [super::arc::Measured; 2])> {
     let case = Case::draw(seed, number);
     let beams = case.beams();
@@ -108,7 +108,7 @@ fn lifted([beam, bar]: [&dyn AnyBeam; 2], at: (f64, f64)) -> (HyperDual64, Hyper
     newton(beam, bar, at, Held::default())
 }
 
-/// d and t of the moved beams at the closest point that the old one leads to.
+/// d and t of the moved beams at their closest point, which is found from the old one.
 fn after(
     beams: [&dyn AnyBeam; 2],
     contact: &Contact,

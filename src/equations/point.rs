@@ -1,8 +1,8 @@
-//! A stationary pair of beams as the equations of the paper see it.
+//! A stationary pair of beams, with the quantities that the equations of the paper use.
 //!
-//! The letters have two sources. What varies at a fixed parameter (delta_u u and its like) and the derivatives of the
-//! tangents come from the jets of the curves; every total variation comes from hyper-dual numbers, which know no
-//! formula. An equation is judged alone: it is fed with the true values of everything but itself.
+//! The quantities have two sources. The variations at a fixed parameter (for example delta_u u) and the derivatives of the
+//! tangents are from the jets of the curves. Every total variation is from hyper-dual numbers, which use no
+//! formula of the paper. An equation is judged alone: all its operands have reference values.
 
 use crate::curve::Geometry;
 use crate::linearization::ad::{PositionAt, evaluate};
@@ -37,14 +37,14 @@ pub(super) struct Side<T> {
     pub(super) length: Varied<T>,
     /// g_T.
     pub(super) slip: Varied<T>,
-    /// Delta-delta x_C and Delta-delta x_C,xi if the parameter does not move, moves by one in delta, in Delta, or in
-    /// both: what is bilinear in the two motions is x,xixi and x,xixixi.
+    /// Delta-delta x_C and Delta-delta x_C,xi if the parameter is fixed, moves by one in delta, in Delta, or in
+    /// both. The terms that are bilinear in the two motions are x,xixi and x,xixixi.
     pub(super) corners: [[V<T>; 2]; 4],
     /// delta and Delta of x_C,xixi.
     pub(super) moving_x_xixi: Both<T>,
     /// delta Delta_u u_C and Delta delta_u u_C, and the same of u_C,xi.
     pub(super) moving_u: [Both<T>; 2],
-    /// X and its derivatives: any reference configuration, u being the rest of x.
+    /// X and its derivatives: any reference configuration. u is the difference of x and X.
     pub(super) reference: Geometry<T>,
     /// X_C, X_C,xi and X_C,xixi.
     pub(super) moving_reference: [Varied<V<T>>; 3],
@@ -115,7 +115,7 @@ pub(super) fn vector<T: Real>(v: V<HyperDual<T>>) -> Varied<V<T>> {
 }
 
 impl<T: Real> Point<T> {
-    /// The point of two beams whose parameters were lifted; `after` is d and t at another stationary point.
+    /// The point of two beams with lifted parameters. `after` is d and t at another stationary point.
     pub(super) fn new<H: Hyper<T>, B: PositionAt<H::Dual> + ?Sized>(
         beams: [&B; 2],
         jets: [PartialVariations<T>; 2],
@@ -176,7 +176,7 @@ impl<T: Real> Point<T> {
         }
     }
 
-    /// d . t of one of the beams, multiplied as hyper-dual numbers.
+    /// d . t of one of the beams, as a product of hyper-dual numbers.
     pub(super) fn orthogonality(&self, side: &Side<T>) -> Varied<T> {
         let component =
             |v: &Varied<V<T>>, i: usize| HyperDual::new(v.value[i], v.delta[i], v.linear[i], v.second[i]);
@@ -184,7 +184,7 @@ impl<T: Real> Point<T> {
         Varied::from(product(0) + product(1) + product(2))
     }
 
-    /// The same with delta and Delta exchanged.
+    /// The same point with delta and Delta exchanged.
     pub(super) fn exchanged(&self) -> Self {
         Self {
             beam: self.beam.exchanged(),
@@ -196,7 +196,7 @@ impl<T: Real> Point<T> {
         }
     }
 
-    /// The same in another scalar, number by number and vector by vector.
+    /// The same point in another scalar, number by number and vector by vector.
     pub(super) fn map<S: Real>(
         &self,
         number: &mut dyn FnMut(T) -> S,
@@ -213,7 +213,7 @@ impl<T: Real> Point<T> {
     }
 }
 
-/// The cubic with these derivatives at the parameter, and its first two derivatives, with the parameter moving.
+/// The cubic with these derivatives at the parameter, and its first two derivatives, with a moving parameter.
 fn moving<T: Real>(reference: &Geometry<T>, xi: HyperDual<T>) -> [Varied<V<T>>; 3] {
     let s = HyperDual::new(T::zero(), xi.eps1, xi.eps2, xi.eps1eps2);
     let constant = |v: V<T>| v.map(|x| HyperDual::new(x, T::zero(), T::zero(), T::zero()));

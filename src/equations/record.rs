@@ -1,4 +1,4 @@
-//! All that was found out about each equation.
+//! The results for each equation.
 
 use super::arc::Arc;
 use super::claim::Claim;
@@ -16,11 +16,11 @@ pub struct EquationTable {
     pub draws: u64,
     /// Ordered pairs of families that are linear in their dofs, and those with one that is not.
     pub pairs: [u64; 2],
-    /// Closest points of the gate in `f64`: of pairs that are linear in their dofs, and of those with one that is not.
+    /// The numbers of closest points in `f64`: of pairs that are linear in their dofs, and of those with one that is not.
     pub points: [u64; 2],
     /// Equation by equation.
     pub equations: Vec<EquationRow>,
-    /// What the paper says of symmetry.
+    /// The claims of the paper about symmetry.
     pub claims: Vec<Claim>,
 }
 
@@ -29,57 +29,57 @@ pub struct EquationTable {
 pub struct EquationRow {
     /// Its number.
     pub number: u8,
-    /// What it says.
+    /// Its statement.
     pub says: String,
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
-    /// What became of it.
+    /// Its verdict.
     pub verdict: Verdict,
     /// LaTeX, as printed.
     pub printed: String,
-    /// LaTeX, as it should be; of long equations, what differs.
+    /// The corrected LaTeX. For long equations, only the difference.
     pub corrected: Option<String>,
-    /// What else is to be said.
+    /// Additional remarks.
     pub remark: String,
-    /// Draws in which each part is equal in some reading of the print.
+    /// The draws in which each part is equal in some reading of the print.
     pub as_printed: Score,
-    /// Draws in which each part is equal as corrected.
+    /// The draws in which each part is equal as corrected.
     pub as_corrected: Score,
-    /// The equalities under this number.
+    /// The equalities with this number.
     pub parts: Vec<Part>,
-    /// What a list leaves out.
+    /// The terms that a list omits.
     pub omitted: Vec<String>,
-    /// How far a slip along the tangent is from the arc length.
+    /// The difference between a slip along the tangent and the arc length.
     pub arcs: Vec<Arc>,
-    /// Where it is in the source.
+    /// The places in the source.
     pub places: Vec<Place>,
 }
 
-/// One of the equalities under a number.
+/// One of the equalities with one number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Part {
     /// Its left-hand side, if there are several.
     pub name: String,
     /// Its order.
     pub order: Order,
-    /// Every reading that was run.
+    /// Every evaluated reading.
     pub runs: Vec<Run>,
 }
 
-/// One reading of an equality, run.
+/// One reading of an equality, evaluated.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Run {
-    /// What kind of reading it is.
+    /// The kind of reading.
     pub reading: Reading,
-    /// How it reads.
+    /// The reading in words.
     pub words: String,
-    /// How often it was equal, and how far off.
+    /// The counts of equal draws, and the errors.
     pub score: Score,
-    /// How often it stayed the same with delta and Delta exchanged: at stationary pairs, and with random operands.
+    /// The counts of draws that are unchanged with delta and Delta exchanged: at stationary pairs, and with random operands.
     pub symmetric: Option<[Counts; 2]>,
 }
 
-/// How a formula did.
+/// The results of a formula.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Score {
     /// Over the prime field, for pairs of curves that are linear in their dofs.
@@ -91,17 +91,17 @@ pub struct Score {
     pub errors: [Option<f64>; 2],
 }
 
-/// Draws.
+/// Counts of draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
-    /// In which both sides were equal.
+    /// The number of draws in which both sides were equal.
     pub equal: u64,
-    /// In which they were not.
+    /// The number of draws in which they were not equal.
     pub refuted: u64,
 }
 
 impl EquationTable {
-    /// Whether every equation is there and none is refuted as corrected.
+    /// Whether all equations are present and none is refuted as corrected.
     pub fn holds(&self) -> bool {
         self.equations.iter().map(|entry| entry.number).eq(1..=59)
             && self.equations.iter().all(|entry| entry.verdict != Verdict::Refuted)
@@ -114,7 +114,7 @@ impl EquationTable {
 }
 
 impl Counts {
-    /// All draws.
+    /// The number of all draws.
     pub fn total(self) -> u64 {
         self.equal + self.refuted
     }
@@ -124,7 +124,7 @@ impl Counts {
         *if equal { &mut self.equal } else { &mut self.refuted } += 1;
     }
 
-    /// Adds other draws.
+    /// Adds the counts of other draws.
     pub(super) fn add(&mut self, other: Self) {
         self.equal += other.equal;
         self.refuted += other.refuted;
@@ -132,7 +132,7 @@ impl Counts {
 }
 
 impl EquationRow {
-    /// The largest error of the print: against the truth, and for a slip against the arc length.
+    /// The largest error of the print: compared with the reference, and for a slip with the arc length.
     pub fn error(&self) -> Option<f64> {
         let [linear, nonlinear] = self.as_printed.errors;
         let worst = linear.zip(nonlinear).map(|(linear, nonlinear)| linear.max(nonlinear));

@@ -1,4 +1,4 @@
-//! All draws, all cases, and the record they make.
+//! Runs all draws and all cases, and makes the record.
 
 use super::claim::claims;
 use super::record::{EquationRow, EquationTable, Part, Run};
@@ -11,7 +11,7 @@ use crate::test_beam::Family;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// The draws for each ordered pair of families, unless others are asked for.
+/// The default number of draws for each ordered pair of families.
 pub const DRAWS: u64 = 16;
 /// The cases of each regime in `f64`: each ordered pair of families once.
 pub const CASES: u64 = 121;
@@ -19,7 +19,7 @@ pub const CASES: u64 = 121;
 /// Runs all equations, `draws` times for each ordered pair of families and at closest points of `cases` cases of each
 /// regime.
 ///
-/// The result depends on the arguments only, but for the last digits of errors in `f64`.
+/// The result depends on the arguments only, except the last digits of errors in `f64`.
 pub fn equation_table(seed: u64, draws: u64, cases: u64) -> EquationTable {
     let pairs: Vec<[Family; 2]> =
         Family::ALL.into_iter().flat_map(|one| Family::ALL.map(|other| [one, other])).collect();
@@ -52,7 +52,7 @@ pub fn equation_table(seed: u64, draws: u64, cases: u64) -> EquationTable {
     }
 }
 
-/// Words from the table, numbers from the tally, places from the source.
+/// Combines the words from the table, the numbers from the tally, and the places from the source.
 fn entries(tally: &Tally) -> Vec<EquationRow> {
     let mut lines = tally.lines.iter();
     let mut places: BTreeMap<u8, Vec<Place>> = places();

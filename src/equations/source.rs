@@ -1,4 +1,4 @@
-//! Where in the source an equation is: found in the text of the files, by what their comments say.
+//! The places of an equation in the source, found by the comments in the text of the files.
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 pub struct Place {
     /// The file, below `src`.
     pub file: String,
-    /// The function or type that the line belongs to.
+    /// The function or type that contains the line.
     pub item: String,
     /// The line.
     pub line: usize,
@@ -20,7 +20,7 @@ macro_rules! sources {
         pub const SOURCES: &[(&str, &str)] = &[$(($file, include_str!(concat!("../", $file)))),*];
     };
 }
-// Those that compute come first.
+// Files that compute come first.
 sources![
     "linearization/closed_form/paper/points.rs",
     "linearization/closed_form/paper/parameters.rs",
@@ -46,7 +46,7 @@ sources![
     "curve.rs",
 ];
 
-/// All places of all equations: lines that compute before items that are only tagged.
+/// All places of all equations: lines that compute before items that only have a tag.
 pub fn places() -> BTreeMap<u8, Vec<Place>> {
     let mut found: BTreeMap<u8, [Vec<Place>; 2]> = BTreeMap::new();
     for (file, text) in SOURCES {
@@ -95,13 +95,13 @@ fn name(line: &str) -> Option<&str> {
     ["fn", "struct", "enum", "trait", "type"].contains(&word).then(|| words.next())?
 }
 
-/// The function that a comment stands in: the nearest above it that is indented less.
+/// The function that contains a comment: the nearest above it with less indentation.
 fn above<'a>(lines: &[&'a str], at: usize) -> Option<&'a str> {
     let indent = |line: &str| line.len() - line.trim_start().len();
     lines[..at].iter().rev().filter(|line| indent(line) < indent(lines[at])).find_map(|line| name(line))
 }
 
-/// The item that a tag stands before.
+/// The item that follows a tag.
 fn below<'a>(lines: &[&'a str], at: usize) -> Option<&'a str> {
     lines[at + 1..].iter().find_map(|line| name(line))
 }
@@ -149,7 +149,7 @@ mod tests {
                 let (_, text) = SOURCES.iter().find(|(file, _)| *file == place.file).unwrap();
                 let line = text.lines().nth(place.line - 1).unwrap();
                 assert!(named(line).contains(&number) && text.contains(&place.item), "({number}): {place:?}");
-                // Lines that compute come before items that are tagged.
+                // Lines that compute come before items with a tag.
                 let tag = line.contains("#[doc(alias");
                 assert!(tag || !tagged, "({number}): {place:?}");
                 tagged = tag;

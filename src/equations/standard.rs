@@ -1,4 +1,4 @@
-//! The standard case: two Hermite beams and two directions, in which every equation is worked out in numbers.
+//! The standard case: two Hermite beams and two directions, for which every equation is evaluated in numbers.
 
 use super::point::{Point, quantities, vector};
 use super::worked::{Worked, worked};
@@ -52,7 +52,7 @@ impl StandardCase {
     /// Its closest point.
     ///
     /// # Errors
-    /// None: it has one, inside both beams.
+    /// None: the beams have one closest point, inside both beams.
     pub fn closest_point(&self) -> Result<ClosestPoint, ProjectionError> {
         Ok(*self.pair.closest_points(&self.q)?.interior()?)
     }
@@ -71,7 +71,7 @@ impl StandardCase {
         Ok(worked(&self.point()?))
     }
 
-    /// The beams as the equations see them; the finite change is a step of one along the direction of Delta.
+    /// The beams as operands of the equations. The finite change is a step of one along the direction of Delta.
     fn point(&self) -> Result<Point<f64>, ProjectionError> {
         let here = self.closest_point()?;
         let moved = Self { q: self.moved(0.0, 1.0), ..self.clone() };
@@ -104,7 +104,7 @@ impl StandardCase {
     }
 }
 
-/// The reference configuration X of a beam: straight between its ends, but for a small bend, so that no derivative is zero.
+/// The reference configuration X of a beam: straight between its ends, except a small bend, so that no derivative is zero.
 fn straight(q: &SVector<f64, 12>, xi: f64) -> Geometry<f64> {
     let mut reference = *q;
     let half = (q.fixed_rows::<3>(6) - q.fixed_rows::<3>(0)) * 0.5;

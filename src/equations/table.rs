@@ -1,26 +1,26 @@
-//! The table that the equations are entered in: what each says, and both its sides at one point, in every reading.
+//! The table of the equations: the statement of each, and both its sides at one point, in every reading.
 
 use crate::number::Real;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-/// What an equation is; all but a statement is what it is by its words, and computed only to see that it is met.
+/// The kind of an equation. Equations that are not statements are computed only to confirm that they are satisfied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
-    /// It claims that two things are equal.
+    /// It states that two things are equal.
     Statement,
-    /// It gives a thing its name.
+    /// It defines a name.
     Definition,
-    /// It names the terms that are needed.
+    /// It lists the terms that are needed.
     List,
-    /// It supposes something.
+    /// It makes an assumption.
     Assumption,
-    /// The scan of the paper has lost it.
+    /// It is missing in the scan of the paper.
     Lost,
 }
 
-/// Of what order in the variations a part of an equation is.
+/// The order of a part of an equation in the variations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Order {
@@ -28,17 +28,17 @@ pub enum Order {
     Value,
     /// delta or Delta.
     First,
-    /// Delta-delta: symmetry means something.
+    /// Delta-delta: symmetry applies.
     Second,
     /// delta and Delta are finite increments.
     Finite,
 }
 
-/// How an equation is read.
+/// The reading of an equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reading {
-    /// As printed; one reading, if what is printed has no meaning or more than one.
+    /// As printed. One of several readings, if the print has no meaning or more than one.
     Printed,
     /// A reading that is not printed.
     Other,
@@ -57,7 +57,7 @@ pub(super) struct Line<T> {
     pub(super) right: Vec<T>,
 }
 
-/// One of the equalities that stand under one number.
+/// One of the equalities with one number.
 #[derive(Clone, Debug)]
 pub(super) struct Part<T> {
     pub(super) name: &'static str,
@@ -84,7 +84,7 @@ pub(super) struct Table<T> {
 }
 
 impl<T: Real> Table<T> {
-    /// Enters an equation with the LaTeX that is printed.
+    /// Adds an equation with the printed LaTeX.
     pub(super) fn enter(
         &mut self,
         number: u8,
@@ -105,7 +105,7 @@ impl<T: Real> Table<T> {
         &mut self.equations[last]
     }
 
-    /// Enters a statement.
+    /// Adds a statement.
     pub(super) fn state(
         &mut self,
         number: u8,
@@ -115,7 +115,7 @@ impl<T: Real> Table<T> {
         self.enter(number, Kind::Statement, says, printed)
     }
 
-    /// Enters a definition.
+    /// Adds a definition.
     pub(super) fn define(
         &mut self,
         number: u8,
@@ -127,13 +127,13 @@ impl<T: Real> Table<T> {
 }
 
 impl<T: Real> Equation<T> {
-    /// The LaTeX as it should be.
+    /// Sets the corrected LaTeX.
     pub(super) fn corrected_to(&mut self, latex: &'static str) -> &mut Self {
         self.corrected = Some(latex);
         self
     }
 
-    /// What else is to be said.
+    /// Adds a remark.
     pub(super) fn remark(&mut self, words: &'static str) -> &mut Self {
         self.remark = words;
         self
@@ -204,7 +204,7 @@ impl<T: Real> Equation<T> {
     }
 }
 
-/// What stands on one side: numbers in brackets, a vector, or vectors in brackets.
+/// The contents of one side: numbers in brackets, a vector, or vectors in brackets.
 pub(super) trait Sides<T> {
     fn entries(self) -> Vec<T>;
 }

@@ -1,4 +1,4 @@
-//! Counting: what the readings at single points come to over all points.
+//! Counts: sums the results of the readings at single points over all points.
 
 use super::record::{Counts, Score};
 use super::table::{Order, Reading, Table};
@@ -12,7 +12,7 @@ pub(super) struct Line {
     pub(super) symmetric: [Counts; 2],
 }
 
-/// Counts and errors, those of pairs that are linear in their dofs first.
+/// Counts and errors. Those of pairs that are linear in their dofs come first.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Tallied {
     counts: [Counts; 2],
@@ -57,7 +57,7 @@ impl Tally {
                     }
                     tally.lines.push(counted);
                     printed |= line.reading == Reading::Printed && equal;
-                    // The last of print, mending and completion is the correction.
+                    // The last of print, correction and completion is the correction.
                     if line.reading != Reading::Other
                         && (corrected.is_none() || line.reading != Reading::Printed)
                     {
@@ -113,7 +113,7 @@ impl Tally {
         tally
     }
 
-    /// Both together.
+    /// The sum of both tallies.
     pub(super) fn merge(mut self, other: Self) -> Self {
         if self.lines.is_empty() {
             return other;
@@ -140,17 +140,17 @@ impl Tallied {
         }
     }
 
-    /// For the record.
+    /// The score for the record.
     pub(super) fn score(&self) -> Score {
         let [linear, nonlinear] = self.counts;
-        // Two digits: the others depend on the machine. JSON knows no infinity.
+        // Two digits, because the others depend on the machine. JSON has no infinity.
         let rounded =
             |error: f64| format!("{error:.1e}").parse().ok().filter(|error: &f64| error.is_finite());
         Score { linear, nonlinear, errors: self.errors.map(rounded) }
     }
 }
 
-/// Reading by reading, whether both sides stay the same when delta and Delta are exchanged.
+/// For each reading, whether both sides are unchanged when delta and Delta are exchanged.
 fn unchanged(table: &Table<PrimeField>, exchanged: &Table<PrimeField>) -> Vec<bool> {
     let lines = |table: &Table<PrimeField>| -> Vec<[Vec<PrimeField>; 2]> {
         let parts = table.equations.iter().flat_map(|equation| &equation.parts);

@@ -4,41 +4,41 @@ use super::record::{Counts, EquationRow, Part, Run};
 use super::table::{Kind, Order, Reading};
 use serde::{Deserialize, Serialize};
 
-/// What became of an equation, the worse the later.
+/// The verdict on an equation. Later verdicts are worse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
-    /// It is so by its words.
+    /// It is true by definition.
     Definition,
-    /// It names terms, and none is missing.
+    /// It lists terms, and none is missing.
     List,
-    /// It supposes something.
+    /// It makes an assumption.
     Assumption,
-    /// The scan has lost it.
+    /// It is missing in the scan.
     NotInTheScan,
-    /// Always equal.
+    /// Equal in every draw.
     Exact,
-    /// Equal for finite increments; not for variations, of which it drops products.
+    /// Equal for finite increments, but not for variations, because it drops their products.
     ExactIfFinite,
     /// Equal for curves that are linear in their dofs.
     ExactIfLinear,
-    /// Equal to what takes its place, which it measurably is not.
+    /// Not equal to the quantity that it replaces.
     Approximation,
     /// Refuted as printed, equal as corrected.
     Misprint,
-    /// Refuted as corrected, too: the table does not hold.
+    /// Refuted as corrected, too: the table is not valid.
     Refuted,
 }
 
-/// Whether what is of second order stays the same when delta and Delta are exchanged.
+/// Whether a formula of second order is unchanged when delta and Delta are exchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Symmetry {
-    /// Whatever its operands are.
+    /// For any operands.
     ByForm,
     /// At stationary points.
     ByOrthogonality,
-    /// No.
+    /// Not symmetric.
     Not,
 }
 
@@ -72,7 +72,7 @@ impl Symmetry {
 }
 
 impl Counts {
-    /// Whether there was something, and all of it was equal.
+    /// Whether there were draws, and all were equal.
     pub fn all_equal(self) -> bool {
         self.refuted == 0 && self.equal > 0
     }
@@ -95,13 +95,13 @@ impl Run {
 }
 
 impl Part {
-    /// The last correction, or what is printed if there is none.
+    /// The last correction, or the print if there is none.
     pub fn corrected(&self) -> Option<&Run> {
         let of = |reading| self.runs.iter().find(|run| run.reading == reading);
         of(Reading::Complete).or_else(|| of(Reading::Corrected)).or_else(|| of(Reading::Printed))
     }
 
-    /// What follows from the runs.
+    /// The verdict that follows from the runs.
     pub fn verdict(&self) -> Verdict {
         let printed = || self.runs.iter().filter(|run| run.reading == Reading::Printed);
         let corrected = self.runs.iter().any(|run| run.reading == Reading::Corrected);
@@ -120,7 +120,7 @@ impl Part {
 }
 
 impl EquationRow {
-    /// What follows from the parts, and from what the equation is.
+    /// The verdict that follows from the parts, and from the kind of the equation.
     pub(super) fn judged(&self) -> Verdict {
         let parts = self.parts.iter().map(Part::verdict).max();
         if parts == Some(Verdict::Refuted) {

@@ -8,12 +8,12 @@ use crate::check::CaseData;
 use crate::closest_point::ClosestPoint;
 use serde::{Deserialize, Serialize};
 
-/// One equation, worked out.
+/// One equation in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Worked {
     /// Its number.
     pub number: u8,
-    /// The equalities under this number.
+    /// The equalities with this number.
     pub parts: Vec<WorkedPart>,
 }
 
@@ -31,9 +31,9 @@ pub struct WorkedPart {
 /// Both sides of one reading.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WorkedReading {
-    /// What kind of reading it is.
+    /// The kind of reading.
     pub reading: Reading,
-    /// How it reads.
+    /// The reading in words.
     pub words: String,
     /// The left-hand side, by hyper-dual numbers.
     pub left: Vec<f64>,
@@ -41,9 +41,9 @@ pub struct WorkedReading {
     pub right: Vec<f64>,
 }
 
-/// All equations in numbers, at a closest point of any case; the finite change moves the beam by a tenth of the distance.
+/// All equations in numbers, at a closest point of any case. The finite change moves the beam by a tenth of the distance.
 ///
-/// Nothing if the numbers make no beam, if the point is not inside both beams, or if it has no derivatives.
+/// None if the numbers define no beam, if the point is not inside both beams, or if it has no derivatives.
 pub fn worked_at(case: &CaseData, point: &ClosestPoint) -> Option<Vec<Worked>> {
     plain::point(case, point).as_ref().map(worked)
 }
@@ -71,9 +71,9 @@ pub(super) fn worked(point: &Point<f64>) -> Vec<Worked> {
 }
 
 impl WorkedReading {
-    /// The decimal digits in which both sides agree, by norm; as many as an `f64` has if they are equal.
+    /// The number of decimal digits in which both sides agree, by norm; the digits of an `f64` if they are equal.
     ///
-    /// Where a side has to be zero the other is compared with `scale`.
+    /// If one side must be zero, the other is compared with `scale`.
     pub fn digits(&self, scale: f64) -> f64 {
         let norm = |of: &mut dyn Iterator<Item = f64>| of.map(|x| x * x).sum::<f64>().sqrt();
         let difference = norm(&mut self.left.iter().zip(&self.right).map(|(l, r)| l - r));

@@ -1,4 +1,4 @@
-//! The checks that are put to the test.
+//! The checks whose detection is measured.
 
 use super::differences::{Differences, Rule};
 use super::test_points::Sample;
@@ -17,11 +17,11 @@ pub enum Check {
     Exact,
     /// The gate: AD within derived tolerances.
     Gate,
-    /// Symmetry, translation, rotation and the unit of length, within derived tolerances, and no reference.
+    /// Symmetry, translation, rotation and the unit of length, within derived tolerances, without a reference.
     Invariants,
     /// Symmetry alone.
     Symmetry,
-    /// Finite differences, by the rule of a common tool.
+    /// Finite differences, with the rule of a common tool.
     Differences(Rule),
 }
 
@@ -40,7 +40,7 @@ impl Check {
         Self::Differences(Rule::Taylor),
     ];
 
-    /// The name, as tables have it.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
@@ -51,7 +51,7 @@ impl Check {
         }
     }
 
-    /// What it does, in words.
+    /// A description of the check.
     pub fn what(self) -> &'static str {
         match self {
             Self::Exact => "closed form and AD over a prime field, compared by ==; regimes do not apply",
@@ -83,7 +83,7 @@ impl Check {
     }
 }
 
-/// Whether the variant at other beams is not what it is at these, beyond rounding.
+/// Whether the variant at other beams differs from its value at these beams by more than rounding.
 fn is_violated(
     rewrite: Rewrite,
     variant: &Variant,
@@ -91,7 +91,7 @@ fn is_violated(
     closed: &[Varied<RunningError2>; COMPONENTS],
 ) -> bool {
     let EvaluationPoint { at, form, contact, .. } = sample.evaluation;
-    // The beams that operands are mistaken for, moved alike.
+    // The beams whose values replace operands, moved in the same way.
     let moved = Step::ALL.map(|step| {
         let partial = Cell::new(sample.evaluation.bounded(step));
         let [beam, bar] = &partial.get();
@@ -110,7 +110,7 @@ fn is_violated(
             beams.map(|beam| beam.map(|v| v.map(|number: RunningError2| number.value)))
         };
         let values = variant.quantities(plain, (at.0.value, at.1.value), form, contact);
-        // The values of the faults, with the bounds of the formulas without them.
+        // The values with the faults, and the bounds of the formulas without them.
         let mut values = values.components().into_iter().flat_map(Varied::parts);
         bounded.map(|parts| {
             parts.map(|RunningError2 { value, bound }| RunningError2 {

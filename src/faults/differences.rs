@@ -1,8 +1,8 @@
-//! Finite differences in `f64`, as common tools take them by default: for comparison.
+//! Finite differences in `f64`, by the default rules of common tools, for comparison.
 //!
-//! Each tool differentiates along a direction whose largest entry is 1 and compares what it finds with the closed form:
-//! differences of the value with delta, differences of delta with Delta-delta. Steps and tolerances are the tool's own,
-//! so they know nothing of the unit of length.
+//! Each tool differentiates along a direction whose largest entry is 1 and compares the result with the closed form:
+//! differences of the value with delta, differences of delta with Delta-delta. Steps and tolerances are those of the tool.
+//! They do not scale with the unit of length.
 
 use super::test_points::Sample;
 use crate::closest_point::{ClosestPoint, refine};
@@ -18,14 +18,14 @@ pub enum Rule {
     Torch,
     /// `jax.test_util.check_grads`.
     Jax,
-    /// `scipy.optimize.check_grad`, with the bound that its users take.
+    /// `scipy.optimize.check_grad`, with the bound that its users choose.
     SciPy,
     /// The Taylor test of `pyadjoint`.
     Taylor,
 }
 
 impl Rule {
-    /// The name, as tables have it.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Torch => "torch",
@@ -35,7 +35,7 @@ impl Rule {
         }
     }
 
-    /// Step and tolerance, in words.
+    /// A description of step and tolerance.
     pub fn what(self) -> &'static str {
         match self {
             Self::Torch => {
@@ -57,18 +57,18 @@ const TAYLOR: [f64; 4] = [0.01, 0.005, 0.0025, 0.00125];
 /// The steps of the others, forwards and backwards: torch, jax, and scipy forwards.
 const STEPS: [f64; 5] = [1e-6, -1e-6, 5e-5, -5e-5, 1.490_116_119_384_765_6e-8];
 
-/// Both beams, moved, at the closest point that they then have, and what operands are mistaken for there.
+/// Both moved beams at their closest point, and the values that replace operands there.
 type Moved = Option<((f64, f64), [[PartialVariations<f64>; 2]; 3])>;
 
-/// All that the tools evaluate the closed form at.
+/// All points at which the tools evaluate the closed form.
 pub(super) struct Steps {
     /// The largest entries of delta q and Delta q.
     units: [f64; 2],
-    /// The beams as they are, with both directions delta q.
+    /// The unmoved beams, with delta q as both directions.
     twice: Moved,
-    /// Moved along delta q and along Delta q.
+    /// The beams moved along delta q and along Delta q.
     moved: [[Moved; STEPS.len()]; 2],
-    /// Moved along delta q.
+    /// The beams moved along delta q.
     taylor: [Moved; TAYLOR.len()],
 }
 
@@ -99,7 +99,7 @@ impl Steps {
     }
 }
 
-/// The closest point near another, of beams that are near others.
+/// The closest point of moved beams, near that of the original beams.
 fn solved(test_beams: &[TestBeam; 2], point: &ClosestPoint) -> Moved {
     let [beam, bar] = test_beams.each_ref().map(|test_beam| test_beam.beam().ok());
     let (beam, bar) = (beam?, bar?);
@@ -119,7 +119,7 @@ pub(super) struct Differences<'a> {
     here: [Varied<f64>; COMPONENTS],
 }
 
-/// The scalars among the components: a Taylor test is of a functional.
+/// The scalars among the components. A Taylor test applies to a functional.
 const SCALARS: std::ops::Range<usize> = 15..COMPONENTS;
 
 impl<'a> Differences<'a> {
@@ -127,7 +127,7 @@ impl<'a> Differences<'a> {
         Self { variant, sample, here: sample.evaluation.plain(variant) }
     }
 
-    /// Whether the tool finds a difference beyond its tolerance, or cannot take one.
+    /// Whether the tool finds a difference beyond its tolerance, or cannot compute one.
     pub(super) fn rejects(&self, rule: Rule) -> bool {
         let near = |closed: f64, by: f64| match rule {
             Rule::Torch => (closed - by).abs() <= 1e-5 + 1e-3 * by.abs(),
@@ -181,14 +181,14 @@ impl<'a> Differences<'a> {
         })
     }
 
-    /// The remainders of the derivatives along delta q fall with the square, and with the cube, of the step.
+    /// Whether the remainders of the derivatives along delta q decrease with the square, and with the cube, of the step.
     fn passes_taylor(&self) -> Option<bool> {
         let [unit, _] = self.sample.steps.units;
         let twice = self.at(&self.sample.steps.twice)?;
         let moved: Vec<_> =
             self.sample.steps.taylor.iter().map(|moved| self.at(moved)).collect::<Option<_>>()?;
         let falls = |remainders: &[f64], rate: f64| {
-            // What is constant has no remainder.
+            // A constant has no remainder.
             remainders.windows(2).all(|pair| pair[1] == 0.0 || (pair[0] / pair[1]).log2() > rate)
         };
         Some(SCALARS.into_iter().all(|i| {

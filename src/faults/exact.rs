@@ -5,7 +5,7 @@ use crate::number::PrimeField;
 use crate::prove::differentiated;
 use crate::variant::{CONTACT, Point, SCALAR_COMPONENTS, Variant};
 
-/// Stationary points with what AD finds there.
+/// Stationary points with the results of AD.
 pub(super) struct Exact(Vec<(Point, [Varied<PrimeField>; COMPONENTS])>);
 
 impl Exact {
@@ -18,7 +18,7 @@ impl Exact {
         Self(Point::all().into_iter().map(with_ad).collect())
     }
 
-    /// Whether some number is not equal.
+    /// Whether some number differs.
     pub(super) fn rejects(&self, variant: &Variant) -> bool {
         self.0.iter().any(|(point, ad)| {
             let (variations, matrices) = point.results(variant);

@@ -9,10 +9,10 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// By how much a term is changed to see what changes with it: enough above rounding, and little enough to be linear.
+/// The relative change of a term that measures sensitivity: large compared with rounding, small enough to be linear.
 pub(super) const NUDGE: f64 = 1.0 / 1024.0;
 
-/// The smallest relative error that exceeds a tolerance, at the point that shows it best; two digits of it are written.
+/// The smallest relative error that exceeds a tolerance, at the most sensitive point. Two digits of it are written.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Limit(#[serde(with = "short")] pub f64);
@@ -52,9 +52,9 @@ fn smallest(unmodified: &[Comparison], nudged: &[Comparison]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// The relative error at which this entry exceeds its tolerance, from what a nudge changes.
+/// The relative error at which this entry exceeds its tolerance, from the change that a nudge causes.
 pub(super) fn sensitivity(unmodified: &Comparison, nudged: &Comparison) -> f64 {
-    // Both sides of an entry may move: of a matrix entry, each is the closed form's.
+    // Both sides of an entry may change: for a matrix entry, both are from the closed form.
     let before = unmodified.closed - unmodified.other;
     let change = (nudged.closed - nudged.other - before).abs() / NUDGE;
     if unmodified.is_meaningful() && change > 0.0 { unmodified.tolerance / change } else { f64::INFINITY }

@@ -1,10 +1,10 @@
-//! Every operation of the closed form made wrong, one at a time, over the prime field.
+//! Faults in every operation of the closed form, one at a time, over the prime field.
 //!
-//! The code that is run is the library's own, over a scalar that counts its operations. An operation is made wrong in
-//! its result: by its sign, lost, doubled, or one too large; or replaced by the result that the same operation has in a
-//! run with the directions exchanged, with the beams exchanged, with the beam in place of the bar beam, or at other
-//! parameters. A fault is detected if some number that comes out is another one. The proof, which compares these numbers with
-//! automatic differentiation by `==`, shows it too then.
+//! The code under test is that of the library, over a scalar that counts its operations. A fault changes the result of an
+//! operation: its sign is wrong, it is lost, it is doubled, or it is one too large. Or the result of the same operation in
+//! another run replaces it: with the directions or the beams exchanged, with the beam in place of the bar beam, or at other
+//! parameters. A fault is detected if it changes some output. The proof compares these outputs with
+//! automatic differentiation by `==`, so it detects the fault too.
 
 mod place;
 mod reason;
@@ -21,53 +21,53 @@ use reason::reason;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Code that is run with its operands as they are, or mistaken for others; returns all numbers that come out.
+/// Code that is run with its operands, or with other values in their place. It returns all outputs.
 type Code<'a> = dyn Fn(Option<Kind>) -> Vec<u64> + Sync + 'a;
 
-/// What became of the faults of one code in one place.
+/// The results for the faults of one code in one place.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Operations {
     /// The code.
     pub code: String,
-    /// Where it was run: in which form, and which ends held a parameter.
+    /// The place of the run: the formulation, and the ends at which a parameter is held.
     #[serde(deserialize_with = "name")]
     pub place: Name,
-    /// How many operations it has.
+    /// The number of its operations.
     pub operations: usize,
-    /// How many of their faults change a result.
+    /// The number of faults that change the result of their operation.
     pub faults: usize,
-    /// How many of these change a number that comes out.
+    /// The number of these faults that change an output.
     pub detected: usize,
-    /// Operations of which no fault does, and faults that do not of operations of which others do.
+    /// Operations none of whose faults changes an output, and undetected faults of operations with other detected faults.
     pub undetected: Vec<Undetected>,
 }
 
 impl Operations {
-    /// Whether every fault is detected, but for those with a reason.
+    /// Whether every fault is detected, except those with a reason.
     pub fn is_whole(&self) -> bool {
         self.faults > 0 && self.undetected.iter().all(|undetected| undetected.reason.is_some())
     }
 }
 
-/// Operations that no number that comes out depends on, alike in all but their number.
+/// Operations that do not affect any output, equal in everything except their number.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Undetected {
-    /// The line of the source, and the line that calls it; empty if the build does not know lines.
+    /// The line of the source, and the line that calls it; empty if the build has no line numbers.
     pub at: String,
     /// The first named term that is computed after them.
     pub term: Option<String>,
-    /// What was wrong with them.
+    /// The fault.
     #[serde(deserialize_with = "name")]
     pub wrong: Name,
-    /// How they are lost.
+    /// Why no output depends on them.
     pub lost: Lost,
-    /// Why that is right, if it is known.
+    /// The reason why that is correct, if it is known.
     pub reason: Option<String>,
-    /// How many there are.
+    /// The number of operations.
     pub operations: usize,
 }
 
-/// Why no result depends on an operation, found by marking its result.
+/// Why no output depends on an operation. Marking the result of the operation determines it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lost {
@@ -75,12 +75,12 @@ pub enum Lost {
     Unused,
     /// It is multiplied by zero.
     TimesZero,
-    /// It enters the numbers that come out, but cancels.
+    /// It enters the outputs, but cancels.
     Cancels,
 }
 
 impl Lost {
-    /// Marks the result of an operation, and looks for the mark in what comes out.
+    /// Marks the result of an operation, and searches for the mark in the outputs.
     fn of(operation: usize, run: impl FnOnce() -> Vec<u64>) -> Self {
         let (numbers, times_zero) = Traced::run(|| with_operation(operation, Change::Marked, run));
         if numbers.into_iter().any(Traced::is_marked) {
@@ -93,7 +93,7 @@ impl Lost {
     }
 }
 
-/// What is wrong with an operation by itself.
+/// The faults of an operation that need no other run.
 const ALONE: [(&str, Change); 4] = [
     ("sign", Change::Times(-1.0)),
     ("lost", Change::Times(0.0)),
@@ -189,7 +189,7 @@ mod tests {
             found.undetected.iter().map(|of| (of.lost, of.wrong, of.operations)).collect();
         let expected = [Lost::Unused, Lost::TimesZero, Lost::Cancels];
         assert_eq!(lost, expected.map(|lost| (lost, "any", 1)).into());
-        // The product of 2 and 3 is that of 3 and 2: swapped, it is no fault. Of a zero there is one fault, plus one.
+        // The product of 2 and 3 is that of 3 and 2: the exchange is not a fault. A zero has one fault, plus one.
         assert_eq!((found.operations, found.faults, found.detected), (9, 36, 21));
         assert!(!found.is_whole());
     }

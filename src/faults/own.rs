@@ -1,4 +1,4 @@
-//! Every operation of code of the user's own made wrong, one at a time.
+//! Faults in every operation of the user's own code, one at a time.
 
 use super::operations::{Lost, Operations, Undetected, examined};
 use crate::curve::Curve;
@@ -10,16 +10,16 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::fmt;
 
-/// Code that computes numbers from numbers, over any scalar. It must not branch on them.
+/// Code that computes numbers from numbers, over any scalar. It must not branch on the numbers.
 pub trait Formula: Sync {
-    /// All numbers that it computes from these.
+    /// All outputs for these inputs.
     fn numbers<T: Real>(&self, inputs: &[T]) -> Vec<T>;
 }
 
-/// Makes each operation of a formula wrong, with random inputs, so many of them.
+/// Injects faults into each operation of a formula, with `inputs` random inputs.
 ///
-/// Numbers that a check compares are to be among those that it computes: an operation that none of them depends on is
-/// covered by no check. The operands of an operation are mistaken for those at other inputs, too.
+/// The outputs must include all numbers that a check compares. An operation that does not affect any output is
+/// not covered by a check. Operands are also replaced by those at other inputs.
 ///
 /// ```
 /// use beamgap::number::Real;
@@ -48,10 +48,10 @@ pub fn operations_of(formula: &impl Formula, inputs: usize) -> Operations {
     examined("formula".to_owned(), "-", &[Kind::Stale], &run)
 }
 
-/// Makes each operation of the jet of a curve wrong, with random dofs and directions.
+/// Injects faults into each operation of the jet of a curve, with random dofs and directions.
 ///
-/// [`check::curve`](crate::check::curve()) compares all that depends on the jet: an operation that no number of it
-/// depends on is covered by no check.
+/// [`check::curve`](crate::check::curve()) compares all quantities that depend on the jet. An operation that does not affect
+/// any number of the jet is not covered by a check.
 pub fn operations_of_curve<C, const N: usize>(curve: &C) -> Operations
 where
     C: Curve<N> + Clone + fmt::Debug + Send + Sync + 'static,
@@ -92,7 +92,7 @@ mod tests {
     use crate::curve::Hermite;
     use crate::number::{Label, Real, Which};
 
-    /// The square of a length, with a product that nothing uses.
+    /// The square of a length, with an unused product.
     struct Square;
 
     impl Formula for Square {

@@ -1,4 +1,4 @@
-//! All faults and rewrites through all checks.
+//! Runs all checks on all faults and rewrites.
 
 use super::check::Check;
 use super::exact::Exact;
@@ -12,34 +12,34 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// How many pairs of faults are planted at once, in each regime.
+/// The number of pairs of faults that are injected together, in each regime.
 const PAIRS: usize = 200;
-/// Less than that is no catalogue.
+/// The minimum number of faults in the catalogue.
 const FAULTS: usize = 200;
 
 by_name!(Kind, Rewrite);
 
-/// What one check does in one regime.
+/// The results of one check in one regime.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Detection {
     /// The check.
     pub check: Check,
     /// The regime; none for the exact check.
     pub regime: Option<Regime>,
-    /// Closest points.
+    /// The number of closest points.
     pub points: usize,
-    /// Of these, those at which the closed form is rejected although it is right. What the check says there counts for
-    /// nothing.
+    /// Of these, the number at which the check rejects the correct closed form. The results of the check there are not
+    /// counted.
     pub rejected: usize,
-    /// Faults that were planted: those of the matrices only for a check that looks at them.
+    /// The number of injected faults. Faults of the matrices are injected only for a check that compares matrices.
     pub planted: usize,
-    /// Faults that it detects.
+    /// The number of faults that the check detects.
     pub detected: usize,
-    /// Rewrites that it rejects although they are right.
+    /// The correct rewrites that the check rejects.
     pub false_positives: Vec<Rewrite>,
-    /// Pairs of faults, planted at once.
+    /// The number of pairs of faults, injected together.
     pub pairs: usize,
-    /// Pairs that it detects.
+    /// The number of pairs that the check detects.
     pub pairs_detected: usize,
 }
 
@@ -50,23 +50,23 @@ pub struct Missed {
     pub check: Check,
     /// The regimes; none for the exact check.
     pub regimes: Vec<Option<Regime>>,
-    /// The names of the faults. They are detected in all other regimes.
+    /// The names of the faults. The check detects them in all other regimes.
     pub faults: Vec<String>,
 }
 
-/// What all checks do.
+/// The results of all checks.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Injected {
-    /// How many faults there are of each kind.
+    /// The number of faults of each kind.
     pub kinds: BTreeMap<Kind, usize>,
-    /// By check, then by regime.
+    /// The detections, by check, then by regime.
     pub detections: Vec<Detection>,
-    /// What is not detected, by check and regimes.
+    /// The undetected faults, by check and regimes.
     pub missed: Vec<Missed>,
 }
 
 impl Detection {
-    /// Whether it shows every fault and rejects nothing that is right.
+    /// Whether the check detects every fault and rejects nothing that is correct.
     pub fn is_whole(&self) -> bool {
         self.points > 0
             && self.rejected == 0
@@ -77,13 +77,13 @@ impl Detection {
 }
 
 impl Injected {
-    /// Whether the gate and the exact check kill all faults, in every regime, and reject nothing that is right.
+    /// Whether the gate and the exact check detect all faults, in every regime, and reject nothing that is correct.
     pub fn holds(&self) -> bool {
         let ours = |detection: &&Detection| matches!(detection.check, Check::Gate | Check::Exact);
         self.faults() >= FAULTS && self.detections.iter().filter(ours).all(Detection::is_whole)
     }
 
-    /// How many faults there are.
+    /// The number of faults.
     pub fn faults(&self) -> usize {
         self.kinds.values().sum()
     }
@@ -95,7 +95,7 @@ impl Injected {
     }
 }
 
-/// Puts all checks to the test, in these regimes.
+/// Injects all faults and runs all checks, in these regimes.
 ///
 /// The result depends on the seed and the regimes, not on the number of threads.
 pub fn inject(seed: u64, regimes: &[Regime]) -> Injected {
@@ -150,7 +150,7 @@ struct Planted {
 }
 
 impl Planted {
-    /// With pairs of faults of two terms, at random.
+    /// Adds random pairs of faults of two terms.
     fn new(seed: u64, faults: Vec<Fault>) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut pairs = Vec::with_capacity(PAIRS);

@@ -1,6 +1,6 @@
-//! Single operations made wrong in `f64`, through the gate with its tolerances: a sample of them in every regime.
+//! Faults in single operations in `f64`, checked by the gate with its tolerances: a sample of operations in every regime.
 //!
-//! Which operations a result depends on is known from the prime field. Here the size of the fault counts: the detection
+//! The prime field shows which operations a result depends on. Here the size of the fault matters: the detection
 //! limit is the smallest relative error of an operation that exceeds a tolerance.
 
 use super::limit::{Limit, NUDGE, sensitivity};
@@ -16,25 +16,25 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// How many operations are made wrong in each regime, at least.
+/// The minimum number of operations with faults in each regime.
 const OPERATIONS: usize = 2000;
-/// What the result of an operation is multiplied by: a wrong sign, a lost one, one that is doubled.
+/// The factors of the result of an operation: a wrong sign, a lost result, a doubled result.
 const FACTORS: [f64; 3] = [-1.0, 0.0, 2.0];
 
 by_name!(Code);
 
-/// What became of a sample of operations in a regime.
+/// The results for a sample of operations in a regime.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sampled {
     /// The regime.
     pub regime: Regime,
     /// The code that the operations belong to.
     pub code: Code,
-    /// How many operations were made wrong, at all points.
+    /// The number of operations with faults, at all points.
     pub operations: usize,
-    /// How many faults of them change a number.
+    /// The number of their faults that change a number.
     pub faults: usize,
-    /// How many of these exceed a tolerance.
+    /// The number of these that exceed a tolerance.
     pub detected: usize,
     /// The detection limits of the operations that a quantity depends on.
     pub limits: BTreeMap<Quantity, Limits>,
@@ -43,11 +43,11 @@ pub struct Sampled {
 /// The detection limits of several operations.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
-    /// How many.
+    /// The number of operations.
     pub operations: usize,
     /// The smallest.
     pub smallest: Limit,
-    /// Half are below.
+    /// The median.
     pub median: Limit,
     /// The largest.
     pub largest: Limit,
@@ -61,7 +61,7 @@ impl Limits {
     }
 }
 
-/// Makes operations wrong in these regimes, in each the same number of the equations and of the matrices at each point.
+/// Injects faults into operations in these regimes. The number of operations is the same for equations and matrices.
 pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
     let of_regime = |&regime: &Regime| {
         let points = test_points(seed, regime);
@@ -98,11 +98,11 @@ impl Counts {
     fn of(code: Code, sample: &Sample, each: usize, rng: &mut ChaCha8Rng) -> Self {
         let mut found = Self::default();
         let unmodified = sample.compared(&Variant::Unmodified);
-        // A number that no operation has: all are counted, and none is wrong.
+        // The number of no operation: all operations are counted, and none is changed.
         let with = |number, factor| sample.compared(&Variant::Operation(code, number, factor));
         let (_, count) = counted(|| with(usize::MAX, 1.0));
         for i in 0..each {
-            // One in each of as many parts of the code.
+            // One operation in each of as many parts of the code.
             let number = (i * count + rng.random_range(0..count.max(1))) / each;
             found.operations += 1;
             for factor in FACTORS {
@@ -156,7 +156,7 @@ mod tests {
         assert!(found.iter().map(|of| of.operations).sum::<usize>() >= OPERATIONS);
         for of in &found {
             assert!(of.faults > of.operations && of.detected <= of.faults, "{of:?}");
-            // An entry of a matrix may have little weight in the contraction that is compared.
+            // An entry of a matrix may have a small weight in the contraction that is compared.
             let least = if of.code == Code::Equations { 98 } else { 92 };
             let (name, detected, faults) = (of.code.name(), of.detected, of.faults);
             assert!(100 * detected > least * faults, "{name}: {detected} of {faults}");

@@ -1,4 +1,4 @@
-//! The closest points at which everything is put to the test: so chosen that no term vanishes at all of them.
+//! The closest points of fault injection, chosen so that no term vanishes at all of them.
 
 use super::differences::Steps;
 use crate::check::{
@@ -10,14 +10,14 @@ use crate::test_beam::Family;
 use crate::variant::Variant;
 use std::collections::BTreeMap;
 
-/// Points inside both beams, of each combination of curves linear in their dofs and not.
+/// The number of points inside both beams, for each combination of curves that are linear in their dofs or not.
 const INSIDE: usize = 2;
-/// Cases that are drawn at most.
+/// The maximum number of drawn cases.
 const DRAWN: u64 = 2000;
-/// The step from one case to the next: coprime to the 121 pairs of families, so that all are met.
+/// The step from one case to the next. It is coprime to the 121 pairs of families, so the steps reach all pairs.
 const STRIDE: usize = 37;
 
-/// A closest point, with all that does not depend on the variant.
+/// A closest point, with all values that do not depend on the variant.
 pub(super) struct Sample<'a> {
     pub(super) evaluation: EvaluationPoint<'a>,
     references: References,
@@ -25,10 +25,10 @@ pub(super) struct Sample<'a> {
 }
 
 impl<'a> Sample<'a> {
-    /// In the paper's form and, inside both beams, in the three others; none if the point has no derivatives that can be
-    /// compared.
+    /// In the paper's formulation and, inside both beams, in the three others; none if the point has no comparable
+    /// derivatives.
     ///
-    /// A fault may be seen by one check in one form only: symmetry finds a wrong d.t,xi of the system where (40) is taken
+    /// A check may detect a fault in one formulation only: symmetry detects a wrong d.t,xi of the system if (40) is used
     /// with the solution by cross products.
     pub(super) fn in_all_forms(case: &'a Case, point: &ClosestPoint) -> Vec<Self> {
         let evaluation = || EvaluationPoint::new(case.beams(), &case.contact, point).ok();
@@ -54,13 +54,13 @@ impl<'a> Sample<'a> {
         Self { evaluation, references, steps }
     }
 
-    /// What the gate compares.
+    /// The comparisons of the gate.
     pub(super) fn compared(&self, variant: &Variant) -> Vec<Comparison> {
         Closed::new(variant, &self.evaluation).compared_with(&self.references)
     }
 }
 
-/// The cases and closest points of a regime: inside, and with one end held, beams of both kinds.
+/// The cases and closest points of a regime: inside, and with one parameter held at an end, for beams of both kinds.
 pub(super) fn test_points(seed: u64, regime: Regime) -> Vec<(Case, ClosestPoint)> {
     let selection = Selection { regimes: vec![regime], family: None, cases: 121 * DRAWN };
     let mut wanted = BTreeMap::new();
@@ -79,14 +79,14 @@ pub(super) fn test_points(seed: u64, regime: Regime) -> Vec<(Case, ClosestPoint)
         wanted.entry(key).and_modify(|count| *count -= 1);
         chosen.push((key, case, point));
     }
-    // First those where most terms are at work.
+    // First the points with the most active terms.
     chosen.sort_by_key(|(key, ..)| *key);
     chosen.into_iter().map(|(_, case, point)| (case, point)).collect()
 }
 
 type Key = (bool, bool, [bool; 2]);
 
-/// A closest point of the case that is still wanted and that the gate passes.
+/// A closest point of the case that is still needed and that passes the gate.
 fn best(case: &Case, wanted: &BTreeMap<Key, usize>) -> Option<(Key, ClosestPoint)> {
     let linear = case.families.map(Family::is_linear);
     let [beam, bar] = case.beams();

@@ -1,21 +1,21 @@
-//! The record of how many digits each form keeps, `beamgap-accuracy/2`.
+//! The record of the digits that each formulation keeps, `beamgap-accuracy/2`.
 
 use super::{Environment, Record};
 use crate::check;
 use serde::{Deserialize, Serialize};
 
-/// What each form of the closed form loses, over the gap and over the angle, and where it was measured.
+/// The digits that each formulation loses, over the gap and over the angle, and the environment of the measurement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
     /// `beamgap-accuracy/2`.
     pub schema: String,
-    /// Where and with what it ran.
+    /// The environment of the run.
     pub environment: Environment,
     /// The seed of all pairs.
     pub seed: u64,
     /// The pairs at each gap and angle.
     pub pairs: usize,
-    /// What was measured.
+    /// The measurements.
     #[serde(flatten)]
     pub found: check::Accuracy,
 }

@@ -6,7 +6,7 @@ use super::page::{Block, Page};
 use crate::check::{Errors, Level};
 
 impl Accuracy {
-    /// The page; the same record always makes the same page.
+    /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
         let at = |rows: &[Level], at: f64, of: fn(&Level) -> Errors| {
             let row = rows.iter().find(|row| (row.at / at - 1.0).abs() < 1e-6).map(of);

@@ -7,25 +7,25 @@ use super::{Environment, Instructions, Peers, Record, ReportError, Rounds, Task,
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// The method that the others of a group are divided by.
+/// The method whose time is the denominator of the ratios in a group.
 pub const CLOSED_FORM: &str = "closed form";
 
-/// All that was measured, and where.
+/// All measurements, and their environment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Benchmark {
     /// `beamgap-benchmark/7`.
     pub schema: String,
-    /// Where and with what it was measured.
+    /// The environment of the measurements.
     pub environment: Environment,
     /// The scenarios, group by group.
     pub scenarios: Vec<Measured>,
-    /// The counts of instructions, if there are any.
+    /// The counts of instructions, if they exist.
     pub instructions: Option<Instructions>,
-    /// Other programs, if there are any.
+    /// Other programs, if they were measured.
     pub peers: Option<Peers>,
 }
 
-/// One method to do one task, measured.
+/// The measurement of one method for one task.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
     /// The task.
@@ -36,28 +36,28 @@ pub struct Measured {
     pub dofs: usize,
     /// The method.
     pub method: String,
-    /// How many pairs a run did; all times are those of one.
+    /// The number of pairs in a run. All times are those of one pair.
     pub pairs: usize,
     /// The median time in nanoseconds.
     pub median: f64,
     /// The 95 % interval of the median.
     pub interval: [f64; 2],
-    /// How many times as long as the closed form it takes, round by round, if there is one for the same task and beams; of
-    /// four pairs at once, how many times as long as one by one.
+    /// The time over that of the closed form, round by round, if there is one for the same task and beams. For four
+    /// pairs at once, the denominator is the time one by one.
     pub ratio_to_closed_form: Option<Ratio>,
-    /// The largest error, relative to the largest number of its kind; measured before the time was.
+    /// The largest error, relative to the largest number of its kind. It is measured before the time.
     pub error: f64,
-    /// The largest error over what rounding, and truncation if there is any, allow: right if at most one.
+    /// The largest error over the tolerance for rounding and any truncation. The method is correct if it is at most one.
     pub share: f64,
-    /// Its times next to those of the closed form, if there is one; of the roofline, if its arithmetic is counted; of one
-    /// thread, if it has more.
+    /// The interleaved times: with the closed form, if there is one; with the roofline, if the arithmetic is counted; with
+    /// one thread, if the method has more.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub rounds: Vec<Rounds>,
-    /// All samples, in nanoseconds a pair, in the order they were taken.
+    /// All samples, in nanoseconds for each pair, in the order of measurement.
     pub samples: Vec<f64>,
 }
 
-/// A ratio of two times that were taken in interleaved rounds.
+/// A ratio of two times from interleaved rounds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ratio {
     /// The median of the ratios of the rounds.
@@ -67,7 +67,7 @@ pub struct Ratio {
 }
 
 impl Ratio {
-    /// Whether the measurement tells the two apart.
+    /// Whether the measurement distinguishes the two times.
     pub fn is_different(&self) -> bool {
         !(self.interval[0]..=self.interval[1]).contains(&1.0)
     }
@@ -85,7 +85,7 @@ impl Record for Benchmark {
         &self.schema
     }
 
-    /// One scenario a line.
+    /// One scenario on each line.
     fn to_json(&self) -> Result<String, ReportError> {
         let environment = serde_json::to_string(&self.environment).map_err(format::<Self>)?;
         let instructions = serde_json::to_string(&self.instructions).map_err(format::<Self>)?;
@@ -101,10 +101,10 @@ impl Record for Benchmark {
 }
 
 impl Benchmark {
-    /// Puts together what criterion and the benches left in a directory; the counts and the peers have other sources.
+    /// Combines the files of criterion and of the benches in a directory. The counts and the peers have other sources.
     ///
     /// # Errors
-    /// Every scenario must be judged, be right, and be timed after that: else the error of that name.
+    /// The error of that name, unless every scenario was verified, is correct, and was timed after the verification.
     pub fn read(directory: &Path) -> Result<Self, ReportError> {
         let found = samples(directory)?;
         let (verdicts, verified) = Verdicts::read(directory)?;
@@ -160,8 +160,8 @@ impl Benchmark {
 }
 
 impl Measured {
-    /// How many entries of a Hessian are stored: all, those of a triangle, or the blocks of both beams, which are alike,
-    /// and the one between them.
+    /// The number of stored entries of a Hessian: all, those of a triangle, or the blocks of both beams, which are alike,
+    /// and the block between the beams.
     pub(super) fn stored(&self) -> usize {
         let all = self.dofs * self.dofs;
         match self.method.split(", ").nth(1) {

@@ -1,4 +1,4 @@
-//! What the machine allows: many pairs on several threads, and the roofline.
+//! The limits of the machine: many pairs on several threads, and the roofline.
 
 use super::Task;
 use super::benchmark::{Benchmark, Measured, Ratio};

@@ -1,4 +1,4 @@
-//! How the benchmarks were measured, and what they do not say.
+//! The method of measurement of the benchmarks, and its limits.
 
 use super::benchmark::{Benchmark, CLOSED_FORM};
 use super::number::count;

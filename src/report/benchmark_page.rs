@@ -6,11 +6,11 @@ use super::number::{count, error, number, plain, time};
 use super::page::{Block, Page};
 use super::{Instructions, Task};
 
-/// The family that stands for all where there is room for one only.
+/// The family that represents all families where only one is shown.
 const STANDARD: &str = "hermite";
 
 impl Benchmark {
-    /// The pages and the pictures by the names of their files; the same record always makes the same.
+    /// The pages and the pictures by file name. The same record always gives the same pages.
     pub fn pages(&self) -> Vec<(String, String)> {
         let page = self.page();
         let pages = [("benchmark.md", page.to_markdown()), ("benchmark.html", page.to_html())];
@@ -54,7 +54,7 @@ impl Benchmark {
         Page::new("Benchmark", blocks)
     }
 
-    /// Why the closed form for d has several times.
+    /// The reason why the closed form for d has several times.
     fn times_of_closed_form(&self) -> String {
         let find = |task: Task, method: &str| {
             let of = self.of(task).find(|of| of.family == STANDARD && of.method == method);
@@ -110,7 +110,7 @@ impl Benchmark {
         Block::table(&head, rows.collect())
     }
 
-    /// Methods and families, whichever there are more of down and the others across.
+    /// A table of methods and families. The larger number of them are the rows, the others are the columns.
     fn by_family(&self, task: Task, cell: impl Fn(&Measured) -> Option<String>) -> Block {
         let (mut methods, mut families): (Vec<&str>, Vec<(&str, usize)>) = (Vec::new(), Vec::new());
         for of in self.of(task).filter(|of| cell(of).is_some()) {
@@ -146,7 +146,7 @@ impl Benchmark {
         Block::table(&across, rows)
     }
 
-    /// What it takes to find a closest point, next to what it takes to linearize there.
+    /// The time to find a closest point, next to the time to linearize there.
     fn closest_points(&self) -> Vec<Block> {
         let closed = |task: Task, family: &str| {
             let is_it = |of: &&Measured| of.family == family && of.method == CLOSED_FORM;
@@ -227,7 +227,7 @@ const SIZES: &str = "Gradients and Hessians in all dofs of two Lagrange or cubic
 /// The head of a column of verdicts.
 pub(super) const VERDICT: &str = "#error / tolerance";
 
-/// The largest error over what is allowed for it.
+/// The largest error over its tolerance.
 pub(super) fn verdict(share: f64) -> String {
     format!("{} ({})", error(Some(share)), if share <= 1.0 { "pass" } else { "fail" })
 }

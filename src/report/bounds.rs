@@ -1,21 +1,21 @@
-//! The record of how sharp the tolerances are, `beamgap-bounds/3`.
+//! The record of the overestimation of the tolerances, `beamgap-bounds/3`.
 
 use super::{Environment, Record};
 use crate::check;
 use serde::{Deserialize, Serialize};
 
-/// What the bounds allow for, against the errors that there are.
+/// The bounds on the errors, compared with the actual errors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bounds {
     /// `beamgap-bounds/3`.
     pub schema: String,
-    /// Where and with what it ran.
+    /// The environment of the run.
     pub environment: Environment,
     /// The seed of all cases.
     pub seed: u64,
     /// The cases of each regime.
     pub cases_per_regime: u64,
-    /// What was measured.
+    /// The measurements.
     pub found: check::Bounds,
 }
 

@@ -6,7 +6,7 @@ use super::page::{Block, Page};
 use crate::check::{Measured, Points, Regime, Side, Violation};
 
 impl Bounds {
-    /// The page; the same record always makes the same page.
+    /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
         let found = &self.found;
         let points: u64 = found.points.values().map(|points| points.measured).sum();

@@ -1,4 +1,4 @@
-//! Charts as SVG, in light and dark, with text that can be read at a width of 400 pixels.
+//! Charts as SVG, in light and dark, with text that is readable at a width of 400 pixels.
 
 mod axis;
 
@@ -7,13 +7,13 @@ pub(super) use axis::Axis;
 use super::page::escaped;
 use std::fmt::Write;
 
-/// The width of every chart. It is shown as wide as the page allows, 640 pixels at most.
+/// The width of every chart. It is displayed at the width of the page, at most 640 pixels.
 pub(super) const WIDTH: f64 = 420.0;
 
 /// A place in a chart, from the left and from the top.
 pub(super) type Place = [f64; 2];
 
-/// Where a text stands relative to its place.
+/// The alignment of a text relative to its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
@@ -28,7 +28,7 @@ pub(super) enum Mark {
     Diamond,
 }
 
-/// A chart; colours are numbers from 0 to 3, and [`INK`] is that of text.
+/// A chart. Colours are numbers from 0 to 3, and [`INK`] is the colour of text.
 pub(super) struct Chart {
     height: f64,
     title: String,
@@ -38,7 +38,7 @@ pub(super) struct Chart {
 /// The colour of text and axes.
 pub(super) const INK: usize = 4;
 
-/// The colours of Okabe and Ito, darker on white and lighter on black, so that text has a contrast of 4.5 at least.
+/// The colours of Okabe and Ito, darker on white and lighter on black, so that the contrast of text is at least 4.5.
 const STYLE: &str = "<style>\
 .chart{--page:#fff;--c4:#1a1a1a;--grid:#dcdcdc;--c0:#005a9c;--c1:#b04500;--c2:#00694f;--c3:#8a3a7c}\
 @media(prefers-color-scheme:dark){\
@@ -61,11 +61,11 @@ impl Chart {
     }
 
     fn add(&mut self, element: std::fmt::Arguments) {
-        // A String never refuses to be written to.
+        // Writing to a String never fails.
         let _ = writeln!(self.body, "{element}");
     }
 
-    /// Words in a colour.
+    /// Text in a colour.
     pub(super) fn text(&mut self, [x, y]: Place, anchor: Anchor, colour: usize, words: &str) {
         let anchor = match anchor {
             Anchor::Start => "",
@@ -76,13 +76,13 @@ impl Chart {
         self.add(format_args!("<text x=\"{x:.1}\" y=\"{y:.1}\" class=\"f{colour}\"{anchor}>{words}</text>"));
     }
 
-    /// Words that stand out.
+    /// Emphasized text.
     pub(super) fn strong(&mut self, [x, y]: Place, words: &str) {
         let words = escaped(words);
         self.add(format_args!("<text x=\"{x:.1}\" y=\"{y:.1}\" class=\"strong\">{words}</text>"));
     }
 
-    /// A line with further classes: `grid`, `thick`, `dashed`, `s0` to `s4` for colours.
+    /// A line with additional classes: `grid`, `thick`, `dashed`, `s0` to `s4` for colours.
     pub(super) fn line(&mut self, [x, y]: Place, [u, v]: Place, class: &str) {
         self.add(format_args!(
             "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{u:.1}\" y2=\"{v:.1}\" class=\"{class}\"/>"
@@ -147,9 +147,9 @@ fn tenth(x: f64) -> String {
     format!("{x:.1}")
 }
 
-/// Moves heights or lengths apart, so that labels do not overlap: each at least `gap` from the next, all within the range.
+/// Separates heights or lengths so that labels do not overlap: each at least `gap` from the next, all within the range.
 ///
-/// They keep their order and move as little as a sweep in both directions needs.
+/// They keep their order and move as little as a sweep in both directions requires.
 pub(super) fn apart(wanted: &[f64], gap: f64, [low, high]: [f64; 2]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|&a, &b| wanted[a].total_cmp(&wanted[b]));

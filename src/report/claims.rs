@@ -1,15 +1,15 @@
-//! What the front page claims of the benchmarks, in words made of the record alone.
+//! The claims of the front page about the benchmarks, made from the record alone.
 
 use super::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 use super::number::{count, error, number, plain, time};
 use super::{Peers, Task};
 
-/// What CasADi is given for the derivatives of the closest point.
+/// The method in which CasADi has the derivatives of the closest point.
 const ENVELOPE: &str = "CasADi, envelope theorem";
 const IMPLICIT: &str = "CasADi, implicit function theorem";
 
 impl Benchmark {
-    /// The sentences of the front page, none of them of numbers that are not in the record.
+    /// The sentences of the front page. All their numbers are from the record.
     pub fn claims(&self) -> Vec<String> {
         let mut claims = vec![self.closed_form(), self.automatic(), self.differences()];
         claims.extend([self.threads(), self.closest_point(), self.growth()]);
@@ -17,7 +17,7 @@ impl Benchmark {
         claims
     }
 
-    /// Which method to take, in three sentences.
+    /// The recommended method, in three sentences.
     pub(super) fn conclusion(&self) -> String {
         let [d, all] = [Task::Distance, Task::All].map(|task| {
             let closed = self.of_hermites(task).find(|of| of.method == CLOSED_FORM);
@@ -40,12 +40,12 @@ impl Benchmark {
         )
     }
 
-    /// What the other methods take, and the closest point that all of them need.
+    /// The times of the other methods, and of the closest point, which all of them need.
     pub(super) fn others(&self) -> String {
         [self.automatic(), self.differences(), self.closest_point()].join(" ")
     }
 
-    /// What a thousand contacts take.
+    /// The time of a thousand contacts.
     fn contacts(&self) -> String {
         let find = |task: Task, method: &str| {
             let name = format!("closed form, {method}, 1 thread");
@@ -134,7 +134,7 @@ impl Benchmark {
         )
     }
 
-    /// From the second smallest to the largest Lagrange pair: the smallest has hardly a result to spread its cost over.
+    /// From the second smallest to the largest Lagrange pair. The smallest has too small a result to spread its cost.
     pub(super) fn growth(&self) -> String {
         let rows: Vec<_> = self.of(Task::AllBySize).filter(|of| of.family == "lagrange").collect();
         let [_, first, .., last] = &rows[..] else { return String::new() };
@@ -148,7 +148,7 @@ impl Benchmark {
     }
 }
 
-/// What other programs take.
+/// The times of other programs.
 fn peers(of: &Peers) -> String {
     let times = |program: &&str| {
         let [d, all] = ["A", "B"].map(|task| of.over_ours(program, task).map_or("no".to_owned(), plain));
@@ -161,7 +161,7 @@ fn peers(of: &Peers) -> String {
     )
 }
 
-/// The ratios to the closed form, from the least to the largest.
+/// The ratios to the closed form, from the smallest to the largest.
 fn ratios<'a>(rows: impl Iterator<Item = &'a Measured>) -> String {
     let (least, most) = range(rows.filter_map(|of| of.ratio_to_closed_form).map(|ratio| ratio.value));
     format!("{} to {}", plain(least), plain(most))

@@ -1,7 +1,7 @@
-//! What `cargo bench` leaves behind: criterion's files, whose form is criterion's own affair, and our verdicts.
+//! The results of `cargo bench`: the files of criterion, whose format criterion does not guarantee, and our verdicts.
 //!
-//! Of criterion's files only what cannot be missed is read: the name of a benchmark, and for each sample the number of
-//! iterations and their time. All else they hold, and whatever else lies in their directory, is passed over.
+//! Of the files of criterion, only the indispensable parts are read: the name of a benchmark, and for each sample the number
+//! of iterations and their time. All other contents of the files and of their directory are ignored.
 
 use super::task::group;
 use super::{Environment, ReportError, Rounds};
@@ -11,22 +11,22 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// The file, next to criterion's, in which the benches leave their verdicts.
+/// The file, next to those of criterion, with the verdicts of the benches.
 pub const VERDICTS: &str = "beamgap-verdicts.json";
 
-/// The file in which they leave the rounds of what was timed.
+/// The file with the rounds of the timed methods.
 const ROUNDS: &str = "beamgap-rounds.json";
 
-/// What the benches found before they timed anything.
+/// The verification by the benches, before any timing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdicts {
-    /// Where they ran.
+    /// The environment of the benches.
     pub environment: Environment,
-    /// The scenarios, in the order in which they are to be shown.
+    /// The scenarios, in the order of display.
     pub scenarios: Vec<Verdict>,
 }
 
-/// What a scenario is, and that it is right.
+/// A scenario and the result of its verification.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// The task.
@@ -35,35 +35,35 @@ pub struct Verdict {
     pub family: String,
     /// The dofs of both beams together.
     pub dofs: usize,
-    /// The method, criterion's function.
+    /// The method: the function in criterion.
     pub method: String,
-    /// How many pairs a run does.
+    /// The number of pairs in a run.
     pub pairs: usize,
     /// The largest error, relative to the largest number of its kind.
     pub error: f64,
-    /// The largest error over what is allowed for it.
+    /// The largest error over its tolerance.
     pub share: f64,
 }
 
 impl Verdict {
-    /// Whether the scenario is right.
+    /// Whether the scenario is correct.
     pub fn is_right(&self) -> bool {
         self.share <= 1.0 && self.error.is_finite()
     }
 
-    /// Criterion's group.
+    /// The group in criterion.
     pub(super) fn group(&self) -> String {
         group(&self.task, &self.family, self.dofs)
     }
 }
 
-/// The samples of one benchmark, in nanoseconds an iteration, and when they were written.
+/// The samples of one benchmark, in nanoseconds for each iteration, and the time at which they were written.
 pub(super) struct Samples {
     pub(super) times: Vec<f64>,
     pub(super) written: SystemTime,
 }
 
-/// Where criterion writes, by the rules that it follows itself: `CRITERION_HOME`, or `criterion` in the target directory.
+/// The directory of criterion, by the rules of criterion: `CRITERION_HOME`, or `criterion` in the target directory.
 pub fn criterion_directory() -> PathBuf {
     let variable = |name| std::env::var_os(name).map(PathBuf::from);
     variable("CRITERION_HOME")
@@ -81,7 +81,7 @@ impl Verdicts {
         super::write(directory, VERDICTS, &json)
     }
 
-    /// Reads them, with the time at which they were written.
+    /// Reads the verdicts, with the time at which they were written.
     pub(super) fn read(directory: &Path) -> Result<(Self, SystemTime), ReportError> {
         let path = directory.join(VERDICTS);
         let Some((text, written)) = read(&path) else { return Err(ReportError::NoVerdicts { path }) };
@@ -91,7 +91,7 @@ impl Verdicts {
     }
 }
 
-/// Writes the rounds of methods into criterion's directory, each with the group and the name of the method.
+/// Writes the rounds of methods into the directory of criterion, each with the group and the name of the method.
 ///
 /// # Errors
 /// [`ReportError::Write`].
@@ -101,7 +101,7 @@ pub fn write_rounds(directory: &Path, rounds: &[(String, String, Rounds)]) -> Re
     super::write(directory, ROUNDS, &json)
 }
 
-/// Those that were taken after `verified`, by group and method.
+/// The rounds that were measured after `verified`, by group and method.
 pub(super) fn rounds(
     directory: &Path,
     verified: SystemTime,
@@ -119,7 +119,7 @@ pub(super) fn rounds(
     Ok(of_methods)
 }
 
-/// All that criterion measured, by group and function.
+/// All measurements of criterion, by group and function.
 pub(super) fn samples(directory: &Path) -> Result<BTreeMap<(String, String), Samples>, ReportError> {
     #[derive(Deserialize)]
     struct Name {

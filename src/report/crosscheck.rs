@@ -4,18 +4,18 @@ use super::{Environment, Record};
 use crate::check::Summary;
 use serde::{Deserialize, Serialize};
 
-/// What a run of the check found, and where.
+/// The results of a run of the check, and its environment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Crosscheck {
     /// `beamgap-crosscheck/2`.
     pub schema: String,
-    /// Where and with what it ran.
+    /// The environment of the run.
     pub environment: Environment,
     /// The seed of all cases.
     pub seed: u64,
     /// The cases of each regime.
     pub cases_per_regime: u64,
-    /// What was found.
+    /// The results.
     pub found: Summary,
 }
 

@@ -8,7 +8,7 @@ use crate::linearization::Quantity;
 use crate::test_beam::Family;
 
 impl Crosscheck {
-    /// The page; the same record always makes the same page.
+    /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
         let tallies = || self.found.regimes.values();
         let mismatches: u64 = tallies().map(|tally| tally.mismatches).sum();
@@ -101,7 +101,7 @@ impl Crosscheck {
         ]
     }
 
-    /// Quantities down, orders across, with the cases folded away.
+    /// A table with quantities as rows and orders as columns, with the cases collapsed.
     fn by_quantity(&self) -> [Block; 4] {
         let cells = &self.found.quantities;
         let orders: Vec<Order> =
@@ -148,7 +148,7 @@ impl Crosscheck {
         Block::details("Points and cases that were not compared", vec![body])
     }
 
-    /// Families of the beam down, of the bar beam across.
+    /// A table with families of the beam as rows and of the bar beam as columns.
     fn by_family(&self) -> Block {
         let families: Vec<Family> = self.found.families.keys().copied().collect();
         let row = |beam: &Family| {
@@ -163,7 +163,7 @@ impl Crosscheck {
     }
 }
 
-/// A ratio to two decimals, or to as many as tell it from 1 if it is below.
+/// A ratio to two decimals, or to as many as distinguish it from 1 if it is below 1.
 fn below_one(ratio: f64) -> String {
     let rounded = |decimals: usize| format!("{ratio:.decimals$}");
     (2..16).map(rounded).find(|text| ratio >= 1.0 || !text.starts_with('1')).unwrap_or_else(|| rounded(2))

@@ -1,6 +1,6 @@
-//! The page of the derivation: the story, every equation with its numbers and its code, and figures.
+//! The page of the derivation: the text, every equation with its numbers and its code, and figures.
 //!
-//! The numbers come from records, the code from the source, the prose from text files beside this one.
+//! The numbers are from records, the code is from the source, and the prose is from text files in the same directory.
 
 mod equation;
 mod figures;

@@ -1,4 +1,4 @@
-//! Where and with what numbers were made.
+//! The environment in which numbers are computed.
 
 use super::ReportError;
 use super::page::Block;
@@ -7,12 +7,12 @@ use std::fs;
 use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Where and with what numbers were made; what cannot be found out is `unknown`.
+/// The environment in which numbers are computed. An entry that cannot be determined is `unknown`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Environment {
     /// The processor.
     pub cpu: String,
-    /// How many threads it runs at once.
+    /// The number of threads that the processor runs at once.
     pub cores: usize,
     /// The system and its kernel.
     pub kernel: String,
@@ -20,16 +20,16 @@ pub struct Environment {
     pub rustc: String,
     /// The profile and RUSTFLAGS.
     pub flags: String,
-    /// The commit, with `-dirty` if there were changes on top of it, other than of reports.
+    /// The commit, with `-dirty` if it has uncommitted changes outside the reports.
     pub commit: String,
     /// The day, in UTC.
     pub date: String,
-    /// What was run.
+    /// The command.
     pub command: String,
 }
 
 impl Environment {
-    /// Asks the system, git and rustc.
+    /// Queries the system, git and rustc.
     pub fn here(command: &str) -> Self {
         let unknown = || "unknown".to_owned();
         let run = |program: &str, arguments: &[&str]| {
@@ -65,16 +65,16 @@ impl Environment {
         }
     }
 
-    /// Refuses to make a report of source that no commit has, unless that is allowed.
+    /// Rejects a report of uncommitted source, unless that is allowed.
     ///
     /// # Errors
-    /// [`ReportError::Dirty`]. Where there is no repository nothing is refused.
+    /// [`ReportError::Dirty`]. Without a repository there is no error.
     pub fn is_clean(allow_dirty: bool) -> Result<(), ReportError> {
         let is_dirty = !allow_dirty && Self::here("").commit.ends_with("-dirty");
         if is_dirty { Err(ReportError::Dirty) } else { Ok(()) }
     }
 
-    /// A table of it, with further rows.
+    /// A table of the environment, with additional rows.
     pub(super) fn table(&self, more: Vec<(&str, String)>) -> Block {
         let pairs = [
             ("CPU", format!("{}, {} cores", self.cpu, self.cores)),

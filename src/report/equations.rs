@@ -4,14 +4,14 @@ use super::{Environment, Record};
 use crate::equations::EquationTable;
 use serde::{Deserialize, Serialize};
 
-/// What became of each equation, and where it ran.
+/// The verdict on each equation, and the environment of the run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Equations {
     /// `beamgap-equations/3`.
     pub schema: String,
-    /// Where and with what it ran.
+    /// The environment of the run.
     pub environment: Environment,
-    /// What was found.
+    /// The results.
     #[serde(flatten)]
     pub table: EquationTable,
 }

@@ -6,7 +6,7 @@ use super::page::{Block, Page};
 use crate::equations::{Claim, Counts, EquationRow, EquationTable, Reading, Run, Symmetry, Verdict};
 
 impl Equations {
-    /// The page; the same record always makes the same page.
+    /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
         let table = &self.table;
         let of = |verdict| table.equations.iter().filter(|entry| entry.verdict == verdict).count();
@@ -146,7 +146,7 @@ impl EquationTable {
         blocks
     }
 
-    /// What is exact for curves that are linear in their dofs only.
+    /// The equations that are exact only for curves that are linear in their dofs.
     fn dropped(&self) -> Vec<Block> {
         let mut blocks = vec![
             Block::heading("Terms dropped"),
@@ -270,7 +270,7 @@ fn readings(entry: &EquationRow, shown: impl Fn(&Run) -> bool) -> Block {
     Block::table(&head, rows)
 }
 
-/// The numbers of equations, as the paper has them.
+/// The numbers of equations, as printed in the paper.
 fn numbers(entries: &[&EquationRow]) -> String {
     entries.iter().map(|entry| format!("({})", entry.number)).collect::<Vec<_>>().join(", ")
 }
@@ -283,7 +283,7 @@ fn refuted(counts: [Counts; 2]) -> String {
     counts.map(|counts| count(counts.refuted)).join(", ")
 }
 
-/// LaTeX in a line, fenced so that Markdown leaves it alone.
+/// Inline LaTeX, fenced so that Markdown does not change it.
 fn inline(latex: &str) -> String {
     format!("$`{}`$", latex.replace('\n', " "))
 }

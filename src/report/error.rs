@@ -1,38 +1,38 @@
-//! Why a report could not be made.
+//! The errors of making a report.
 
 use std::path::PathBuf;
 
-/// Why a report could not be made.
+/// The reasons why a report cannot be made.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReportError {
-    /// Criterion has not run, or not here.
+    /// Criterion has not run, or not in this directory.
     #[error("no measurements in {}: run `cargo bench` first", .directory.display())]
     NoMeasurements {
-        /// Where they were looked for.
+        /// The directory that was searched.
         directory: PathBuf,
     },
-    /// The benches have not left their verdicts.
+    /// The benches have not written their verdicts.
     #[error("no verdicts in {}: run `cargo bench` first", .path.display())]
     NoVerdicts {
         /// The file that is missing.
         path: PathBuf,
     },
-    /// A scenario was verified but not timed since.
+    /// A scenario was verified but not timed afterwards.
     #[error("{scenario} was not timed after it was verified: run `cargo bench` without a filter")]
     NotTimed {
         /// The scenario.
         scenario: String,
     },
-    /// A scenario was verified and found wrong.
+    /// The verification of a scenario failed.
     #[error("{scenario} is off by {share:e} times what is allowed, and nothing wrong is timed")]
     Wrong {
         /// The scenario.
         scenario: String,
-        /// The largest error over what is allowed.
+        /// The largest error over its tolerance.
         share: f64,
     },
-    /// The source is not that of a commit.
+    /// The source has uncommitted changes.
     #[error(
         "the source has changes that are not committed: commit them, as a report names its commit, or pass --allow-dirty"
     )]
@@ -40,23 +40,23 @@ pub enum ReportError {
     /// The text, a formula or the source of the page of the derivation is not as expected.
     #[error("the page of the derivation cannot be put together: {what}")]
     Derivation {
-        /// What is wrong.
+        /// The problem.
         what: String,
     },
-    /// A file is not what it should be.
+    /// A file has unexpected contents.
     #[error("{what} cannot be read")]
     Format {
         /// The file, or the kind of file.
         what: String,
-        /// What serde has to say.
+        /// The error of serde.
         source: serde_json::Error,
     },
     /// A record has another schema.
     #[error("the schema is {found}, not {expected}")]
     Schema {
-        /// What the record says.
+        /// The schema in the record.
         found: String,
-        /// What was expected.
+        /// The expected schema.
         expected: &'static str,
     },
     /// A file cannot be read.
@@ -64,7 +64,7 @@ pub enum ReportError {
     Read {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: std::io::Error,
     },
     /// A file cannot be written.
@@ -72,7 +72,7 @@ pub enum ReportError {
     Write {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: std::io::Error,
     },
 }

@@ -1,4 +1,4 @@
-//! How well explanations are, as a record: every fault of the catalogue, answered by a program that has it.
+//! The record of the quality of explanations: every fault of the catalogue, in the answers of a program that has it.
 
 use super::{Environment, Record, ReportError};
 use crate::check::external::{ExplainedFault, Naming, Programs, explained_faults};
@@ -10,39 +10,39 @@ use std::path::Path;
 pub struct Explain {
     /// The schema.
     pub schema: String,
-    /// Where it was made.
+    /// The environment of the run.
     pub environment: Environment,
     /// The seed of the cases, and of the choice of pairs.
     pub seed: u64,
-    /// Every how many faults of the catalogue one was taken.
+    /// The step through the catalogue: one of this many faults is taken.
     pub every: usize,
-    /// By how many faults the programs have, and by what they answer.
+    /// The results, by the number of faults in a program and by its kind of answers.
     pub programs: Vec<ExplainProgram>,
 }
 
-/// Programs that answer the same, each with as many faults.
+/// Programs with the same kind of answers and the same number of faults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExplainProgram {
-    /// How many faults each has.
+    /// The number of faults in each program.
     pub faults: usize,
-    /// What they answer.
+    /// The kind of answers.
     pub answers: String,
-    /// How many programs have their faults named how well.
+    /// The number of programs for each quality of naming.
     pub counts: Vec<NamingCount>,
-    /// Those whose faults are not named first alone, and not undetected.
+    /// The programs whose faults are detected, but not named first alone.
     pub others: Vec<NotFirst>,
     /// The largest number of explanations that are named together.
     pub largest_set: usize,
-    /// The largest deviation that is left after an explanation that names the faults alone; none if it is not finite.
+    /// The largest deviation that remains after an explanation that names the faults alone; none if it is not finite.
     pub largest_left: Option<f64>,
 }
 
-/// How many programs have their faults named so well.
+/// The number of programs with one quality of naming.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NamingCount {
-    /// How well.
+    /// The quality of naming.
     pub naming: String,
-    /// How many.
+    /// The number of programs.
     pub programs: usize,
 }
 
@@ -51,13 +51,13 @@ pub struct NamingCount {
 pub struct NotFirst {
     /// Its faults.
     pub fault: String,
-    /// How they were named.
+    /// The quality of naming.
     pub naming: String,
-    /// What was named: the first of them, and how many there are.
+    /// The first of the named explanations.
     pub named: Vec<String>,
-    /// How many were named together.
+    /// The number of explanations that are named together.
     pub count: usize,
-    /// The deviation before the explanation and after it; none where it is not finite.
+    /// The deviation before and after the explanation; none if it is not finite.
     pub deviation: [Option<f64>; 2],
 }
 
@@ -94,40 +94,40 @@ impl ExplainProgram {
         }
     }
 
-    /// How many programs have their faults named so well.
+    /// The number of programs with this quality of naming.
     pub fn count(&self, naming: Naming) -> usize {
         self.counts.iter().filter(|count| count.naming == naming.name()).map(|count| count.programs).sum()
     }
 
-    /// Whether no wrong fault is named, and each single fault that shows is named, alone or with those that the answers
-    /// cannot tell from it. Of two faults none may be named: the explanation then says that it knows none.
+    /// Whether no wrong fault is named, and each detected single fault is named, alone or with those that the answers
+    /// do not distinguish from it. For two faults the explanation may name none: it then says that it knows none.
     pub fn holds(&self) -> bool {
         let unnamed = if self.faults == 1 { self.count(Naming::None) } else { 0 };
         self.count(Naming::Other) + unnamed == 0
     }
 }
 
-/// Of what is named together so much is listed.
+/// The maximum number of listed explanations of those that are named together.
 const SHOWN: usize = 4;
 
-/// Two digits: the others depend on the machine.
+/// Two digits, because the others depend on the machine.
 fn rounded(number: f64) -> Option<f64> {
     format!("{number:.1e}").parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-/// How much of the catalogue is measured.
+/// The part of the catalogue that is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ExplainSample {
     /// The seed of the cases, and of the choice of pairs.
     pub seed: u64,
-    /// Every how many faults one is taken.
+    /// The step through the catalogue: one of this many faults is taken.
     pub every: usize,
-    /// How many pairs of faults are taken.
+    /// The number of pairs of faults.
     pub pairs: usize,
 }
 
 impl Explain {
-    /// Measures.
+    /// Runs the measurement.
     pub fn new(sample: ExplainSample, command: &str) -> Self {
         let ExplainSample { seed, every, pairs } = sample;
         let programs = [
@@ -153,7 +153,7 @@ impl Explain {
     }
 }
 
-/// Measures how well explanations are, and writes `explain.json` and `explain.md` into the directory `to`.
+/// Measures the quality of explanations, and writes `explain.json` and `explain.md` into the directory `to`.
 ///
 /// # Errors
 /// [`ReportError::Write`] if a file cannot be written.

@@ -1,4 +1,4 @@
-//! How well explanations are as a page, from the record alone.
+//! The quality of explanations as a page, from the record alone.
 
 use super::explain::{Explain, ExplainProgram};
 use super::number::{count, error};
@@ -6,7 +6,7 @@ use super::page::{Block, Page};
 use crate::check::external::Naming;
 
 impl Explain {
-    /// The page; the same record always makes the same page.
+    /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
         let taken = match self.every {
             1 => "Every fault of the catalogue is injected into the closed form".to_owned(),
@@ -30,7 +30,7 @@ impl Explain {
         Page::new("Explanations", blocks)
     }
 
-    /// How often the faults were named that change an answer.
+    /// The frequency with which faults that change an answer are named.
     fn conclusion(&self) -> String {
         let of = |faults: usize| self.programs.iter().filter(move |of| of.faults == faults);
         let count_of = |faults: usize, namings: &[Naming]| -> u64 {

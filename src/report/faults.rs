@@ -6,16 +6,16 @@ use crate::faults::{Injected, Limit, Operations, Sampled};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What the checks made of injected faults.
+/// The results of the checks for injected faults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Faults {
     /// `beamgap-faults/2`.
     pub schema: String,
-    /// Where and with what it ran.
+    /// The environment of the run.
     pub environment: Environment,
     /// The seed of the cases and of the pairs of faults.
     pub seed: u64,
-    /// Whether the gate and the exact check detect every fault and reject nothing that is right.
+    /// Whether the gate and the exact check detect every fault and reject nothing that is correct.
     pub holds: bool,
     /// Faults of terms.
     pub terms: Injected,

@@ -10,7 +10,7 @@ use crate::variant::{Kind, Rewrite};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Faults {
-    /// The page; the same record always makes the same page.
+    /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
         let verdict = if self.holds { "The check detects every fault" } else { "THE CHECK MISSES SOMETHING" };
         let conclusion = format!(
@@ -56,7 +56,7 @@ impl Faults {
         Page::new("Faults", blocks)
     }
 
-    /// Each check in the regime in which it detects the most faults, and of these in that in which it accepts the most points.
+    /// Each check in the regime with the most detected faults. Of several such regimes, the one with the most accepted points.
     fn best_regimes(&self) -> Block {
         let rows = Check::ALL.into_iter().filter_map(|check| {
             let row = self.best(check)?;
@@ -98,7 +98,7 @@ impl Faults {
         ]
     }
 
-    /// What other checks miss, in the regime that suits them best.
+    /// The faults that other checks do not detect, in the best regime of each check.
     fn missed(&self) -> Vec<Block> {
         let rows = Check::ALL.into_iter().filter_map(|check| {
             let row = self.best(check).filter(|row| row.detected < row.planted)?;
@@ -118,7 +118,7 @@ impl Faults {
         vec![Block::details("Undetected faults of the other checks, in these regimes", vec![table])]
     }
 
-    /// What became of single operations.
+    /// The results for single operations.
     fn single_operations(&self) -> Vec<Block> {
         let (faults, detected) = self
             .operations
@@ -239,7 +239,7 @@ fn regime_of(row: &Detection) -> String {
     row.regime.map_or("-", Regime::name).to_owned()
 }
 
-/// What each kind of fault does to a term.
+/// The effect of each kind of fault on a term.
 fn what_is_wrong(kind: Kind) -> &'static str {
     match kind {
         Kind::Sign => "has the opposite sign",

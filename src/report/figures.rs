@@ -1,4 +1,4 @@
-//! The figures of the reports; the same record always makes the same ones.
+//! The figures of the reports. The same record always gives the same figures.
 
 mod accuracy;
 mod methods;
@@ -9,7 +9,7 @@ mod trade;
 use super::chart::Axis;
 use super::number::{error, time};
 
-/// An axis of times, in the unit that suits each tick.
+/// An axis of times. Each tick has a suitable unit.
 fn times(range: [f64; 2], pixels: [f64; 2], name: &str) -> Axis<'_> {
     let label = |ns: f64| time(ns).replace(".00", "").replace(".0", "");
     Axis { range, pixels, name, room: 8, given: &[], label }

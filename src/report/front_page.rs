@@ -1,6 +1,6 @@
-//! The story on the front page of the documentation: prose with formulas as MathML, and the picture.
+//! The text on the front page of the documentation: prose with formulas as MathML, and the picture.
 //!
-//! `src/front_page.md` is made of it: rustdoc shows HTML in Markdown, and needs no script for MathML.
+//! `src/front_page.md` is generated from it. Rustdoc displays HTML in Markdown, and MathML needs no script.
 
 use super::ReportError;
 use super::derivation::mathml;
@@ -11,7 +11,7 @@ const TEXT: &str = include_str!("front_page.txt");
 const WORDS: &str =
     "Two beams, their closest points, the distance d, the tangents t and t_bar, and the gap g_N";
 
-/// The story as Markdown.
+/// The text as Markdown.
 ///
 /// # Errors
 /// [`ReportError::Derivation`] if a formula cannot be parsed.
@@ -41,12 +41,12 @@ fn page() -> Result<String, String> {
     Ok(page)
 }
 
-/// On one line: a blank line would end the HTML.
+/// Joins the lines, because a blank line would end the HTML.
 fn in_line(mathml: &str) -> String {
     mathml.lines().map(str::trim_start).collect()
 }
 
-/// An image as a part of an address.
+/// An image as a part of a URL.
 fn in_address(svg: &str) -> String {
     let escape = |c: char| match c {
         '%' | '#' | '<' | '>' | '"' | '{' | '}' | '`' | '\\' | '^' | '|' => format!("%{:02X}", u32::from(c)),

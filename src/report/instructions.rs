@@ -1,10 +1,10 @@
-//! How many instructions the main scenarios take, `beamgap-instructions/1`: what a busy machine cannot blur.
+//! The instructions of the main scenarios, `beamgap-instructions/1`. The load of the machine does not affect the counts.
 
 use super::Record;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// How much a count may grow over the recorded one.
+/// The maximum relative growth of a count over the recorded count.
 const ALLOWED: f64 = 0.03;
 
 /// The counts of one machine and compiler.
@@ -12,22 +12,22 @@ const ALLOWED: f64 = 0.03;
 pub struct Instructions {
     /// `beamgap-instructions/1`.
     pub schema: String,
-    /// The compiler; others make other instructions of the same source.
+    /// The compiler. Other compilers generate other instructions from the same source.
     pub rustc: String,
-    /// Which of the instruction sets there are that are chosen from at run time.
+    /// The available instruction sets, of those that are chosen at run time.
     pub target: String,
-    /// What was run.
+    /// The command.
     pub command: String,
     /// The counts, scenario by scenario.
     pub rows: Vec<Count>,
 }
 
-/// The instructions that a scenario takes.
+/// The instructions of a scenario.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Count {
     /// Its group and method.
     pub scenario: String,
-    /// How many instructions one run takes.
+    /// The number of instructions of one run.
     pub instructions: u64,
 }
 
@@ -39,21 +39,21 @@ impl Record for Instructions {
     }
 }
 
-/// How a count differs from the recorded one by more than it may.
+/// A difference of a count from the recorded count that exceeds the tolerance.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Difference {
-    /// It has grown to so many times what it was: a failure.
+    /// The count has grown by this factor: a failure.
     Grown(String, f64),
-    /// It is not counted any more: a failure.
+    /// The scenario is no longer counted: a failure.
     Gone(String),
-    /// It has shrunk to so many times what it was: the record is to be renewed.
+    /// The count has shrunk by this factor: the record must be renewed.
     Shrunk(String, f64),
-    /// It was not recorded: the record is to be renewed.
+    /// The scenario was not recorded: the record must be renewed.
     New(String),
 }
 
 impl Difference {
-    /// Whether it is one for the worse.
+    /// Whether the difference is a failure.
     pub fn is_failure(&self) -> bool {
         matches!(self, Self::Grown(..) | Self::Gone(_))
     }
@@ -73,12 +73,12 @@ impl fmt::Display for Difference {
 }
 
 impl Instructions {
-    /// Whether the counts of `other` mean the same as these.
+    /// Whether the counts of `other` are comparable with these.
     pub fn is_comparable(&self, other: &Self) -> bool {
         (&self.rustc, &self.target) == (&other.rustc, &other.target)
     }
 
-    /// How the counts of `now` differ from these.
+    /// The differences of the counts of `now` from these.
     pub fn differences(&self, now: &Self) -> Vec<Difference> {
         let of = |all: &Self, scenario: &str| {
             all.rows.iter().find(|row| row.scenario == scenario).map(|row| row.instructions)

@@ -1,8 +1,8 @@
-//! Medians with intervals that assume no distribution.
+//! Medians with intervals that do not assume a distribution.
 
 use super::number::number;
 
-/// Measured times, summed up.
+/// The summary of measured times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The median.
@@ -11,7 +11,7 @@ pub struct Spread {
     pub interval: [f64; 2],
 }
 
-/// Sums times up; nothing if there are none.
+/// The summary of times; none if there are no times.
 pub fn spread(samples: &[f64]) -> Option<Spread> {
     let mut sorted = samples.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -21,10 +21,10 @@ pub fn spread(samples: &[f64]) -> Option<Spread> {
     Some(Spread { median, interval: median_interval(&sorted, 0.95) })
 }
 
-/// The interval that holds the median with at least the probability `level`, from two of the `sorted` samples.
+/// The interval that contains the median with at least the probability `level`, from two of the `sorted` samples.
 ///
-/// How many samples fall below the true median is binomial with p = 1/2, whatever their distribution. With too few samples
-/// for the level the interval is all of them.
+/// The number of samples below the true median is binomial with p = 1/2, for any distribution of the samples. With too few
+/// samples for the level, the interval contains all samples.
 ///
 /// # Panics
 /// If there are no samples.
@@ -32,7 +32,7 @@ pub fn spread(samples: &[f64]) -> Option<Spread> {
 /// Source: W. Conover, *Practical Nonparametric Statistics*, 1999, section 3.2.
 pub fn median_interval(sorted: &[f64], level: f64) -> [f64; 2] {
     let n = sorted.len();
-    // P(at most k below) = Σ C(n, j) / 2ⁿ over j ≤ k, which each end may miss by half of 1 − level.
+    // P(at most k below) = Σ C(n, j) / 2ⁿ over j ≤ k. Each end may exclude half of 1 − level.
     let (mut rank, mut term, mut below) = (0, 0.5_f64.powi(i32::try_from(n).unwrap_or(i32::MAX)), 0.0);
     while rank < n / 2 {
         below += term;

@@ -1,8 +1,8 @@
-//! The methods of differentiation in plain words: each is named for what it was given.
+//! The methods of differentiation in plain words. Each is named after its input.
 
 use super::peers::{Peer, Peers};
 
-/// What a method does.
+/// The kind of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
     ClosedForm,
@@ -29,7 +29,7 @@ pub(super) struct Method {
     /// Its name in the record.
     record: &'static str,
     pub(super) kind: Kind,
-    /// Its name for a reader.
+    /// Its name on the pages.
     pub(super) name: &'static str,
     /// A name for a label.
     pub(super) short: &'static str,
@@ -128,7 +128,7 @@ const METHODS: [Method; 23] = [
     ),
 ];
 
-/// What the methods were given, in words.
+/// The inputs of the methods, in words.
 pub(super) const GIVEN: [&str; 6] = [
     "**Envelope theorem**: at the closest point d does not change with xi and xi_bar, to first order. The Hessian of d \
      therefore needs first derivatives of xi and xi_bar only. The user must supply this fact; programs for automatic \
@@ -145,7 +145,7 @@ pub(super) const GIVEN: [&str; 6] = [
      closest points.",
 ];
 
-/// The name of a method for a reader; that of the record if it is not known.
+/// The name of a method on the pages; that of the record if the method is unknown.
 pub(super) fn reader_name(record: &str) -> String {
     let known = METHODS.iter().find(|method| method.record == record);
     known.map_or_else(
@@ -157,7 +157,7 @@ pub(super) fn reader_name(record: &str) -> String {
     )
 }
 
-/// One method with its rows for d and for all quantities; of several layouts the full matrices.
+/// One method with its rows for d and for all quantities. Of several layouts, the rows of the full matrices are used.
 pub(super) struct Timed<'a> {
     pub(super) method: &'static Method,
     pub(super) tasks: [Option<&'a Peer>; 2],

@@ -1,17 +1,17 @@
-//! Numbers as pages show them.
+//! The format of numbers on pages.
 
-/// How many.
+/// A count as a number.
 #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
 pub(super) fn number(count: usize) -> f64 {
     count as f64
 }
 
-/// x with so many significant digits.
+/// Rounds x to `digits` significant digits.
 pub(super) fn rounded(x: f64, digits: usize) -> f64 {
     format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x)
 }
 
-/// Three significant digits at least, thousands apart: 0.123, 1.23, 12.3, 123, 12,300.
+/// At least three significant digits, with separated thousands: 0.123, 1.23, 12.3, 123, 12,300.
 pub(super) fn plain(x: f64) -> String {
     let x = rounded(x, 3);
     let decimals = match x.abs() {
@@ -24,7 +24,7 @@ pub(super) fn plain(x: f64) -> String {
     if decimals > 0 { text } else { thousands(&text) }
 }
 
-/// A count, thousands apart.
+/// A count with separated thousands.
 pub(super) fn count(n: u64) -> String {
     thousands(&n.to_string())
 }
@@ -40,7 +40,7 @@ fn thousands(digits: &str) -> String {
     text
 }
 
-/// Nanoseconds in the unit that suits them.
+/// A time in nanoseconds, in a suitable unit.
 pub(super) fn time(ns: f64) -> String {
     match ns {
         _ if ns < 999.5 => format!("{} ns", plain(ns)),
@@ -49,7 +49,7 @@ pub(super) fn time(ns: f64) -> String {
     }
 }
 
-/// An error, to two digits; what is not a number is said to be none.
+/// An error, to two digits. A missing error is written as not a number.
 pub(super) fn error(error: Option<f64>) -> String {
     error.map_or_else(
         || "not a number".to_owned(),
@@ -57,7 +57,7 @@ pub(super) fn error(error: Option<f64>) -> String {
     )
 }
 
-/// What JSON can hold: it knows no infinity.
+/// A number that JSON can represent. JSON has no infinity.
 pub(super) fn finite(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
 }

@@ -1,4 +1,4 @@
-//! A page as a list of blocks, which Markdown, HTML and the text of a terminal are made of.
+//! A page as a list of blocks. Markdown, HTML and terminal text are made from it.
 
 mod html;
 mod markdown;
@@ -7,14 +7,14 @@ mod text;
 pub(super) use html::escaped;
 pub use text::Table;
 
-/// A page: a title and what stands below it.
+/// A page: a title and its contents.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
     pub(super) title: String,
     pub(super) blocks: Vec<Block>,
 }
 
-/// A piece of a page; texts may hold `**strong**`, `*emphasis*`, `` `code` `` and `[links](file)` and nothing else.
+/// A block of a page. Texts may contain `**strong**`, `*emphasis*`, `` `code` `` and `[links](file)` and nothing else.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Block {
     /// A heading below the page's title.
@@ -23,29 +23,29 @@ pub(super) enum Block {
     Subheading(String),
     /// A paragraph.
     Text(String),
-    /// Points.
+    /// A list of items.
     List(Vec<String>),
-    /// A table; columns of numbers stand to the right.
+    /// A table. Columns of numbers are aligned to the right.
     Table {
-        /// The names of the columns, each with whether it holds numbers.
+        /// The names of the columns, each with whether it contains numbers.
         head: Vec<(String, bool)>,
         /// The cells, row by row.
         rows: Vec<Vec<String>>,
     },
     /// A formula in LaTeX.
     Formula(String),
-    /// A picture, which Markdown refers to and HTML holds.
+    /// A picture. Markdown refers to it and HTML contains it.
     Picture {
         /// The name of its file.
         file: String,
-        /// What it shows.
+        /// The caption.
         caption: String,
         /// The picture.
         svg: String,
     },
-    /// Blocks that are folded away until the reader opens them; a terminal shows them.
+    /// Blocks that are collapsed until the reader opens them. A terminal shows them.
     Details {
-        /// What is folded away.
+        /// The summary of the collapsed blocks.
         summary: String,
         /// The blocks.
         blocks: Vec<Block>,
@@ -69,7 +69,7 @@ impl Block {
         Self::Details { summary: summary.to_owned(), blocks }
     }
 
-    /// A table; the names of columns of numbers start with a `#`, which is not shown.
+    /// A table. The names of columns of numbers start with a `#`, which is not displayed.
     pub(super) fn table<S: AsRef<str>>(head: &[S], rows: Vec<Vec<String>>) -> Self {
         let name = |name: &str| match name.strip_prefix('#') {
             Some(name) => (name.to_owned(), true),
@@ -79,7 +79,7 @@ impl Block {
         Self::Table { head, rows }
     }
 
-    /// The pictures among these blocks, by the names of their files.
+    /// The pictures among these blocks, by file name.
     fn pictures(blocks: Vec<Self>) -> Vec<(String, String)> {
         let of_one = |block| match block {
             Self::Picture { file, svg, .. } => vec![(file, svg)],
@@ -95,13 +95,13 @@ impl Page {
         Self { title: title.to_owned(), blocks }
     }
 
-    /// The pictures by the names of their files.
+    /// The pictures by file name.
     pub fn pictures(self) -> Vec<(String, String)> {
         Block::pictures(self.blocks)
     }
 }
 
-/// A text with its marks made into something else: by turns what is not marked, and what is marked as what.
+/// A text with its marked parts converted by `of_marked`, and the other parts unchanged.
 fn inline(text: &str, of_marked: impl Fn(Inline) -> String) -> String {
     let (mut rest, mut made) = (text, String::new());
     while let Some(at) = rest.find(['*', '`', '[']) {
@@ -139,7 +139,7 @@ enum Inline<'a> {
     Strong(&'a str),
     Emphasis(&'a str),
     Code(&'a str),
-    /// The words, and where they lead.
+    /// The words, and the target.
     Link(&'a str, &'a str),
 }
 

@@ -1,4 +1,4 @@
-//! What other programs take for the same work, `beamgap-peers/2`, as the script that runs them writes it.
+//! The times of other programs for the same work, `beamgap-peers/2`, as written by the script that runs them.
 
 use super::Record;
 use super::methods::reader_name;
@@ -13,38 +13,38 @@ pub struct Peers {
     pub schema: String,
     /// The processor and the system.
     pub machine: String,
-    /// When they ran.
+    /// The date of the run.
     pub date: String,
-    /// What was run.
+    /// The command.
     pub command: String,
-    /// The commit of this crate, with `+changes` if there were any on top of it.
+    /// The commit of this crate, with `+changes` if it has uncommitted changes.
     pub commit: String,
-    /// How many pairs.
+    /// The number of pairs.
     pub pairs: u64,
-    /// How many rounds, in each of which every program was timed.
+    /// The number of rounds. Every program is timed in each round.
     pub rounds: u64,
-    /// What the numbers are.
+    /// The meaning of the numbers.
     pub what: String,
     /// The programs.
     pub rows: Vec<Peer>,
     /// The crate's methods on the same pairs at several gaps; none if all pairs were moved to given gaps.
     pub over_gaps: Vec<AtGap>,
-    /// Those that could not be run.
+    /// The programs that could not be run.
     pub left_out: Vec<LeftOut>,
 }
 
 /// One program, one task.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Peer {
-    /// The program, and how it is used.
+    /// The program and its use.
     pub method: String,
     /// Its version, or that of its compiler.
     pub version: String,
-    /// How it was made.
+    /// How it was built.
     pub how: String,
     /// `A`: d with gradient and Hessian; `B`: d, xi, xi_bar, t and t_bar.
     pub task: String,
-    /// How the Hessians are stored.
+    /// The layout of the Hessians.
     pub layout: String,
     /// The median time of a pair in nanoseconds.
     pub ns_median: f64,
@@ -52,11 +52,11 @@ pub struct Peer {
     pub ns_low: f64,
     /// The upper quartile.
     pub ns_high: f64,
-    /// Times what the reference takes, run just before.
+    /// The time over that of the reference, which is run just before.
     pub ratio: f64,
-    /// The largest relative error in a gradient or Hessian; none of what computes nothing.
+    /// The largest relative error in a gradient or Hessian; none for a program that computes nothing.
     pub error: Option<f64>,
-    /// What else is to be said.
+    /// Additional remarks.
     pub note: String,
 }
 
@@ -67,13 +67,13 @@ pub struct AtGap {
     pub method: String,
     /// `A` or `B`, as for a [`Peer`].
     pub task: String,
-    /// How the Hessians are stored.
+    /// The layout of the Hessians.
     pub layout: String,
     /// The distance of every pair, in lengths of a tangent; none if each pair has one of the gaps.
     pub gap: Option<f64>,
     /// The median time of a pair in nanoseconds.
     pub ns_median: f64,
-    /// Times what the reference takes for the same pairs, run just before.
+    /// The time over that of the reference for the same pairs, which is run just before.
     pub ratio: f64,
     /// The largest relative error in a gradient or Hessian.
     pub error: f64,
@@ -84,7 +84,7 @@ pub struct AtGap {
 pub struct LeftOut {
     /// The program.
     pub method: String,
-    /// Why.
+    /// The reason.
     pub reason: String,
 }
 
@@ -96,13 +96,13 @@ impl Record for Peers {
     }
 }
 
-/// The crate's own method that other programs are held against.
+/// The crate's own method that is compared with other programs.
 const OURS: &str = "beamgap, blocks";
-/// The tasks, and what they compute.
+/// The tasks, and the quantities that they compute.
 const TASKS: [(&str, &str); 2] = [("A", "d"), ("B", "d, xi, xi_bar, t, t_bar")];
 
 impl Peers {
-    /// The ratio of a program's time to that of the closed form, whole matrices written by both; of its fastest method.
+    /// The ratio of a program's time, by its fastest method, to that of the closed form. Both write whole matrices.
     pub(super) fn over_ours(&self, program: &str, task: &str) -> Option<f64> {
         let fastest = |program: &str| {
             let rows = self
@@ -120,7 +120,7 @@ impl Peers {
         rows.map(|row| (row.layout.as_str(), row.ns_median)).collect()
     }
 
-    /// What the page says of them, folded away.
+    /// The blocks of the page about the peers, collapsed.
     pub(super) fn blocks(&self) -> Vec<Block> {
         let mut blocks = vec![Block::text(&format!(
             "Other programs compute the same {} pairs of Hermite beams, on one machine in one run of {} rounds: {}. Layouts: *full* is \
@@ -152,7 +152,7 @@ impl Peers {
         std::iter::once(Block::details("Other programs", blocks)).chain(gaps).collect()
     }
 
-    /// A table with the methods down and the gaps across; nothing if none was measured.
+    /// A table with methods as rows and gaps as columns; empty if none was measured.
     fn cost_over_gaps(&self) -> Vec<Block> {
         let methods = distinct(self.over_gaps.iter().map(AtGap::method_and_task));
         let gaps = distinct(self.over_gaps.iter().map(|of| of.gap));
@@ -178,7 +178,7 @@ impl Peers {
     }
 }
 
-/// Each once, in the order of their first.
+/// Each value once, in the order of its first occurrence.
 fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
     let mut found = Vec::new();
     for one in all {
@@ -189,7 +189,7 @@ fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
     found
 }
 
-/// What the table of the distances shows.
+/// The description of the table of the distances.
 const OF_GAPS: &str = "The columns are d/|t|, the distance of the centroids over the length of a tangent. In contact it is 4 r/L for \
      elements of length L and radius r: 0.1 at L = 40 r, 0.02 at L = 200 r. In the mixture each pair has one of these \
      distances, at random. Each number is the ratio to the reference on the same pairs in the same run. The reference has one \
@@ -201,13 +201,13 @@ fn short(gap: f64) -> String {
 }
 
 impl AtGap {
-    /// What its row in the table is called.
+    /// The name of its row in the table.
     fn method_and_task(&self) -> [&str; 3] {
         [&self.method, &self.layout, &self.task]
     }
 }
 
-/// A note with the names of the tasks for their letters.
+/// A note with the letters of the tasks replaced by their names.
 fn in_words(note: &str) -> String {
     note.replace("A one chord step, B two", "one chord step for d, two for all")
         .replace("B: with", "all: with")

@@ -1,4 +1,4 @@
-//! The picture of the front page: two beams, their closest points and what is measured there.
+//! The picture of the front page: two beams, their closest points and the quantities that are measured there.
 
 use crate::closest_point::ProjectionError;
 use crate::curve::{Curve, Hermite};
@@ -11,7 +11,7 @@ use std::fmt::Write;
 const HALF: [f64; 2] = [310.0, 185.0];
 /// The length of a unit.
 const SCALE: f64 = 190.0;
-/// How many points a curve is drawn with.
+/// The number of points of a drawn curve.
 const POINTS: u32 = 48;
 /// The radius of both beams.
 const RADIUS: f64 = 0.12;
@@ -33,7 +33,7 @@ fn arrow(colour: &str) -> String {
 
 /// Two Hermite beams with d, t, t_bar and g_N at their closest points, as SVG.
 ///
-/// # Errors
+/// None: the beams of the picture have one closest point inside both.
 /// None, as long as the beams of the picture have one closest point inside both.
 pub fn picture() -> Result<String, ProjectionError> {
     let case = StandardCase::default();
@@ -71,7 +71,7 @@ pub fn picture() -> Result<String, ProjectionError> {
     for (colour, from, to) in [("b", x.x, tangents[0]), ("r", x_bar.x, tangents[1]), ("d", x_bar.x, x.x)] {
         line(&format!("vector {colour}"), &format!(" marker-end=\"url(#arrow-{colour})\""), from, to);
     }
-    // Beside d, so that both are seen.
+    // Beside d, so that both are visible.
     let aside = Vector3::new(14.0 / SCALE, 0.0, 0.0);
     line("gap g", "", x_bar.x + n * RADIUS + aside, x.x - n * RADIUS + aside);
     let label = |at: Vector3<f64>, [right, down]: [f64; 2], class: &str, text: &str| {
@@ -94,7 +94,7 @@ pub fn picture() -> Result<String, ProjectionError> {
     Ok(svg + &dots.concat() + &labels.concat() + "</svg>\n")
 }
 
-/// Where a point is seen from above and from the side.
+/// The projections of a point from above and from the side.
 fn seen(x: &Vector3<f64>) -> [f64; 2] {
     [HALF[0] + SCALE * (x.x + 0.25 * x.y), HALF[1] - SCALE * (x.z + 0.3 * x.y)]
 }

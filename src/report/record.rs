@@ -1,15 +1,15 @@
-//! A record: JSON of a stable form, from which alone its pages are made.
+//! A record: JSON with a versioned schema. Its pages are made from it alone.
 
 use super::ReportError;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// What is written as JSON, and read back from there.
+/// Data that is written as JSON and read back from it.
 pub trait Record: Serialize + DeserializeOwned {
-    /// The name and version of its form.
+    /// The name and version of its schema.
     const SCHEMA: &'static str;
 
-    /// The schema that it names itself.
+    /// The schema that the record states.
     fn schema(&self) -> &str;
 
     /// The record as JSON.

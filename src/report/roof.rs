@@ -1,4 +1,4 @@
-//! The closed forms of the standard pair, in terms of what their machine does at best.
+//! The closed forms of the standard pair, compared with the peak rates of their machine.
 
 use super::benchmark::{Benchmark, Measured};
 use super::number::number;
@@ -8,10 +8,10 @@ use super::{Task, spread};
 pub(super) struct Below<'a> {
     pub(super) task: Task,
     pub(super) measured: &'a Measured,
-    /// What it takes for a pair.
+    /// The number of multiply-adds for a pair.
     pub(super) multiply_adds: usize,
     pub(super) bytes: usize,
-    /// The nanoseconds of a pair, and those that its multiply-adds and its bytes take alone: medians over the rounds.
+    /// The nanoseconds of a pair, and those of its multiply-adds and of its bytes alone: medians over the rounds.
     pub(super) time: f64,
     pub(super) roofline: [f64; 2],
     /// The time over the roofline bound: the median of the ratios of each round.
@@ -28,7 +28,7 @@ impl Below<'_> {
         format!("{}, {}", task.name(), self.measured.method.split(", ").nth(1).unwrap_or("in blocks"))
     }
 
-    /// Multiply-adds for a byte stored.
+    /// Multiply-adds for each stored byte.
     pub(super) fn density(&self) -> f64 {
         number(self.multiply_adds) / number(self.bytes)
     }
@@ -38,19 +38,19 @@ impl Below<'_> {
         number(self.multiply_adds) / self.time
     }
 
-    /// Multiply-adds and bytes that the machine does in a nanosecond, if it does nothing else.
+    /// Multiply-adds and bytes that the machine processes in a nanosecond, each alone.
     fn limits(&self) -> [f64; 2] {
         [number(self.multiply_adds) / self.roofline[0], number(self.bytes) / self.roofline[1]]
     }
 }
 
 impl Benchmark {
-    /// All of them: d first, then the rest with it.
+    /// All of these methods: first d, then the other quantities with it.
     pub(super) fn below_the_roof(&self) -> impl Iterator<Item = Below<'_>> {
         let tasks = [(Task::Distance, 1), (Task::DistanceOfMany, 1), (Task::All, 5)];
         tasks.into_iter().flat_map(move |(task, quantities)| {
             self.of(task).filter_map(move |measured| {
-                // A quantity has a value and a gradient too.
+                // A quantity also has a value and a gradient.
                 let bytes = quantities * (measured.stored() + measured.dofs + 1) * size_of::<f64>();
                 let (multiply_adds, rounds) = measured.with_lower_bounds(number(bytes))?;
                 let median = |of: fn(&[f64; 3]) -> f64| {
@@ -70,7 +70,7 @@ impl Benchmark {
         })
     }
 
-    /// The multiply-adds and the bytes stored in a nanosecond, at best.
+    /// The peak rates of multiply-adds and of stored bytes, in a nanosecond.
     pub(super) fn roof(&self) -> [f64; 2] {
         let highest = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a.max(c), b.max(d)];
         self.below_the_roof().map(|below| below.limits()).fold([0.0; 2], highest)
@@ -84,7 +84,7 @@ mod tests {
 
     #[test]
     fn a_machine_that_slows_down_changes_no_ratio() {
-        // Of 5 (300 + 24 + 1) numbers, at a byte in 0.01 and a multiply-add in 0.04 nanoseconds, then half as fast.
+        // With 5 (300 + 24 + 1) numbers, 0.01 nanoseconds for a byte and 0.04 for a multiply-add; then half the speed.
         let samples = vec![[800.0, 0.04, 0.01], [1600.0, 0.08, 0.02], [1600.0, 0.08, 0.02]];
         let rounds = vec![Rounds::Roofline { multiply_adds: 10_000, samples }];
         let scenarios = vec![measured("closed form", vec![]), measured("closed form, packed", rounds)];

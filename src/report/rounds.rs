@@ -5,23 +5,23 @@ use super::number::{number, rounded};
 use super::spread;
 use serde::{Deserialize, Serialize};
 
-/// What a method took its rounds with, and the times of every round in nanoseconds.
+/// The reference of a method in its rounds, and the times of every round in nanoseconds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "with", rename_all = "snake_case")]
 pub enum Rounds {
     /// The closed form of the same task on the same beams.
     ClosedForm {
-        /// The time of a pair, and that by the closed form.
+        /// The time of a pair by the method and by the closed form.
         samples: Vec<[f64; 2]>,
     },
-    /// Two kernels, one that multiplies and adds and one that stores.
+    /// Two kernels, one for multiply-adds and one for stores.
     Roofline {
         /// The multiply-adds of a pair.
         multiply_adds: usize,
-        /// The time of a pair, of a multiply-add and of a byte stored.
+        /// The time of a pair, of a multiply-add and of a stored byte.
         samples: Vec<[f64; 3]>,
     },
-    /// The same method by one thread, and by as many as the method has and by one a kernel that only multiplies and adds.
+    /// The same method by one thread, and a kernel of multiply-adds alone, by as many threads as the method has and by one.
     OneThread {
         /// The time of a pair by all threads and by one, and of a multiply-add by all and by one.
         samples: Vec<[f64; 4]>,
@@ -29,7 +29,7 @@ pub enum Rounds {
 }
 
 impl Rounds {
-    /// With so many digits as a time has.
+    /// Rounds the times to the digits of a time.
     pub(super) fn rounded(self) -> Self {
         fn all<const K: usize>(samples: Vec<[f64; K]>) -> Vec<[f64; K]> {
             samples.into_iter().map(|round| round.map(|time| rounded(time, 5))).collect()
@@ -45,7 +45,7 @@ impl Rounds {
 }
 
 impl Measured {
-    /// The multiply-adds of a pair, and in each round its time, and what they and so many bytes would take.
+    /// The multiply-adds of a pair, and for each round its time and the times of these multiply-adds and of `bytes` bytes.
     pub(super) fn with_lower_bounds(&self, bytes: f64) -> Option<(usize, Vec<[f64; 3]>)> {
         self.rounds.iter().find_map(|rounds| {
             let Rounds::Roofline { multiply_adds, samples } = rounds else { return None };
@@ -56,7 +56,7 @@ impl Measured {
         })
     }
 
-    /// How many times as long as the closed form it takes.
+    /// The time over that of the closed form.
     pub(super) fn over_closed_form(&self) -> Option<Ratio> {
         self.rounds.iter().find_map(|rounds| {
             let Rounds::ClosedForm { samples } = rounds else { return None };
@@ -64,7 +64,7 @@ impl Measured {
         })
     }
 
-    /// Its time and that of the closed form in the rounds in which both ran: medians.
+    /// The median times of the method and of the closed form, in the rounds in which both ran.
     pub(super) fn times_of_rounds(&self) -> Option<[f64; 2]> {
         self.rounds.iter().find_map(|rounds| {
             let Rounds::ClosedForm { samples } = rounds else { return None };
@@ -72,17 +72,17 @@ impl Measured {
         })
     }
 
-    /// Its time by all threads and by one in the rounds in which both ran: medians.
+    /// The median times by all threads and by one, in the rounds in which both ran.
     pub(super) fn times_of_threads(&self) -> Option<[f64; 2]> {
         Some([self.over_one_thread(|round| round[0])?.value, self.over_one_thread(|round| round[1])?.value])
     }
 
-    /// How many times as many pairs as one thread it does.
+    /// The number of pairs over that of one thread.
     pub(super) fn speed_up(&self) -> Option<Ratio> {
         self.over_one_thread(|&[by_all, by_one, ..]| by_one / by_all)
     }
 
-    /// How many times as many multiply-adds as one thread its threads do where they do nothing else.
+    /// The number of multiply-adds over that of one thread, for threads that compute multiply-adds alone.
     pub(super) fn speed_up_of_arithmetic(&self) -> Option<Ratio> {
         self.over_one_thread(|&[.., by_all, by_one]| by_one / by_all)
     }
@@ -95,7 +95,7 @@ impl Measured {
     }
 }
 
-/// The median of what is made of each round.
+/// The median of the ratios of the rounds.
 fn median<const K: usize>(samples: &[[f64; K]], ratio: impl Fn(&[f64; K]) -> f64) -> Option<Ratio> {
     let ratios: Vec<f64> = samples.iter().map(ratio).collect();
     spread(&ratios).map(|spread| Ratio { value: spread.median, interval: spread.interval })

@@ -1,9 +1,9 @@
-//! One table for every symbol and name that the reports use.
+//! The table of all symbols and names that the reports use.
 
 use super::page::{Block, Page};
 use crate::check::Regime;
 
-/// The page of the symbols, which the other pages refer to.
+/// The page of the symbols. The other pages refer to it.
 pub fn symbols() -> Page {
     let table = |head: [&str; 2], rows: &[(&str, &str)]| {
         let row = |(name, meaning): &(&str, &str)| vec![format!("`{name}`"), (*meaning).to_owned()];
@@ -116,7 +116,7 @@ const MATRICES: [(&str, &str); 14] = [
     ("C, C_bar", "the terms of both Hessians without g and g_bar: G'A1 + A1'G + K,xi(d)"),
 ];
 
-/// Words in names of faults that are no symbols.
+/// Words in names of faults that are not symbols.
 const NAMES: [(&str, &str); 3] = [
     ("moved", "in (40) the vector t Dxi - t_bar Dxi_bar: `du_hat.moved` is its product with du_hat"),
     ("turned", "in (40) the vector du,xi Dxi - du_bar,xi Dxi_bar: `d.turned` is its product with d"),
@@ -199,7 +199,7 @@ mod tests {
     use super::{MATRICES, NAMES, QUANTITIES, SYSTEM, VARIATIONS};
     use crate::variant::catalogue;
 
-    /// Every name that a fault starts with is in a table, but for its `d`, `D` or `Dd`, and its bars; so is every word in its
+    /// Every name at the start of a fault is in a table, without its `d`, `D` or `Dd`, and its bars; so is every word in its
     /// term.
     #[test]
     fn every_formula_of_a_fault_is_explained() {

@@ -1,6 +1,6 @@
-//! What is done with a pair of beams, and the names under which it is timed, counted and reported.
+//! The tasks for a pair of beams, and the names under which they are timed, counted and reported.
 
-/// What is to be done with a pair of beams.
+/// A task for a pair of beams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Task {
     /// d with gradient and Hessian.
@@ -15,11 +15,11 @@ pub enum Task {
     Gradients,
     /// All quantities, vectors included, with their variations along two directions.
     Directions,
-    /// The closest point, which all the rest takes as given.
+    /// The closest point, which all other tasks take as given.
     ClosestPoint,
-    /// [`Task::Distance`] for curves of more and more dofs.
+    /// [`Task::Distance`] for curves of increasing numbers of dofs.
     DistanceBySize,
-    /// [`Task::All`] for curves of more and more dofs.
+    /// [`Task::All`] for curves of increasing numbers of dofs.
     AllBySize,
     /// [`Task::Distance`] for many pairs.
     DistanceOfMany,
@@ -45,7 +45,7 @@ impl Task {
         }
     }
 
-    /// What it is, in a sentence.
+    /// The description, in a sentence.
     pub(super) fn description(self) -> &'static str {
         match self {
             Self::Distance => {
@@ -73,7 +73,7 @@ impl Task {
         }
     }
 
-    /// The name of a group: the task and the beams, which its methods have in common.
+    /// The name of a group: the task and the beams that its methods have in common.
     pub fn group(self, family: &str, dofs: usize) -> String {
         group(self.name(), family, dofs)
     }

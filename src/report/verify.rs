@@ -1,4 +1,4 @@
-//! Programs that no one wrote for this check, verified: what `beamgap verify --format json` says of each, as a record.
+//! The verification of programs that no one wrote for this check: the results of `beamgap verify --format json`, as a record.
 
 use super::{Environment, Record, ReportError};
 use serde::{Deserialize, Serialize};
@@ -11,40 +11,40 @@ use std::path::{Path, PathBuf};
 pub struct Verify {
     /// The schema.
     pub schema: String,
-    /// Where it was made.
+    /// The environment of the run.
     pub environment: Environment,
-    /// By program.
+    /// The results, by program.
     pub runs: Vec<VerifyRun>,
 }
 
-/// What was found of the answers of a program; what else the result of `verify` has is left out.
+/// The results for the answers of a program. Other parts of the result of `verify` are omitted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VerifyRun {
-    /// What its answers say of it.
+    /// The program that its answers name.
     pub program: VerifyProgram,
     /// The command that ran it.
     pub answers: String,
     /// The verdict.
     pub verdict: String,
-    /// The digits that were asked for, if some were.
+    /// The digits that were requested, if any.
     pub digits: Option<u8>,
-    /// How many cases it was given.
+    /// The number of cases that the program was given.
     pub cases: u64,
-    /// How many closest points were compared.
+    /// The number of compared closest points.
     pub compared: u64,
-    /// At how many of them a number is wrong.
+    /// The number of these at which a number is wrong.
     pub wrong: u64,
-    /// How many cases it did not answer.
+    /// The number of cases without an answer.
     pub missing: u64,
-    /// To how many its answer holds no number.
+    /// The number of cases whose answer contains no number.
     pub unanswered: u64,
-    /// How many could not be compared, by reason.
+    /// The number of cases that could not be compared, by reason.
     pub not_compared: BTreeMap<String, u64>,
-    /// By quantity and order.
+    /// The results by quantity and order.
     pub parts: Vec<VerifyPart>,
-    /// By regime.
+    /// The results by regime.
     pub regimes: Vec<VerifyRegime>,
-    /// What would explain all that is wrong, if it is a convention.
+    /// The convention that would explain all wrong numbers, if there is one.
     pub agrees_if: Option<String>,
 }
 
@@ -57,44 +57,44 @@ pub struct VerifyProgram {
     pub version: String,
 }
 
-/// What was found of an order of a quantity.
+/// The results for an order of a quantity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VerifyPart {
     /// The quantity.
     pub quantity: String,
     /// The order.
     pub order: String,
-    /// How many numbers were compared.
+    /// The number of compared numbers.
     pub numbers: u64,
-    /// How many of them are wrong.
+    /// The number of wrong ones.
     pub wrong: u64,
-    /// How many are right, but with fewer digits than can be attained.
+    /// The number of correct ones with fewer digits than are attainable.
     pub losing_digits: u64,
 }
 
-/// What was found in a regime.
+/// The results in a regime.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VerifyRegime {
     /// The regime.
     pub regime: String,
-    /// How many closest points were compared.
+    /// The number of compared closest points.
     pub compared: u64,
-    /// At how many of them a number is wrong.
+    /// The number of these at which a number is wrong.
     pub wrong: u64,
-    /// At how many of them a number is right, but with fewer digits than can be attained.
+    /// The number of these at which a number is correct, but with fewer digits than are attainable.
     pub losing_digits: u64,
     /// The number with the largest error over its size.
     pub largest_error: Option<VerifyError>,
-    /// The number that is right and has lost the most digits.
+    /// The correct number that has lost the most digits.
     pub largest_loss: Option<VerifyLoss>,
 }
 
-/// An error, and the case that shows it.
+/// An error, and the case in which it occurs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VerifyError {
     /// The error over the size of the number; none if it is not finite.
     pub error: Option<f64>,
-    /// The error that the best formulas make there at most.
+    /// The maximum error of the best formulas there.
     pub attainable: Option<f64>,
     /// The case.
     pub case: String,
@@ -102,10 +102,10 @@ pub struct VerifyError {
     pub comparison: VerifyNumber,
 }
 
-/// A loss of digits, and the case that shows it.
+/// A loss of digits, and the case in which it occurs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VerifyLoss {
-    /// How many digits.
+    /// The number of digits.
     pub digits: Option<f64>,
     /// The case.
     pub case: String,
@@ -113,7 +113,7 @@ pub struct VerifyLoss {
     pub comparison: VerifyNumber,
 }
 
-/// Which number of a case.
+/// The identification of a number of a case.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct VerifyNumber {
     /// The quantity.
@@ -130,11 +130,11 @@ impl Record for Verify {
     }
 }
 
-/// Reads what `beamgap verify --format json` wrote of each program, and writes `verify.json` and `verify.md` into the
+/// Reads the results of `beamgap verify --format json` for each program, and writes `verify.json` and `verify.md` into the
 /// directory `to`.
 ///
 /// # Errors
-/// [`ReportError::Read`] or [`ReportError::Format`] if a file is none of these, [`ReportError::Write`] if a file cannot be
+/// [`ReportError::Read`] or [`ReportError::Format`] if a file is no such result, [`ReportError::Write`] if a file cannot be
 /// written.
 pub fn verify(to: &Path, results: &[PathBuf], command: &str) -> Result<Verify, ReportError> {
     let run = |path: &PathBuf| {

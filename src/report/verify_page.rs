@@ -1,11 +1,11 @@
-//! Programs that were verified as a page, from the record alone.
+//! The verification of programs as a page, from the record alone.
 
 use super::number::count;
 use super::page::{Block, Page};
 use super::verify::{Verify, VerifyRun};
 
 impl Verify {
-    /// The page; the same record always makes the same page.
+    /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
         let mut blocks = vec![
             Block::text(&self.conclusion()),
@@ -42,7 +42,7 @@ impl Verify {
         Page::new("Programs of others, verified", blocks)
     }
 
-    /// What came of all runs.
+    /// The conclusion from all runs.
     fn conclusion(&self) -> String {
         let (agree, differ): (Vec<&VerifyRun>, Vec<&VerifyRun>) =
             self.runs.iter().partition(|run| run.wrong == 0);
@@ -76,12 +76,12 @@ impl VerifyRun {
         [name, self.program.version.clone()].into_iter().chain(counts).collect()
     }
 
-    /// The digits that were asked for, if some were.
+    /// The digits that were requested, if any.
     fn asked(&self) -> String {
         self.digits.map_or_else(String::new, |digits| format!(", {digits} digits asked for"))
     }
 
-    /// Which numbers are wrong, and in which regimes.
+    /// The wrong numbers, and their regimes.
     fn what_is_wrong(&self) -> String {
         let parts = self.parts.iter().filter(|of| of.wrong > 0);
         let parts = parts.map(|of| format!("{} of {}, {}", count(of.wrong), of.quantity, of.order));

@@ -1,4 +1,4 @@
-//! The contribution of a contact by penalty to residual and tangent, and tangents with something missing or wrong.
+//! The contribution of a contact by penalty to residual and tangent, and tangents with a missing or wrong term.
 
 use super::elastic::DOFS;
 use crate::closest_point::{ClosestPoint, Held};
@@ -8,14 +8,14 @@ use crate::linearization::closed_form::{Matrices, jets};
 use crate::number::{Faulty, Label, TermChange, Which, with_terms};
 use crate::pair::{DofVector, Pair};
 
-/// How the tangent of the contact force is computed; the force itself is always right.
+/// How the tangent of the contact force is computed. The force itself is always correct.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tangent {
-    /// As it is.
+    /// The exact tangent.
     Exact,
     /// Without the terms d.t,xi and d.t_bar,xi_bar in the system for the parameters.
     NoCurvature,
-    /// With the parameters of the closest point held: nothing of how the point moves along the beams.
+    /// With the parameters of the closest point held: without the motion of the point along the beams.
     FrozenProjection,
     /// With b (g g_barᵀ + g_bar gᵀ) subtracted instead of added in the Hessian of d.
     WrongSign,
@@ -24,10 +24,10 @@ pub enum Tangent {
 }
 
 impl Tangent {
-    /// Those that are compared.
+    /// The tangents that are compared.
     pub const ALL: [Self; 4] = [Self::Exact, Self::NoCurvature, Self::FrozenProjection, Self::WrongSign];
 
-    /// The name, as tables have it.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
@@ -38,7 +38,7 @@ impl Tangent {
         }
     }
 
-    /// The terms that are multiplied.
+    /// The terms that have a factor.
     fn terms(self) -> Vec<(Label, f64)> {
         let term = |name, factor| (Label { name, which: Which::Beam }, factor);
         match self {
@@ -50,7 +50,7 @@ impl Tangent {
     }
 }
 
-/// What the contact adds to residual and tangent.
+/// The contribution of the contact to residual and tangent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contribution {
     /// eps g_N ∇g_N.
@@ -61,7 +61,7 @@ pub struct Contribution {
     pub gap: f64,
 }
 
-/// The contribution at a closest point: of the energy eps g_N²/2 the gradient, and the Hessian or what is taken for it.
+/// The contribution at a closest point: the gradient of the energy eps g_N²/2, and its Hessian or the replacement of it.
 pub fn contact(
     pair: &Pair<Hermite, Hermite, DOFS, DOFS>,
     q: &DofVector<f64, DOFS, DOFS>,
@@ -82,7 +82,7 @@ pub fn contact(
     Contribution { force, stiffness, gap }
 }
 
-/// The Hessian of d by (40), or what is taken for it.
+/// The Hessian of d by (40), or its replacement.
 fn hessian(
     tangent: Tangent,
     exact: &BlockHessian<f64, DOFS, DOFS>,
@@ -105,7 +105,7 @@ fn hessian(
     }
 }
 
-/// The jet in numbers whose terms can be multiplied.
+/// The jet in numbers whose terms can have a factor.
 fn faulty(jet: &Jet<f64, Shapes<f64, 4>>) -> Jet<Faulty<f64>, Shapes<Faulty<f64>, 4>> {
     let Geometry { x, t, t_xi, t_xixi } = jet.geometry;
     let [x, t, t_xi, t_xixi] = [x, t, t_xi, t_xixi].map(|v| v.map(Faulty));

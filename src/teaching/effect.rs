@@ -1,4 +1,4 @@
-//! What one wrong term does: to the variations of the standard case, to a test of symmetry, and to Newton's method.
+//! The effect of one wrong term: on the variations of the standard case, on a test of symmetry, and on Newton's method.
 
 use super::{Problem, Tangent};
 use crate::closest_point::ProjectionError;
@@ -12,32 +12,32 @@ use serde::{Deserialize, Serialize};
 /// A fault of the self-checks: a term and the factor that it is multiplied by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SelfCheck {
-    /// The equation that the term stands in.
+    /// The equation that contains the term.
     pub equation: u8,
     /// The term in the variations.
     pub term: &'static str,
-    /// The same in the Hessian of d, if it has a part in it.
+    /// The same term in the Hessian of d, if the Hessian contains it.
     pub in_hessian: Option<&'static str>,
     /// The factor: 0 if the term is missing, -1 if its sign is wrong.
     pub factor: f64,
 }
 
-/// What a fault does.
+/// The effect of a fault.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Effect {
-    /// The equation that the term stands in.
+    /// The equation that contains the term.
     pub equation: u8,
-    /// The term and what is wrong with it.
+    /// The term and its fault.
     pub fault: String,
     /// The relative deviations of Delta-delta d, Delta-delta xi, Delta-delta t and Delta-delta g_T.
     pub deviations: [f64; 4],
-    /// Whether Delta-delta of all four stays the same, up to rounding, when the directions are exchanged.
+    /// Whether Delta-delta of all four is unchanged, up to rounding, when the directions are exchanged.
     pub is_symmetric: bool,
     /// The iterations of Newton's method with this fault in the Hessian of d, if it converged.
     pub iterations: Option<usize>,
     /// Why it did not converge.
     pub stopped: Option<String>,
-    /// Whether the term has a part in the Hessian of d.
+    /// Whether the Hessian of d contains the term.
     pub in_hessian: bool,
 }
 
@@ -78,7 +78,7 @@ impl SelfCheck {
         })
     }
 
-    /// Delta-delta of d, xi, t and g_T by the paper's formulas, with the fault or without.
+    /// Delta-delta of d, xi, t and g_T by the paper's formulas, with the fault or without it.
     fn seconds(&self, case: &StandardCase, with_fault: bool) -> Result<[f64; 4], ProjectionError> {
         let point = case.closest_point()?;
         let StandardCase { pair, q, dq, linear_dq } = case;

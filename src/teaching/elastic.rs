@@ -12,7 +12,7 @@ pub const FREE: usize = 6;
 const GAUSS: [(f64, f64); 3] =
     [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
 
-/// What a beam is made of.
+/// The material and section of a beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// EA, a force.
@@ -23,10 +23,10 @@ pub struct Material {
     pub radius: f64,
 }
 
-/// A straight beam that was not deformed yet.
+/// A straight beam before deformation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Beam {
-    /// Its dofs, undeformed.
+    /// Its undeformed dofs.
     pub reference: SVector<f64, DOFS>,
     /// Its material and section.
     pub material: Material,
@@ -83,8 +83,8 @@ mod tests {
     use super::{Beam, FREE, Material};
     use nalgebra::{SMatrix, SVector};
 
-    /// A force at the free end moves it by F L³/(3 EI), and turns it by F L²/(2 EI). Along the beam it moves it by 8/9 of
-    /// F L/(EA): the clamped tangent does not stretch, and of the strains a s + b s² the best one falls short by a ninth.
+    /// A force at the free end moves it by F L³/(3 EI), and rotates it by F L²/(2 EI). Along the beam it moves it by 8/9 of
+    /// F L/(EA): the clamped tangent does not stretch, and the best of the strains a s + b s² is too small by a ninth.
     #[test]
     fn a_cantilever_bends_and_stretches_as_beam_theory_says() {
         let material = Material { axial: 7.0, bending: 0.5, radius: 0.1 };

@@ -1,4 +1,4 @@
-//! The equilibrium of two beams that were pushed into each other, by Newton's method.
+//! The equilibrium of two beams that are pushed into each other, by Newton's method.
 
 use super::contact::{Tangent, contact};
 use super::elastic::{Beam, DOFS, FREE, Material};
@@ -10,9 +10,9 @@ use nalgebra::{SMatrix, SVector};
 /// The unknowns: the dofs of the two free ends.
 const UNKNOWNS: usize = 2 * FREE;
 
-/// Two cantilevers that just touch as long as they are straight; the clamp of the bar beam is then pushed down in steps.
+/// Two cantilevers that just touch while they are straight. The clamp of the bar beam is then pushed down in steps.
 ///
-/// The contact stays closed: an iterate that lifts the beams off each other is pulled back by the same penalty. At
+/// The contact stays closed: the same penalty pulls back an iterate that separates the beams. At
 /// equilibrium the beams press, and no switch between open and closed disturbs the iteration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
@@ -20,20 +20,20 @@ pub struct Problem {
     pub beams: [Beam; 2],
     /// The penalty eps, a force over a length.
     pub penalty: f64,
-    /// How far the clamp of the bar beam is moved in all, a length.
+    /// The total displacement of the clamp of the bar beam, a length.
     pub push: f64,
-    /// In how many steps.
+    /// The number of steps.
     pub steps: usize,
-    /// The residual over the first one of a step at which the iteration ends.
+    /// The ratio of the residual to the first residual of a step at which the iteration ends.
     pub tolerance: f64,
-    /// The most iterations in a step.
+    /// The maximum number of iterations in a step.
     pub iterations: usize,
 }
 
 /// One iterate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Iterate {
-    /// The length of the residual over that of the first.
+    /// The length of the residual over that of the first residual.
     pub residual: f64,
     /// The gap g_N.
     pub gap: f64,
@@ -41,31 +41,31 @@ pub struct Iterate {
     pub at: (f64, f64),
 }
 
-/// Where the iteration ended.
+/// The end of the iteration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// The iterates, from the straight beams on.
+    /// The iterates, starting from the straight beams.
     pub iterates: Vec<Iterate>,
-    /// The dofs of the last one.
+    /// The dofs of the last iterate.
     pub q: DofVector<f64, DOFS, DOFS>,
-    /// Why it ended before the tolerance was met, if it did.
+    /// The reason why it ended before the tolerance was reached, if it did.
     pub stopped: Option<String>,
 }
 
 impl Equilibrium {
-    /// Whether the tolerance was met.
+    /// Whether the tolerance was reached.
     pub fn converged(&self) -> bool {
         self.stopped.is_none()
     }
 
-    /// The number of linear systems that were solved.
+    /// The number of solved linear systems.
     pub fn iterations(&self) -> usize {
         self.iterates.len().saturating_sub(1)
     }
 }
 
 impl Default for Problem {
-    /// Two crossing beams of length 2, thick and soft, so that the change of the tangents counts.
+    /// Two crossing beams of length 2, thick and soft, so that the change of the tangents matters.
     fn default() -> Self {
         let material = Material { axial: 100.0, bending: 1.0, radius: 0.4 };
         let beam = Beam::between([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], material);
@@ -88,7 +88,7 @@ impl Problem {
         DofVector { beam, bar }
     }
 
-    /// All steps but the last with the exact tangent, and the last one with this one.
+    /// Solves all steps except the last with the exact tangent, and the last step with this tangent.
     pub fn solve(&self, tangent: Tangent) -> Equilibrium {
         let mut q = self.start();
         for _ in 1..self.steps {
@@ -101,8 +101,8 @@ impl Problem {
         self.step(q, tangent)
     }
 
-    /// One step from an equilibrium: the clamp is moved, then Newton's method iterates until the residual is small, the
-    /// iteration fails, or its limit is reached.
+    /// One step from an equilibrium. The clamp is moved. Then Newton's method iterates until the residual is small, the
+    /// iteration fails, or the limit of iterations is reached.
     pub fn step(&self, mut q: DofVector<f64, DOFS, DOFS>, tangent: Tangent) -> Equilibrium {
         let pair = self.pair();
         q.bar[2] -= self.push / count(self.steps);

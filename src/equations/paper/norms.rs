@@ -13,10 +13,10 @@ pub(super) fn enter<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     tangent(p, table);
 }
 
-/// A norm and the vector it is of.
+/// A norm and its vector.
 type Norm<T> = (Varied<T>, Varied<Vector3<T>>);
 
-/// (33) to (35): the norm of any vector; d, t and t_bar are three.
+/// (33) to (35): the norm of any vector, for the three vectors d, t and t_bar.
 fn generic<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     let norms = [(p.distance, p.d), (p.beam.length, p.beam.t), (p.bar.length, p.bar.t)];
     let of = |f: fn(&Norm<T>) -> T| norms.each_ref().map(f);
@@ -71,7 +71,7 @@ fn generic<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     );
 }
 
-/// Δû_C in the last terms of (39), (40) and (57): total as printed, or what it has to be.
+/// Δû_C in the last terms of (39), (40) and (57): total as printed, or partial as corrected.
 struct Hat<T> {
     /// Δu_C − Δū_C with Δu_C = u_C,ξ Δξ + Δᵤu_C.
     total: Vector3<T>,
@@ -107,7 +107,7 @@ pub(super) fn dropped<T: Real>(p: &Point<T>) -> T {
     p.d.value.dot(&(p.beam.jet.second_u[0] - p.bar.jet.second_u[0])) / p.distance.value
 }
 
-/// (40), and (57), with a reading of Δû_C.
+/// (40) and (57), with a reading of Δû_C.
 pub(super) fn second_distance<T: Real>(p: &Point<T>, hat: &Vector3<T>) -> T {
     let (d, delta_u) = (p.distance.value, delta_u_hat(p));
     // [δᵤû·(t Δξ − t̄ Δξ̄) + d·(..)]/d + [δᵤû·Δû]/d − [δᵤû·d d·Δû]/d³
@@ -247,7 +247,7 @@ fn tangent<T: Real>(p: &Point<T>, table: &mut Table<T>) {
         .part(Order::First, "")
         .printed([s.length.delta; 2], [vector.dot(&s.t.delta) / t, vector.dot(&delta) / t]);
 
-    // (42): no + before Δt·δt, and Δt·t·δt where (Δt·t)(t·δt) has to stand
+    // (42): no + before Δt·δt, and Δt·t·δt in place of (Δt·t)(t·δt)
     let left = [s.length.second];
     let (bracket, product) = (bracket(s), linear.dot(&delta));
     let cube = t * t * t;

@@ -46,7 +46,7 @@ pub(super) fn first_sides<T: Real>(p: &Point<T>) -> [T; 2] {
     [&p.beam, &p.bar].map(|s| -hat.dot(&s.jet.geometry.t) - s.jet.delta_u[1].dot(&d))
 }
 
-/// What of Δδd and of Δδt, Δδt̄ holds neither Δδξ nor Δδξ̄; with Δᵤδᵤu where asked for.
+/// The parts of Δδd and of Δδt, Δδt̄ that contain neither Δδξ nor Δδξ̄, with Δᵤδᵤu if `complete`.
 fn rests<T: Real>(p: &Point<T>, complete: bool) -> (Vector3<T>, [Vector3<T>; 2]) {
     let kept = |s: &Side<T>, k: usize| if complete { s.jet.second_u[k] } else { Vector3::zeros() };
     let of_x = |s: &Side<T>| s.jet.geometry.t_xi * squared(s) + mixed(s, 1) + kept(s, 0);
@@ -54,7 +54,7 @@ fn rests<T: Real>(p: &Point<T>, complete: bool) -> (Vector3<T>, [Vector3<T>; 2])
     (of_x(&p.beam) - of_x(&p.bar), [&p.beam, &p.bar].map(of_t))
 }
 
-/// R_Δδ and R̄_Δδ: what (54) leaves on the right of (55).
+/// R_Δδ and R̄_Δδ: the right-hand side of (55), from (54).
 pub(super) fn second_sides<T: Real>(p: &Point<T>, complete: bool) -> [T; 2] {
     let (rest_d, rest_t) = rests(p, complete);
     let of = |s: &Side<T>, rest_t: &Vector3<T>| {
@@ -73,7 +73,7 @@ fn first_rows<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     let varied = |s: &Side<T>| p.d.delta.dot(&s.t.value) + d.dot(&s.t.delta);
     let delta_d = x.t * s.xi.delta - y.t * r.xi.delta + delta_u_hat(p);
     let row_2 = |last: Vector3<T>| [varied(r), delta_d.dot(&y.t) + d.dot(&last)];
-    // The row once more, as the scan repeats it: δξ for δξ̄ in δd and in δt̄, t for t̄ on the left.
+    // The repetition of the row in the scan: δξ for δξ̄ in δd and in δt̄, t for t̄ on the left.
     let again = |t_xi: Vector3<T>| {
         let delta_d = x.t * s.xi.delta - y.t * s.xi.delta + delta_u_hat(p);
         [varied(s), delta_d.dot(&y.t) + d.dot(&(t_xi * s.xi.delta + u_bar_xi))]

@@ -31,7 +31,7 @@ pub(super) fn enter<T: Real>(p: &Point<T>, table: &mut Table<T>) {
         .part(Order::Second, "Δδd");
     readings(equation, p, |hat| second_distance(p, hat));
 
-    // (58): 1/t³ for 1/t before δt·Δt, and δt·t·Δt where (δt·t)(t·Δt) has to stand
+    // (58): 1/t³ in place of 1/t before δt·Δt, and δt·t·Δt in place of (δt·t)(t·Δt)
     let [delta, linear] = tangents_varied(s);
     let (t, vector) = (s.length.value, s.t.value);
     let (cube, product) = (t * t * t, delta.dot(&linear));

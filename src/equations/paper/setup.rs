@@ -10,7 +10,7 @@ pub(super) fn enter<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     let (x, x_bar) = (s.jet.geometry, r.jet.geometry);
     let zero = T::zero();
 
-    // (1): x = X + u, where u is what X leaves
+    // (1): x = X + u, where u is the difference of x and X
     let (u, u_bar) = (x.x - s.reference.x, x_bar.x - r.reference.x);
     table
         .define(

@@ -1,6 +1,6 @@
-//! Jets of two beams at a stationary point over the prime field, of which no number vanishes.
+//! Jets of two beams at a stationary point over the prime field, with no number equal to zero.
 //!
-//! They belong to no family: a jet is all that the closed form sees of a curve, and one with two control vectors and any
+//! They belong to no family. The closed form uses only the jet of a curve. A jet with two control vectors and any
 //! shape functions has all terms, with the fewest operations.
 
 use crate::closest_point::Held;
@@ -24,7 +24,7 @@ type Scalar = Faulty<Traced>;
 type Beam = PaddedBeam<Scalar, D>;
 type Memory = Second<Scalar, D, { 2 * D }, { D * (2 * D + 1) }>;
 
-/// Two beams in a form, with what they can be mistaken for.
+/// Two beams in a formulation, with the values that can replace theirs.
 pub(super) struct Place {
     pub(super) name: &'static str,
     form: Formulation,
@@ -34,7 +34,7 @@ pub(super) struct Place {
     linear: [Runs; 2],
 }
 
-/// Two beams and the same at other parameters.
+/// Two beams, and the same beams at other parameters.
 struct Runs {
     now: [Beam; 2],
     before: [Beam; 2],
@@ -42,11 +42,11 @@ struct Runs {
     at_before: (PrimeField, PrimeField),
 }
 
-/// A code's name, what its operands can be mistaken for, and the code.
+/// The name of a code, the possible replacements of its operands, and the code.
 type Named<'a> = (&'static str, &'static [Kind], Box<dyn Fn(Option<Kind>) -> Vec<u64> + Sync + 'a>);
 
 impl Place {
-    /// Inside both beams in every form, and at the ends.
+    /// Inside both beams in every formulation, and at the ends.
     pub(super) fn all(rng: &mut ChaCha8Rng) -> Vec<Self> {
         let none = Held::default();
         let normal = Distance::Normal { reversed: false };
@@ -136,7 +136,7 @@ impl Place {
     }
 }
 
-/// Two beams, their parameters and their contact, as they are or mistaken for others.
+/// Two beams, their parameters and their contact, original or with replacements.
 type Mistaken<B> = ([B; 2], (Scalar, Scalar), Contact);
 
 impl Runs {
@@ -196,7 +196,7 @@ fn stationary(held: Held, rng: &mut ChaCha8Rng) -> [Geometry<PrimeField>; 2] {
     }
 }
 
-/// A beam with any dofs and directions, whose jet this is; t,xi and t,xixi are others if it is linear in its dofs.
+/// A beam with any dofs and directions that has this jet. If it is linear in its dofs, t,xi and t,xixi are different.
 fn beam(mut geometry: Geometry<PrimeField>, is_linear: bool, rng: &mut ChaCha8Rng) -> Beam {
     let mut residue = || PrimeField::new(rng.random());
     let mut q = SVector::<PrimeField, D>::from_fn(|_, _| residue());
@@ -231,7 +231,7 @@ fn traced(value: PrimeField) -> Scalar {
     Faulty(value.into())
 }
 
-/// The jet by its shape functions, if it has any.
+/// The jet as shape functions, if it has any.
 fn by_shapes(jet: &Jet<Scalar, Padded<Scalar, D>>) -> Option<Jet<Scalar, Shapes<Scalar, { D / 3 }>>> {
     let derivatives = jet.dofs.all_shapes()?.map(|shapes| std::array::from_fn(|i| shapes[i]));
     Some(Jet { geometry: jet.geometry, dofs: Shapes { derivatives } })
@@ -245,7 +245,7 @@ fn numbers(of: &Derivatives<Scalar, D, D>) -> Vec<u64> {
     all.chain(second).map(|number| number.0.bits()).collect()
 }
 
-/// All numbers that the kernel wrote; of a packed row what belongs to it and a little more.
+/// All numbers that the kernel wrote. For a packed row, these are the row and a few more numbers.
 fn written(of: &mut impl Target<Scalar, D, D>) -> Vec<u64> {
     let mut all = vec![of.value().0.bits()];
     let mut write = |(beam, bar): (&mut [Scalar], &mut [Scalar])| {

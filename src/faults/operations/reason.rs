@@ -1,16 +1,16 @@
-//! Why it is right that no number depends on some operations.
+//! Reasons why some operations do not affect any output.
 
 use super::Lost;
 
-/// Operations that may be lost, and why.
+/// Operations that may be lost, and the reason.
 struct Reason {
-    /// How they are lost.
+    /// Why no output depends on them.
     lost: Lost,
-    /// How the names of their codes start.
+    /// The prefix of the names of their codes.
     code: &'static str,
-    /// How the names of their places end.
+    /// The suffix of the names of their places.
     place: &'static str,
-    /// A part of a path in the source that leads to them. It is not asked for where the build knows no lines.
+    /// A part of a path in the source that leads to them. It is not compared if the build has no line numbers.
     file: &'static str,
     why: &'static str,
 }
@@ -58,7 +58,7 @@ const REASONS: [Reason; 16] = [
     of(Lost::Unused, "jet of arc", "", "curve/screw", "an arc has no pitch"),
 ];
 
-/// Why an operation may be lost, from the lines of the source that lead to it; nothing if it may not.
+/// The reason why an operation may be lost, from the lines of the source that lead to it; none if it may not be lost.
 pub(super) fn reason(lost: Lost, code: &str, place: &str, at: &[String]) -> Option<&'static str> {
     let is_there = |file: &str| at.is_empty() || at.iter().any(|line| line.contains(file));
     let holds = |of: &&Reason| {

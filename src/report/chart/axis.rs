@@ -4,36 +4,36 @@
 pub(in super::super) struct Axis<'a> {
     /// The first and the last value.
     pub(in super::super) range: [f64; 2],
-    /// The pixels where they are.
+    /// The pixels of these values.
     pub(in super::super) pixels: [f64; 2],
-    /// What it measures, with its unit.
+    /// The quantity on the axis, with its unit.
     pub(in super::super) name: &'a str,
-    /// How many powers of ten have room as ticks.
+    /// The maximum number of powers of ten that are ticks.
     pub(in super::super) room: usize,
     /// The ticks, if they are not powers of ten.
     pub(in super::super) given: &'a [f64],
-    /// How values are written.
+    /// The format of the values.
     pub(in super::super) label: fn(f64) -> String,
 }
 
 impl Axis<'_> {
-    /// The least and the largest of `values` that are positive; 1 and 10 if there are none.
+    /// The smallest and the largest of the positive `values`; 1 and 10 if there are none.
     pub(in super::super) fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
         let positive = values.filter(|value| *value > 0.0 && value.is_finite());
         let ends = positive.fold([f64::INFINITY, 0.0_f64], |[least, most], x| [least.min(x), most.max(x)]);
         if ends[0] > ends[1] { [1.0, 10.0] } else { ends }
     }
 
-    /// The powers of ten that hold all `values`, which must be positive; others are passed over.
+    /// The powers of ten that enclose all positive `values`. Other values are ignored.
     pub(in super::super) fn decades(values: impl Iterator<Item = f64>) -> [f64; 2] {
         let [least, most] = Self::ends(values);
-        // A value at a power of ten is at the end of the axis, whatever its logarithm is rounded to.
+        // A value at a power of ten is at the end of the axis, independently of the rounding of its logarithm.
         let low = (least.log10() + 1e-9).floor();
         let high = (most.log10() - 1e-9).ceil().max(low + 1.0);
         [low, high].map(|power| 10_f64.powf(power))
     }
 
-    /// The values 1, 2 and 5 times powers of ten from below the least of `values` to above the largest.
+    /// The values 1, 2 and 5 times powers of ten from below the smallest of `values` to above the largest.
     pub(in super::super) fn steps(values: impl Iterator<Item = f64>) -> Vec<f64> {
         let [least, most] = Self::ends(values);
         let [low, high] = Self::decades([least, most].into_iter());
@@ -54,7 +54,7 @@ impl Axis<'_> {
         from + (to - from) * (value / low).ln() / (high / low).ln()
     }
 
-    /// The values that are marked, with their labels.
+    /// The values of the ticks, with their labels.
     pub(in super::super) fn ticks(&self) -> Vec<(f64, String)> {
         let [low, high] = self.range.map(f64::log10);
         #[expect(clippy::cast_possible_truncation, reason = "exponents of f64")]

@@ -1,4 +1,4 @@
-//! One equation on the page: what it says, why, the lines that compute it, its numbers and its verdict.
+//! One equation on the page: its statement, its reason, the lines that compute it, its numbers and its verdict.
 
 use super::letters::used;
 use super::source::{Snippet, of_equation};
@@ -9,18 +9,18 @@ use std::fmt::Write;
 
 /// The prose about one equation.
 pub(super) struct Note<'a> {
-    /// The whole of what is right, where the record has only what differs from the print.
+    /// The whole correct equation, if the record has only its differences from the print.
     statement: Option<&'a str>,
-    /// Why it holds.
+    /// The reason why it is true.
     why: &'a str,
     /// What is wrong with the print.
     wrong: Option<&'a str>,
-    /// What the numbers are, where they are not both sides of what is shown.
+    /// The meaning of the numbers, if they are not both sides of the equation shown.
     numbers: Option<&'a str>,
 }
 
 impl<'a> Note<'a> {
-    /// The notes by number: `## 40`, then `= LaTeX`, prose, `# what the numbers are` and `! what is wrong`, each a
+    /// The notes by number: `## 40`, then `= LaTeX`, prose, `# what the numbers are` and `! what is wrong`, each in its own
     /// paragraph.
     pub(super) fn all(text: &'a str) -> Result<Vec<(u8, Self)>, String> {
         let mut notes = Vec::new();
@@ -83,7 +83,7 @@ pub(super) fn card(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Resul
     Ok(card + "</section>\n")
 }
 
-/// What is said of an equation that drops the terms of curves that are not linear in their dofs.
+/// The text for an equation that drops the terms of curves that are not linear in their dofs.
 fn dropped(row: &EquationRow) -> String {
     let worst =
         row.as_printed.errors[1].map_or_else(|| "not finite".to_owned(), |error| format!("{error:.1e}"));
@@ -116,13 +116,13 @@ fn code(snippet: &Snippet, number: u8) -> Result<String, String> {
     ))
 }
 
-/// The reading that is right: the last of print, correction and completion.
+/// The correct reading: the last of print, correction and completion.
 fn right(part: &WorkedPart) -> Option<&WorkedReading> {
     let of = |reading| part.readings.iter().find(|run| run.reading == reading);
     of(Reading::Complete).or_else(|| of(Reading::Corrected)).or_else(|| of(Reading::Printed))
 }
 
-/// The largest number of a part, that zeros are compared with.
+/// The largest number of a part. Zeros are compared with it.
 const ORDER_ONE: f64 = 1.0;
 
 /// The table of the standard case.
@@ -157,10 +157,10 @@ fn numbers(worked: &Worked) -> String {
     )
 }
 
-/// How many digits agree.
+/// The number of digits that agree.
 fn agreement(reading: &WorkedReading) -> String {
     let digits = reading.digits(ORDER_ONE);
-    // Beyond this the digits depend on the machine.
+    // Further digits depend on the machine.
     if digits >= 13.0 { "13 or more".to_owned() } else { format!("{digits:.1}") }
 }
 
@@ -170,14 +170,14 @@ fn values(numbers: &[f64]) -> String {
     if numbers.len() > 3 { shown + ", .." } else { shown }
 }
 
-/// A number with ten decimals; rounding errors of zero are zero.
+/// A number with ten decimals. Rounding errors of zero are written as zero.
 pub(super) fn number(x: f64) -> String {
     let text = format!("{x:.10}");
     let text = if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { "0" } else { &text };
     text.replace('-', "−")
 }
 
-/// What the runs over all pairs say.
+/// The results of the runs over all pairs.
 fn evidence(row: &EquationRow) -> Result<String, String> {
     let total = row.as_corrected.linear.total() + row.as_corrected.nonlinear.total();
     if total == 0 {
@@ -207,7 +207,7 @@ fn evidence(row: &EquationRow) -> Result<String, String> {
     ))
 }
 
-/// What is printed, and the numbers that refute it.
+/// The printed equation, and the numbers that refute it.
 fn misprint(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Result<String, String> {
     let wrong = note.wrong.ok_or_else(|| format!("nothing is said of the misprint of ({})", row.number))?;
     let mut text = format!(

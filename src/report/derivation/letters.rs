@@ -6,11 +6,11 @@ use super::math::{expand, mathml};
 pub(super) struct Symbol {
     pub(super) id: &'static str,
     pub(super) latex: &'static str,
-    /// What it is, in prose.
+    /// Its meaning, in prose.
     pub(super) words: &'static str,
     /// Its name in words.
     pub(super) name: &'static str,
-    /// What in the letters of an equation shows that it is used, as [`letters`] writes them.
+    /// The keys of the letter: if [`letters`] writes one of them for an equation, the equation uses the letter.
     keys: Vec<&'static str>,
 }
 
@@ -20,7 +20,7 @@ impl Symbol {
     }
 }
 
-/// The letters of the text file: lines of id, LaTeX, keys, words and name, with bars between. In a key `~` is a space.
+/// The letters of the text file: lines of id, LaTeX, keys, words and name, separated by bars. In a key `~` is a space.
 pub(super) fn all() -> Result<Vec<Symbol>, String> {
     include_str!("symbols.txt")
         .lines()
@@ -35,10 +35,10 @@ pub(super) fn all() -> Result<Vec<Symbol>, String> {
         .collect()
 }
 
-/// The letters of a formula in their order, each with its subscript and without bars, and a space around each:
+/// The letters of a formula in their order, each with its subscript and without bars, with a space around each:
 /// `\bar g_N=\frac d2\vt_{,\xi}` has ` g_N = \frac d 2 \mathbf{t}_,\xi \xi `.
 ///
-/// The arguments of commands for words, superscripts, and subscripts that are no derivatives hold no letters.
+/// The arguments of commands for words, superscripts, and subscripts that are not derivatives contain no letters.
 fn letters(latex: &str) -> String {
     let text: Vec<char> = expand(latex).chars().collect();
     let mut found = vec![String::new()];
@@ -47,7 +47,7 @@ fn letters(latex: &str) -> String {
     found.join(" ")
 }
 
-/// What follows a command, a `_` or a `^`: a group without its braces, a command with its argument, or one character.
+/// The argument of a command, a `_` or a `^`: a group without its braces, a command with its argument, or one character.
 fn argument(text: &[char], mut at: usize) -> (&[char], usize) {
     while text.get(at).is_some_and(|c| c.is_whitespace()) {
         at += 1;
@@ -74,7 +74,7 @@ fn argument(text: &[char], mut at: usize) -> (&[char], usize) {
     }
 }
 
-/// The end of the name of a command: one character that is no letter, or all letters.
+/// The end of the name of a command: one character that is not a letter, or all letters.
 fn after_name(text: &[char], at: usize) -> usize {
     let letters = text[at..].iter().take_while(|c| c.is_ascii_alphabetic()).count();
     (at + letters.max(1)).min(text.len())
@@ -93,7 +93,7 @@ fn read(text: &[char], found: &mut Vec<String>) {
             '_' => {
                 let (group, end) = argument(text, at + 1);
                 at = end;
-                // The limit of an integral is no index.
+                // The limit of an integral is not an index.
                 if found.last().is_some_and(|last| last == "\\int") {
                     read(group, found);
                     continue;
@@ -122,7 +122,7 @@ fn read(text: &[char], found: &mut Vec<String>) {
     }
 }
 
-/// Reads a command whose name ends at `end`; returns where to go on.
+/// Reads a command whose name ends at `end`. Returns the position after it.
 fn command(name: &str, text: &[char], end: usize, found: &mut Vec<String>) -> usize {
     match name {
         "bar" => {
@@ -140,7 +140,7 @@ fn command(name: &str, text: &[char], end: usize, found: &mut Vec<String>) -> us
             found.extend(inner);
             end
         }
-        // A word is a letter that no symbol is.
+        // A word is a letter that is no symbol of the page.
         "mathrm" | "mathsf" | "text" | "operatorname" => {
             found.push("word".to_owned());
             argument(text, end).1
@@ -159,10 +159,10 @@ fn command(name: &str, text: &[char], end: usize, found: &mut Vec<String>) -> us
     }
 }
 
-/// Commands that are letters or change the meaning of a letter, and no symbols of the page.
+/// Commands that are letters or change the meaning of a letter, and are not symbols of the page.
 const OTHERS: [&str; 5] = ["\\nabla", "\\partial", "\\varepsilon", "\\epsilon", "\\theta"];
 
-/// Whether the letter is one that the page does not explain.
+/// Whether the page does not explain the letter.
 fn is_other(letter: &str, symbols: &[Symbol]) -> bool {
     let alone = letter.chars().count() == 1 && letter.chars().all(char::is_alphabetic);
     let base = letter.split('_').next().unwrap_or(letter);
@@ -181,7 +181,7 @@ pub(super) fn used(latex: &str) -> Result<String, String> {
     Ok(links.map(|symbol| link(&symbol)).collect::<Result<Vec<_>, String>>()?.join(" "))
 }
 
-/// The letter that a formula is, or the only one that it holds.
+/// The letter that is the formula, or the only letter in the formula.
 pub(super) fn of_letter(latex: &str) -> Result<Option<Symbol>, String> {
     let mut symbols = all()?;
     let is_letter = |symbol: &Symbol| symbol.latex.split(r",\;").any(|letter| letter == latex.trim());
@@ -220,7 +220,7 @@ mod tests {
     fn letters_are_found_alone_and_in_formulas() {
         let id = |latex| of_letter(latex).unwrap().map(|symbol| symbol.id);
         assert_eq!((id(r"\vtb"), id(r"\vt/2"), id("g_N=0.25")), (Some("t"), Some("t"), Some("gN")));
-        // Two letters, one that the page does not explain, an index.
+        // Two letters, a letter that the page does not explain, an index.
         assert_eq!(
             (id(r"\vd\cdot\vt"), id("f(Q)"), id(r"b=\vt\cdot\vtb"), id(r"f_{,p}")),
             (None, None, None, None)

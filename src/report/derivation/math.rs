@@ -1,9 +1,9 @@
-//! LaTeX as MathML, with the letters of the two beams and of the distance in their colours.
+//! LaTeX as MathML, with the letters of the two beams and of the distance in colour.
 
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Parser, Storage, push_mathml};
 
-/// Short names in the prose for what LaTeX writes at length.
+/// Short names in the prose for long LaTeX commands.
 const MACROS: [(&str, &str); 26] = [
     ("vd", r"\mathbf{d}"),
     ("vt", r"\mathbf{t}"),
@@ -33,10 +33,10 @@ const MACROS: [(&str, &str); 26] = [
     ("Rddb", r"\bar R_{\Delta\delta}"),
 ];
 
-/// The MathML of a formula, as a block or in a line.
+/// The MathML of a formula, as a block or inline.
 ///
 /// # Errors
-/// What the parser has to say, with the formula.
+/// The message of the parser, with the formula.
 pub(in crate::report) fn mathml(latex: &str, block: bool) -> Result<String, String> {
     let expanded = expand(latex);
     let storage = Storage::new();
@@ -54,7 +54,7 @@ pub(in crate::report) fn mathml(latex: &str, block: bool) -> Result<String, Stri
     Ok(coloured(&out.replace("\"minsize", "\" minsize")))
 }
 
-/// The LaTeX with all short names written out.
+/// The LaTeX with all short names expanded.
 pub(super) fn expand(latex: &str) -> String {
     let mut out = String::with_capacity(latex.len() * 2);
     let mut rest = latex;

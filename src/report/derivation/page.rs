@@ -1,4 +1,4 @@
-//! The page, put together.
+//! The composition of the page.
 
 use super::equation::{Note, card};
 use super::figures::{Axis, Plot, Series, before_and_after, blocks, two_lines, varied_pair};
@@ -14,23 +14,23 @@ use std::fmt::Write;
 const STORY: &str = include_str!("story.txt");
 const NOTES: &str = include_str!("equations.txt");
 const STYLE: &str = include_str!("style.css");
-/// The letters of the page out of Latin Modern Math, and the pieces of brackets, in base 64.
+/// The letters of the page from Latin Modern Math, and the parts of brackets, in base 64.
 const FONT: &str = include_str!("math.woff2.base64");
 const TITLE: &str = "The linearization of contact between two beams";
 
-/// The files that marks are looked for in.
+/// The files with marks.
 const MARKED: [(&str, &str); 2] = [
     ("teaching/contact.rs", include_str!("../../teaching/contact.rs")),
     ("teaching/solve.rs", include_str!("../../teaching/solve.rs")),
 ];
 
 impl Derivation {
-    /// The page: one file that needs no other, and no program to read it.
+    /// The page: one file that needs no other file and no script.
     ///
-    /// Without `accuracy` the figure of the digits that are lost at small distances is left out.
+    /// Without `accuracy` the page has no figure of the digits lost at small distances.
     ///
     /// # Errors
-    /// [`ReportError::Derivation`] if the text, a formula or the source is not as expected, with what is wrong.
+    /// [`ReportError::Derivation`] if the text, a formula or the source is not as expected, with the reason.
     pub fn to_html(&self, table: &EquationTable, accuracy: Option<&Accuracy>) -> Result<String, ReportError> {
         self.page(table, accuracy).map_err(|what| ReportError::Derivation { what })
     }
@@ -88,7 +88,7 @@ impl Derivation {
         card(row, note, worked.ok_or_else(|| format!("({number}) is not worked out"))?)
     }
 
-    /// A figure by its name; its caption follows after a bar.
+    /// A figure by its name. The caption follows after a bar.
     fn figure(&self, argument: &str, count: usize, accuracy: Option<&Accuracy>) -> Result<String, String> {
         let (name, caption) =
             argument.split_once(" | ").ok_or_else(|| format!("{argument:?} has no caption"))?;
@@ -167,7 +167,7 @@ impl Derivation {
     }
 }
 
-/// The digits that are lost at small distances.
+/// The digits lost at small distances.
 fn digits_figure(accuracy: &Accuracy) -> String {
     let of = |pick: fn(&check::Errors) -> Option<f64>| {
         accuracy.found.gaps.iter().filter_map(|row| Some((row.at, pick(&row.d)?))).collect()

@@ -19,11 +19,11 @@ pub struct Derivation {
     pub command: String,
     /// Every equation in the standard case.
     pub worked: Vec<Worked>,
-    /// The pair that is worked out by hand.
+    /// The pair that is computed by hand.
     pub by_hand: ByHand,
     /// Newton's method with each tangent.
     pub newton: Vec<NewtonRun>,
-    /// What the faults of the self-checks do.
+    /// The effects of the faults of the self-checks.
     pub effects: Vec<Effect>,
     /// Central differences of d in the standard case.
     pub differences: Vec<DifferenceRow>,
@@ -79,7 +79,7 @@ impl Record for Derivation {
 }
 
 impl Derivation {
-    /// Computes all numbers, as `command` asks for.
+    /// Computes all numbers. `command` is the command that requested them.
     ///
     /// # Errors
     /// None: all closest points exist.
@@ -115,7 +115,7 @@ impl Derivation {
     }
 }
 
-/// Two digits: the others depend on the machine.
+/// Two digits, because the others depend on the machine.
 fn digits(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(f64::INFINITY)
 }

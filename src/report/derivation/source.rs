@@ -1,8 +1,8 @@
-//! Lines of the source, cut where comments name an equation or a mark.
+//! Lines of the source, selected by comments that name an equation or a mark.
 
 use crate::equations::{Place, SOURCES, named, places};
 
-/// The most lines that are shown.
+/// The maximum number of lines shown.
 const LINES: usize = 20;
 
 /// Lines that compute an equation.
@@ -10,15 +10,15 @@ const LINES: usize = 20;
 pub(super) struct Snippet {
     /// The file, below `src`.
     pub(super) file: &'static str,
-    /// The function around the lines, or the item that is tagged.
+    /// The function that contains the lines, or the item that has the tag.
     pub(super) item: String,
-    /// The equation that the comment names first.
+    /// The first equation that the comment names.
     pub(super) owner: u8,
-    /// The lines; none if the item is only tagged.
+    /// The lines; empty if the item only has a tag.
     pub(super) code: String,
 }
 
-/// Where an equation is computed: the first of its [`places`].
+/// The place where an equation is computed: the first of its [`places`].
 ///
 /// # Errors
 /// If the source does not name it.
@@ -39,7 +39,7 @@ pub(super) fn of_equation(number: u8) -> Result<Snippet, String> {
     Ok(Snippet { file, item: place.item, owner, code })
 }
 
-/// A comment and the code below it: to a comment that does not name the equation, a blank line, or the end of the block.
+/// A comment and the code below it, up to a comment that does not name the equation, a blank line, or the end of the block.
 fn below(lines: &[&str], number: u8) -> String {
     let indent = |line: &str| line.len() - line.trim_start().len();
     let own = indent(lines[0]);
@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn a_comment_is_cut_with_the_code_below_it() {
-        // Put together here, so that this file is not taken for one that computes equations.
+        // Concatenated here, so that this file is not counted as one that computes equations.
         let names = |numbers: &str| format!("// {}. {numbers}", "Eq");
         let first = format!("    {}", names("(1): a"));
         let lines = [&first, "    // more", "    let a =", "        1;", "    let b = 2;", "", "    c"]

@@ -1,4 +1,4 @@
-//! The tables of the page, and the self-checks, which have tables of their own.
+//! The tables of the page, and the self-checks, which have their own tables.
 
 use super::equation::number;
 use super::math::mathml;
@@ -65,7 +65,7 @@ impl Derivation {
         Ok(wide("numbers of the pair that is worked by hand", head, &lines))
     }
 
-    /// A self-check: the number of the effect, then the question, the answer after a bar.
+    /// A self-check: the number of the effect, then the question, and the answer after a bar.
     pub(super) fn check(&self, argument: &str) -> Result<String, String> {
         let parts: Vec<&str> = argument.splitn(3, " | ").collect();
         let [index, question, answer] = parts[..] else {
@@ -110,12 +110,12 @@ impl Derivation {
     }
 }
 
-/// The name of a tangent for a reader: that of the record, or what it leaves out in full.
+/// The name of a tangent on the page: that of the record, or the missing term in full.
 pub(super) fn tangent(record: &str) -> &str {
     if record == "without d.t,xi" { "without d.t,xi and d.t_bar,xi_bar" } else { record }
 }
 
-/// A table that is scrolled where it is too wide.
+/// A table that scrolls if it is too wide.
 fn wide(name: &str, head: &str, rows: &str) -> String {
     format!(
         "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"{name}\"><table><thead><tr>{head}</tr></thead><tbody>\n\

@@ -1,13 +1,13 @@
-//! The markup of the prose: paragraphs, headings, lists, formulas, and commands that the page carries out.
+//! The markup of the prose: paragraphs, headings, lists, formulas, and commands that the page executes.
 
 use super::letters::{Symbol, of_letter, used};
 use super::math::mathml;
 use std::fmt::Write;
 
-/// The HTML of a text; `carry_out` answers a line that begins with `@`.
+/// The HTML of a text. `carry_out` returns the HTML for a line that begins with `@`.
 ///
 /// # Errors
-/// What cannot be parsed, with its text.
+/// The text that cannot be parsed.
 pub(super) fn html(
     text: &str,
     mut carry_out: impl FnMut(&str, &str) -> Result<String, String>,
@@ -39,7 +39,7 @@ pub(super) fn html(
     Ok(page)
 }
 
-/// A formula in a line of its own, which is scrolled where it is too wide.
+/// A formula on its own line, which scrolls if it is too wide.
 pub(super) fn formula(latex: &str) -> Result<String, String> {
     Ok(format!(
         "<div class=\"formula\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">{}</div>\n",
@@ -58,12 +58,12 @@ pub(super) fn sections(text: &str) -> Vec<(&str, &str)> {
     text.lines().filter_map(|line| line.strip_prefix("## ")?.split_once(" | ")).collect()
 }
 
-/// A line of text with `$formulas$`, `**strong**`, `` `code` `` and numbers of equations, which become links.
+/// A line of text with `$formulas$`, `**strong**`, `` `code` `` and numbers of equations. The numbers become links.
 pub(super) fn inline(text: &str) -> Result<String, String> {
     line(text, false)
 }
 
-/// The same with letters that stand alone linked to their explanation.
+/// The same, with links from single letters to their explanation.
 pub(super) fn prose(text: &str) -> Result<String, String> {
     line(text, true)
 }

@@ -1,4 +1,4 @@
-//! What each formulation loses: median errors over the distance and over the angle.
+//! The loss of accuracy of each formulation: median errors over the distance and over the angle.
 
 use super::errors;
 use crate::check::{Errors, Level};
@@ -9,11 +9,11 @@ const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 14.0;
 const TOP: f64 = 56.0;
 const BOTTOM: f64 = 340.0;
-/// The paper's formulation, the robust one, and that which the library chooses, with their lines.
+/// The paper's formulation, the robust one, and the one that the library chooses, with their lines.
 const LINES: [(usize, &str); 3] = [(1, "thick s1"), (0, "thick s0"), (2, "thick dashed s2")];
 
 impl Accuracy {
-    /// The errors of Delta-delta d over the distance; the same record always makes the same picture.
+    /// The errors of Delta-delta d over the distance. The same record always gives the same picture.
     pub fn gap_to_svg(&self) -> String {
         let names = ["paper: divides by d", "robust: along the normal", "chosen by the library"];
         picture(
@@ -25,7 +25,7 @@ impl Accuracy {
         )
     }
 
-    /// The errors of Delta-delta xi over the angle; the same record always makes the same picture.
+    /// The errors of Delta-delta xi over the angle. The same record always gives the same picture.
     pub fn angle_to_svg(&self) -> String {
         let names = ["paper: determinants", "robust: cross products", "chosen by the library"];
         let title = "Second variation of xi over the angle, straight beams";
@@ -54,7 +54,7 @@ fn picture(title: &str, across: &str, names: [&str; 3], rows: &[Level], of: fn(&
         }
         curves.push(places);
     }
-    // Each label stands above its curve, on the left, where the curves are far apart; the choice follows one of the others.
+    // Each label is above its curve, on the left, where the curves are far apart. The choice follows one of the others.
     for ((places, above), (name, (colour, _))) in
         curves.iter().zip([8.0, 25.0, 8.0]).zip(names.iter().zip(LINES))
     {

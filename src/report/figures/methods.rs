@@ -8,30 +8,30 @@ use crate::report::methods::Kind;
 use crate::report::number::time;
 use crate::report::peers::Peers;
 
-/// Where the rows start.
+/// The top of the rows.
 const TOP: f64 = 62.0;
 /// The height of a method: its name above, its points below.
 const ROW: f64 = 33.0;
 /// The height of the name of a group.
 const GROUP: f64 = 28.0;
-/// The times, with room for the words beside the first and the last.
+/// The range of the times, with room for the labels beside the first and the last.
 const TIMES: [f64; 2] = [8.0, 312.0];
-/// The errors.
+/// The range of the errors.
 const ERRORS: [f64; 2] = [332.0, 404.0];
-/// The shapes of d and of all quantities; their colours are 0 and 1.
+/// The shapes of d and of all quantities. Their colours are 0 and 1.
 const MARKS: [Mark; 2] = [Mark::Dot, Mark::Diamond];
 
-/// A median time, its interval, and the error, if there is one.
+/// A median time, its interval, and the error, if it exists.
 type Point = (f64, [f64; 2], Option<f64>);
 
-/// A row: its name, and for d and for all the time, its interval and its error.
+/// A row: its name, and the time, the interval and the error for d and for all quantities.
 struct Row {
     name: String,
     points: [Option<Point>; 2],
 }
 
 impl Benchmark {
-    /// The time of every method for d and for all quantities, with its error; nothing if no peers were measured.
+    /// The time of every method for d and for all quantities, with its error; none if no peers were measured.
     pub(in super::super) fn methods_to_svg(&self) -> Option<String> {
         let mut groups = groups(self.peers.as_ref()?);
         groups.push(("Closest point, which all methods need first".to_owned(), self.searches()));
@@ -74,7 +74,7 @@ impl Benchmark {
         Some(chart.svg())
     }
 
-    /// What finding the closest point takes, for the pair of Hermite beams.
+    /// The time to find the closest point, for the pair of Hermite beams.
     fn searches(&self) -> Vec<Row> {
         let of_hermites = self.of(Task::ClosestPoint).filter(|of| of.family == "hermite");
         let row = |of: &crate::report::Measured| Row {
@@ -100,7 +100,7 @@ fn groups(peers: &Peers) -> Vec<(String, Vec<Row>)> {
     Kind::ALL.map(of_kind).into_iter().filter(|(_, rows): &(_, Vec<_>)| !rows.is_empty()).collect()
 }
 
-/// The points of a row: the time of d to the left of its point, that of all to the right of its own.
+/// The points of a row. The label for d is to the left of its point, that for all quantities to the right.
 fn draw(chart: &mut Chart, row: &Row, height: f64, [x, y]: [&Axis; 2]) {
     for (k, point) in row.points.iter().enumerate() {
         let Some((median, [low, high], error)) = point else { continue };

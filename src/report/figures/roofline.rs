@@ -1,4 +1,4 @@
-//! The roofline: how near the closed form is to what the machine can do.
+//! The roofline: the rate of the closed form, compared with the limits of the machine.
 
 use crate::report::benchmark::Benchmark;
 use crate::report::chart::{Anchor, Axis, Chart, INK, Mark, WIDTH, apart};
@@ -9,11 +9,11 @@ const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const TOP: f64 = 56.0;
 const BOTTOM: f64 = 360.0;
-/// How far labels stand from the points: those of d to the left, those of all quantities to the right.
+/// The distance of labels from the points: labels for d are to the left, those for all quantities to the right.
 const BESIDE: f64 = 16.0;
 
 impl Benchmark {
-    /// Multiply-adds in a nanosecond over multiply-adds for a byte stored; nothing if they were not counted.
+    /// Multiply-adds in a nanosecond over multiply-adds for each stored byte; none if they were not counted.
     pub(in super::super) fn roofline_to_svg(&self) -> Option<String> {
         let rows: Vec<_> = self.below_the_roof().collect();
         let [most, bytes] = self.roof();

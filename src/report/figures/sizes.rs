@@ -12,7 +12,7 @@ const TOP: f64 = 56.0;
 const BOTTOM: f64 = 330.0;
 
 impl Benchmark {
-    /// Time over the number of dofs; nothing if it was not measured.
+    /// Time over the number of dofs; none if it was not measured.
     pub(in super::super) fn sizes_to_svg(&self) -> Option<String> {
         let tasks = [Task::AllBySize, Task::DistanceBySize];
         let all = || tasks.into_iter().flat_map(|task| self.of(task));
@@ -38,7 +38,7 @@ impl Benchmark {
             let family = if rows[0].family == "bspline" { "B-spline" } else { "Lagrange" };
             ends.push((places.last().map_or(BOTTOM, |at| at[1]), format!("{task}, {family}"), i));
         }
-        // What is proportional to the entries of a Hessian, through the largest.
+        // A line proportional to the number of entries of a Hessian, through the largest point.
         let through = all().max_by(|a, b| {
             (a.dofs, a.median).partial_cmp(&(b.dofs, b.median)).unwrap_or(std::cmp::Ordering::Equal)
         })?;

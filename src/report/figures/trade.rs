@@ -1,4 +1,4 @@
-//! Accuracy over time: one point a method, for all quantities.
+//! Accuracy over time: one point for each method, for all quantities.
 
 use super::{errors, times};
 use crate::report::benchmark::Benchmark;
@@ -13,10 +13,10 @@ const BOTTOM: f64 = 470.0;
 const LABEL: f64 = 17.0;
 
 impl Benchmark {
-    /// Error over time; nothing if no peers were measured.
+    /// Error over time; none if no peers were measured.
     pub(in super::super) fn trade_to_svg(&self) -> Option<String> {
         let timed = self.peers.as_ref()?.timed();
-        // Four pairs at once and the term by term form are variants: the first figure has them.
+        // Four pairs at once and the term by term form are variants. The first figure shows them.
         let shown =
             |name: &str| !["four pairs", "linearize", "term by term"].iter().any(|part| name.contains(part));
         let mut points: Vec<(f64, f64, Kind, &str)> = timed
@@ -34,7 +34,7 @@ impl Benchmark {
         let mut chart = Chart::new("Accuracy over time: all quantities, 24 dofs", BOTTOM + 46.0);
         chart.frame(&x, &y);
         let colour = |kind: Kind| Kind::ALL.iter().position(|other| *other == kind).unwrap_or(0);
-        // Those of few errors stand on flags: the fast ones above, to the right, the slow ones below, to the left.
+        // Labels of small errors are on flags: the fast methods above, to the right, the slow methods below, to the left.
         let middle = LEFT.midpoint(RIGHT);
         let (exact, rough): (Vec<_>, Vec<_>) = points.into_iter().partition(|point| point.1 < 1e-12);
         let (left, mut right): (Vec<_>, Vec<_>) = exact.into_iter().partition(|point| x.at(point.0) < middle);

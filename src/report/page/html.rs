@@ -18,7 +18,7 @@ impl Page {
     }
 }
 
-/// A String never refuses to be written to.
+/// Writing to a String never fails.
 fn add(page: &mut String, blocks: &[Block]) {
     for block in blocks {
         let _ = match block {

@@ -33,7 +33,7 @@ fn one(block: &Block) -> String {
     }
 }
 
-/// A bar in a cell would end it.
+/// A bar in a cell would end the cell.
 fn row(cells: &[String]) -> String {
     let cells: Vec<_> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
     format!("| {} |\n", cells.join(" | "))

@@ -1,10 +1,10 @@
-//! A page as the text of a terminal: words in lines and tables in columns.
+//! A page as terminal text: words in lines and tables in columns.
 
 use super::{Block, Inline, Page};
 use std::fmt;
 
 impl Page {
-    /// The page as text that is `columns` wide, all but its pictures.
+    /// The page as text with a width of `columns`, without its pictures.
     pub fn to_text(&self, columns: usize) -> String {
         format!("{}\n{}", self.title, blocks(&self.blocks, columns))
     }
@@ -44,7 +44,7 @@ fn plain(text: &str) -> String {
     })
 }
 
-/// Words in lines, of which the first starts with `first` and the others with `next`.
+/// Words in lines. The first line starts with `first` and the others with `next`.
 pub(in super::super) fn wrapped(text: &str, columns: usize, first: &str, next: &str) -> String {
     let (mut lines, mut line) = (String::new(), first.to_owned());
     let mut is_empty = true;
@@ -62,20 +62,20 @@ pub(in super::super) fn wrapped(text: &str, columns: usize, first: &str, next: &
     lines + &line + "\n"
 }
 
-/// Text in columns as wide as what they hold, within a width: else titles take several lines, then the cells of the widest
-/// column of words, and then the columns of numbers continue below.
+/// Text in columns as wide as their contents. If a table is too wide, titles take several lines, then the cells of the widest
+/// column of words do, and then the columns of numbers continue below.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     titles: Vec<String>,
     rows: Vec<Vec<String>>,
-    /// The columns that stand to the left; the others are numbers.
+    /// The columns that are aligned to the left. The others contain numbers.
     left: Vec<usize>,
     columns: usize,
 }
 
-/// The width of a terminal, if it is not known.
+/// The width of a terminal, if it is unknown.
 const COLUMNS: usize = 80;
-/// Words are not put into less.
+/// The minimum width of a column of words.
 const NARROWEST: usize = 16;
 
 impl Default for Table {
@@ -85,13 +85,13 @@ impl Default for Table {
 }
 
 impl Table {
-    /// A table of 80 columns with these words on top and its first column to the left.
+    /// A table of 80 columns with these titles and its first column aligned to the left.
     pub fn new(titles: &[&str]) -> Self {
         let titles = titles.iter().map(ToString::to_string).collect();
         Self { titles, rows: Vec::new(), left: vec![0], columns: COLUMNS }
     }
 
-    /// Sets further columns to the left.
+    /// Aligns further columns to the left.
     #[must_use]
     pub fn left(mut self, columns: &[usize]) -> Self {
         self.left.extend(columns);
@@ -125,7 +125,7 @@ impl Table {
         (widths, gap)
     }
 
-    /// The columns in parts, each of which is narrow enough: the columns of words before the numbers begin each of them.
+    /// The columns in parts, each of which is narrow enough. The columns of words before the numbers begin each part.
     fn parts(&self, widths: &[usize], gap: usize) -> Vec<Vec<usize>> {
         let names = (0..widths.len()).take_while(|i| self.left.contains(i)).count();
         let of_names: usize = widths[..names].iter().map(|width| width + gap).sum();
@@ -147,7 +147,7 @@ fn length(text: &str) -> usize {
     text.chars().count()
 }
 
-/// The lines of some cells next to each other; titles end in the same line, other cells begin in the same one.
+/// The lines of some cells next to each other. Titles end in the same line, and other cells begin in the same line.
 fn lines(cells: &[(&str, usize, bool)], gap: usize, is_title: bool) -> String {
     let cells: Vec<(Vec<String>, usize, bool)> = cells
         .iter()

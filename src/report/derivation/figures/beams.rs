@@ -1,4 +1,4 @@
-//! Pairs of beams as they are seen.
+//! Pictures of pairs of beams.
 
 use super::{arrow, dot, path, svg, text};
 use crate::closest_point::{Held, ProjectionError};
@@ -10,10 +10,10 @@ use nalgebra::{SVector, Vector3};
 
 type Dofs = DofVector<f64, 12, 12>;
 
-/// How many pieces a curve is drawn with.
+/// The number of segments of a drawn curve.
 const PIECES: u32 = 40;
 
-/// Where a point is seen from above and from the side.
+/// The projections of a point from above and from the side.
 #[derive(Clone, Copy)]
 struct View {
     centre: [f64; 2],
@@ -35,7 +35,7 @@ fn geometry(q: &SVector<f64, 12>, xi: f64) -> Geometry<f64> {
     Hermite::new().jet(q, xi).geometry
 }
 
-/// The standard case with d, both tangents and the gap, and the same pair a step along delta, dashed.
+/// The standard case with d, both tangents and the gap, and the same pair after a step along delta, dashed.
 pub(in super::super) fn varied_pair(step: f64) -> Result<String, ProjectionError> {
     let case = StandardCase::default();
     let point = case.closest_point()?;

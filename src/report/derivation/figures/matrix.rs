@@ -30,7 +30,7 @@ pub(in super::super) fn blocks() -> Result<String, ProjectionError> {
     ))
 }
 
-/// A matrix; the larger an entry, the darker its square, in steps of ten.
+/// A matrix. Each square is darker for a larger entry, in steps of ten.
 fn panel(left: f64, name: &str, entry: impl Fn(usize, usize) -> f64) -> String {
     let largest = (0..DOFS * DOFS).map(|k| entry(k / DOFS, k % DOFS).abs()).fold(0.0, f64::max);
     let mut body = String::new();

@@ -3,12 +3,12 @@
 use super::{path, svg, text};
 use std::fmt::Write;
 
-/// What an axis shows.
+/// The scale of an axis.
 #[derive(Clone, Copy)]
 pub(in super::super) enum Axis {
-    /// Numbers from 0 to this one, with so many between two marks.
+    /// Numbers from 0 to this number, with a mark every this many.
     Count(f64, usize),
-    /// Powers of ten, from the smaller to the larger, with so many between two marks.
+    /// Powers of ten, from the smaller to the larger, with a mark every this many.
     Powers(i32, i32, usize),
 }
 
@@ -36,7 +36,7 @@ const WIDTH: f64 = 540.0;
 const HEIGHT: f64 = 270.0;
 
 impl Axis {
-    /// Where a number lies between 0 and 1; numbers beyond the axis lie at its end.
+    /// The position of a number between 0 and 1. Numbers beyond the axis are at its end.
     fn place(self, x: f64) -> f64 {
         let place = match self {
             Self::Count(end, _) => x / end,
@@ -45,7 +45,7 @@ impl Axis {
         if place.is_nan() { 0.0 } else { place.clamp(0.0, 1.0) }
     }
 
-    /// The marks, with their words.
+    /// The marks, with their labels.
     fn marks(self) -> Vec<(f64, String)> {
         match self {
             Self::Count(end, step) => {

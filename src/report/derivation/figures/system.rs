@@ -8,7 +8,7 @@ use crate::linearization::closed_form::{PartialVariations, Projection};
 
 const SIZE: f64 = 380.0;
 
-/// Both rows of (51) as lines in the plane of delta xi and delta xi_bar; they cross at the solution.
+/// Both rows of (51) as lines in the plane of delta xi and delta xi_bar. They intersect at the solution.
 pub(in super::super) fn two_lines() -> Result<String, ProjectionError> {
     let case = StandardCase::default();
     let point = case.closest_point()?;
