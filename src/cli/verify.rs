@@ -91,9 +91,9 @@ impl Verify {
         let exit = outcome.verdict.exit;
         let explain = !self.no_explanation && exit == Exit::Disagree;
         // The tables are printed first, because an explanation takes seconds.
-        outputs.begin(&answered::human(&verified))?;
-        let diagnosed = Diagnosed::of(&verified, explain);
         let mut human = answered::human(&verified);
+        outputs.begin(&human)?;
+        let diagnosed = Diagnosed::of(&verified, explain);
         if explain {
             human += &answered::first_wrong(&verified);
             outcome.verdict.words += &diagnosed.words();

@@ -78,7 +78,7 @@ fn case(seed: u64, number: u64) -> Option<(Tally, [super::arc::Measured; 2])> {
     Some((tally, measured))
 }
 
-/// A closest point of any case. The reference configuration is the beam with its tangents turned into one another: any will do.
+/// A closest point of any case. The reference configuration may be any: it is made of sums of x, t and t,xi here.
 pub(super) fn point(case: &CaseData, point: &ClosestPoint) -> Option<Point<f64>> {
     if !point.is_interior() || point.degeneracy().is_some() {
         return None;
