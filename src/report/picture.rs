@@ -33,7 +33,7 @@ fn arrow(colour: &str) -> String {
 
 /// Two Hermite beams with d, t, t_bar and g_N at their closest points, as SVG.
 ///
-/// None: the beams of the picture have one closest point inside both.
+/// # Errors
 /// None, as long as the beams of the picture have one closest point inside both.
 pub fn picture() -> Result<String, ProjectionError> {
     let case = StandardCase::default();
