@@ -6,6 +6,7 @@ mod json;
 use super::exit::Exit;
 use super::human::error;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
+use super::terminal::folded;
 use super::verify::Verified;
 use beamgap::check::external::{PartFound, Report};
 use beamgap::linearization::Quantity;
@@ -19,7 +20,7 @@ pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
     let Report { compared, wrong, doubted, missing, unanswered, vectors, .. } = report;
     let open = missing + unanswered;
     let open =
-        if open == 0 { String::new() } else { format!(" {open} of {vectors} cases are not answered.") };
+        if open == 0 { String::new() } else { format!("\n{open} of {vectors} cases are not answered.") };
     let losing: u64 = report.regimes.values().map(|of| of.losing).sum();
     let right = match losing {
         0 => "nothing differs beyond rounding.".to_owned(),
@@ -166,7 +167,7 @@ fn left_out(report: &Report) -> String {
     let never = report.never_answered();
     if !never.is_empty() && !report.parts.is_empty() {
         let never: Vec<_> = never.into_iter().map(Quantity::name).collect();
-        let _ = writeln!(text, "\nNever answered: {}", never.join(", "));
+        let _ = write!(text, "\n{}\n", folded(&format!("Never answered: {}", never.join(", ")), "", "  "));
     }
     text
 }

@@ -3,6 +3,7 @@
 use super::case_file;
 use super::checked::{Checked, SHOWN, Shown};
 use super::human::{error, name, repeat};
+use super::terminal::folded;
 use beamgap::check::external::{Cause, Explanation};
 use beamgap::check::{
     Case, Comparison, LikelyCause, Mismatch, MismatchKind, Regime, Shrunk, look_at, test_source,
@@ -74,24 +75,7 @@ pub(super) fn likely(LikelyCause { explanation, is_remedy }: &LikelyCause) -> St
     let details = if details.is_empty() { String::new() } else { format!(" ({})", details.join("; ")) };
     let remedy =
         if *is_remedy { "the closed form agrees with automatic differentiation if in it " } else { "" };
-    folded(&format!("Likely cause: {remedy}{words}{details}."))
-}
-
-fn folded(sentence: &str) -> String {
-    let (mut text, mut width) = (String::new(), 0);
-    for word in sentence.split(' ') {
-        let length = word.chars().count();
-        let is_first = text.is_empty();
-        if !is_first && width + 1 + length > 80 {
-            text += "\n  ";
-            width = 1;
-        } else if !is_first {
-            text.push(' ');
-        }
-        text += word;
-        width += length + usize::from(!is_first);
-    }
-    text
+    folded(&format!("Likely cause: {remedy}{words}{details}."), "", "  ")
 }
 
 /// The shrunk mismatches, wider than a terminal because they are copied and pasted.

@@ -6,6 +6,7 @@ use super::formula;
 use super::outcome::{Entry, Outcome, Source, State, Verdict as Amounts};
 use super::output::OutputOptions;
 use super::progress::Progress;
+use super::terminal::folded;
 use beamgap::equations::{
     self as record, CASES, Counts, DRAWS, EquationRow, Order, Reading, Run, Score, Verdict,
 };
@@ -256,19 +257,7 @@ fn readable(latex: &str) -> String {
     lines.iter().fold(String::new(), |text, line| text + "  " + line + "\n")
 }
 
-/// Wraps words in lines of a terminal's width.
+/// The words in indented lines; nothing for none.
 fn wrapped(text: &str) -> String {
-    if text.is_empty() {
-        return String::new();
-    }
-    let (mut lines, mut line) = (String::new(), String::new());
-    for word in text.split_whitespace() {
-        if !line.is_empty() && line.chars().count() + word.chars().count() > 75 {
-            let _ = writeln!(lines, "  {line}");
-            line.clear();
-        }
-        line += if line.is_empty() { "" } else { " " };
-        line += word;
-    }
-    lines + &format!("  {line}\n")
+    if text.is_empty() { String::new() } else { folded(text, "  ", "  ") + "\n" }
 }

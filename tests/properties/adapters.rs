@@ -89,8 +89,9 @@ fn verified(adapter: &Adapter) {
     let output = run(&["verify", vectors, "--run", &program]);
     let told = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(told.lines().all(|line| line.contains(&*program) || line.chars().count() <= 80), "{told}");
     assert!(
-        told.contains("Cause: the term du,xi.d of R, eq. (44) and (50), is missing (coefficient -1.000)."),
+        told.contains("Cause: the term du,xi.d of R, eq. (44) and (50), is missing (coefficient\n  -1.000)."),
         "{told}"
     );
     assert!(told.contains("In the catalogue: `R: du,xi.d = dropped`\n"), "{told}");

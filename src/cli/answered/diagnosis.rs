@@ -2,6 +2,7 @@
 
 use super::name_of;
 use crate::cli::human::error;
+use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
 use beamgap::check::external::{self, Cause, Explanation, Judged, Location, locate, other_conventions};
 use beamgap::check::{Order, look_at};
@@ -36,11 +37,12 @@ impl Diagnosed {
     pub(in crate::cli) fn words(&self) -> String {
         let text = match self {
             Self { is_rounding: true, .. } => {
-                "Rounding of the textbook formulas explains it: the formulas are right, but keep too few digits here."
+                "Rounding of the textbook formulas explains it.\nThe formulas are right, but keep too few digits here."
                     .to_owned()
             }
             Self { conventions: Some(words), .. } => {
-                format!("The answers agree if {words}.\nState it in the head of the answers.")
+                folded(&format!("The answers agree if {words}."), "", "  ")
+                    + "\nState it in the head of the answers."
             }
             Self { explanation: Some(explanation), .. } => cause(explanation),
             _ => return String::new(),
@@ -70,16 +72,24 @@ pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {
     text + "\n"
 }
 
-/// The cause, or that it is not known.
+/// The cause, or that it is not known, 80 columns wide.
 pub(in crate::cli) fn cause(explanation: &Explanation) -> String {
+    let of_line = |line: &str| match line.strip_prefix("  - ") {
+        Some(item) => folded(item, "  - ", "    ") + "\n",
+        None => folded(line, "", "  ") + "\n",
+    };
+    cause_in_long_lines(explanation).lines().map(of_line).collect()
+}
+
+fn cause_in_long_lines(explanation: &Explanation) -> String {
     let Explanation { causes, before, after, runner_up, cases, is_faint } = explanation;
     let after = after.map_or_else(|| "-".into(), error);
     let runner_up = runner_up.as_ref();
     let mut text = String::new();
     match causes.as_slice() {
         [] if *is_faint => {
-            text += "Cause: not known. The answers are so little off that no wrong term is told from right answers by their \
-                     digits.\nIf you need fewer digits, ask for these: --digits.\n";
+            text += "Cause: not known. The answers differ so little that their digits do not show which term is wrong.\nIf \
+                     you need fewer digits, ask for these: --digits.\n";
             return text;
         }
         [] => {
@@ -133,7 +143,8 @@ fn at(order: Order, quantity: Quantity) -> &'static str {
 fn first(judged: &Judged, case: &str, place: &str) -> String {
     let comparison = &judged.comparison;
     format!(
-        "First wrong number, {place}, case {case}: {} of {}\n  answered {:e}\n  expected {:e}\n  difference {}, tolerance {}, scaled error {}\n",
+        "First wrong number: {} of {}, case {case}\n  in {place}\n  answered {:e}\n  expected {:e}\n  \
+         difference {}, tolerance {}, scaled error {}\n",
         comparison.part,
         name_of(comparison),
         comparison.closed,
