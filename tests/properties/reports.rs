@@ -105,6 +105,31 @@ fn the_front_page_claims_what_was_measured() {
     }
 }
 
+/// The links of the documents in the packaged crate lead to files in it.
+#[test]
+fn links_hold_in_the_packaged_crate() {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let list = ["package", "--list", "--offline", "--allow-dirty", "--package", "beamgap"];
+    let output = std::process::Command::new(env!("CARGO")).args(list).current_dir(root).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let listed = String::from_utf8(output.stdout).unwrap();
+    // Those of `src` are documentation, whose links rustdoc verifies.
+    let is_page = |path: &&str| path.ends_with(".md") && !path.starts_with("src/");
+    let documents = listed.lines().filter(is_page).collect::<Vec<_>>();
+    assert!(documents.contains(&"README.md"), "{listed}");
+    for document in documents {
+        let text = fs::read_to_string(Path::new(root).join(document)).unwrap();
+        let folder = document.rsplit_once('/').map_or("", |(folder, _)| folder);
+        for (_, after) in text.match_indices("](").map(|(at, _)| text[at..].split_at(2)) {
+            let target = after.split([')', '#']).next().unwrap();
+            let target = format!("{folder}/{target}").trim_matches('/').to_owned();
+            let is_there = |path: &str| path == target || path.starts_with(&format!("{target}/"));
+            let is_outside = target.is_empty() || target.contains("://");
+            assert!(is_outside || listed.lines().any(is_there), "{document} links to {target}");
+        }
+    }
+}
+
 /// The packages that users of the library compile, without this one.
 #[test]
 fn the_front_page_counts_packages() {
