@@ -65,9 +65,7 @@ pub use record::Record;
 pub use rounds::Rounds;
 pub use symbols::symbols;
 pub use task::Task;
-pub use verify::{
-    Verify, VerifyError, VerifyLoss, VerifyNumber, VerifyPart, VerifyProgram, VerifyRegime, VerifyRun, verify,
-};
+pub use verify::{Verify, VerifyRun, verify};
 
 use crate::check::{self, CheckConfig, Regime, Selection};
 use std::fs;

@@ -5,12 +5,13 @@ use super::external::{
     Demands, Evaluator, Explanation, Formulas, Report, Vector, compare_answers, explain, reference,
 };
 use crate::variant::Variant;
+use serde::Serialize;
 
 /// The number of mismatches whose cases are answered.
 const ANSWERED: usize = 60;
 
 /// The explanation of the difference between closed form and automatic differentiation.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LikelyCause {
     /// The explanation.
     pub explanation: Explanation,

@@ -28,7 +28,7 @@ pub use error::{ExternalError, Place};
 pub(in crate::check) use evaluate::reference;
 pub use evaluate::{Evaluator, Formulas};
 pub use explain::{
-    Cause, ExplainedFault, Explanation, Naming, Programs, equation_of, explain, explained_faults,
+    Cause, ExplainedFault, Explanation, Naming, Programs, RunnerUp, equation_of, explain, explained_faults,
 };
 pub use location::{Location, locate};
 pub use matching::Matching;

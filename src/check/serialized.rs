@@ -66,6 +66,14 @@ pub(crate) mod short {
     pub(crate) fn serialize<S: Serializer>(number: &f64, serializer: S) -> Result<S::Ok, S::Error> {
         super::number::serialize(&format!("{number:.1e}").parse().unwrap_or(*number), serializer)
     }
+
+    #[expect(clippy::ref_option, reason = "serde calls it with a reference")]
+    pub(crate) fn option<S: Serializer>(number: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+        match number {
+            Some(number) => serialize(number, serializer),
+            None => serializer.serialize_none(),
+        }
+    }
 }
 
 /// A map with two keys, as a map of maps.

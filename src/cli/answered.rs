@@ -12,7 +12,7 @@ use beamgap::check::external::{PartFound, Report};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
 pub(super) use diagnosis::{Diagnosed, cause, first_wrong};
-pub(super) use json::{explanation, json};
+pub(super) use json::json;
 use std::fmt::Write;
 
 /// The verdict on the answers.

@@ -5,7 +5,7 @@
 use super::arguments::{planting, program, variant};
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
-use super::{answered, case_file, disagreements, human, json};
+use super::{case_file, disagreements, human, json};
 use anyhow::ensure;
 use beamgap::check::{
     Cell, CheckConfig, LikelyCause, Oracles, Selection, Shard, Shrunk, Summary, Tally, likely_cause,
@@ -210,7 +210,7 @@ impl Shown {
             not_reached: u64,
             /// The command that repeats a mismatch, without the number of the case.
             repeat: String,
-            likely_cause: Option<Value>,
+            likely_cause: Option<&'a LikelyCause>,
             shrunk: Vec<Value>,
         }
         let Self { checked, outcome, shrunk, cause } = self;
@@ -220,9 +220,7 @@ impl Shown {
             compared: checked.found.compared(),
             not_reached: checked.asked().1,
             repeat: format!("{} check --seed {:#x}{} --case", program(), checked.seed, checked.options()),
-            likely_cause: cause.as_ref().map(|LikelyCause { explanation, is_remedy }| {
-                json!({ "is_remedy": is_remedy, "explanation": answered::explanation(explanation) })
-            }),
+            likely_cause: cause.as_ref(),
             shrunk: shrunk.iter().map(|shrunk| self.of_shrunk(shrunk)).collect(),
         })
     }

@@ -65,7 +65,7 @@ pub(super) fn likely(LikelyCause { explanation, is_remedy }: &LikelyCause) -> St
         return "Likely cause: not known. No fault of the catalogue explains the mismatches.".into();
     };
     let coefficient = coefficient.map(|of| format!("coefficient {of:+.3}"));
-    let second = runner_up.as_ref().map(|(_, left)| format!("second best explanation {}", error(*left)));
+    let second = runner_up.as_ref().map(|second| format!("second best explanation {}", error(second.left)));
     let others = match causes.len() {
         1 => None,
         2 => Some("or 1 other, which has the same results here".to_owned()),

@@ -16,8 +16,3 @@ pub(super) fn compared(entry: &Comparison) -> Value {
 pub(super) fn text(document: &impl Serialize) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(document)? + "\n")
 }
-
-/// A number rounded to two digits, because the others depend on the machine.
-pub(super) fn rounded(error: f64) -> Option<f64> {
-    format!("{error:.1e}").parse().ok().filter(|error: &f64| error.is_finite())
-}

@@ -11,7 +11,7 @@ use beamgap::number::PrimeField;
 use beamgap::prove::{Draw, Entry, Layer, Proof, Row};
 use beamgap::report::Table;
 use beamgap::test_beam::Family;
-use serde_json::{Value, json};
+use serde::Serialize;
 use std::fmt::Write;
 
 /// The number of refutations shown; the others are counted.
@@ -175,55 +175,34 @@ fn ratio(entry: &Entry<PrimeField>) -> Option<String> {
     })
 }
 
-/// The proof as JSON, of the schema `beamgap-prove/1`. Residues are strings: some readers cannot represent 61 bits.
+/// The proof as JSON: the request, the result, and the commands that repeat its refutations.
 pub(super) fn json(proved: &Proved) -> anyhow::Result<String> {
+    #[derive(Serialize)]
+    struct Document<'a> {
+        schema: &'static str,
+        version: &'static str,
+        seed: String,
+        planted: &'a [String],
+        prime: String,
+        families: &'a [Family],
+        draws: u64,
+        verdict: &'static str,
+        #[serde(flatten)]
+        proof: &'a Proof,
+        repeat: Vec<String>,
+    }
     let Proved { plant, seed, families, draws, proof } = proved;
-    let rows = proof.rows.iter().map(|row| {
-        json!({
-            "quantity": row.quantity.name(),
-            "layer": row.layer.name(),
-            "equal": row.equal,
-            "unequal": row.refuted,
-            "degree": json::rounded(row.degree),
-            "log10_probability": json::rounded(row.log_probability()),
-        })
-    });
-    json::text(&json!({
-        "schema": "beamgap-prove/1",
-        "version": env!("CARGO_PKG_VERSION"),
-        "seed": format!("{seed:#x}"),
-        "planted": plant,
-        "prime": PrimeField::PRIME.to_string(),
-        "families": families.iter().map(|family| family.name()).collect::<Vec<_>>(),
-        "draws": draws,
-        "pairs": proof.pairs,
-        "verdict": outcome(proof).verdict.name,
-        "rows": rows.collect::<Vec<_>>(),
-        "refutations": proof.refutations.iter().map(|draw| refuted(&repeat(*seed, draw, plant), draw)).collect::<Vec<_>>(),
-    }))
-}
-
-fn refuted(repeat: &str, draw: &Draw) -> Value {
-    let entries = draw.entries.iter().map(|entry| {
-        json!({
-            "quantity": entry.quantity().name(),
-            "component": entry.axis(),
-            "layer": entry.layer.name(),
-            "candidate": entry.candidate,
-            "part": entry.part,
-            "closed": entry.closed.value().to_string(),
-            "ad": entry.ad.value().to_string(),
-            "equal": entry.is_equal(),
-            "ratio": ratio(entry),
-        })
-    });
-    json!({
-        "beam": draw.families[0].name(),
-        "bar": draw.families[1].name(),
-        "draw": draw.number,
-        "held": { "xi": draw.held.xi, "xi_bar": draw.held.xi_bar },
-        "repeat": repeat,
-        "entries": entries.collect::<Vec<_>>(),
+    json::text(&Document {
+        schema: "beamgap-prove/2",
+        version: env!("CARGO_PKG_VERSION"),
+        seed: format!("{seed:#x}"),
+        planted: plant,
+        prime: PrimeField::PRIME.to_string(),
+        families,
+        draws: *draws,
+        verdict: outcome(proof).verdict.name,
+        proof,
+        repeat: proof.refutations.iter().map(|draw| repeat(*seed, draw, plant)).collect(),
     })
 }
 
@@ -286,11 +265,11 @@ mod tests {
         let unequal: Vec<_> = entries.iter().filter(|entry| entry["equal"] == false).collect();
         let told = |layer: &str| {
             let of_layer = unequal.iter().filter(|entry| entry["layer"] == layer);
-            of_layer.map(|entry| json!([entry["quantity"], entry["ratio"]])).collect::<Vec<_>>()
+            of_layer.map(|entry| serde_json::json!([entry["quantity"], entry["ratio"]])).collect::<Vec<_>>()
         };
-        let expected = [json!(["d", null]), json!(["xi", "-1"]), json!(["g_T", "1/2"])];
-        assert_eq!(told("second"), expected);
-        assert_eq!(told("matrix"), expected);
+        let expected = serde_json::json!([["d", null], ["xi", [-1, 1]], ["g_T", [1, 2]]]);
+        assert_eq!(serde_json::json!(told("second")), expected);
+        assert_eq!(serde_json::json!(told("matrix")), expected);
         assert_eq!((entries.len(), unequal.len()), (113, 6));
     }
 }

@@ -99,7 +99,7 @@ impl Verify {
             outcome.verdict.words += &diagnosed.words();
         }
         let human = || format!("{human}{}\n", outcome.verdict.words);
-        outputs.write(&outcome, human, || answered::json(&verified, &diagnosed))?;
+        outputs.write(&outcome, human, || answered::json(&verified, &diagnosed, &outcome.verdict))?;
         match failed {
             Some(error) if exit == Exit::Agree => Err(error),
             Some(error) => {

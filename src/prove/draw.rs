@@ -9,21 +9,32 @@ use crate::test_beam::{Family, map_padded, robust, stationary};
 use crate::variant::{CONTACT, Step, Variant, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 /// Matrices cost ten times as much as the variations, so they are compared in one of this many groups of eight draws.
 const MATRICES_EVERY: u64 = 8;
 
 /// One draw with all its compared numbers.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Draw {
     /// The families of beam and bar beam.
     pub families: [Family; 2],
     /// Its number. With the seed and the families, it determines all other fields.
     pub number: u64,
     /// Which parameters were held at an end.
+    #[serde(serialize_with = "held")]
     pub held: Held,
     /// The compared numbers.
     pub entries: Vec<Entry<PrimeField>>,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it with a reference")]
+fn held<S: Serializer>(held: &Held, serializer: S) -> Result<S::Ok, S::Error> {
+    let mut parameters = serializer.serialize_struct("Held", 2)?;
+    parameters.serialize_field("xi", &held.xi)?;
+    parameters.serialize_field("xi_bar", &held.xi_bar)?;
+    parameters.end()
 }
 
 impl Draw {

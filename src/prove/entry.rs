@@ -1,9 +1,12 @@
 //! The compared numbers of a draw, entry by entry.
 
 use super::Sides;
+use crate::check::serialized::by_name;
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::PrimeField;
 use crate::variant::SCALAR_COMPONENTS;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 /// The part of a quantity that is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,6 +38,8 @@ impl Layer {
         }
     }
 }
+
+by_name!(Layer);
 
 /// One number of both sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +81,23 @@ impl Entry<PrimeField> {
     pub fn ratio(&self) -> Option<(i64, u64)> {
         let zero = PrimeField::new(0);
         if self.ad == zero { None } else { (self.closed / self.ad).fraction(1000) }
+    }
+}
+
+/// Residues are text: some readers of JSON cannot represent 61 bits.
+impl Serialize for Entry<PrimeField> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut entry = serializer.serialize_struct("Entry", 9)?;
+        entry.serialize_field("quantity", &self.quantity())?;
+        entry.serialize_field("component", &self.axis())?;
+        entry.serialize_field("layer", &self.layer)?;
+        entry.serialize_field("candidate", self.candidate)?;
+        entry.serialize_field("part", self.part)?;
+        entry.serialize_field("closed", &self.closed.value().to_string())?;
+        entry.serialize_field("ad", &self.ad.value().to_string())?;
+        entry.serialize_field("equal", &self.is_equal())?;
+        entry.serialize_field("ratio", &self.ratio())?;
+        entry.end()
     }
 }
 

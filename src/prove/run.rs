@@ -12,6 +12,8 @@ use crate::variant::{CONTACT, Variant, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 /// One quantity of one layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,8 +37,26 @@ impl Row {
     }
 }
 
+/// Numbers have two digits, because the others depend on the machine.
+impl Serialize for Row {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut row = serializer.serialize_struct("Row", 6)?;
+        row.serialize_field("quantity", &self.quantity)?;
+        row.serialize_field("layer", &self.layer)?;
+        row.serialize_field("equal", &self.equal)?;
+        row.serialize_field("unequal", &self.refuted)?;
+        row.serialize_field("degree", &rounded(self.degree))?;
+        row.serialize_field("log10_probability", &rounded(self.log_probability()))?;
+        row.end()
+    }
+}
+
+fn rounded(number: f64) -> f64 {
+    format!("{number:.1e}").parse().unwrap_or(number)
+}
+
 /// The result of a proof.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
     /// Quantity by quantity and layer by layer.
     pub rows: Vec<Row>,

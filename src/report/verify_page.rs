@@ -3,6 +3,7 @@
 use super::number::count;
 use super::page::{Block, Page};
 use super::verify::{Verify, VerifyRun};
+use crate::check::external::{Loss, RegimeFound, Report};
 
 impl Verify {
     /// The page. The same record always gives the same page.
@@ -45,10 +46,11 @@ impl Verify {
     /// The conclusion from all runs.
     fn conclusion(&self) -> String {
         let (agree, differ): (Vec<&VerifyRun>, Vec<&VerifyRun>) =
-            self.runs.iter().partition(|run| run.wrong == 0);
+            self.runs.iter().partition(|run| run.report.wrong == 0);
         let counts = differ.iter().map(|run| {
-            let name = run.program.name.clone() + &run.asked();
-            format!("{name} at {} of {} closest points", count(run.wrong), count(run.compared))
+            let Report { program, wrong, compared, .. } = &run.report;
+            let name = program.name.clone() + &run.asked();
+            format!("{name} at {} of {} closest points", count(*wrong), count(*compared))
         });
         let counts: Vec<_> = counts.collect();
         let differ = match differ.len() {
@@ -65,15 +67,34 @@ impl Verify {
 }
 
 /// Decimal digits of a relative error.
-fn digits(error: Option<f64>) -> String {
-    error.map_or_else(|| "none".into(), |error| format!("{:.1}", (-error.log10()).clamp(0.0, 16.0)))
+fn digits(error: f64) -> String {
+    if error.is_finite() { format!("{:.1}", (-error.log10()).clamp(0.0, 16.0)) } else { "none".into() }
+}
+
+fn regime((regime, of): (&String, &RegimeFound)) -> Vec<String> {
+    let worst = of.worst.as_ref();
+    let of_worst = |show: fn(&Loss) -> String| worst.map_or_else(String::new, show);
+    vec![
+        regime.clone(),
+        count(of.compared),
+        count(of.wrong),
+        count(of.losing),
+        of_worst(|worst| {
+            let number = &worst.judged.comparison;
+            format!("{} of {}", number.part, number.quantity.name())
+        }),
+        of_worst(|worst| digits(worst.error())),
+        of_worst(|worst| digits(worst.judged.attainable / worst.judged.size)),
+        of.loss.as_ref().map_or_else(String::new, |loss| format!("{:.1}", loss.digits())),
+    ]
 }
 
 impl VerifyRun {
     fn row(&self) -> Vec<String> {
-        let counts = [self.cases, self.compared, self.wrong, self.missing + self.unanswered].map(count);
-        let name = self.program.name.clone() + &self.asked();
-        [name, self.program.version.clone()].into_iter().chain(counts).collect()
+        let Report { program, vectors, compared, wrong, missing, unanswered, .. } = &self.report;
+        let counts = [*vectors, *compared, *wrong, missing + unanswered].map(count);
+        let name = program.name.clone() + &self.asked();
+        [name, program.version.clone()].into_iter().chain(counts).collect()
     }
 
     /// The digits that were requested, if any.
@@ -83,10 +104,11 @@ impl VerifyRun {
 
     /// The wrong numbers, and their regimes.
     fn what_is_wrong(&self) -> String {
-        let parts = self.parts.iter().filter(|of| of.wrong > 0);
-        let parts = parts.map(|of| format!("{} of {}, {}", count(of.wrong), of.quantity, of.order));
-        let regimes = self.regimes.iter().filter(|of| of.wrong > 0);
-        let regimes = regimes.map(|of| format!("{} in {}", count(of.wrong), of.regime));
+        let parts = self.report.parts.iter().filter(|(_, of)| of.wrong > 0);
+        let parts = parts
+            .map(|((_, quantity, order), of)| format!("{} of {}, {order}", count(of.wrong), quantity.name()));
+        let regimes = self.report.regimes.iter().filter(|(_, of)| of.wrong > 0);
+        let regimes = regimes.map(|(regime, of)| format!("{} in {regime}", count(of.wrong)));
         let [parts, regimes] = [parts.collect::<Vec<_>>(), regimes.collect()].map(|of| of.join("; "));
         if parts.is_empty() {
             return String::new();
@@ -95,29 +117,13 @@ impl VerifyRun {
     }
 
     fn blocks(&self) -> Vec<Block> {
-        let regimes = self.regimes.iter().map(|of| {
-            let worst = of.largest_error.as_ref();
-            let number = |of: &super::verify::VerifyNumber| format!("{} of {}", of.part, of.quantity);
-            vec![
-                of.regime.clone(),
-                count(of.compared),
-                count(of.wrong),
-                count(of.losing_digits),
-                worst.map_or_else(String::new, |of| number(&of.comparison)),
-                worst.map_or_else(String::new, |of| digits(of.error)),
-                worst.map_or_else(String::new, |of| digits(of.attainable)),
-                of.largest_loss
-                    .as_ref()
-                    .and_then(|of| of.digits)
-                    .map_or_else(String::new, |of| format!("{of:.1}")),
-            ]
-        });
-        let parts = self.parts.iter().map(|of| {
-            let counts = [of.numbers, of.wrong, of.losing_digits].map(count);
-            [of.quantity.clone(), of.order.clone()].into_iter().chain(counts).collect()
+        let Report { program, parts, regimes, degenerate, .. } = &self.report;
+        let parts = parts.iter().map(|((_, quantity, order), of)| {
+            let counts = [of.numbers, of.wrong, of.losing].map(count);
+            [quantity.name().to_owned(), (*order).to_owned()].into_iter().chain(counts).collect()
         });
         let mut blocks = vec![
-            Block::heading(&format!("{} {}{}", self.program.name, self.program.version, self.asked())),
+            Block::heading(&format!("{} {}{}", program.name, program.version, self.asked())),
             Block::text(&format!(
                 "Run as `{}`{}. Verdict: {}.{}",
                 self.answers,
@@ -136,11 +142,11 @@ impl VerifyRun {
                     "#bound there",
                     "#digits lost",
                 ],
-                regimes.collect(),
+                regimes.iter().map(regime).collect(),
             ),
             Block::table(&["quantity", "order", "#numbers", "#wrong", "#fewer digits"], parts.collect()),
         ];
-        let reasons = self.not_compared.iter().map(|(reason, of)| format!("{} ({reason})", count(*of)));
+        let reasons = degenerate.iter().map(|(reason, of)| format!("{} ({reason})", count(*of)));
         let reasons: Vec<_> = reasons.collect();
         if !reasons.is_empty() {
             blocks.push(Block::text(&format!("Closest points not compared: {}.", reasons.join(", "))));

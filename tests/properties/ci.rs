@@ -186,7 +186,7 @@ fn wrong_answers_are_shown_at_their_line() {
     is_sarif(&read(&folder, "sarif"));
     is_junit(&folder.join("junit"));
     let document: Value = serde_json::from_str(&read(&folder, "json")).unwrap();
-    let line = document["first"]["line"].as_u64().unwrap();
+    let line = document["first"]["place"]["line"].as_u64().unwrap();
     let log: Value = serde_json::from_str(&read(&folder, "sarif")).unwrap();
     let of_d = log["runs"][0]["results"].as_array().unwrap().iter();
     let of_d: Vec<_> =

@@ -12,6 +12,7 @@ use super::error::{ExternalError, Place};
 use super::lines::Lines;
 use crate::check::Answer;
 use crate::linearization::Quantity;
+use serde::{Deserialize, Serialize};
 use std::io::BufRead;
 
 /// The schema.
@@ -66,7 +67,7 @@ pub struct AnswerReader<R> {
 }
 
 /// The program, as the head describes it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Program {
     /// Its name.
     pub name: String,

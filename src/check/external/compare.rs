@@ -7,8 +7,10 @@ use super::vectors::{Outcome, Vector};
 use crate::check::Answer;
 use crate::check::candidate::{Entry, Sides, is_doubted};
 use crate::check::diagnosis::place;
+use crate::check::serialized::number;
 use crate::check::verdict::Comparison;
 use crate::linearization::Quantity;
+use serde::{Deserialize, Serialize};
 
 /// The requirements for answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,7 +23,8 @@ pub struct Demands {
 }
 
 /// The judgement of a number of an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Judgement {
     /// It is correct, to the attainable digits.
     Agrees,
@@ -34,20 +37,24 @@ pub enum Judgement {
 }
 
 /// A number of an answer with its reference.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Judged {
     /// The comparison; its tolerance is that of the judgement.
     pub comparison: Comparison,
     /// The judgement.
     pub judgement: Judgement,
     /// The difference from the formulas that lose the fewest digits.
+    #[serde(with = "number")]
     pub loss: f64,
     /// The difference from them that their careful evaluation explains.
+    #[serde(with = "number")]
     pub attainable: f64,
     /// The size of the terms of these formulas.
+    #[serde(with = "number")]
     pub scale: f64,
     /// The size of the number. For a gradient or a Hessian along the directions it is the sum of the absolute values of
     /// the terms, for a parameter it is 1.
+    #[serde(with = "number")]
     pub size: f64,
     /// Whether a careful evaluation of the textbook formulas explains the difference.
     pub is_rounding: bool,

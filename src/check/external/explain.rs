@@ -22,6 +22,7 @@ use super::answers::Answers;
 use super::compare::Demands;
 use super::vectors::Vector;
 use crate::check::evaluation_point::EvaluationPoint;
+use crate::check::serialized::short;
 use crate::closest_point::ClosestPoint;
 use crate::test_beam::AnyBeam;
 use crate::variant::Variant;
@@ -32,28 +33,41 @@ use fit::{near, race};
 use hypothesis::Change;
 use rayon::prelude::*;
 use search::{Equal, KEPT, measured_factor, ranked, search};
+use serde::Serialize;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 /// The explanation of the answers.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explanation {
     /// The causes: several if the answers cannot distinguish them; none if nothing explains the answers.
     pub causes: Vec<Cause>,
     /// The largest deviation of the answers over its scale.
+    #[serde(serialize_with = "short::serialize")]
     pub before: f64,
     /// The same after the explanation; that of the best attempt if there is no explanation.
+    #[serde(serialize_with = "short::option")]
     pub after: Option<f64>,
-    /// The best of the other attempts, and its remaining deviation.
-    pub runner_up: Option<(String, f64)>,
+    /// The best of the other attempts.
+    pub runner_up: Option<RunnerUp>,
     /// The cases that were used.
     pub cases: usize,
     /// Whether correct answers explain these as well, within their digits. Then there is no cause.
     pub is_faint: bool,
 }
 
+/// The best attempt that is no explanation.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RunnerUp {
+    /// What would be wrong, as a sentence without its full stop.
+    pub words: String,
+    /// The remaining deviation over its scale.
+    #[serde(serialize_with = "short::serialize")]
+    pub left: f64,
+}
+
 /// One possible cause.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cause {
     /// Its name: that of the fault in the catalogue, if it is one.
     pub name: String,
@@ -110,7 +124,7 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
         causes: found.equal.iter().map(cause).collect(),
         before: found.before,
         after: found.equal.first().map(|of| of.fit.worst),
-        runner_up: found.runner_up.map(|of| (of.change.words(), of.worst)),
+        runner_up: found.runner_up.map(|of| RunnerUp { words: of.change.words(), left: of.worst }),
         cases: cases.len(),
         is_faint: found.is_faint,
     })

@@ -5,14 +5,17 @@ use super::compare::Judged;
 use super::conventions::{Conventions, Length, Range};
 use super::vectors::Vector;
 use crate::check::evaluation_point::Dense;
+use crate::check::serialized::short;
 use crate::linearization::Quantity;
 use crate::linearization::closed_form::Formulation;
 use crate::variant::Variant;
+use serde::Serialize;
 
 /// An entry of a gradient or a Hessian.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Location {
     /// Gradient, Hessian, residual or tangent.
+    #[serde(rename = "of")]
     pub what: &'static str,
     /// The row, and the column of a matrix, from 0, in the order of the program.
     pub indices: Vec<usize>,
@@ -23,6 +26,7 @@ pub struct Location {
     /// The expected number.
     pub expected: f64,
     /// The difference over the largest expected entry.
+    #[serde(serialize_with = "short::serialize")]
     pub scaled_error: f64,
     /// The number of entries that differ by more than a thousandth of this one's difference.
     pub differing: usize,

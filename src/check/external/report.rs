@@ -6,6 +6,7 @@ use super::error::Place;
 use super::vectors::{Outcome, Vector};
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// The number of cases with a wrong number that are kept for an explanation.
@@ -14,11 +15,12 @@ const KEPT: usize = 40;
 const OF_A_KIND: usize = 10;
 
 /// The result for one part of a quantity.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartFound {
     /// The number of compared numbers.
     pub numbers: u64,
     /// The number of these that are correct, but have fewer digits than are attainable.
+    #[serde(rename = "losing_digits")]
     pub losing: u64,
     /// The number of wrong numbers.
     pub wrong: u64,
@@ -33,7 +35,7 @@ pub struct PartFound {
 }
 
 /// The largest error, or the largest loss of digits, in a regime.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Loss {
     /// The number.
     pub judged: Judged,
@@ -57,13 +59,14 @@ impl Loss {
 }
 
 /// The result in a regime.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RegimeFound {
     /// Cases that were compared.
     pub compared: u64,
     /// Of these, those with a wrong number.
     pub wrong: u64,
     /// Of these, those with a number that is correct but loses digits.
+    #[serde(rename = "losing_digits")]
     pub losing: u64,
     /// The largest loss among the correct numbers.
     pub loss: Option<Loss>,
@@ -75,11 +78,12 @@ pub struct RegimeFound {
 pub type PartKey = (Order, Quantity, &'static str);
 
 /// The result of all answers.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// The program, as its answers describe it.
     pub program: Program,
     /// Cases.
+    #[serde(rename = "cases")]
     pub vectors: u64,
     /// Cases that were compared.
     pub compared: u64,
@@ -94,16 +98,21 @@ pub struct Report {
     /// Answers without any number.
     pub unanswered: u64,
     /// Cases whose closest point has no reference, by reason.
-    pub degenerate: BTreeMap<&'static str, u64>,
-    /// The results by part.
+    #[serde(rename = "not_compared")]
+    pub degenerate: BTreeMap<String, u64>,
+    /// The results by part. A part is identified by its worst number.
+    #[serde(with = "parts")]
     pub parts: BTreeMap<PartKey, PartFound>,
     /// The results by regime.
     pub regimes: BTreeMap<String, RegimeFound>,
     /// The first wrong case, with its first wrong number.
+    #[serde(skip)]
     pub first: Option<(Vector, Answers, Judged)>,
     /// Wrong cases by the first wrong part.
+    #[serde(skip)]
     pub beginnings: BTreeMap<PartKey, u64>,
     /// Cases for the explanation, of as many kinds as possible.
+    #[serde(skip)]
     pub kept: Vec<(Vector, Answers)>,
 }
 
@@ -125,7 +134,7 @@ impl Report {
                     Outcome::NoProjection => "no closest point is known",
                     Outcome::Valid => "valid",
                 };
-                *self.degenerate.entry(reason).or_default() += 1;
+                self.add_degenerate(reason);
                 return;
             }
             CaseFound::Unanswered => {
@@ -139,7 +148,7 @@ impl Report {
         }
         let is = |wanted: Judgement| move |judged: &&Judged| judged.judgement == wanted;
         if judged.iter().all(|judged| judged.judgement == Judgement::Unclear) {
-            *self.degenerate.entry("the rounding bound exceeds 1e-3 of a scale").or_default() += 1;
+            self.add_degenerate("the rounding bound exceeds 1e-3 of a scale");
             return;
         }
         self.compared += 1;
@@ -165,6 +174,10 @@ impl Report {
         *self.beginnings.entry(key(&first)).or_default() += 1;
         self.keep(&vector, &answers);
         self.first.get_or_insert((vector, answers, first));
+    }
+
+    fn add_degenerate(&mut self, reason: &str) {
+        *self.degenerate.entry(reason.to_owned()).or_default() += 1;
     }
 
     fn add_part(&mut self, one: &Judged, case: &str, place: &Place) {
@@ -230,4 +243,38 @@ fn key(judged: &Judged) -> PartKey {
     let is_of_element = matches!(comparison.part, "residual" | "tangent");
     let name = if is_of_element { comparison.part } else { comparison.order.name() };
     (comparison.order, comparison.quantity, name)
+}
+
+/// The parts as a list, each with its quantity and order. Their keys are those of the worst numbers.
+mod parts {
+    use super::{PartFound, PartKey, key};
+    use crate::linearization::Quantity;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+    use std::collections::BTreeMap;
+
+    #[derive(Serialize)]
+    struct Part<'a> {
+        quantity: Quantity,
+        order: &'static str,
+        #[serde(flatten)]
+        found: &'a PartFound,
+    }
+
+    pub(super) fn serialize<S: Serializer>(
+        parts: &BTreeMap<PartKey, PartFound>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(parts.iter().map(|(&(_, quantity, order), found)| Part {
+            quantity,
+            order,
+            found,
+        }))
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<BTreeMap<PartKey, PartFound>, D::Error> {
+        let parts = Vec::<PartFound>::deserialize(deserializer)?;
+        Ok(parts.into_iter().map(|part| (key(&part.worst), part)).collect())
+    }
 }

@@ -4,7 +4,9 @@ use super::name_of;
 use crate::cli::human::error;
 use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
-use beamgap::check::external::{self, Cause, Explanation, Judged, Location, locate, other_conventions};
+use beamgap::check::external::{
+    self, Cause, Explanation, Judged, Location, RunnerUp, locate, other_conventions,
+};
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
 use std::fmt::Write;
@@ -93,7 +95,7 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
             return text;
         }
         [] => {
-            let best = runner_up.map_or_else(String::new, |(words, left)| {
+            let best = runner_up.map_or_else(String::new, |RunnerUp { words, left }| {
                 format!(" The best attempt leaves {}: {words}.", error(*left))
             });
             let _ =
@@ -110,7 +112,7 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
             }
         }
     }
-    let left = runner_up.map_or_else(|| "none".into(), |(_, left)| error(*left));
+    let left = runner_up.map_or_else(|| "none".into(), |second| error(second.left));
     let _ = writeln!(
         text,
         "With it the deviation of {cases} cases falls from {} to {after}; runner-up {left}.",

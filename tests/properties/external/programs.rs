@@ -70,11 +70,18 @@ fn results_are_written_for_programs_too() {
     let output = run(&["verify", vectors, answered, "--format", "json"]);
     let document = json(&output);
     assert_eq!((output.status.code(), &document["verdict"]), (Some(1), &"disagree".into()));
-    assert_eq!(document["schema"], "beamgap-verify/1");
+    assert_eq!(document["schema"], "beamgap-verify/2");
     assert_eq!(document["explanation"]["causes"][0]["name"], "a: t.t = doubled");
     assert!(
-        document["first"]["line"].as_u64().unwrap() >= 2 && document["first"]["entry"]["of"] == "gradient"
+        document["first"]["place"]["line"].as_u64().unwrap() >= 2
+            && document["first"]["entry"]["of"] == "gradient"
     );
+    // What is read back has all results.
+    let read: beamgap::report::VerifyRun = serde_json::from_value(document.clone()).unwrap();
+    let again = serde_json::to_value(&read.report).unwrap();
+    let again = again.as_object().unwrap();
+    assert!(read.report.wrong > 0 && again.contains_key("parts") && again.contains_key("regimes"));
+    assert!(again.iter().all(|(key, value)| document[key] == *value), "{document}");
     // The expected answers are accepted as answers.
     let text = std::fs::read_to_string(&path).unwrap();
     let mut expected = "{\"schema\":\"beamgap-answers/1\"}\n".to_owned();
