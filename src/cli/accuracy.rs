@@ -52,10 +52,14 @@ impl Accurate {
 /// The exit code and the verdict of a record.
 pub(super) fn verdict(record: &Accuracy) -> (Exit, String) {
     match record.found.worst_choice() {
-        ratio if ratio <= LOSS => {
-            (Exit::Agree, format!("WELL CHOSEN: at most {ratio:.1} times what the better form loses."))
-        }
-        ratio => (Exit::Disagree, format!("BADLY CHOSEN: {ratio:.1e} times what the better form loses.")),
+        ratio if ratio <= LOSS => (
+            Exit::Agree,
+            format!("WELL CHOSEN: the error is at most {ratio:.1} times that of the better formulation."),
+        ),
+        ratio => (
+            Exit::Disagree,
+            format!("BADLY CHOSEN: the error is {ratio:.1e} times that of the better formulation."),
+        ),
     }
 }
 

@@ -30,7 +30,7 @@ pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
         (0, _) => (
             Exit::Nothing,
             "nothing-compared",
-            format!("NOTHING COMPARED: of {vectors} cases none has an answer that can be.{open}"),
+            format!("NOTHING COMPARED: no answer to the {vectors} cases could be compared.{open}"),
         ),
         (_, 0) => (Exit::Agree, "agree", format!("AGREE: at {compared} closest points {right}{open}")),
         (_, wrong) if wrong == *doubted => (
@@ -92,8 +92,7 @@ pub(super) fn head(command: &str, digits: Option<u8>, reason: Option<&str>) -> S
     let mut text = format!("Answers of {command}\n");
     if let Some(digits) = digits {
         let reason = reason.map_or_else(String::new, |reason| format!(": {reason}"));
-        let _ =
-            writeln!(text, "{digits} significant digits are asked for, wherever they are attainable{reason}");
+        let _ = writeln!(text, "{digits} significant digits are required where they are attainable{reason}");
     }
     text
 }

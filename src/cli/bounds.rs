@@ -65,9 +65,11 @@ fn outcome(record: &Bounds) -> Outcome {
     let found = &record.found;
     let points: u64 = found.points.values().map(|points| points.measured).sum();
     let (exit, name, words) = match (points, found.violations.len()) {
-        (0, _) => {
-            (Exit::Nothing, "nothing-measured", "NOTHING MEASURED: no closest point could be.".to_owned())
-        }
+        (0, _) => (
+            Exit::Nothing,
+            "nothing-measured",
+            "NOTHING MEASURED: no closest point could be measured.".to_owned(),
+        ),
         (_, 0) => {
             let words = format!("BOUNDS HOLD: at {points} closest points no error exceeds its bound.");
             (Exit::Agree, "hold", words)

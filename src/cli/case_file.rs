@@ -78,8 +78,8 @@ pub(super) fn read(path: &Path) -> anyhow::Result<CaseData> {
 
 /// Reads a case from a text; `name` is the name of the file, for messages.
 pub(super) fn parse(text: &str, name: &str) -> anyhow::Result<CaseData> {
-    let document: Value = serde_json::from_str(text).with_context(|| format!("{name} is no JSON"))?;
-    case(&document).with_context(|| format!("{name} is no case"))
+    let document: Value = serde_json::from_str(text).with_context(|| format!("{name} is not JSON"))?;
+    case(&document).with_context(|| format!("{name} is not a case"))
 }
 
 fn case(document: &Value) -> anyhow::Result<CaseData> {

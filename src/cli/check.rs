@@ -85,7 +85,7 @@ impl Check {
 
     fn one(
         &self,
-        mut outputs: Outputs,
+        outputs: Outputs,
         case: &CaseData,
         drawn: Option<(u64, u64, Regime)>,
     ) -> anyhow::Result<Exit> {
@@ -94,7 +94,6 @@ impl Check {
             Oracle::All => Oracles::All,
         };
         let config = CheckConfig { variant: variant(&self.plant)?, oracles };
-        outputs.begin(&case::head(case, drawn))?;
         let points = case.compare(&config)?;
         let outcome = outcome_of(&points);
         let verdict = &outcome.verdict;
@@ -160,7 +159,11 @@ pub(super) fn in_words(compared: u64, wrong: u64, left: u64, untrusted: usize) -
             );
             (Exit::Untrusted, "untrusted", words)
         }
-        (0, _) => (Exit::Nothing, "nothing-compared", "NOTHING COMPARED: no closest point could be.".into()),
+        (0, _) => (
+            Exit::Nothing,
+            "nothing-compared",
+            "NOTHING COMPARED: no closest point could be compared.".into(),
+        ),
         (_, 0) => {
             let words = format!("AGREE: at {compared} {points} nothing differs beyond rounding.");
             (Exit::Agree, "agree", words)
@@ -192,7 +195,7 @@ mod tests {
             ((1, 0, 0, 0), Exit::Agree, "AGREE: at 1 closest point nothing differs beyond rounding."),
             ((2, 0, 1, 0), Exit::Agree, "AGREE: at 2 closest points nothing differs beyond rounding."),
             ((2, 1, 0, 0), Exit::Disagree, "DISAGREE: 1 of 2 closest points differ beyond rounding."),
-            ((0, 0, 1, 0), Exit::Nothing, "NOTHING COMPARED: no closest point could be."),
+            ((0, 0, 1, 0), Exit::Nothing, "NOTHING COMPARED: no closest point could be compared."),
             ((2, 1, 0, 1), Exit::Untrusted, "UNTRUSTED: in 1 case the oracles disagree among themselves."),
             ((2, 2, 0, 2), Exit::Untrusted, "UNTRUSTED: in 2 cases the oracles disagree among themselves."),
         ] {

@@ -35,8 +35,8 @@ impl Exit {
     /// The meaning of the code.
     pub(crate) fn meaning(self) -> &'static str {
         match self {
-            Self::Agree => "all that was compared agrees",
-            Self::Disagree => "some of it disagrees",
+            Self::Agree => "all compared numbers agree",
+            Self::Disagree => "some numbers disagree",
             Self::Usage => "wrong arguments",
             Self::Input => "bad input, or an output that cannot be written",
             Self::Nothing => "nothing could be compared",

@@ -106,9 +106,9 @@ impl Explain {
         }
         let holds = record.programs.iter().all(report::ExplainProgram::holds);
         let words = if holds {
-            "EXPLAINED: every single fault that shows is named, and no wrong one."
+            "EXPLAINED: each detectable single fault is named, and no wrong fault is named."
         } else {
-            "NOT EXPLAINED: a single fault is not named, or a wrong one is."
+            "NOT EXPLAINED: a single fault is not named, or a wrong fault is named."
         };
         to_stdout(&(text + words + "\n"))?;
         Ok(if holds { Exit::Agree } else { Exit::Untrusted })

@@ -2,7 +2,6 @@
 
 use super::checked::Checked;
 use super::exit::Exit;
-use super::human;
 use super::output::OutputOptions;
 use anyhow::Context;
 use clap::Args;
@@ -22,17 +21,16 @@ pub(crate) struct Merge {
 impl Merge {
     /// Merges and writes the result. It is equal, to the last byte, to that of a run on one machine.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let mut outputs = self.output.open()?;
+        let outputs = self.output.open()?;
         let read = |path: &PathBuf| {
             let name = path.display().to_string();
             let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
-            let part =
-                serde_json::from_str(&text).with_context(|| format!("{name} is no result of a check"))?;
+            let part = serde_json::from_str(&text)
+                .with_context(|| format!("{name} is not a result of `check --format json`"))?;
             Ok((name, part))
         };
         let parts = self.parts.iter().map(read).collect::<anyhow::Result<Vec<(String, Checked)>>>()?;
         let merged = Checked::merge(parts)?;
-        outputs.begin(&human::head(&merged))?;
         let shown = merged.shown()?;
         outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
         Ok(shown.outcome.verdict.exit)

@@ -7,7 +7,7 @@ use anstream::{AutoStream, ColorChoice};
 use anyhow::{Context, anyhow};
 use clap::{Args, ValueEnum};
 use std::fs::{File, OpenOptions};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 /// How a result is written.
@@ -62,6 +62,8 @@ pub(crate) struct Outputs {
     files: Vec<(Format, OutputFile)>,
     /// The beginning of the tables that is already on standard output.
     head: String,
+    /// Whether standard error has the first line of the tables.
+    is_begun: bool,
 }
 
 impl OutputOptions {
@@ -71,7 +73,7 @@ impl OutputOptions {
             Ok((format.unwrap_or(self.format), OutputFile::open(path)?))
         };
         let files = self.output.iter().map(open).collect::<anyhow::Result<_>>()?;
-        Ok(Outputs { format: self.format, files, head: String::new() })
+        Ok(Outputs { format: self.format, files, head: String::new(), is_begun: false })
     }
 }
 
@@ -81,10 +83,15 @@ impl Outputs {
         self.format == Format::Human && self.files.iter().all(|(format, _)| *format != Format::Human)
     }
 
-    /// Writes the beginning of the tables to standard output, if the tables go there, so that the reader sees the
-    /// request at once. A longer beginning continues a shorter one.
+    /// Writes the beginning of the tables, so that the reader sees the request at once: to standard output if the tables
+    /// go there, and else its first line to standard error, unless this shows the progress. A longer beginning continues
+    /// a shorter one.
     pub(crate) fn begin(&mut self, head: &str) -> anyhow::Result<()> {
-        if let Some(more) = head.strip_prefix(&self.head).filter(|_| self.is_shown()) {
+        if !self.is_shown() {
+            if !std::mem::replace(&mut self.is_begun, true) && !io::stderr().is_terminal() {
+                eprintln!("{}", head.lines().next().unwrap_or_default());
+            }
+        } else if let Some(more) = head.strip_prefix(&self.head) {
             to_stdout(more)?;
             head.clone_into(&mut self.head);
         }

@@ -116,7 +116,7 @@ fn in_full(draw: &Draw) -> String {
     let matrices = part("Gradients and Hessians of this draw, contracted with its directions", |entry| {
         entry.layer == Layer::Matrix
     });
-    let kernel = part("The kernel in its layouts, contracted alike: what is not equal", |entry| {
+    let kernel = part("Unequal numbers of the kernel, contracted with the same directions", |entry| {
         entry.layer == Layer::Kernel && !entry.is_equal()
     });
     let parts = [variations, matrices, kernel];

@@ -48,7 +48,7 @@ impl Report {
         let measured = self.measured();
         if self.benchmark {
             let record = measured?;
-            println!("Wrote benchmark to {}. What the front page is to say of it:", self.to.display());
+            println!("Wrote benchmark to {}. The README must state:", self.to.display());
             record.claims().iter().for_each(|claim| println!("- {claim}"));
             return Ok(Exit::Agree);
         }

@@ -110,7 +110,7 @@ fn answers_of_another_shape_are_refused_in_words() {
     let found = check::linearization(&vector, [Family::Segment; 2], 1);
     assert_eq!(
         found.to_string(),
-        "DISAGREE: d_vector: of a vector a component, x, y or z, and of a scalar none expected, found none"
+        "DISAGREE: d_vector: a component x, y or z expected for a vector and none for a scalar, found none"
     );
 }
 

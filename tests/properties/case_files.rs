@@ -137,8 +137,8 @@ fn refused(text: &str) -> String {
     assert_eq!((output.status.code(), output.stdout.len()), (Some(3), 0), "{output:?}");
     let told = String::from_utf8(output.stderr).unwrap();
     assert_eq!(told.lines().count(), 1, "{told}");
-    let told = told.trim_end().strip_prefix("error: standard input is no ").unwrap_or(&told).to_owned();
-    told.strip_prefix("case: ").map(str::to_owned).unwrap_or(told)
+    let told = told.trim_end().strip_prefix("error: standard input is not ").unwrap_or(&told).to_owned();
+    told.strip_prefix("a case: ").map(str::to_owned).unwrap_or(told)
 }
 
 #[test]

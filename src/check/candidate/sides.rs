@@ -83,7 +83,7 @@ impl Sides {
         let Some(item) = (0..COMPONENTS).find(is_meant) else {
             let found = answer.axis.map_or_else(|| "none".into(), |axis| format!("{axis:?}"));
             return Err(format!(
-                "{}: of a vector a component, x, y or z, and of a scalar none expected, found {found}",
+                "{}: a component x, y or z expected for a vector and none for a scalar, found {found}",
                 quantity.name()
             ));
         };

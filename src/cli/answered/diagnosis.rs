@@ -106,7 +106,8 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
             let _ = writeln!(text, "Cause: {}{}.", one.words, coefficient(one));
         }
         several => {
-            let _ = writeln!(text, "Cause: one of {}, which these answers cannot tell apart:", several.len());
+            let _ =
+                writeln!(text, "Cause: one of {}, which these answers do not distinguish:", several.len());
             for one in several {
                 let _ = writeln!(text, "  - {}{}", one.words, coefficient(one));
             }

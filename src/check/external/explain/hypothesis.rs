@@ -147,10 +147,10 @@ impl Change {
                 format!("{of} of {} as a whole is multiplied by {factor:.6}", quantity.name())
             }
             Self::Tangent { is_geometric: true } => {
-                "in the tangent of the contact element stiffness g_N H, the geometric part, is missing".into()
+                "the geometric part of the tangent of the contact element, the penalty times g_N H, is missing".into()
             }
             Self::Tangent { is_geometric: false } => {
-                "in the tangent of the contact element stiffness times the product of the gradients is missing".into()
+                "the part of the tangent of the contact element with the product of the gradients is missing".into()
             }
             Self::BeamsExchanged => "beam and bar beam are exchanged".into(),
         }
