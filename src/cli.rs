@@ -44,7 +44,7 @@ use std::process::ExitCode;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
-    /// Read options of check, verify, prove and faults from this file [default: beamgap.toml, if it is there]
+    /// Read the options of check, verify, prove and faults from this file [default: beamgap.toml, if it exists]
     #[arg(long, value_name = "PATH", global = true)]
     config: Option<PathBuf>,
     /// Whether the verdict is coloured
@@ -78,7 +78,7 @@ enum Command {
     Verify(verify::Verify),
     /// Name the term that is wrong in the answers of a program.
     Explain(explain::Explain),
-    /// Print a program that answers cases, in your language, to put your element into.
+    /// Print a program in your language that answers cases; your element is inserted there.
     Adapter(adapter::Adapter),
     /// Write all reports, and the benchmark that `cargo bench` measured last.
     Report(report::Report),

@@ -7,10 +7,10 @@ use crate::linearization::{Quantity, Varied};
 use crate::pair::Contact;
 use crate::test_beam::{Family, TestBeam};
 
-/// A test of one entry at one of the minima of a case. It passes if the two sides agree in the tolerance of the check.
+/// A test of one entry at one of the minima of a case with this number. It passes if the two sides agree in the tolerance of the check.
 ///
 /// It only needs the library without its features. Numbers are written with all their digits.
-pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison) -> String {
+pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison, number: u64) -> String {
     let [beam, bar] = &case.test_beams;
     let mut curves = [beam, bar].map(|test_beam| type_name(test_beam.family)).to_vec();
     curves.sort_unstable();
@@ -38,7 +38,7 @@ pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison) -> Strin
     let (q, dq, linear_dq) = (vectors(|s| &s.q), vectors(|s| &s.dq), vectors(|s| &s.linear_dq));
     format!(
         "#[test]
-fn {name}() {{
+fn {name}_of_case_{number}() {{
     use beamgap::curve::{curves};
     use beamgap::linearization::{side};
     use beamgap::nalgebra::SVector;

@@ -94,17 +94,18 @@ fn described(point: &ClosestPoint) -> String {
         None => "inside".into(),
     };
     let degeneracy = point.degeneracy().map_or_else(|| "none".into(), |degeneracy| format!("{degeneracy:?}"));
+    let conditioning =
+        if point.conditioning.is_finite() { format!("{:e}", point.conditioning) } else { "-".into() };
     format!(
         "closest point\n  xi = {:e}, {}\n  xi_bar = {:e}, {}\n  kind: {:?}\n  d = {:e}\n  residual = {:e}\n  \
-         conditioning = {:e}\n  degeneracy: {degeneracy}\n",
+         conditioning = {conditioning}\n  degeneracy: {degeneracy}\n",
         point.xi,
         end(point.end),
         point.xi_bar,
         end(point.end_bar),
         point.kind,
         point.distance,
-        point.residual,
-        point.conditioning
+        point.residual
     )
 }
 

@@ -30,7 +30,7 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", default_value = "10000", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u64).range(1..=MOST_CASES))]
     cases: u64,
-    /// Only pairs in which beam or bar beam is of this family
+    /// Only pairs in which beam, bar beam or both are of this family; may be given once
     #[arg(long, value_parser = families())]
     family: Option<Family>,
     /// Only this regime; may be repeated

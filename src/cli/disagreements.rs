@@ -51,7 +51,8 @@ pub(super) fn listed(checked: &Checked) -> String {
         let (order_name, name) = (order.name(), quantity.name());
         let _ = write!(
             text,
-            "\n  {count} of {cases} begin with {name} ({order_name}) of the {candidate}:\n  look at {}\n",
+            "\n  In {count} of {cases} cases the first wrong number is {name} ({order_name}) of the {candidate}:\n  \
+             look at {}\n",
             look_at(*order, *quantity)
         );
     }
@@ -65,7 +66,8 @@ pub(super) fn likely(LikelyCause { explanation, is_remedy }: &LikelyCause) -> St
         return "Likely cause: not known. No fault of the catalogue explains the mismatches.".into();
     };
     let coefficient = coefficient.map(|of| format!("coefficient {of:+.3}"));
-    let second = runner_up.as_ref().map(|second| format!("second best explanation {}", error(second.left)));
+    let second =
+        runner_up.as_ref().map(|second| format!("the next best cause leaves {}", error(second.left)));
     let others = match causes.len() {
         1 => None,
         2 => Some("or 1 other, which has the same results here".to_owned()),
@@ -96,12 +98,12 @@ pub(super) fn made_small(Shown { checked, shrunk, .. }: &Shown) -> String {
 }
 
 /// The test of a shrunk case; a comment says if the fault is only injected.
-pub(super) fn test(Shrunk { case, finding, .. }: &Shrunk, plant: &[String]) -> String {
+pub(super) fn test(Shrunk { number, case, finding }: &Shrunk, plant: &[String]) -> String {
     let without = match plant {
         [] => "",
-        _ => "// The fault is planted by the command below. Without it this test passes.\n",
+        _ => "// The fault is injected by the command below. Without it this test passes.\n",
     };
-    without.to_owned() + &test_source(case, finding.minimum, &finding.entry)
+    without.to_owned() + &test_source(case, finding.minimum, &finding.entry, *number)
 }
 
 fn mismatch(entry: &Comparison) -> String {

@@ -120,7 +120,9 @@ fn words(paper: &record::EquationTable) -> String {
     let of = |verdict| paper.equations.iter().filter(|entry| entry.verdict == verdict).count();
     let (all, misprints) = (paper.equations.len(), of(Verdict::Misprint));
     if paper.holds() {
-        format!("HOLDS: of {all} equations {misprints} are misprinted, and none is refuted as corrected.")
+        format!(
+            "HOLDS: no equation is refuted as corrected; {misprints} of {all} are misprinted in the scan."
+        )
     } else if of(Verdict::Refuted) == 0 {
         format!("DOES NOT HOLD: the {all} equations are not those from 1 to 59.")
     } else {
@@ -222,7 +224,7 @@ fn whole(entry: &EquationRow, latex: bool) -> String {
     }
     text.push_str("\nWhere\n");
     for place in &entry.places {
-        let _ = writeln!(text, "  {}:{}  {}", place.file, place.line, place.item);
+        let _ = writeln!(text, "  src/{}:{}  {}", place.file, place.line, place.item);
     }
     text
 }

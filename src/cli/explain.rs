@@ -20,10 +20,10 @@ const PAIRS: usize = 100;
 #[derive(Args)]
 #[command(after_help = Exit::help())]
 pub(crate) struct Explain {
-    /// The cases that `beamgap export` wrote, or - for standard input
+    /// The cases that `beamgap export` wrote, or - for standard input; required without --catalogue
     #[arg(value_name = "VECTORS", required_unless_present = "catalogue")]
     vectors: Option<PathBuf>,
-    /// The answers, as JSON Lines or CSV, or - for standard input
+    /// The answers, as JSON Lines or CSV, or - for standard input; required without --catalogue
     #[arg(value_name = "ANSWERS", required_unless_present = "catalogue")]
     answers: Option<PathBuf>,
     /// The significant digits that the answers have, if these are few

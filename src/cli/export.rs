@@ -30,7 +30,7 @@ pub(crate) struct Export {
     #[arg(long, value_name = "N", default_value = "11", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u64).range(1..=10_000_000))]
     cases: u64,
-    /// Only this family; may be repeated, and then all pairs of those named
+    /// Only pairs of these families; may be repeated
     #[arg(long, value_parser = families())]
     family: Vec<Family>,
     /// Only this regime; may be repeated

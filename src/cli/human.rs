@@ -96,7 +96,12 @@ fn regimes(checked: &Checked) -> String {
             _ => [
                 error(tally.worst.scaled_error),
                 case_of(&tally.worst).unwrap_or_else(|| "-".into()),
-                error(tally.worst.over_tolerance),
+                // Rounded down, so that 1 is shown only if the tolerance is exceeded.
+                error(if tally.worst.over_tolerance < 1.0 {
+                    tally.worst.over_tolerance.min(0.99)
+                } else {
+                    tally.worst.over_tolerance
+                }),
             ],
         };
         table.row([regime.name().into()].into_iter().chain(counts).chain(worst).collect());

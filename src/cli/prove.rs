@@ -22,7 +22,7 @@ pub(crate) struct Prove {
     #[arg(long, value_name = "N", default_value = "1000", allow_negative_numbers = true)]
     #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
     draws: u64,
-    /// Only this family; may be repeated, and then all pairs of those named
+    /// Only pairs of these families; may be repeated
     #[arg(long, value_parser = families())]
     family: Vec<Family>,
     /// Inject this fault, to see the proof fail; may be repeated (see `beamgap faults --list`)

@@ -23,11 +23,11 @@ pub(crate) fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-/// Whether standard error has at most one line, which is the title of a result in another format.
+/// Whether standard error has no error and no warning. It may have the title of a result in another format.
 pub(crate) fn has_no_message(output: &Output) -> bool {
     let told = String::from_utf8_lossy(&output.stderr);
     let is_title = |line: &str| !["error", "warning", "internal"].iter().any(|word| line.starts_with(word));
-    told.lines().count() <= 1 && told.lines().all(is_title)
+    told.lines().all(is_title)
 }
 
 /// The lines that the README shows after a command are the last that the command prints.

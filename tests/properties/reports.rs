@@ -151,7 +151,7 @@ fn the_front_page_counts_packages() {
     let front = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
     let words = front.split_whitespace().collect::<Vec<_>>().join(" ");
     for claim in [
-        format!("These are the formulas alone, with {alone} other packages."),
+        format!("The dependency has the formulas alone, with {alone} other packages."),
         format!("with {with_check} other packages. The command line has {all}."),
     ] {
         assert!(words.contains(&claim), "README.md is to say:\n{claim}");

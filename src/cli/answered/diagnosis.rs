@@ -65,9 +65,9 @@ pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {
     if let Some(((order, quantity, part), count)) = report.beginning() {
         let _ = writeln!(
             text,
-            "The first wrong number is {part} of {} in {count} of {} wrong cases:\nlook at {}",
-            quantity.name(),
+            "In {count} of {} wrong cases the first wrong number is {part} of {}:\nlook at {}",
             report.wrong,
+            quantity.name(),
             at(order, quantity)
         );
     }
@@ -116,7 +116,7 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
     let left = runner_up.map_or_else(|| "none".into(), |second| error(second.left));
     let _ = writeln!(
         text,
-        "With it the deviation of {cases} cases falls from {} to {after}; runner-up {left}.",
+        "With it the deviation of {cases} cases falls from {} to {after}; the next best cause leaves {left}.",
         error(*before)
     );
     let quoted =

@@ -92,7 +92,7 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
         "{text}"
     );
     assert!(text.contains("(&pair, &q, point, &dq, &linear_dq).xi.linear;\n"), "{text}");
-    let planted = "// The fault is planted by the command below. Without it this test passes.\n#[test]\n";
+    let planted = "// The fault is injected by the command below. Without it this test passes.\n#[test]\n";
     assert!(!text.contains(planted), "{text}");
     assert!(text.contains("\n}\necho '{") && text.contains("check --case-file - --oracle all\n"), "{text}");
     let told: serde_json::Value = serde_json::from_str(&shown.json().unwrap()).unwrap();

@@ -254,5 +254,5 @@ pub(super) fn measured_factor(cases: &[&AnsweredCase], fault: Fault) -> Option<f
         Kind::Doubled => 2.0,
         _ => 0.5,
     };
-    ((factor - nominal).abs() < 0.05).then_some(factor)
+    ((factor - nominal).abs() < 1e-3).then_some(factor)
 }
