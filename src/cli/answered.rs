@@ -50,7 +50,7 @@ pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
 pub(super) fn outcome(verified: &Verified) -> Outcome {
     let report = &verified.report;
     let answered = report.parts.iter().map(|((_, quantity, part), found)| {
-        let PartFound { numbers, losing, wrong, worst, case, wrong_at, .. } = found;
+        let PartFound { numbers, losing, wrong, worst, case, place, .. } = found;
         let shown = if *wrong > 0 {
             let comparison = &worst.comparison;
             format!(
@@ -67,7 +67,7 @@ pub(super) fn outcome(verified: &Verified) -> Outcome {
             name: quantity.name().to_owned(),
             state: State::of(*numbers, *wrong),
             message: format!("{wrong} of {numbers} numbers are wrong{shown}"),
-            source: wrong_at.as_ref().and_then(Source::of_answer),
+            source: if *wrong > 0 { Source::of_answer(place) } else { None },
         }
     });
     let never = report.never_answered().into_iter().map(|quantity| Entry {
@@ -112,13 +112,13 @@ pub(super) fn human(verified: &Verified) -> String {
                 found.numbers.to_string(),
                 found.wrong.to_string(),
                 found.losing.to_string(),
-                digits(found.worst.loss / found.worst.scale),
-                digits(found.worst.attainable / found.worst.scale),
+                digits(found.largest_error.error()),
+                digits(found.largest_error.judged.attainable / found.largest_error.judged.size),
             ]);
         }
         let _ = write!(text, "\n{table}");
-        text += "digits: correct digits of the worst number\n\
-                 attainable: digits of the best formulas at that closest point\n";
+        text += "digits: correct digits of the number with the fewest\n\
+                 attainable: digits that the best formulas keep at its closest point\n";
     }
     let losing: Vec<_> =
         report.regimes.iter().filter_map(|(name, of)| Some((name, of, of.loss.as_ref()?))).collect();

@@ -5,6 +5,7 @@ use beamgap::check::{Family, Regime};
 use beamgap::variant::{Variant, with_faults};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 /// Sets the number of threads; the default is the number of cores.
@@ -53,7 +54,17 @@ pub(super) fn regimes() -> impl TypedValueParser<Value = Regime> {
 
 /// The closed form with these faults injected.
 pub(super) fn variant(plant: &[String]) -> anyhow::Result<Variant> {
+    let mut known = BTreeSet::new();
+    if let Some(term) = plant.iter().map(|fault| term(fault)).find(|term| !known.insert(*term)) {
+        let words = format!("one fault of the term {term:?} expected, found several\n");
+        return Err(clap::Error::raw(ErrorKind::ArgumentConflict, words).into());
+    }
     with_faults(plant).map_err(|unknown| clap::Error::raw(ErrorKind::InvalidValue, unknown).into())
+}
+
+/// The term of a fault.
+fn term(fault: &str) -> &str {
+    fault.split_once(" = ").map_or(fault, |(term, _)| term)
 }
 
 /// The command that runs this program, for printed commands: through cargo, if cargo runs it now.

@@ -76,7 +76,7 @@ impl Explain {
             let kept = &verified.report.kept;
             text = match other_conventions(kept, &demands) {
                 Some(words) => {
-                    format!("The answers agree if {words}.\nState it in the head of the answers.\n")
+                    format!("The answers agree if {words}.\nState it in the first line of the answers.\n")
                 }
                 None => explain(kept, &demands).map(|explanation| cause(&explanation)).unwrap_or_default(),
             };

@@ -2,6 +2,7 @@
 
 use super::arguments::{families, regimes, seed, variant};
 use super::exit::Exit;
+use super::output::distinct;
 use anyhow::Context;
 use beamgap::check::external::{
     ANSWERS, Drawing, Evaluator, Expected, Formulas, VECTORS, VectorReader, VectorWriter,
@@ -169,6 +170,9 @@ impl Evaluate {
             writer: VectorWriter { hex: self.hex, expected: Expected::None },
             digits: self.digits.map(usize::from),
         };
+        if let Some(output) = &self.output {
+            distinct(output, &[&self.vectors])?;
+        }
         let (from, name) = source(&self.vectors)?;
         let mut vectors = VectorReader::new(from, &name)?;
         let mut sink = Sink::open(self.output.as_deref())?;

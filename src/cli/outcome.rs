@@ -1,7 +1,7 @@
 //! A result for continuous integration: a verdict, and one entry for each quantity or equation.
 
 use super::exit::Exit;
-use beamgap::check::external::Place;
+use beamgap::check::external::{ExternalError, Place, ProcessError};
 use beamgap::check::{Order, look_at};
 use beamgap::equations::{named, places};
 use beamgap::linearization::Quantity;
@@ -113,6 +113,26 @@ impl Outcome {
     /// The entries in which something differs.
     pub(super) fn wrong(&self) -> impl Iterator<Item = &Entry> {
         self.entries.iter().filter(|entry| entry.state == State::Differs)
+    }
+
+    /// The outcome of a command that ended with an error, with the line of the text that has it.
+    pub(super) fn failed(command: &'static str, error: &anyhow::Error) -> Self {
+        let text = error.downcast_ref::<ProcessError>().and_then(|error| match error {
+            ProcessError::Text { error, .. } => Some(error),
+            _ => None,
+        });
+        let place = text.or_else(|| error.downcast_ref::<ExternalError>()).map(|error| &error.place);
+        let message = format!("{error:#}");
+        let entry = |place: &Place| Entry {
+            group: "input".to_owned(),
+            name: "text".to_owned(),
+            state: State::Differs,
+            message: message.clone(),
+            source: Source::of_answer(place),
+        };
+        let entries = place.map(entry).into_iter().collect();
+        let verdict = Verdict { exit: Exit::Input, name: "error", words: format!("ERROR: {message}") };
+        Self { command, verdict, entries }
     }
 
     /// Whether the exit code reports an error that no entry contains.

@@ -2,10 +2,13 @@
 
 use super::exit::Exit;
 use super::formats::{github, junit, markdown, sarif, write_step_summary};
-use super::outcome::Outcome;
+use super::json;
+use super::outcome::{Outcome, Verdict};
 use anstream::{AutoStream, ColorChoice};
 use anyhow::{Context, anyhow};
+use clap::error::ErrorKind as Usage;
 use clap::{Args, ValueEnum};
+use serde::Serialize;
 use std::fs::{File, OpenOptions};
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -72,8 +75,32 @@ impl OutputOptions {
         let open = |(format, path): &(Option<Format>, PathBuf)| {
             Ok((format.unwrap_or(self.format), OutputFile::open(path)?))
         };
+        let paths: Vec<&Path> = self.output.iter().map(|(_, path)| path.as_path()).collect();
+        for (i, path) in paths.iter().enumerate() {
+            distinct(path, &paths[..i])?;
+        }
         let files = self.output.iter().map(open).collect::<anyhow::Result<_>>()?;
         Ok(Outputs { format: self.format, files, head: String::new(), is_begun: false })
+    }
+}
+
+/// Refuses to write a file that is read, or that has another document.
+pub(crate) fn distinct(output: &Path, others: &[&Path]) -> anyhow::Result<()> {
+    let is_same = |other: &&Path| match (output.canonicalize(), other.canonicalize()) {
+        (Ok(one), Ok(two)) => one == two && one.is_file(),
+        _ => output == *other,
+    };
+    if others.iter().any(is_same) {
+        let words = format!("an output of its own expected, found {} twice\n", output.display());
+        return Err(clap::Error::raw(Usage::ArgumentConflict, words).into());
+    }
+    Ok(())
+}
+
+impl OutputOptions {
+    /// Refuses outputs that are inputs.
+    pub(crate) fn distinct_from(&self, inputs: &[&Path]) -> anyhow::Result<()> {
+        self.output.iter().try_for_each(|(_, path)| distinct(path, inputs))
     }
 }
 
@@ -98,6 +125,35 @@ impl Outputs {
         Ok(())
     }
 
+    /// Writes an error to all destinations but the tables, so that no document is empty.
+    pub(crate) fn fail(mut self, command: &'static str, error: &anyhow::Error) -> anyhow::Result<()> {
+        #[derive(Serialize)]
+        struct Document<'a> {
+            schema: &'static str,
+            version: &'static str,
+            command: &'a str,
+            verdict: &'a str,
+            words: &'a str,
+        }
+        let outcome = Outcome::failed(command, error);
+        let Verdict { name, words, .. } = &outcome.verdict;
+        let (schema, version) = ("beamgap-error/1", env!("CARGO_PKG_VERSION"));
+        let document = Document { schema, version, command, verdict: name, words };
+        let is_table = self.format == Format::Human;
+        self.head.clear();
+        if is_table {
+            // Standard error has the error.
+            for (format, file) in self.files {
+                file.replace(&written(format, &outcome, &|| words.clone() + "\n", &|| {
+                    json::text(&document)
+                })?)?;
+            }
+            write_step_summary(&outcome);
+            return Ok(());
+        }
+        self.write(&outcome, || words.clone() + "\n", || json::text(&document))
+    }
+
     /// Writes the result to all destinations, each in its format.
     ///
     /// If a file cannot be written now, its document is written to standard output, so that the result is not lost.
@@ -107,14 +163,7 @@ impl Outputs {
         human: impl Fn() -> String,
         json: impl Fn() -> anyhow::Result<String>,
     ) -> anyhow::Result<()> {
-        let written = |format| match format {
-            Format::Human => Ok(human()),
-            Format::Json => json(),
-            Format::Junit => Ok(junit(outcome)),
-            Format::Sarif => sarif(outcome),
-            Format::Github => Ok(github(outcome)),
-            Format::Markdown => Ok(markdown(outcome)),
-        };
+        let written = |format| written(format, outcome, &human, &json);
         write_step_summary(outcome);
         let mut text = String::new();
         let (mut failed, mut is_own_shown) = (None, true);
@@ -139,6 +188,22 @@ impl Outputs {
         }
         to_stdout(&text)?;
         failed.map_or(Ok(()), Err)
+    }
+}
+
+fn written(
+    format: Format,
+    outcome: &Outcome,
+    human: &impl Fn() -> String,
+    json: &impl Fn() -> anyhow::Result<String>,
+) -> anyhow::Result<String> {
+    match format {
+        Format::Human => Ok(human()),
+        Format::Json => json(),
+        Format::Junit => Ok(junit(outcome)),
+        Format::Sarif => sarif(outcome),
+        Format::Github => Ok(github(outcome)),
+        Format::Markdown => Ok(markdown(outcome)),
     }
 }
 

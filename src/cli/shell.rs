@@ -2,7 +2,7 @@
 
 use super::exit::Exit;
 use super::output::to_stdout;
-use anyhow::anyhow;
+use clap::error::ErrorKind;
 use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -43,7 +43,10 @@ impl ManPage {
                 let names =
                     || command.get_subcommands().map(Command::get_name).collect::<Vec<_>>().join(", ");
                 let found = command.find_subcommand(name).cloned();
-                found.ok_or_else(|| anyhow!("no command {name:?}, one of {} expected", names()))?
+                found.ok_or_else(|| {
+                    let words = format!("no command {name:?}, one of {} expected\n", names());
+                    clap::Error::raw(ErrorKind::InvalidValue, words)
+                })?
             }
         };
         let mut text = Vec::new();

@@ -4,6 +4,7 @@ use super::answered::{self, Diagnosed};
 use super::arguments::work_with;
 use super::exit::Exit;
 use super::export::source;
+use super::outcome::Verdict;
 use super::output::{OutputOptions, Outputs};
 use anyhow::anyhow;
 use beamgap::check::external::{
@@ -63,10 +64,30 @@ pub(super) struct Verified {
 impl Verify {
     /// Compares and writes the result.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
+        if self.answers.as_ref().is_some_and(|answers| answers.as_os_str() == "-" && self.vectors == *answers)
+        {
+            let words = "a file for the cases or for the answers expected, found standard input for both\n";
+            return Err(clap::Error::raw(ErrorKind::ArgumentConflict, words).into());
+        }
+        let inputs = [Some(&self.vectors), self.answers.as_ref()];
+        self.output.distinct_from(&inputs.into_iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>())?;
         let mut outputs = self.output.open()?;
         work_with(self.threads)?;
+        match self.compared(&mut outputs) {
+            Ok((verified, failed)) => self.write(outputs, &verified, failed),
+            Err(error) => {
+                if !error.is::<clap::Error>() {
+                    outputs.fail("verify", &error)?;
+                }
+                Err(error)
+            }
+        }
+    }
+
+    /// The comparison, and the error after which the program answered no more.
+    fn compared(&self, outputs: &mut Outputs) -> anyhow::Result<(Verified, Option<anyhow::Error>)> {
         let mut failed = None;
-        let verified = match self.verified(&mut outputs) {
+        let verified = match self.verified(outputs) {
             Ok(verified) => verified,
             // The answers before the failure are shown first.
             Err(error) => match error.downcast::<ProcessError>()? {
@@ -87,19 +108,33 @@ impl Verify {
                 other => return Err(other.into()),
             },
         };
-        let mut outcome = answered::outcome(&verified);
+        Ok((verified, failed))
+    }
+
+    fn write(
+        &self,
+        mut outputs: Outputs,
+        verified: &Verified,
+        failed: Option<anyhow::Error>,
+    ) -> anyhow::Result<Exit> {
+        let mut outcome = answered::outcome(verified);
         let exit = outcome.verdict.exit;
         let explain = !self.no_explanation && exit == Exit::Disagree;
         // The tables are printed first, because an explanation takes seconds.
-        let mut human = answered::human(&verified);
+        let mut human = answered::human(verified);
         outputs.begin(&human)?;
-        let diagnosed = Diagnosed::of(&verified, explain);
+        let diagnosed = Diagnosed::of(verified, explain);
         if explain {
-            human += &answered::first_wrong(&verified);
+            human += &answered::first_wrong(verified);
             outcome.verdict.words += &diagnosed.words();
         }
+        if let Some(error) = failed.as_ref().filter(|_| exit == Exit::Agree) {
+            // The answers before the failure are no success.
+            let words = format!("ERROR: {error:#}\nThe answers before: {}", outcome.verdict.words);
+            outcome.verdict = Verdict { exit: Exit::Input, name: "error", words };
+        }
         let human = || format!("{human}{}\n", outcome.verdict.words);
-        outputs.write(&outcome, human, || answered::json(&verified, &diagnosed, &outcome.verdict))?;
+        outputs.write(&outcome, human, || answered::json(verified, &diagnosed, &outcome.verdict))?;
         match failed {
             Some(error) if exit == Exit::Agree => Err(error),
             Some(error) => {
@@ -128,7 +163,7 @@ impl Verify {
         let mut progress = Progress::new();
         let head = answered::head(&self.from(), self.digits, self.reason.as_deref());
         let Some(path) = &self.answers else {
-            let expected = "the answers or --run expected: see --help";
+            let expected = "the answers or --run expected\n";
             let command = self
                 .run
                 .as_ref()

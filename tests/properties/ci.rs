@@ -185,15 +185,19 @@ fn wrong_answers_are_shown_at_their_line() {
     assert_eq!(output.status.code(), Some(1), "{output:?}");
     is_sarif(&read(&folder, "sarif"));
     is_junit(&folder.join("junit"));
-    let document: Value = serde_json::from_str(&read(&folder, "json")).unwrap();
-    let line = document["first"]["place"]["line"].as_u64().unwrap();
     let log: Value = serde_json::from_str(&read(&folder, "sarif")).unwrap();
     let of_d = log["runs"][0]["results"].as_array().unwrap().iter();
     let of_d: Vec<_> =
         of_d.filter(|result| result["message"]["text"].as_str().unwrap().starts_with("d (second)")).collect();
     let location = &of_d[0]["locations"][0]["physicalLocation"];
     assert_eq!((of_d.len(), &location["artifactLocation"]["uri"]), (1, &"answers.jsonl".into()));
-    assert_eq!(location["region"]["startLine"], line);
+    // The line is that of the case in the message.
+    let line = location["region"]["startLine"].as_u64().unwrap();
+    let text = of_d[0]["message"]["text"].as_str().unwrap();
+    let case = text.split_once("; case ").unwrap().1.split_once(':').unwrap().0;
+    let answers = fs::read_to_string(folder.join("answers.jsonl")).unwrap();
+    let at = answers.lines().nth(usize::try_from(line).unwrap() - 1).unwrap();
+    assert_eq!(serde_json::from_str::<Value>(at).unwrap()["id"], case);
     let told = format!("::error file=answers.jsonl,line={line},title=beamgap verify%3A d (second)::");
     assert!(read(&folder, "github").contains(&told), "{}", read(&folder, "github"));
     assert!(read(&folder, "junit").contains(&format!("\nanswers.jsonl:{line}</failure>")));

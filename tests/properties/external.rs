@@ -1,5 +1,6 @@
 //! Answers of other programs are read in every notation and compared with the same tolerances.
 
+mod broken;
 mod conventions;
 mod explanations;
 mod programs;

@@ -172,6 +172,23 @@ impl Converted {
     }
 }
 
+/// Gradients and Hessians along other directions.
+fn along_others(vector: &Vector, answers: &Answers, demands: &Demands) -> Result<Vec<Judged>, String> {
+    let has_arrays = |answer: &Answer| answer.gradient.is_some() || answer.hessian.is_some();
+    if !answers.answers.iter().any(has_arrays) && answers.residual.is_none() && answers.tangent.is_none() {
+        return Ok(Vec::new());
+    }
+    let vector = vector.along_others();
+    let entries = vector.evaluated(|evaluation| {
+        let (sides, _) = Sides::new(evaluation, &vector.case.test_beams);
+        let converted = Converted::new(&vector, &sides, &demands.conventions);
+        converted.entries(answers, &demands.conventions)
+    });
+    let entries = entries.unwrap_or(Ok(Vec::new()))?;
+    let contracted = entries.into_iter().filter(|entry| entry.is_contracted);
+    Ok(contracted.map(|entry| entry.judged(demands.digits)).collect())
+}
+
 fn transposed(matrix: &[f64], size: usize) -> Vec<f64> {
     if matrix.len() != size * size {
         return matrix.to_vec();
@@ -179,7 +196,8 @@ fn transposed(matrix: &[f64], size: usize) -> Vec<f64> {
     (0..size * size).map(|i| matrix[(i % size) * size + i / size]).collect()
 }
 
-/// Compares the answers to a case.
+/// Compares the answers to a case. Gradients and Hessians are compared along two pairs of directions: those of the case,
+/// and others that the program cannot know.
 ///
 /// # Errors
 /// If an answer has the wrong number of entries.
@@ -196,6 +214,7 @@ pub fn compare_answers(
         let converted = Converted::new(vector, &sides, &demands.conventions);
         let entries = converted.entries(answers, &demands.conventions)?;
         let mut judged: Vec<_> = entries.into_iter().map(|entry| entry.judged(demands.digits)).collect();
+        judged.extend(along_others(vector, answers, demands)?);
         judged.sort_by_key(|judged| place(&judged.comparison));
         let is_wrong = judged.iter().any(|judged| judged.judgement == Judgement::Wrong);
         // If the differences in double-double contradict the reference, the answer is not called wrong.

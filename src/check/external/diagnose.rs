@@ -27,6 +27,10 @@ pub fn other_conventions(cases: &[(Vector, Answers)], demands: &Demands) -> Opti
             judged.peek().is_some() && judged.all(|judgement| judgement != Judgement::Wrong)
         })
     };
+    // Along these directions nothing is wrong.
+    if agree(&demands.conventions) {
+        return None;
+    }
     let others = demands.conventions.others();
     others.into_iter().find(|(conventions, _)| agree(conventions)).map(|(_, words)| words)
 }

@@ -201,3 +201,35 @@ impl Known {
         (0..ENTRIES).filter_map(along).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::search::{labels, misfits};
+    use super::{Demands, Known};
+    use crate::check::Regime;
+    use crate::check::external::{AnswerReader, Drawing, Evaluator};
+    use crate::test_beam::Family;
+
+    /// A factor is fitted by one method, which is known by its place among all.
+    #[test]
+    fn every_factor_has_the_same_methods() {
+        let drawing = Drawing {
+            seed: 7,
+            regimes: vec![Regime::Generic],
+            families: vec![Family::Quadratic],
+            cases: 1,
+            penetrating: false,
+        };
+        let (vector, program) = (drawing.vector(0), Evaluator::default());
+        let text = format!("{}\n{}\n", program.head(), program.line(&vector));
+        let mut reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
+        let answers = reader.next_answers().unwrap().unwrap();
+        let known = Known::new(&(vector, answers)).unwrap();
+        let case = known.case(&Demands::default()).unwrap();
+        let methods = |label, factor| misfits(&[&case], label, factor).len();
+        for label in labels() {
+            let count = methods(label, 1.0);
+            assert!([0.0, 1.0001, 2.0].into_iter().all(|factor| methods(label, factor) == count), "{label}");
+        }
+    }
+}

@@ -89,7 +89,9 @@ impl Runner {
                 let stderr = end(&stderr);
                 Err(match (error, status) {
                     (None, _) => self.late(program, counts, stderr),
-                    (Some(ProcessError::Text { .. }), Some(status)) if !status.success() => {
+                    (Some(ProcessError::Text { .. }), Some(status))
+                        if !status.success() && !is_closed(status) =>
+                    {
                         let (report, conventions) = (Box::default(), Box::default());
                         let answered = counts[0];
                         ProcessError::Failed { program, status, answered, stderr, report, conventions }
@@ -176,6 +178,16 @@ impl From<ExternalError> for OptionalError {
     fn from(error: ExternalError) -> Self {
         Self(Some(error.into()))
     }
+}
+
+/// Whether a program ended because its output is no longer read: by the signal SIGPIPE, or as a shell reports it.
+fn is_closed(status: ExitStatus) -> bool {
+    const SIGPIPE: i32 = 13;
+    #[cfg(unix)]
+    if std::os::unix::process::ExitStatusExt::signal(&status) == Some(SIGPIPE) {
+        return true;
+    }
+    status.code() == Some(128 + SIGPIPE)
 }
 
 /// The status of a program that has closed its output; nothing if it does not end.

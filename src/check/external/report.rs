@@ -30,8 +30,10 @@ pub struct PartFound {
     pub worst: Judged,
     /// Its case.
     pub case: String,
-    /// The place of the first wrong number.
-    pub wrong_at: Option<Place>,
+    /// The place of its answer.
+    pub place: Place,
+    /// The number with the largest error over its size.
+    pub largest_error: Loss,
 }
 
 /// The largest error, or the largest loss of digits, in a regime.
@@ -188,22 +190,26 @@ impl Report {
             unclear: 0,
             worst: *one,
             case: case.to_owned(),
-            wrong_at: None,
+            place: place.clone(),
+            largest_error: Loss { judged: *one, case: case.to_owned() },
         };
         let part = self.parts.entry(key(one)).or_insert_with(new);
         match one.judgement {
             Judgement::Unclear => part.unclear += 1,
             Judgement::Agrees => part.numbers += 1,
             Judgement::Loses => (part.numbers, part.losing) = (part.numbers + 1, part.losing + 1),
-            Judgement::Wrong => {
-                (part.numbers, part.wrong) = (part.numbers + 1, part.wrong + 1);
-                part.wrong_at.get_or_insert_with(|| place.clone());
-            }
+            Judgement::Wrong => (part.numbers, part.wrong) = (part.numbers + 1, part.wrong + 1),
         }
+        let is_unclear = one.judgement == Judgement::Unclear;
         let is_worse = one.comparison.over_tolerance() > part.worst.comparison.over_tolerance();
         let was_unclear = part.worst.judgement == Judgement::Unclear;
-        if one.judgement != Judgement::Unclear && (is_worse || was_unclear) {
-            (part.worst, part.case) = (*one, case.to_owned());
+        if !is_unclear && (is_worse || was_unclear) {
+            (part.worst, part.case, part.place) = (*one, case.to_owned(), place.clone());
+        }
+        let loss = Loss { judged: *one, case: case.to_owned() };
+        let was_unclear = part.largest_error.judged.judgement == Judgement::Unclear;
+        if !is_unclear && (was_unclear || loss.error() > part.largest_error.error()) {
+            part.largest_error = loss;
         }
     }
 

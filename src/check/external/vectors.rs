@@ -21,6 +21,8 @@ use crate::check::verdict::Inconclusive;
 use crate::check::{CaseData, Regime};
 use crate::closest_point::{ClosestPoint, Search, closest_points};
 use crate::test_beam::Family;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 
 /// The schema.
 pub const VECTORS: &str = "beamgap-vectors/1";
@@ -146,6 +148,22 @@ impl Vector {
     pub fn directions(&self) -> [Vec<f64>; 2] {
         let [beam, bar] = &self.case.test_beams;
         [[&beam.dq[..], &bar.dq].concat(), [&beam.linear_dq[..], &bar.linear_dq].concat()]
+    }
+
+    /// The same case along directions that are in no file: each entry is multiplied by a random number of 0.5 to 1.5 and a
+    /// random sign. The numbers depend on the dofs alone.
+    pub(super) fn along_others(&self) -> Self {
+        let mut other = self.clone();
+        let dofs = self.case.test_beams.iter().flat_map(|beam| &beam.q);
+        let seed = dofs.fold(0_u64, |seed, dof| seed.rotate_left(7) ^ dof.to_bits());
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        for beam in &mut other.case.test_beams {
+            for entry in beam.dq.iter_mut().chain(&mut beam.linear_dq) {
+                let sign = if rng.random() { 1.0 } else { -1.0 };
+                *entry *= sign * rng.random_range(0.5..1.5);
+            }
+        }
+        other
     }
 
     /// The families of beam and bar beam.

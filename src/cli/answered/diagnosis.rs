@@ -11,11 +11,18 @@ use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
 use std::fmt::Write;
 
+const ANTISYMMETRIC: &str = "The matrix of differences is antisymmetric: a term is transposed.\n";
+const NOT_FINITE: &str = "Cause: the first wrong number is not finite. Look for a division by zero.";
+
 /// The cause of wrong answers.
 #[derive(Default)]
 pub(in crate::cli) struct Diagnosed {
     /// Rounding of the textbook formulas explains the first wrong number.
     is_rounding: bool,
+    /// The first wrong number is not finite.
+    is_not_finite: bool,
+    /// The differences of the first wrong Hessian are antisymmetric.
+    is_antisymmetric: bool,
     /// The conventions in which the answers agree.
     pub(in crate::cli) conventions: Option<String>,
     /// The wrong term, if it was looked for.
@@ -25,14 +32,17 @@ pub(in crate::cli) struct Diagnosed {
 impl Diagnosed {
     /// Looks for conventions in which the answers agree, and if `explain` for the wrong term.
     pub(in crate::cli) fn of(Verified { report, demands, .. }: &Verified, explain: bool) -> Self {
-        let Some((.., judged)) = &report.first else { return Self::default() };
+        let Some((vector, answers, judged)) = &report.first else { return Self::default() };
         if judged.is_rounding {
             return Self { is_rounding: true, ..Self::default() };
         }
+        let is_not_finite = !judged.comparison.closed.is_finite();
+        let location = explain.then(|| locate(vector, answers, judged, &demands.conventions)).flatten();
+        let is_antisymmetric = location.is_some_and(|location| location.is_antisymmetric);
         let conventions = other_conventions(&report.kept, demands);
         let is_asked = explain && conventions.is_none();
         let explanation = is_asked.then(|| external::explain(&report.kept, demands)).flatten();
-        Self { is_rounding: false, conventions, explanation }
+        Self { is_rounding: false, is_not_finite, is_antisymmetric, conventions, explanation }
     }
 
     /// The cause in words, each line after a line break; empty if nothing is known of it.
@@ -44,9 +54,17 @@ impl Diagnosed {
             }
             Self { conventions: Some(words), .. } => {
                 folded(&format!("The answers agree if {words}."), "", "  ")
-                    + "\nState it in the head of the answers."
+                    + "\nState it in the first line of the answers."
             }
-            Self { explanation: Some(explanation), .. } => cause(explanation),
+            Self { is_not_finite: true, explanation, .. }
+                if explanation.as_ref().is_none_or(|explanation| explanation.causes.is_empty()) =>
+            {
+                NOT_FINITE.to_owned()
+            }
+            Self { explanation: Some(explanation), is_antisymmetric, .. } => {
+                let transposed = if *is_antisymmetric && explanation.causes.is_empty() { ANTISYMMETRIC } else { "" };
+                cause(explanation) + transposed
+            }
             _ => return String::new(),
         };
         format!("\n{}", text.trim_end())
@@ -95,7 +113,9 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
             return text;
         }
         [] => {
-            let best = runner_up.map_or_else(String::new, |RunnerUp { words, left }| {
+            // An attempt that leaves much says nothing of the cause.
+            let close = runner_up.filter(|attempt| attempt.left <= 0.1 * before);
+            let best = close.map_or_else(String::new, |RunnerUp { words, left }| {
                 format!(" The best attempt leaves {}: {words}.", error(*left))
             });
             let _ =
@@ -171,7 +191,7 @@ fn entry(location: &Location, first_index: usize) -> String {
         location.differing
     );
     if location.is_antisymmetric {
-        text += "The matrix of differences is antisymmetric: a term is transposed.\n";
+        text += ANTISYMMETRIC;
     }
     text
 }

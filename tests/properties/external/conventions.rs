@@ -104,7 +104,7 @@ fn other_conventions_are_converted_if_they_are_stated_and_named_if_not() {
         (unit, "\"parameter\":[0,1]", "the parameters run over [0,1]"),
         (negative, "\"d\":\"x_bar - x\"", "d is x_bar - x"),
         (square, "\"distance\":\"d^2\"", "d is the squared distance"),
-        (penetration, "\"gap\":\"r + r_bar - d\"", "the gap is r + r_bar - d (gap)"),
+        (penetration, "\"gap\":\"r + r_bar - d\"", "the gap is r + r_bar - d (\"gap\":\"r + r_bar - d\")"),
         (by_component, "\"dofs\":\"component-major\"", "the dofs come component by component"),
         (bar_first, "\"beams\":\"bar first\"", "the dofs of the bar beam come first"),
         (tangents, "\"hermite_tangent\":0.5", "dx/dxi is 0.5 times the tangent dofs"),
@@ -131,7 +131,10 @@ fn two_wrong_conventions_are_named_together() {
     });
     let report = verified(&all, &text, None).unwrap();
     let told = other_conventions(&report.kept, &Demands::default()).unwrap();
-    assert_eq!(told, "the parameters run over [0,1] (parameter) and d is x_bar - x (d)");
+    assert_eq!(
+        told,
+        "the parameters run over [0,1] (\"parameter\":\"[0,1]\") and the vector d is x_bar - x (\"d\":\"x_bar - x\")"
+    );
     assert_eq!(other_conventions(&[], &Demands { conventions: Conventions::default(), digits: None }), None);
 }
 

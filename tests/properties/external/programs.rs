@@ -9,13 +9,13 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::Stdio;
 
-fn scratch(name: &str, text: &str) -> PathBuf {
+pub(super) fn scratch(name: &str, text: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&path, text).unwrap();
     path
 }
 
-fn exported(name: &str, more: &[&str]) -> PathBuf {
+pub(super) fn exported(name: &str, more: &[&str]) -> PathBuf {
     let path = scratch(name, "");
     let output = run(&[&["export", "-o", path.to_str().unwrap()], more].concat());
     assert!(output.status.success(), "{output:?}");
@@ -49,6 +49,8 @@ fn a_program_is_run_and_its_exit_status_time_and_words_are_told() {
             "exit status: 7, after 0 answers\nIts standard error ends:\nbroken",
         ),
         ("sh -c 'echo no; cat >/dev/null'", "standard output of sh:1:1: the titles `case,quantity,value`"),
+        // The program ends by SIGPIPE, because its answers are no longer read.
+        ("yes", "standard output of yes:1:1: the titles `case,quantity,value`"),
         ("/no/such/program", "cannot start /no/such/program"),
         ("sh -c 'exit", "a program, with its arguments, expected"),
         ("true", "expected, found the end of the text"),

@@ -66,7 +66,7 @@ fn of_quantity(answers: &mut Answers, name: &str, node: &Node) -> Read<()> {
     for (part, node) in node.object(name)? {
         let what = format!("{name}.{part}");
         match part.as_ref() {
-            _ if node.value == Value::Null => {}
+            "gradient" | "hessian" if node.value == Value::Null => {}
             "value" => scalar(answers, (quantity, is_whole_vector, axis), 0, &what, node)?,
             "delta" => scalar(answers, (quantity, is_whole_vector, axis), 1, &what, node)?,
             "Delta" => scalar(answers, (quantity, is_whole_vector, axis), 2, &what, node)?,
@@ -96,7 +96,12 @@ fn scalar(
     what: &str,
     node: &Node,
 ) -> Read<()> {
-    let numbers = if is_whole_vector { node.numbers(what, Some(3))? } else { vec![node.number(what)?] };
+    let numbers = match node.value {
+        // Some writers of JSON have no other word for NaN.
+        Value::Null => vec![f64::NAN; if is_whole_vector { 3 } else { 1 }],
+        _ if is_whole_vector => node.numbers(what, Some(3))?,
+        _ => vec![node.number(what)?],
+    };
     let axes = if is_whole_vector { vec![Some('x'), Some('y'), Some('z')] } else { vec![axis] };
     for (axis, number) in axes.into_iter().zip(numbers) {
         let answer = answers.of(quantity, axis);

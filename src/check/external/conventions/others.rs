@@ -11,37 +11,61 @@ impl Conventions {
                 single.push((other, words.to_owned()));
             }
         };
-        add(Self { parameter: Range::Unit, ..*self }, "the parameters run over [0,1] (parameter)");
-        add(Self { parameter: Range::Symmetric, ..*self }, "the parameters run over [-1,1] (parameter)");
+        add(
+            Self { parameter: Range::Unit, ..*self },
+            "the parameters run over [0,1] (\"parameter\":\"[0,1]\")",
+        );
+        add(
+            Self { parameter: Range::Symmetric, ..*self },
+            "the parameters run over [-1,1] (\"parameter\":\"[-1,1]\")",
+        );
         let d = if self.d_is_negative { "x - x_bar" } else { "x_bar - x" };
-        add(Self { d_is_negative: !self.d_is_negative, ..*self }, &format!("d is {d} (d)"));
-        add(Self { length: Length::Distance, ..*self }, "d is the distance (distance)");
-        add(Self { length: Length::Square, ..*self }, "d is the squared distance (distance)");
-        add(Self { length: Length::HalfSquared, ..*self }, "d is half the squared distance (distance)");
+        add(
+            Self { d_is_negative: !self.d_is_negative, ..*self },
+            &format!("the vector d is {d} (\"d\":\"{d}\")"),
+        );
+        add(Self { length: Length::Distance, ..*self }, "d is the distance (\"distance\":\"d\")");
+        add(Self { length: Length::Square, ..*self }, "d is the squared distance (\"distance\":\"d^2\")");
+        add(
+            Self { length: Length::HalfSquared, ..*self },
+            "d is half the squared distance (\"distance\":\"d^2/2\")",
+        );
         let gap = if self.gap_is_negative { "d - r - r_bar" } else { "r + r_bar - d" };
-        add(Self { gap_is_negative: !self.gap_is_negative, ..*self }, &format!("the gap is {gap} (gap)"));
-        add(Self { dofs: Dofs::NodeMajor, ..*self }, "the dofs come node by node (dofs)");
-        add(Self { dofs: Dofs::ComponentMajor, ..*self }, "the dofs come component by component (dofs)");
-        let first = if self.bar_first { "beam" } else { "bar beam" };
-        let words = format!("the dofs of the {first} come first (beams)");
+        add(
+            Self { gap_is_negative: !self.gap_is_negative, ..*self },
+            &format!("the gap is {gap} (\"gap\":\"{gap}\")"),
+        );
+        add(Self { dofs: Dofs::NodeMajor, ..*self }, "the dofs come node by node (\"dofs\":\"node-major\")");
+        add(
+            Self { dofs: Dofs::ComponentMajor, ..*self },
+            "the dofs come component by component (\"dofs\":\"component-major\")",
+        );
+        let (first, value) = if self.bar_first { ("beam", "beam first") } else { ("bar beam", "bar first") };
+        let words = format!("the dofs of the {first} come first (\"beams\":\"{value}\")");
         add(Self { bar_first: !self.bar_first, ..*self }, &words);
-        let order = if self.column_major { "row by row" } else { "column by column" };
-        let words = format!("matrices are written {order} (matrix)");
+        let (order, value) = if self.column_major {
+            ("row by row", "row-major")
+        } else {
+            ("column by column", "column-major")
+        };
+        let words = format!("matrices are written {order} (\"matrix\":\"{value}\")");
         add(Self { column_major: !self.column_major, ..*self }, &words);
         for (factor, words) in [(1.0, "1"), (0.5, "0.5"), (2.0, "2")] {
-            let words =
-                format!("dx/dxi is {words} times the tangent dofs of a Hermite beam (hermite_tangent)");
+            let words = format!(
+                "dx/dxi is {words} times the tangent dofs of a Hermite beam (\"hermite_tangent\":{words})"
+            );
             add(Self { hermite_tangent: factor, ..*self }, &words);
         }
+        let sign = |is_negative| if is_negative { "-" } else { "+" };
         let (residual, tangent) = (!self.residual_is_negative, !self.tangent_is_negative);
         if self.penalty.is_some() {
             add(
                 Self { residual_is_negative: residual, ..*self },
-                "the residual has the other sign (residual_sign)",
+                &format!("the residual has the other sign (\"residual_sign\":\"{}\")", sign(residual)),
             );
             add(
                 Self { tangent_is_negative: tangent, ..*self },
-                "the tangent has the other sign (tangent_sign)",
+                &format!("the tangent has the other sign (\"tangent_sign\":\"{}\")", sign(tangent)),
             );
         }
         let mut pairs = Vec::new();

@@ -136,7 +136,9 @@ impl<'a> AnsweredCase<'a> {
         let clear = |entry: &crate::check::candidate::Entry| {
             entry.judged(demands.digits).judgement != Judgement::Unclear
         };
-        let data = entries.into_iter().filter(clear).map(datum).collect();
+        // No fault explains a number that is not finite.
+        let is_finite = |datum: &Datum| datum.answer.is_finite();
+        let data = entries.into_iter().filter(clear).map(datum).filter(is_finite).collect();
         let chosen = evaluate()?.form;
         let robust = Formulation::robust(&paper.points(), paper.held);
         let inside = !paper.held.xi && !paper.held.xi_bar;
@@ -214,6 +216,11 @@ impl<'a> AnsweredCase<'a> {
         evaluations.flat_map(|evaluation| self.computed_by(evaluation, change)).collect()
     }
 
+    /// The number of formulations that differ at this case.
+    pub(super) fn distinct(&self) -> usize {
+        1 + self.others.len()
+    }
+
     /// The index of a formulation among those that differ at this case.
     pub(super) fn place_of(&self, formulation: usize) -> usize {
         self.formulations[formulation]
@@ -268,7 +275,9 @@ impl<'a> AnsweredCase<'a> {
             let is_symmetric = |(one, two): (&Varied<f64>, &Varied<f64>)| {
                 (one.second - two.second).abs() <= 1e-12 * one.second.abs()
             };
-            if !varied.iter().zip(&exchanged).all(is_symmetric) {
+            // The number of methods of a multiplied term is not to depend on the factor.
+            let is_multiplied = matches!(variant, Variant::Weighted(..));
+            if is_multiplied || !varied.iter().zip(&exchanged).all(is_symmetric) {
                 all.extend([1.0, 0.5].map(|weight| [direct.clone(), converted(with(weight))]));
             }
         }

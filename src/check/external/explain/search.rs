@@ -1,6 +1,6 @@
 //! The search for the wrong terms: each fault of the catalogue, then factors, then pairs.
 
-use super::answered_case::{AnsweredCase, Datum, Known, Predicted};
+use super::answered_case::{AnsweredCase, Datum, FORMULATIONS, Known, Predicted};
 use super::fit::{Fit, limit, near, race};
 use super::hypothesis::Change;
 use super::pairs::pairs;
@@ -16,6 +16,8 @@ use std::collections::BTreeSet;
 const FITTED: usize = 4;
 /// The number of changes that are tried at all cases even if they explain the answers worse than others.
 pub(super) const KEPT: usize = 16;
+/// The number of wrong numbers below which neither factors nor two faults are looked for.
+const FEW: usize = 3;
 /// The mean of the squares up to which only rounding remains.
 const LIKELY: f64 = 2.0;
 
@@ -67,6 +69,9 @@ fn factor(cases: &[&AnsweredCase], quantity: Quantity, order: Order) -> Option<f
         let is_order = datum.order == order || (order == Order::Matrix && datum.order != Order::Value);
         datum.quantity == quantity && is_order && datum.scale > 0.0 && datum.answer.is_finite()
     };
+    if of(cases).filter(is_of).filter(|datum| datum.is_wrong).count() < FEW {
+        return None;
+    }
     let sums = of(cases).filter(is_of).fold([0.0, 0.0], |[one, two], datum| {
         let (answer, reference) = (datum.answer / datum.scale, datum.reference / datum.scale);
         [one + answer * reference, two + reference * reference]
@@ -113,7 +118,9 @@ pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
         fits
     };
     let mut fits = raced(0, candidates(cases));
-    if is_found(&fits) {
+    // A factor or a second fault can be fitted to a few wrong numbers, whatever their cause.
+    let wrong: usize = cases.iter().map(|case| case.wrong()).sum();
+    if is_found(&fits) || wrong < FEW {
         return fits;
     }
     let fitted = &cases[..cases.len().min(FITTED)];
@@ -207,7 +214,9 @@ fn weight(cases: &[&AnsweredCase], label: Label) -> Option<f64> {
         if gg > 0.0 { gr * gr / gg } else { 0.0 }
     };
     let method = (0..start.len()).max_by(|&one, &two| gain(one).total_cmp(&gain(two)))?;
-    if gain(method) == 0.0 {
+    // A term whose first step explains little is not iterated.
+    let [.., all] = sums(&start[method], &next[method]);
+    if gain(method) <= 0.1 * all {
         return None;
     }
     let mut factor = 1.0;
@@ -223,10 +232,13 @@ fn weight(cases: &[&AnsweredCase], label: Label) -> Option<f64> {
     factor.is_finite().then_some(factor)
 }
 
+/// The methods by which a program may compute its numbers with a term multiplied, in each formulation.
+const METHODS: usize = 4;
+
 /// The misfits of all data over their scales, with a term multiplied: by each method, the same one at all cases.
-fn misfits(cases: &[&AnsweredCase], label: Label, factor: f64) -> Vec<Vec<f64>> {
+pub(super) fn misfits(cases: &[&AnsweredCase], label: Label, factor: f64) -> Vec<Vec<f64>> {
     let change = Change::Variant(Variant::Weighted(label, factor));
-    let per_site = cases.iter().map(|case| {
+    let by_case = cases.iter().map(|case| {
         let of = |predicted: &Predicted| {
             let misfit = |datum: &Datum| {
                 let off = (AnsweredCase::number(predicted, datum) - datum.answer) / datum.scale;
@@ -234,13 +246,20 @@ fn misfits(cases: &[&AnsweredCase], label: Label, factor: f64) -> Vec<Vec<f64>> 
             };
             case.data.iter().map(misfit).collect::<Vec<f64>>()
         };
-        case.predicted(&change).iter().map(of).collect::<Vec<_>>()
+        (*case, case.computed(&change).iter().map(of).collect::<Vec<_>>())
     });
-    let per_site: Vec<_> = per_site.collect();
-    let methods = per_site.iter().map(Vec::len).max().unwrap_or(0);
-    (0..methods)
-        .map(|method| per_site.iter().flat_map(|of| of[method.min(of.len() - 1)].clone()).collect())
-        .collect()
+    let by_case: Vec<_> = by_case.collect();
+    let methods =
+        (0..FORMULATIONS).flat_map(|formulation| (0..METHODS).map(move |method| (formulation, method)));
+    let of_method = |(formulation, method): (usize, usize)| {
+        let of_case = |(case, all): &(&AnsweredCase, Vec<Vec<f64>>)| {
+            // A case without gradients and Hessians has one method.
+            let each = all.len() / case.distinct();
+            all[each * case.place_of(formulation) + method.min(each - 1)].clone()
+        };
+        by_case.iter().flat_map(of_case).collect()
+    };
+    methods.map(of_method).collect()
 }
 
 /// The factor that a term seems to have, near that of a fault: 0 if it is missing, -1 if its sign is wrong.
