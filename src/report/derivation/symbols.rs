@@ -23,8 +23,7 @@ pub(super) fn table() -> Result<String, String> {
 pub(super) fn others() -> Result<String, String> {
     let mut rows = String::new();
     for line in include_str!("letters.txt").lines().filter(|line| !line.is_empty()) {
-        let (latex, words) =
-            line.split_once(" | ").ok_or_else(|| format!("{line:?} has not two parts"))?;
+        let (latex, words) = line.split_once(" | ").ok_or_else(|| format!("{line:?} has not two parts"))?;
         let _ = writeln!(rows, "<tr><td>{}</td><td>{}</td></tr>", mathml(latex, false)?, inline(words)?);
     }
     Ok(wide("other letters", &rows))
