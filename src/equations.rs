@@ -16,9 +16,10 @@
 //! A print without a meaning has several readings. Each reading is evaluated.
 //!
 //! # Symmetry
-//! Formulas of second order are evaluated again with delta and Delta exchanged: at stationary pairs, and with random numbers
-//! for all operands. A formula that is symmetric for random numbers is symmetric by its form. A formula that is symmetric at
-//! stationary pairs only is symmetric by orthogonality.
+//! Formulas of second order are evaluated again with delta and Delta exchanged: at stationary pairs, and with independent
+//! random numbers for all operands. A formula that is symmetric for random numbers is symmetric by its form. A formula that
+//! is symmetric at stationary pairs only is symmetric by relations between its operands: (25) and (29) need the chain rule,
+//! (34) needs (33), and (38), (39), (40) and (57) need that d is normal to both tangents.
 //!
 //! # Places
 //! The lines that compute an equation are found in the source by `Eq. (40)` in a comment or in a doc alias.

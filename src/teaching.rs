@@ -4,10 +4,11 @@
 //! it.
 //!
 //! # The tangent of a contact element in five minutes
-//! A penalty gives the energy eps g_N²/2 of a stiff spring in the gap. Its gradient is the force, its Hessian the tangent:
+//! A penalty gives the energy E = eps g_N²/2 of a stiff spring in the gap. Its gradient is the force, its Hessian the
+//! tangent:
 //!
 //! ```text
-//! f = eps g_N ∇g_N        K = eps (∇g_N ∇g_Nᵀ + g_N Hess g_N)        g_N = d − (r + r̄)
+//! ∇E = eps g_N ∇g_N        Hess E = eps (∇g_N ∇g_Nᵀ + g_N Hess g_N)        g_N = d − (r + r̄)
 //! ```
 //!
 //! The closest points slide along the beams as the dofs Q vary. Their parameters p = (ξ, ξ̄) are functions of Q, and

@@ -167,11 +167,11 @@ fn table(paper: &record::EquationTable) -> String {
     }
     let _ = write!(text, "{table}");
     text.push_str("\nSymmetry when delta and Delta are exchanged, of formulas of second order: by\n");
-    text.push_str("form, by orthogonality, not at all\n\n");
-    let mut table = Table::new(&["claim", "made in", "form", "orth", "not"]).left(&[1]);
+    text.push_str("form, by relations between the operands (rel), not at all\n\n");
+    let mut table = Table::new(&["claim", "made in", "form", "rel", "not"]).left(&[1]);
     for claim in &paper.claims {
-        let [form, orthogonality, not] = claim.found.map(|n| n.to_string());
-        table.row(vec![claim.says.clone(), claim.made.clone(), form, orthogonality, not]);
+        let [form, relations, not] = claim.found.map(|n| n.to_string());
+        table.row(vec![claim.says.clone(), claim.made.clone(), form, relations, not]);
     }
     let _ = write!(text, "{table}");
     text
@@ -193,7 +193,7 @@ fn whole(entry: &EquationRow, latex: bool) -> String {
     };
     let formula = |source: &str| if latex { wrapped(source) } else { readable(source) };
     section("As printed", formula(&entry.printed));
-    section("As corrected", formula(entry.corrected.as_deref().unwrap_or_default()));
+    section(entry.correction(), formula(entry.corrected.as_deref().unwrap_or_default()));
     section("Remark", wrapped(&entry.remark));
     section("Left out", formula(&entry.omitted.join(", ")));
     for part in &entry.parts {

@@ -12,7 +12,8 @@ pub struct Claim {
     pub says: String,
     /// The place of the claim in the paper.
     pub made: String,
-    /// The numbers of formulas that are symmetric for any operands, symmetric at stationary points, and not symmetric.
+    /// The numbers of formulas that are symmetric for any operands, symmetric by relations between them, and not
+    /// symmetric.
     pub found: [u64; 3],
     /// The equations with a formula that is not symmetric.
     pub broken_by: Vec<u8>,
@@ -64,7 +65,7 @@ fn claim(equations: &[EquationRow], says: &str, made: &str, about: impl Fn(u8, &
                 };
                 let i = match symmetry {
                     Symmetry::ByForm => 0,
-                    Symmetry::ByOrthogonality => 1,
+                    Symmetry::ByRelations => 1,
                     Symmetry::Not => 2,
                 };
                 claim.found[i] += 1;

@@ -37,7 +37,7 @@ pub struct EquationRow {
     pub verdict: Verdict,
     /// LaTeX, as printed.
     pub printed: String,
-    /// The corrected LaTeX. For long equations, only the difference.
+    /// The corrected LaTeX, with the terms that the paper drops. For long equations, only the difference.
     pub corrected: Option<String>,
     /// Additional remarks.
     pub remark: String,

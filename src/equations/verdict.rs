@@ -36,8 +36,8 @@ pub enum Verdict {
 pub enum Symmetry {
     /// For any operands.
     ByForm,
-    /// At stationary points.
-    ByOrthogonality,
+    /// For the operands of a stationary point, by relations between them: the chain rule, or orthogonality.
+    ByRelations,
     /// Not symmetric.
     Not,
 }
@@ -65,7 +65,7 @@ impl Symmetry {
     pub fn words(self) -> &'static str {
         match self {
             Self::ByForm => "by form",
-            Self::ByOrthogonality => "by orthogonality",
+            Self::ByRelations => "by relations",
             Self::Not => "no",
         }
     }
@@ -88,7 +88,7 @@ impl Run {
         let [at_points, anywhere] = self.symmetric?;
         Some(match (at_points.all_equal(), anywhere.all_equal()) {
             (true, true) => Symmetry::ByForm,
-            (true, false) => Symmetry::ByOrthogonality,
+            (true, false) => Symmetry::ByRelations,
             (false, _) => Symmetry::Not,
         })
     }
@@ -120,6 +120,17 @@ impl Part {
 }
 
 impl EquationRow {
+    /// The title of the corrected LaTeX: whether it corrects the print, adds the terms that the paper drops, or both.
+    pub fn correction(&self) -> &'static str {
+        let is_completed = self.corrected.as_deref().is_some_and(|latex| latex.contains(r"\Delta_u\delta_u"));
+        match (self.verdict, is_completed) {
+            (Verdict::NotInTheScan, _) => "As reconstructed",
+            (Verdict::ExactIfLinear, _) => "As completed",
+            (_, true) => "As corrected and completed",
+            (_, false) => "As corrected",
+        }
+    }
+
     /// The verdict that follows from the parts, and from the kind of the equation.
     pub(super) fn judged(&self) -> Verdict {
         let parts = self.parts.iter().map(Part::verdict).max();

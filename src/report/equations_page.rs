@@ -13,11 +13,13 @@ impl Equations {
         let (evaluated, others): (Vec<&EquationRow>, Vec<&EquationRow>) =
             table.equations.iter().partition(|entry| !entry.parts.is_empty());
         let conclusion = format!(
-            "**Of the {} equations of the paper {} are misprinted; {} as corrected.** This report evaluates {} of them, as printed and as \
-             corrected, and compares them with automatic differentiation by hyper-dual numbers. The others, {}, define, assume or \
+            "**Of the {} equations of the paper {} are misprinted in the scan, and {} more are incomplete for curves that are not \
+             linear in their dofs; as corrected and completed {}.** This report evaluates {} of the equations, as printed and \
+             as corrected, and compares them with automatic differentiation by hyper-dual numbers. The others, {}, define, assume or \
              list something; they are judged by their words.",
             table.equations.len(),
             of(Verdict::Misprint),
+            of(Verdict::ExactIfLinear),
             match of(Verdict::Refuted) {
                 0 => "none is refuted".to_owned(),
                 n => format!("{n} are refuted"),
@@ -51,9 +53,10 @@ impl Equations {
                  some draw.",
                 "A row *read otherwise* is evaluated, but it is no reading of the print and does not count for the verdict. It gives a \
                  letter another meaning than the paper does: by (37) û_C stands for u_C − ū_C̄, so Δû_C is not Δd, which \
-                 holds the points before the deformation too. In (43), (45) and (46) such a row has variations in place of \
+                 contains the points before the deformation too. In (43), (45) and (46) such a row has variations in place of \
                  finite increments.",
-                "As corrected, an equation holds for curves that are linear in their dofs. As completed, it holds for all curves.",
+                "As corrected, an equation is valid for curves that are linear in their dofs. As completed, with the terms Δᵤδᵤ, it is valid \
+                 for all curves.",
             ]),
         ];
         blocks.extend(table.misprints());
@@ -111,7 +114,7 @@ impl EquationTable {
             "as printed",
             "verdict",
             "#refuted as printed",
-            "#as corrected",
+            "#as corrected and completed",
             "#error of the print",
             "code",
         ];
@@ -125,12 +128,15 @@ impl EquationTable {
     }
 
     fn misprints(&self) -> Vec<Block> {
-        let mut blocks = vec![Block::heading("Misprints")];
+        let mut blocks = vec![Block::heading("Misprints in the scan")];
         for entry in self.equations.iter().filter(|entry| entry.verdict >= Verdict::Misprint) {
             blocks.push(Block::Subheading(format!("({}) {}", entry.number, entry.says)));
             blocks.extend([Block::text("As printed:"), Block::Formula(entry.printed.clone())]);
             if let Some(corrected) = &entry.corrected {
-                blocks.extend([Block::text("As corrected:"), Block::Formula(corrected.clone())]);
+                blocks.extend([
+                    Block::text(&format!("{}:", entry.correction())),
+                    Block::Formula(corrected.clone()),
+                ]);
             }
             if !entry.remark.is_empty() {
                 blocks.push(Block::text(&entry.remark));
@@ -167,17 +173,17 @@ impl EquationTable {
 
     fn slip(&self) -> [Block; 3] {
         let rows = self.equations.iter().flat_map(|entry| &entry.arcs).map(|arc| {
-            let ratio = arc.ratio.map_or_else(|| "rounding".to_owned(), |ratio| format!("{ratio:.1} times"));
+            let ratio = arc.ratio.map_or_else(|| "rounding".to_owned(), |ratio| format!("{ratio:.1}"));
             vec![arc.family.clone(), arc.slip.to_string(), error(Some(arc.error)), ratio]
         });
-        let head =
-            ["family", "#slip in xi", "#largest difference / arc length", "#less for half the slip, median"];
+        let head = ["family", "#xi_C - xi_C0", "#largest difference / arc length", "#median ratio"];
         [
             Block::heading("Slip along the tangent"),
             Block::text(
-                "Equation (14) approximates the arc length (12), the true slip. Both are equal where the tangent has constant \
-                 length along the curve. Elsewhere they differ by a term quadratic in the slip: half the slip leaves about a \
-                 quarter of the difference.",
+                "Equation (14) defines the slip that the program varies, and approximates the arc length (12). Both are equal where \
+                 the tangent has constant length along the curve. Elsewhere the leading term of the difference is quadratic in \
+                 xi_C - xi_C0. Differences are absolute. *Ratio*: the difference over that for half of xi_C - xi_C0; 4 for a \
+                 quadratic term.",
             ),
             Block::table(&head, rows.collect()),
         ]
@@ -190,28 +196,34 @@ impl EquationTable {
             let counts = claim.found.map(|number| number.to_string());
             [claim.says.clone(), claim.made.clone()].into_iter().chain(counts).chain([holds]).collect()
         };
-        let by_orthogonality = self.equations.iter().filter(|entry| {
-            let is_so = |run: &Run| run.symmetry() == Some(Symmetry::ByOrthogonality);
+        let by_relations = self.equations.iter().filter(|entry| {
+            let is_so = |run: &Run| run.symmetry() == Some(Symmetry::ByRelations);
             entry.parts.iter().any(|part| part.corrected().is_some_and(is_so))
         });
-        let numbers: Vec<String> = by_orthogonality.map(|entry| format!("({})", entry.number)).collect();
+        let numbers: Vec<String> = by_relations.map(|entry| format!("({})", entry.number)).collect();
         let head = [
             "the paper says, or implies",
             "where",
             "#symmetric by form",
-            "#by orthogonality",
+            "#by relations",
             "#not symmetric",
-            "holds",
+            "valid",
         ];
         vec![
             Block::heading("Symmetry"),
             Block::text(
                 "A second variation must not change if delta and Delta are exchanged. A formula is symmetric *by form* if it is \
-                 symmetric for random numbers in place of all operands. It is symmetric *by orthogonality* if it is symmetric only at \
-                 stationary points, where d is normal to both tangents. The numbers count formulas.",
+                 symmetric for independent random numbers in place of all operands. It is symmetric *by relations* if it is symmetric \
+                 only for the operands of a stationary point, which satisfy relations between them. (25) and (29) need the chain \
+                 rule for their total variations. (34) needs (33), which gives Δv. (38), (39), (40) and (57) need that d is normal to \
+                 both tangents.",
+            ),
+            Block::text(
+                "The numbers count formulas. As corrected and completed, each part of an equation is one formula. As printed, each \
+                 reading of the print is one, so the two numbers differ.",
             ),
             Block::table(&head, self.claims.iter().map(row).collect()),
-            Block::text(&format!("Symmetric as corrected, though not by form: {}.", numbers.join(", "))),
+            Block::text(&format!("Symmetric as corrected, but by relations only: {}.", numbers.join(", "))),
         ]
     }
 }
@@ -226,7 +238,7 @@ const VERDICTS: [(Verdict, &str); 10] = [
     (Verdict::ExactIfFinite, "equal for finite increments, with a remainder for variations"),
     (Verdict::ExactIfLinear, "equal for curves linear in their dofs, refuted for others"),
     (Verdict::Approximation, "not equal to the quantity that it replaces"),
-    (Verdict::Misprint, "refuted as printed, equal as corrected; or a list that lacks a term"),
+    (Verdict::Misprint, "refuted as printed, equal as corrected and completed; or a list that lacks a term"),
     (Verdict::Refuted, "also refuted as corrected"),
 ];
 

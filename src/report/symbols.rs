@@ -29,6 +29,15 @@ pub fn symbols() -> Page {
         Block::heading("Matrices"),
         Block::text("Gradients and Hessians are in the dofs of both beams. A' is the transpose of A."),
         table(["symbol", "meaning"], &MATRICES),
+        Block::heading("Letters of the derivation"),
+        Block::text(
+            "The [derivation](derivation.html) and the module `linearization::closed_form::derivation` write letters. Reports and code \
+             write ASCII. This table has the letters with another spelling or without an entry above.",
+        ),
+        Block::table(
+            &["letter", "here", "meaning"],
+            LETTERS.map(|row| row.map(str::to_owned).to_vec()).to_vec(),
+        ),
         Block::heading("Names of faults"),
         Block::text(
             "A fault is named `formula: term = kind`. `H_d: d G11 jj' = sign` is the fault that the term d G11 jj' of the Hessian of \
@@ -63,7 +72,10 @@ const QUANTITIES: [(&str, &str); 13] = [
     ("c", "t x t_bar"),
     ("g_N", "normal gap: d minus both radii `r` and `r_bar`"),
     ("g_T, g_T_bar", "tangential gaps, also called slips: t (xi - xi_0) and its twin"),
-    ("slip", "in names of terms the factor xi - xi_0: the change of the parameter since first contact"),
+    (
+        "slip",
+        "in names of terms the parameter increment xi - xi_0 since first contact, the factor of t in g_T",
+    ),
     ("w", "unit tangent t / |t|"),
 ];
 
@@ -83,7 +95,10 @@ const SYSTEM: [(&str, &str); 7] = [
     ("a", "t.t + d.t,xi, equation (50)"),
     ("a_bar", "-t_bar.t_bar + d.t_bar,xi, equation (50)"),
     ("b", "t.t_bar, equation (50)"),
-    ("D", "the determinant a a_bar + b b, equation (52): negative at a minimum of the distance"),
+    (
+        "D",
+        "the determinant a a_bar + b b, equation (52): negative at a nondegenerate minimum of the distance (positive definite Hessian of d^2/2)",
+    ),
     ("R, R_bar", "right-hand sides of the first order, equation (50)"),
     ("R2, R2_bar", "right-hand sides of the second order, equation (55)"),
     (
@@ -104,7 +119,10 @@ const MATRICES: [(&str, &str); 14] = [
         "K(v)  K,xi(v)  K_bar(v)",
         "second derivatives of v.x, v.x,xi and v.x_bar by the dofs: zero for curves linear in their dofs",
     ),
-    ("S", "Hessian of m.x at fixed second derivatives of xi: m.t,xi gg' + g(A1'm)' + (A1'm)g' + K(m)"),
+    (
+        "S",
+        "the Hessian of m.x without the term with the Hessian of xi: m.t,xi gg' + g(A1'm)' + (A1'm)g' + K(m)",
+    ),
     ("m", "the vector that S is taken with: a sum of t and t_bar, or u"),
     (
         "j, j_bar",
@@ -113,7 +131,45 @@ const MATRICES: [(&str, &str); 14] = [
     ("G11, G12, G22", "the inverse of the matrix of t.t, t.t_bar and t_bar.t_bar"),
     ("alpha, beta", "vectors that multiply g and g_bar in the Hessian of d.t, with half of each square term"),
     ("alpha_bar, beta_bar", "the same for d.t_bar"),
-    ("C, C_bar", "the terms of both Hessians without g and g_bar: G'A1 + A1'G + K,xi(d)"),
+    (
+        "C, C_bar",
+        "the terms of both Hessians without g and g_bar: G'A1 + A1'G + K,xi(d); not the index C of the closest point",
+    ),
+];
+
+/// The letters of the derivation, their spelling here, and their meaning.
+const LETTERS: [[&str; 3]; 19] = [
+    [
+        "x_C, x̄_C̄",
+        "x, x_bar",
+        "the index C, C̄ marks the closest point, where the parameter depends on the dofs",
+    ],
+    ["δ, Δ, Δδ", "d, D, Dd before a symbol", "variations; in code `delta`, `linear`, `second`"],
+    ["δᵤ, Δᵤ, Δᵤδᵤ", "du, Du, Ddu", "variations at a fixed parameter"],
+    ["X", "", "the point before the deformation: x = X + u; in code `reference`"],
+    ["û_C", "u_hat", "u_C - ū_C̄, the difference of the displacements"],
+    ["v", "v", "any vector; in (33) to (35) one that is not zero"],
+    ["R_δ, R̄_δ", "R, R_bar", "right-hand sides of the first order"],
+    ["R_Δδ, R̄_Δδ", "R2, R2_bar", "right-hand sides of the second order"],
+    ["r_d, r_t, r̄_t", "rest", "the parts of Δδd, Δδt and Δδt̄ without Δδξ and Δδξ̄"],
+    ["r, r̄", "grad R, grad R_bar", "the vectors with R_δ = r·δQ and R̄_δ = r̄·δQ; in italics the radii"],
+    ["P, P̄", "", "the matrices with R_Δδ = δQᵀ P ΔQ and R̄_Δδ = δQᵀ P̄ ΔQ"],
+    ["p, q, q̄", "", "entries of the inverse matrix [[p, q], [-q, q̄]] of the system (51)"],
+    [
+        "J_d, J_t, J_t̄",
+        "J_t in j",
+        "the derivatives of the vectors d, t and t̄ by all dofs, with the parameters moving",
+    ],
+    [
+        "S_x, S_x̄",
+        "S",
+        "S_x(v): the Hessian of v·x_C without its term with the Hessian of ξ; S is S_x(m) - S_x̄(m)",
+    ],
+    ["S_t, S_t̄", "", "S_t(v): the Hessian of v·t without its term with the Hessian of ξ"],
+    ["K_x, K_x,ξ", "K, K,xi", "second derivatives by the dofs at fixed parameters"],
+    ["Γ", "G11, G12, G22", "the inverse of the matrix of t·t, t·t̄ and t̄·t̄; in code `inverse_gram`"],
+    ["τ", "w", "the unit tangent t/|t|, in the module `derivation`"],
+    ["H (bold)", "", "the Hessian of the half squared distance in the two parameters"],
 ];
 
 /// Words in names of faults that are not symbols.
@@ -129,10 +185,7 @@ const CONTACT: [(&str, &str); 7] = [
         "the second beam of the pair; other codes call the two slave and master, or beam 1 and beam 2",
     ),
     ("centroid", "the curve of the cross-section centres; a beam is this curve with a radius"),
-    (
-        "slip",
-        "the tangential gap of friction, the length by which the contact has moved along a beam since it began",
-    ),
+    ("slip", "the tangential gap g_T of friction: t times the parameter increment since first contact"),
     (
         "frozen projection",
         "a tangent with fixed closest points: the motion of the closest points is left out",
@@ -150,7 +203,7 @@ const NOT_COMPARED: [(&str, &str); 5] = [
     ("crossing", "the centroids cross, d = 0 to rounding; the distance has no derivatives there"),
     (
         "unresolved",
-        "the search left regions open that may hold a closest point: the centroids are nearly parallel there",
+        "the search left regions open that may contain a closest point: the centroids are nearly parallel there",
     ),
     (
         "degenerate",
@@ -176,7 +229,7 @@ const TERMS: [(&str, &str); 17] = [
     ("fault", "a term or an operation that is made wrong on purpose"),
     ("gate", "`beamgap check`: closed form against automatic differentiation in `f64`"),
     ("golden file", "a file with the expected output of a test"),
-    ("hyper-dual number", "a number with two directions: it holds value, delta, Delta and Delta-delta"),
+    ("hyper-dual number", "a number with two directions: it contains value, delta, Delta and Delta-delta"),
     ("kernel", "the fast code for gradients and Hessians, in vector arithmetic"),
     ("lanes", "the numbers of one vector register: here four pairs are computed at once"),
     (

@@ -147,15 +147,15 @@ fn the_field_and_floating_point_agree_on_every_reading() {
 }
 
 #[test]
-fn operators_are_symmetric_as_corrected_and_some_by_orthogonality_only() {
+fn operators_are_symmetric_as_corrected_and_some_by_relations_only() {
     let holds: Vec<bool> = NOW.claims.iter().map(beamgap::equations::Claim::holds).collect();
     assert_eq!(holds, [true, true, false, true, false], "{:#?}", NOW.claims);
-    let by_orthogonality = numbers(|entry| {
+    let by_relations = numbers(|entry| {
         let symmetry =
             |part: &beamgap::equations::Part| part.corrected().and_then(beamgap::equations::Run::symmetry);
-        entry.parts.iter().any(|part| symmetry(part) == Some(Symmetry::ByOrthogonality))
+        entry.parts.iter().any(|part| symmetry(part) == Some(Symmetry::ByRelations))
     });
-    assert_eq!(by_orthogonality, [25, 29, 34, 38, 39, 40, 57]);
+    assert_eq!(by_relations, [25, 29, 34, 38, 39, 40, 57]);
 }
 
 #[test]

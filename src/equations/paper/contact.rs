@@ -36,7 +36,7 @@ pub(super) fn enter<T: Real>(p: &Point<T>, table: &mut Table<T>) {
         r"g_T = \lVert \mathbf{t} \rVert \int_{\xi_{C_0}}^{\xi_{C_0} + \mathrm{d}\xi} \mathrm{d}\xi
 = t \,\mathrm{d}\xi = t\,(\xi_C - \xi_{C_0})",
     )
-    .remark("Run against the slip that the program varies, which is this one; measured against the arc length of (12).")
+    .remark("As a definition it is compared with the slip that the program varies, which is this one. As an approximation it is compared with the arc length (12).")
     .part(Order::Value, "")
     .printed([s.slip.value], [t.value * slipped]);
 
@@ -74,7 +74,7 @@ pub(super) fn enter<T: Real>(p: &Point<T>, table: &mut Table<T>) {
             "terms to be computed",
             r"\delta g_N, \ \Delta \delta g_N, \ \delta g_T, \ \Delta \delta g_T",
         )
-        .remark("With δ for Δ and the bars exchanged they are all that (15) needs.");
+        .remark("Δg_N and Δg_T are δg_N and δg_T along the second direction. The terms of ḡ_T are those of g_T with the beams exchanged. So these four terms give all nine.");
 
     // (18)
     table
@@ -114,5 +114,5 @@ pub(super) fn enter<T: Real>(p: &Point<T>, table: &mut Table<T>) {
         r"\delta g_N \Rightarrow \delta d \quad \Delta \delta g_N \Rightarrow \Delta \delta d \quad
 \delta g_T \Rightarrow \delta t, \ \delta \xi_C \quad \Delta \delta g_T \Rightarrow \Delta \delta t, \ \Delta \delta \xi_C",
     )
-    .remark("By (21) the last one needs δt, Δt, δξ and Δξ too, which the one before it has.");
+    .remark("By (21) Δδg_T also needs δt, Δt, δξ and Δξ. The entry of δg_T lists δt and δξ, and Δt and Δξ are the same along the second direction. So no term is missing.");
 }

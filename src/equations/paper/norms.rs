@@ -271,8 +271,8 @@ fn tangent<T: Real>(p: &Point<T>, table: &mut Table<T>) {
 - \frac{1}{t^3}(\Delta\mathbf{t}\cdot\mathbf{t})(\mathbf{t}\cdot\delta\mathbf{t})",
     )
     .remark(
-        "Two misprints: a sign is missing between the bracket and Δt·δt, and the last term, the product of a vector and \
-         a number, lacks a t. Each has two readings. Each is also kept while the other is corrected.",
+        "Two misprints: a sign is missing between the bracket and Δt·δt, and the last term, a product of three vectors with \
+         two dots, is not defined: it lacks a t. Each has two readings. Each is also kept while the other is corrected.",
     )
     .part(Order::Second, "")
     .read("[..] times Δt·δt; Δt·t t·δt", left, [bracket / t * product - last])

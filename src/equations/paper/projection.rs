@@ -154,7 +154,7 @@ fn first<T: Real>(p: &Point<T>, table: &mut Table<T>) {
 \delta\bar\xi = \frac{-b R_\delta + a\bar R_\delta}{D}",
     )
     .remark(
-        "D = aā + b², not 0 where the closest points depend smoothly on the dofs, and negative at a strict minimum.",
+        "D = aā + b². Where D is not 0, the closest points depend smoothly on the dofs. D is negative at a nondegenerate minimum, where the Hessian of the half squared distance is positive definite.",
     )
     .part(Order::First, "")
     .printed([xi.delta, xi_bar.delta], system.solve(first_sides(p)));
@@ -168,7 +168,7 @@ fn second_rows<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     // (53): Δδd·t + d·Δδt = −(δd·Δt + Δd·δt), barred likewise
     table.state(
         53,
-        "orthogonality varied twice, by parts",
+        "orthogonality varied twice, term by term",
         r"\begin{cases}\Delta\delta(\mathbf{d}\cdot\mathbf{t}) = 0 \\ \Delta\delta(\mathbf{d}\cdot\bar{\mathbf{t}}) = 0\end{cases}
 \Rightarrow \begin{cases}\Delta\delta\mathbf{d}\cdot\mathbf{t} + \mathbf{d}\cdot\Delta\delta\mathbf{t}
 = -\left(\delta\mathbf{d}\cdot\Delta\mathbf{t} + \Delta\mathbf{d}\cdot\delta\mathbf{t}\right) \\

@@ -28,7 +28,7 @@ pub(super) fn enter<T: Real>(p: &Point<T>, table: &mut Table<T>) {
         "minimal distance",
         r"d = \min \lVert \mathbf{x}(\xi) - \bar{\mathbf{x}}(\bar\xi) \rVert",
     )
-    .remark("Run as stationarity, which is what the paper uses of it; all that follows needs a strict minimum inside.")
+    .remark("Evaluated as stationarity, which is what the paper uses of it. All that follows needs a nondegenerate minimum inside both beams.")
     .part(Order::Value, "")
     .printed([p.orthogonality(s).value, -p.orthogonality(r).value], [zero, zero]);
 

@@ -26,7 +26,7 @@ fn coordinates<T: Real>(p: &Point<T>, table: &mut Table<T>) {
     table
         .state(
             23,
-            "variation of x_C, by parts",
+            "variation of x_C, term by term",
             r"\delta\mathbf{x}_C = \delta\mathbf{X}_C(\xi) + \delta\mathbf{u}_C(\xi, \mathbf{u})",
         )
         .part(Order::First, "")
@@ -158,7 +158,7 @@ fn tangents<T: Real>(p: &Point<T>, table: &mut Table<T>) {
 + \mathbf{x}_{C,\xi\xi}\Delta\delta\xi + \delta\xi\,\Delta_u\mathbf{u}_{C,\xi\xi} + \delta_u\mathbf{u}_{C,\xi\xi}\Delta\xi
 + \Delta_u\delta_u\mathbf{u}_{C,\xi}",
     )
-    .part(Order::Second, "first =")
+    .part(Order::Second, "first equality")
     .printed(
         s.t.second,
         big.t_xixi * squared(s)
@@ -169,7 +169,7 @@ fn tangents<T: Real>(p: &Point<T>, table: &mut Table<T>) {
             + delta_u[2] * xi.linear
             + second_u[1],
     )
-    .part(Order::Second, "last =")
+    .part(Order::Second, "last equality")
     .printed(s.t.second, kept)
     .complete("with Δᵤδᵤu_C,ξ", s.t.second, kept + second_u[1]);
 }

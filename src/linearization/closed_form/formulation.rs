@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 /// From this gap on, in lengths of a tangent, (40) loses no more digits than the normal at a small angle.
 const FAR: f64 = 1.0 / 2.0;
-/// From this k/sin θ on, (40) loses no more digits than the normal at a small angle.
+/// From this ρ/sin θ on, (40) loses no more digits than the normal at a small angle.
 const CURVED: f64 = 1.0 / 8.0;
 /// From this squared sine of the angle on, (52) loses almost no digits.
 const WIDE: f64 = 1.0 / 16.0;
@@ -70,7 +70,7 @@ impl Formulation {
 
     /// The formulas that lose the fewest digits at a point, up to a small factor.
     ///
-    /// Cross products are used if sin θ < 1/4. The normal is used if sin θ < 1/4, k < sin θ/8 and d < t/2 for both
+    /// Cross products are used if sin θ < 1/4. The normal is used if sin θ < 1/4, ρ < sin θ/8 and d < t/2 for both
     /// beams, or if sin θ >= 1/4 and abs(t,ξ)² d⁴ < t⁴ (t² + d²) for both. Otherwise the length is used.
     ///
     /// The choice depends on ratios of lengths alone. Near its limits both formulations agree within what either loses.

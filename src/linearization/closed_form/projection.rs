@@ -107,7 +107,7 @@ impl<T: Real> Projection<T> {
         Self { a, b, a_bar, held: form.held, cross_products }
     }
 
-    /// D = a a_bar + b^2, negative at a strict minimum.
+    /// D = a a_bar + b^2, negative at a nondegenerate minimum (positive definite Hessian of d^2/2).
     #[inline]
     #[doc(alias = "Eq. (52)")]
     pub fn det(&self) -> T {

@@ -3,7 +3,7 @@
 use super::letters::used;
 use super::source::{Snippet, of_equation};
 use super::text::{escaped, formula, inline, prose};
-use crate::equations::{EquationRow, Order, Reading, Verdict, Worked, WorkedPart, WorkedReading};
+use crate::equations::{EquationRow, Order, Reading, Symmetry, Verdict, Worked, WorkedPart, WorkedReading};
 use crate::report::number::count;
 use std::fmt::Write;
 
@@ -188,23 +188,45 @@ fn evidence(row: &EquationRow) -> Result<String, String> {
         ));
     }
     let equal = row.as_corrected.linear.equal + row.as_corrected.nonlinear.equal;
-    let what = if row.verdict == Verdict::Misprint || row.verdict == Verdict::ExactIfLinear {
-        "As corrected and completed, the equation"
-    } else {
-        "The equation"
+    let is_completed =
+        row.parts.iter().flat_map(|part| &part.runs).any(|run| run.reading == Reading::Complete);
+    let what = match (row.verdict, is_completed) {
+        (Verdict::ExactIfLinear, _) => "As completed, both sides",
+        (Verdict::Misprint, true) => "As corrected and completed, both sides",
+        (Verdict::Misprint, false) => "As corrected, both sides",
+        (Verdict::Approximation, _) => "As a definition, both sides",
+        _ => "Both sides",
     };
     let symmetric = row.parts.iter().filter_map(|part| part.corrected()?.symmetry()).next_back();
     let symmetry = symmetric.map_or_else(String::new, |symmetry| {
-        format!(" With $\\delta$ and $\\Delta$ exchanged it is symmetric {}.", symmetry.words())
+        let (is, why) = match symmetry {
+            Symmetry::ByForm => ("symmetric", " by its form"),
+            Symmetry::ByRelations => ("symmetric", " by relations between its operands"),
+            Symmetry::Not => ("not symmetric", ""),
+        };
+        format!(" The formula is {is} in $\\delta$ and $\\Delta${why}.")
     });
     Ok(format!(
-        "<p class=\"evidence\">Verdict: {}. {what} is equal to hyper-dual numbers in {} of {} draws over a prime field, where \
-         nothing is rounded.{}</p>\n",
+        "<p class=\"evidence\">Verdict: {}. {what}, one of them by hyper-dual numbers, are equal in {} of {} draws over a prime \
+         field, where nothing is rounded.{}{}</p>\n",
         row.verdict.words(),
         count(equal),
         count(total),
-        inline(&symmetry)?
+        inline(&symmetry)?,
+        inline(&approximated(row))?,
     ))
+}
+
+/// The difference of a slip from the arc length, if the equation approximates it.
+fn approximated(row: &EquationRow) -> String {
+    let worst = row.arcs.iter().max_by(|one, other| one.error.total_cmp(&other.error));
+    worst.map_or_else(String::new, |arc| {
+        format!(
+            " From the arc length (12) it differs by up to {:.1} % for $\\xi_C-\\xi_{{C_0}}={}$, over all families of curves.",
+            100.0 * arc.error,
+            arc.slip
+        )
+    })
 }
 
 /// The printed equation, and the numbers that refute it.

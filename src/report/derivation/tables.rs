@@ -12,6 +12,7 @@ impl Derivation {
     pub(super) fn table(&self, name: &str) -> Result<String, String> {
         match name {
             "symbols" => symbols::table(),
+            "letters" => symbols::others(),
             "newton" => Ok(self.newton_table()),
             "by-hand" => self.by_hand_table(),
             _ => Err(format!("no table is called {name:?}")),
