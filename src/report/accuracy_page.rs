@@ -16,10 +16,10 @@ impl Accuracy {
             )
         };
         let conclusion = format!(
-            "**At a distance d of 1e-6 beam lengths the median relative error of Delta-delta d, the second variation of the distance, \
-             is {}. At an angle of 1e-5 rad between straight beams the median relative error of Delta-delta xi, the second \
-             variation of the parameter, is {}.** At each closest point the library chooses between two formulations that are equal in exact arithmetic. In \
-             every row of the tables below the median error of its choice is at most {} times the smaller of the two medians.",
+            "**At a distance d of 1e-6 beam lengths the median relative error of Delta-delta d, the second variation of the \
+             distance, is {}. At an angle of 1e-5 rad between straight beams the median relative error of Delta-delta xi, the \
+             second variation of the parameter, is {}.** At each closest point the library chooses between two formulations that \
+             are equal in exact arithmetic. In every row of the tables below the median error of its choice is at most {} times the smaller of the two medians.",
             at(&self.found.gaps, 1e-6, |row| row.d),
             at(&self.found.angles, 1e-5, |row| row.xi),
             plain(self.found.worst_choice()),
