@@ -106,9 +106,9 @@ impl Explain {
         }
         let holds = record.programs.iter().all(report::ExplainProgram::holds);
         let words = if holds {
-            "EXPLAINED: each detectable single fault is named, and no wrong fault is named."
+            "EXPLAINED: each detectable single fault is named, and no program has only other faults named."
         } else {
-            "NOT EXPLAINED: a single fault is not named, or a wrong fault is named."
+            "NOT EXPLAINED: a single fault is not named, or a program has only other faults named."
         };
         to_stdout(&(text + words + "\n"))?;
         Ok(if holds { Exit::Agree } else { Exit::Untrusted })

@@ -46,7 +46,8 @@ impl Rule {
             }
             Self::SciPy => "forward differences, step 1.5e-8, within 1e-6 (scipy check_grad)",
             Self::Taylor => {
-                "the rate of the remainder, steps 0.01 to 0.00125, 1.9 and 2.9 (pyadjoint taylor_test)"
+                "the convergence rate of the Taylor remainder must exceed 1.9 (first order) and 2.9 (second order), at \
+                 steps 0.01 to 0.00125 (pyadjoint taylor_test)"
             }
         }
     }

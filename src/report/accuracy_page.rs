@@ -16,10 +16,10 @@ impl Accuracy {
             )
         };
         let conclusion = format!(
-            "**At a distance d of 1e-6 beam lengths the median relative error of Delta-delta d, the second variation of the distance, \
-             is {}. At an angle of 1e-5 between straight beams that of Delta-delta xi, the second variation of the parameter, \
-             is {}.** At each closest point the library chooses between two formulations that are equal in exact arithmetic. In \
-             every row of the tables below the median error of its choice is at most {} times the smaller of the two medians.",
+            "**At a distance d of 1e-6 beam lengths the median relative error of Delta-delta d, the second variation of the \
+             distance, is {}. At an angle of 1e-5 rad between straight beams the median relative error of Delta-delta xi, the \
+             second variation of the parameter, is {}.** At each closest point the library chooses between two formulations that \
+             are equal in exact arithmetic. In every row of the tables below the median error of its choice is at most {} times the smaller of the two medians.",
             at(&self.found.gaps, 1e-6, |row| row.d),
             at(&self.found.angles, 1e-5, |row| row.xi),
             plain(self.found.worst_choice()),
@@ -53,16 +53,17 @@ impl Accuracy {
         let blocks = vec![
             Block::text(&conclusion),
             formulations,
+            Block::text(
+                "In the tables below *d* is the error of Delta-delta d, and *xi* is the error of Delta-delta xi. *Chosen* is the \
+                 formulation that the library chooses. The last two columns count the pairs for which it chooses the robust \
+                 formulation.",
+            ),
             Block::heading("Over the distance"),
             picture("accuracy-gap.svg", distances, self.gap_to_svg()),
             Block::details("The numbers of this figure", vec![table("d/L", &self.found.gaps)]),
             Block::heading("Over the angle"),
             picture("accuracy-angle.svg", angles, self.angle_to_svg()),
-            Block::details("The numbers of this figure", vec![table("angle", &self.found.angles)]),
-            Block::text(
-                "The columns *robust for d* and *robust for xi* count the pairs for which the library chose the robust \
-                 formulation. The errors are those of Delta-delta d and Delta-delta xi.",
-            ),
+            Block::details("The numbers of this figure", vec![table("angle in rad", &self.found.angles)]),
             Block::heading("What the numbers do not say"),
             Block::list(&[
                 "The curvature of nearly parallel curved beams is known to rounding only. All formulations lose the digits that \
@@ -87,14 +88,14 @@ fn table(at: &str, rows: &[Level]) -> Block {
     let head = [
         at,
         "#d: paper",
-        "#robust",
-        "#chosen",
+        "#d: robust",
+        "#d: chosen",
         "#xi: paper",
-        "#robust",
-        "#chosen",
+        "#xi: robust",
+        "#xi: chosen",
         "#pairs",
-        "#robust for d",
-        "#robust for xi",
+        "#robust chosen for d",
+        "#robust chosen for xi",
     ];
     let row = |row: &Level| {
         let Level { at, pairs, normal, cross_products, d, xi } = row;

@@ -63,8 +63,9 @@ impl Benchmark {
                 "Two threads against one, on {} cores. Each row was measured with both in interleaved rounds; its times are \
                  those of these rounds. The column \
                  *multiply-adds alone* is the speed-up of two threads that only multiply and add in registers, which is the \
-                 speed-up of the machine.",
-                self.environment.cores
+                 speed-up of the machine. In single rounds it is {}.",
+                self.environment.cores,
+                self.speed_ups_of_arithmetic()
             )),
             Block::table(&heads, two.collect()),
             Block::list(&[
@@ -116,4 +117,4 @@ impl Benchmark {
     }
 }
 
-const ROOFLINE: &str = "Points below the line, each with its layout and its time over the roofline bound.";
+const ROOFLINE: &str = "Points below the line, each with its layout and its time over the roofline bound. All: all but the slips.";

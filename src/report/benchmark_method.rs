@@ -25,16 +25,16 @@ impl Benchmark {
                 ),
                 format!(
                     "A ratio is the time of the method over the time of the **{CLOSED_FORM}** of the same task and beams: the \
-                     median over rounds in each of which both ran, one after the other, with its 95 % interval. Where that \
-                     holds 1 the table says so. A machine that changes its speed changes the times and not the ratios, so \
-                     these are not always the quotients of the times in their tables."
+                     median over rounds in each of which both ran, one after the other, with its 95 % interval. If the interval \
+                     contains 1, the table says that there is no difference. A machine that changes its speed changes the times \
+                     and not the ratios, so these are not always the quotients of the times in their tables."
                 ),
                 "The error is the largest distance from the closed form in double-double, relative to the largest number of that \
                  value, gradient or Hessian. What is allowed for each number is the sum of the running error bounds of both \
                  linearizations; for differences also what they change by when their steps are doubled. A scenario that \
                  exceeds it anywhere is not timed."
                     .to_owned(),
-                "The chord methods take one step for d alone, which is enough there, and two for all quantities. By orders: the \
+                "The chord methods take one step for d alone, which is enough there, and two for all but the slips. By orders: the \
                  first derivatives of xi and xi_bar are computed once for each dof, the second derivatives by the implicit function \
                  theorem. Rows of hyper-duals: one evaluation has one dof as its first direction and eight dofs as its second."
                     .to_owned(),

@@ -1,7 +1,7 @@
 //! The benchmarks as a page, from the record alone.
 
 use super::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
-use super::methods::GIVEN;
+use super::methods::{GIVEN, LAYOUTS, method_name};
 use super::number::{count, error, number, plain, time};
 use super::page::{Block, Page};
 use super::{Instructions, Task};
@@ -67,10 +67,9 @@ impl Benchmark {
             format!(" In the run with other programs, on {} pairs: {}.", count(peers.pairs), times.join(", "))
         });
         format!(
-            "The closed form for d, 24 dofs, has several times, since layouts and pairs differ. One pair, the same each time: {} in \
-             blocks, {} in full, {} packed. Many pairs, one by one, in blocks: {}. In interleaved rounds each time is that of these \
-             rounds.{} *In blocks*: the three blocks of the Hessian of beam, bar beam and both. *In full*: the whole matrix. *Packed*: the \
-             entries on and above the diagonal.",
+            "The closed form for d, 24 dofs, has several times, since layouts and pairs differ. One pair, the same each time: {} \
+             blocks, {} full, {} packed. Many pairs, one by one: {} blocks. In interleaved rounds each time is that of these \
+             rounds.{} {LAYOUTS} Where no layout is named, it is blocks.",
             find(Task::Distance, CLOSED_FORM),
             find(Task::Distance, "closed form, in full"),
             find(Task::Distance, "closed form, packed"),
@@ -86,7 +85,7 @@ impl Benchmark {
             let [own, of_closed_form] =
                 measured.times_of_rounds().map_or_else(Default::default, |of| of.map(time));
             vec![
-                measured.method.clone(),
+                method_name(&measured.task, &measured.method),
                 time(measured.median),
                 format!("{low} to {high}"),
                 own,
@@ -131,11 +130,12 @@ impl Benchmark {
                 let cells = methods.iter().map(|method| find(method, family));
                 std::iter::once(name(family)).chain(cells).collect()
             };
-            (methods.iter().map(ToString::to_string).collect(), families.iter().map(row).collect())
+            let names = methods.iter().map(|method| method_name(task.name(), method));
+            (names.collect(), families.iter().map(row).collect())
         } else {
             let row = |method: &&str| {
                 let cells = families.iter().map(|&family| find(method, family));
-                std::iter::once((*method).to_owned()).chain(cells).collect()
+                std::iter::once(method_name(task.name(), method)).chain(cells).collect()
             };
             (families.iter().map(|&family| name(family)).collect(), methods.iter().map(row).collect())
         };
@@ -172,7 +172,7 @@ impl Benchmark {
             "#search for all closest points",
             "#Newton's method from 0.05 away",
             "#closed form, d",
-            "#closed form, all",
+            "#closed form, all but the slips",
         ];
         vec![
             Block::heading("Finding the closest point"),
@@ -200,7 +200,7 @@ impl Benchmark {
                 ]
             })
         });
-        let head = ["task", "family", "#dofs", "#median", "#an entry of a Hessian", VERDICT];
+        let head = ["task", "family", "#dofs", "#median", "#time per Hessian entry", VERDICT];
         let rows = Block::table(&head, rows.collect());
         let picture = picture("benchmark-sizes.svg", SIZES, self.sizes_to_svg());
         let text = format!(
@@ -222,7 +222,8 @@ const METHODS: &str = "The median time of a pair of cubic Hermite beams, one cor
                        in a gradient or Hessian, relative to its largest entry, against double-double.";
 const TRADE: &str =
     "d, xi, xi_bar, t and t_bar with gradients and Hessians. Lower is more accurate; left is faster.";
-const SIZES: &str = "Gradients and Hessians in all dofs of two Lagrange or cubic B-spline beams.";
+const SIZES: &str =
+    "Gradients and Hessians in all dofs of two Lagrange or cubic B-spline beams. All: all but the slips.";
 
 /// The head of a column of verdicts.
 pub(super) const VERDICT: &str = "#error / tolerance";
@@ -237,7 +238,10 @@ pub(super) fn picture(file: &str, caption: &str, svg: Option<String>) -> Option<
 }
 
 fn instructions(of: &Instructions) -> Block {
-    let rows = of.rows.iter().map(|row| vec![row.scenario.clone(), count(row.instructions)]);
+    let rows = of.rows.iter().map(|row| {
+        let task = row.scenario.split('/').next().unwrap_or_default();
+        vec![method_name(task, &row.scenario), count(row.instructions)]
+    });
     let text =
         format!("Counted by callgrind, for one run each: {}, {}. `{}`", of.rustc, of.target, of.command);
     let table = Block::table(&["scenario", "#instructions"], rows.collect());

@@ -1,7 +1,7 @@
 //! The overestimation of the tolerances as a page, from the record alone.
 
 use super::bounds::Bounds;
-use super::number::{count, error, finite, plain};
+use super::number::{count, error, finite, two_digits};
 use super::page::{Block, Page};
 use crate::check::{Measured, Points, Regime, Side, Violation};
 
@@ -33,7 +33,7 @@ impl Bounds {
             Block::heading("Overestimation factor"),
             Block::text(
                 "The overestimation factor is the bound over the true error. If the bound holds, the factor is at least 1. The check does \
-                 not detect a fault that is smaller than this factor times the error. The true error is the difference from the closed form in double-double \
+                 not detect a fault that is smaller than the tolerance, which is the sum of both bounds. The true error is the difference from the closed form in double-double \
                  numbers, at the closest point refined there. *First*: delta and Delta, the first variations; *second*: \
                  Delta-delta. The scale of a number is the sum of the absolute values of its terms. 5 % \
                  and 95 % are quantiles; max is the maximum.",
@@ -56,7 +56,7 @@ impl Bounds {
         blocks.extend([
             Block::heading("How it was made"),
             Block::text(
-                "Quantiles have an error of at most 1.2 %. All numbers are in `bounds.json`, from which alone this page is made. \
+                "Quantiles have an error of at most 1.2 % before they are rounded to two digits. All numbers are in `bounds.json`, from which alone this page is made. \
                  [Symbols and regimes](symbols.md).",
             ),
             self.environment.table(vec![("seed", seed), ("cases of each regime", cases)]),
@@ -105,7 +105,7 @@ impl Bounds {
 }
 
 fn table(names: [&str; 2], rows: &[([&str; 2], &Measured)]) -> Block {
-    let ratio = |x: f64| if x < 1e5 { plain(x) } else { error(finite(x)) };
+    let ratio = |x: f64| if x < 1e5 { two_digits(x) } else { error(finite(x)) };
     let row = |(names, measured): &([&str; 2], &Measured)| {
         let none = || "none".to_owned();
         let factors = measured.overestimation.map(|of| [of.low, of.median, of.high, of.max].map(ratio));

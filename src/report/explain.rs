@@ -99,8 +99,8 @@ impl ExplainProgram {
         self.counts.iter().filter(|count| count.naming == naming.name()).map(|count| count.programs).sum()
     }
 
-    /// Whether no wrong fault is named, and each detected single fault is named, alone or with those that the answers
-    /// do not distinguish from it. For two faults the explanation may name none: it then says that it knows none.
+    /// Whether each program has one of its faults named, and each detected single fault is named, alone or with those that
+    /// the answers do not distinguish from it. For two faults the explanation may name none: it then says that it knows none.
     pub fn holds(&self) -> bool {
         let unnamed = if self.faults == 1 { self.count(Naming::None) } else { 0 };
         self.count(Naming::Other) + unnamed == 0

@@ -20,6 +20,13 @@ impl Explain {
                  belong to the same formula. The faulty program answers 24 cases. Its answers are written as text, read again and \
                  explained.",
             )),
+            Block::list(&[
+                "If several explanations are named, each of them alone explains the answers.",
+                "A deviation is the largest difference of a number from its prediction, over the scale of the number. *Before*: \
+                 the prediction of the closed form. *After*: that of the closed form with the faults that are named first.",
+                "An explanation leaves a deviation within the rounding of the answers, or at most a thousandth of the deviation \
+                 before. A second fault that changes the answers by less is not searched for.",
+            ]),
         ];
         blocks.extend(self.programs.iter().flat_map(ExplainProgram::blocks));
         blocks.extend([
@@ -42,9 +49,9 @@ impl Explain {
         let together = [Naming::Equivalent, Naming::Among];
         let wrong: u64 = [1, 2].map(|faults| count_of(faults, &[Naming::Other])).iter().sum();
         let wrong = if wrong == 0 {
-            "No explanation names a wrong fault.".to_owned()
+            "No program has only other faults named.".to_owned()
         } else {
-            format!("{} explanations name a wrong fault.", count(wrong))
+            format!("{} programs have only other faults named.", count(wrong))
         };
         let of_two = if two == 0 {
             String::new()
@@ -103,7 +110,7 @@ impl ExplainProgram {
         let others = self.others.iter().filter(|other| listed.contains(&other.naming.as_str()));
         let rows: Vec<_> = others.map(row).collect();
         if !rows.is_empty() {
-            let head = ["faults", "explanation", "named", "#before", "#after"];
+            let head = ["faults", "explanation", "named", "#deviation before", "#deviation after"];
             blocks.push(Block::details(
                 "The programs whose faults are not named alone",
                 vec![Block::table(&head, rows)],
@@ -119,9 +126,9 @@ fn words(naming: Naming) -> &'static str {
         Naming::Equivalent => {
             "equivalent: they are named with faults that have the same results for all beams"
         }
-        Naming::Among => "among: they are named with faults that these answers cannot tell from them",
-        Naming::Fewer => "fewer: one fault alone is named, which these answers cannot tell from the two",
-        Naming::Other => "other: another fault is named",
+        Naming::Among => "among: they are named with other faults that explain these answers as well",
+        Naming::Fewer => "fewer: one of two faults is named; the deviation *after* remains",
+        Naming::Other => "other: only other faults are named",
         Naming::None => "none: nothing is named",
         Naming::Undetected => "undetected: the faults change none of these answers",
     }

@@ -23,8 +23,8 @@ impl Faults {
         let names = format!(
             "*gate* is `beamgap check`, and *exact* is `beamgap prove`. *torch*, *jax*, *scipy* and *taylor* are finite differences \
              by the rules of common tools. {} of the {} faults are in variations. The other checks compare variations only, so only \
-             these faults are injected for them. A check has its row for the regime in which it detects the most faults, and of \
-             these for the one in which it rejects the fewest points of the unmodified form.",
+             these faults are injected for them. Each row shows the regime with the most detected faults. If several have as many, it \
+             shows the one with the fewest rejected points.",
             count(of_variations as u64),
             count(self.terms.faults() as u64)
         );
@@ -89,7 +89,8 @@ impl Faults {
         ];
         vec![
             Block::list(&[
-                "Points rejected: points at which the check rejects the unmodified closed form. Detected faults are not counted there.",
+                "Points rejected: points at which the check rejects the unmodified closed form. At rejected points no fault counts as \
+                 detected. The exact check has one set of points, which counts as one point.",
                 "False positives: equivalent formulas that the check rejects at some point. The points at which it rejects the \
                  unmodified form count. A check that rejects the unmodified form at one point therefore rejects all of them.",
                 "The exact check and the gate compare matrices too. No fault of the matrices is injected for the other checks.",
@@ -167,7 +168,7 @@ impl Faults {
                     Block::text(
                         "The operations are spread evenly over the code and the points of each regime. Their results are multiplied by \
                      -1, 0 and 2. A fault is detected if a number exceeds its tolerance. A fault that is not detected changes all \
-                     numbers by less than rounding does.",
+                     numbers by less than their tolerance.",
                     ),
                     sampled,
                 ],
@@ -190,7 +191,7 @@ impl Faults {
         vec![
             Block::heading("Detection limits of the check"),
             Block::text(
-                "The smallest relative error of a term that the check detects, at the point where it is smallest. \
+                "A detection limit is the smallest relative error of a term that the check detects, at the most sensitive point. \
                  [Symbols](symbols.md) explains the names of terms.",
             ),
             Block::table(&head, rows.collect()),

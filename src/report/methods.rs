@@ -1,5 +1,6 @@
 //! The methods of differentiation in plain words. Each is named after its input.
 
+use super::Task;
 use super::peers::{Peer, Peers};
 
 /// The kind of a method.
@@ -136,7 +137,7 @@ pub(super) const GIVEN: [&str; 6] = [
     "**Implicit function theorem**: the conditions d.t = 0 and d.t_bar = 0 are differentiated once and twice, and solved for \
      the derivatives of xi and xi_bar.",
     "**Chord steps**: the program differentiates Newton's method with a fixed matrix, started at the closest point: one step \
-     for d, two steps for all quantities.",
+     for d, two steps for the other quantities.",
     "**implicit_derivative_sp**, **implicit_derivative_binary**: functions of num-dual that differentiate the \
      closest point themselves, from d^2 or from both conditions.",
     "**Closed form**: the equations of the paper, completed to gradients and Hessians.",
@@ -157,7 +158,27 @@ pub(super) fn reader_name(record: &str) -> String {
     )
 }
 
-/// One method with its rows for d and for all quantities. Of several layouts, the rows of the full matrices are used.
+/// The name of a method of this crate on the pages. Records keep their names, so that counts remain comparable.
+pub(super) fn method_name(task: &str, method: &str) -> String {
+    // The record has the name of the method that `linearize` used before the kernel.
+    let method = if task == Task::WithSlips.name() {
+        method.replace("term by term", "linearize")
+    } else {
+        method.to_owned()
+    };
+    method.replace("in full", "full")
+}
+
+/// The name of a layout on the pages.
+pub(super) fn layout_name(record: &str) -> String {
+    record.replace("upper", "blocks").replace("half", "packed")
+}
+
+/// The layouts of a Hessian.
+pub(super) const LAYOUTS: &str = "*Blocks*: the three blocks of the Hessian on and above the diagonal, of beam, bar beam and \
+                                  both. *Full*: the whole matrix. *Packed*: the entries on and above the diagonal.";
+
+/// One method with its rows for d and for all but the slips. Of several layouts, the rows of the full matrices are used.
 pub(super) struct Timed<'a> {
     pub(super) method: &'static Method,
     pub(super) tasks: [Option<&'a Peer>; 2],

@@ -24,6 +24,16 @@ pub(super) fn plain(x: f64) -> String {
     if decimals > 0 { text } else { thousands(&text) }
 }
 
+/// Two significant digits, with separated thousands: 0.12, 1.2, 12, 120, 1,200.
+pub(super) fn two_digits(x: f64) -> String {
+    let x = rounded(x, 2);
+    match x.abs() {
+        size if size < 1.0 => format!("{x:.2}"),
+        size if size < 10.0 => format!("{x:.1}"),
+        _ => thousands(&format!("{x:.0}")),
+    }
+}
+
 /// A count with separated thousands.
 pub(super) fn count(n: u64) -> String {
     thousands(&n.to_string())

@@ -34,7 +34,7 @@ pub(super) enum Block {
     },
     /// A formula in LaTeX.
     Formula(String),
-    /// A picture. Markdown refers to it and HTML contains it.
+    /// A picture with its caption below. Markdown refers to it and HTML contains it.
     Picture {
         /// The name of its file.
         file: String,

@@ -1,7 +1,7 @@
 //! The times of other programs for the same work, `beamgap-peers/2`, as written by the script that runs them.
 
 use super::Record;
-use super::methods::reader_name;
+use super::methods::{LAYOUTS, layout_name, reader_name};
 use super::number::{count, error, plain, time};
 use super::page::Block;
 use serde::{Deserialize, Serialize};
@@ -98,34 +98,43 @@ impl Record for Peers {
 
 /// The crate's own method that is compared with other programs.
 const OURS: &str = "beamgap, blocks";
+/// The end of the names of methods that take four pairs at once.
+const IN_LANES: &str = "four pairs in lanes";
 /// The tasks, and the quantities that they compute.
 const TASKS: [(&str, &str); 2] = [("A", "d"), ("B", "d, xi, xi_bar, t, t_bar")];
 
 impl Peers {
     /// The ratio of a program's time, by its fastest method, to that of the closed form. Both write whole matrices.
     pub(super) fn over_ours(&self, program: &str, task: &str) -> Option<f64> {
-        let fastest = |program: &str| {
-            let rows = self
-                .rows
-                .iter()
-                .filter(|row| row.method.starts_with(program) && row.task == task && row.layout == "full");
-            rows.map(|row| row.ratio).min_by(f64::total_cmp)
-        };
-        Some(fastest(program)? / fastest(OURS)?)
+        let is_full = |row: &Peer, program: &str| row.method.starts_with(program) && row.layout == "full";
+        let full = |program: &str| self.fastest(task, |row| is_full(row, program));
+        Some(full(program)? / full(OURS)?)
+    }
+
+    /// The same for a program that takes four pairs at once, over the time of the closed form for one pair.
+    pub(super) fn lanes_over_ours(&self, program: &str, task: &str) -> Option<f64> {
+        let is_in_lanes = |row: &Peer| row.method.starts_with(program) && row.method.ends_with(IN_LANES);
+        let ours = self.fastest(task, |row| row.method == OURS && row.layout == "full");
+        Some(self.fastest(task, is_in_lanes)? / ours?)
+    }
+
+    /// The smallest ratio to the reference.
+    fn fastest(&self, task: &str, is_it: impl Fn(&Peer) -> bool) -> Option<f64> {
+        let rows = self.rows.iter().filter(|row| row.task == task && is_it(row));
+        rows.map(|row| row.ratio).min_by(f64::total_cmp)
     }
 
     /// The time of a pair by the closed form, for each layout in which one pair is computed after the other.
-    pub(super) fn times_of_ours(&self, task: &str) -> Vec<(&str, f64)> {
+    pub(super) fn times_of_ours(&self, task: &str) -> Vec<(String, f64)> {
         let rows = self.rows.iter().filter(|row| row.method == OURS && row.task == task);
-        rows.map(|row| (row.layout.as_str(), row.ns_median)).collect()
+        rows.map(|row| (layout_name(&row.layout), row.ns_median)).collect()
     }
 
     /// The blocks of the page about the peers, collapsed.
     pub(super) fn blocks(&self) -> Vec<Block> {
         let mut blocks = vec![Block::text(&format!(
-            "Other programs compute the same {} pairs of Hermite beams, on one machine in one run of {} rounds: {}. Layouts: *full* is \
-             the whole Hessian, *upper* its blocks on and above the diagonal, *half* its entries on and above the diagonal; \
-             *four lanes* are four pairs at once, in the lanes of a vector.",
+            "Other programs compute the same {} pairs of Hermite beams, on one machine in one run of {} rounds: {}. {LAYOUTS} \
+             *Four lanes*: four pairs at once, in the lanes of a vector.",
             count(self.pairs),
             count(self.rounds),
             self.what
@@ -166,7 +175,7 @@ impl Peers {
         let row = |of: [&str; 3]| {
             let [method, layout, task] = of;
             let task = TASKS.into_iter().find(|&(letter, _)| letter == task).map_or(task, |(_, name)| name);
-            let names = [reader_name(method), layout.to_owned(), task.to_owned()].into_iter();
+            let names = [reader_name(method), layout_name(layout), task.to_owned()].into_iter();
             names.chain(gaps.iter().map(|&gap| cell(of, gap))).collect()
         };
         let rows = methods.into_iter().map(row).collect();
@@ -207,21 +216,21 @@ impl AtGap {
     }
 }
 
-/// A note with the letters of the tasks replaced by their names.
+/// A text with the letters of the tasks replaced by their names.
 fn in_words(note: &str) -> String {
-    note.replace("A one chord step, B two", "one chord step for d, two for all")
+    note.replace("A one chord step, B two", "one chord step for d, two for the other quantities")
         .replace("B: with", "all: with")
 }
 
 impl Peer {
     fn cells(&self) -> Vec<String> {
         let Self { method, version, how, layout, ns_median, ns_low, ns_high, ratio, note, .. } = self;
-        let note = in_words(note);
-        let note = if note.is_empty() { how.clone() } else { format!("{how}; {note}") };
+        let [how, note] = [how, note].map(|text| in_words(text));
+        let note = if note.is_empty() { how } else { format!("{how}; {note}") };
         vec![
             reader_name(method),
             version.clone(),
-            layout.clone(),
+            layout_name(layout),
             time(*ns_median),
             format!("{} to {}", time(*ns_low), time(*ns_high)),
             plain(*ratio),
@@ -273,7 +282,7 @@ mod tests {
         assert_eq!(names, ["method", "layout", "task", "1e-4", "0.02", "mixture"]);
         assert!(head.iter().skip(3).all(|&(_, is_number)| is_number));
         assert_eq!(rows[0], ["blocks", "full", "d", "1.25", "1.50", "2.00"]);
-        assert_eq!(rows[1], ["blocks", "upper", "d", "0.750", "", "0.500"]);
+        assert_eq!(rows[1], ["blocks", "blocks", "d", "0.750", "", "0.500"]);
         assert_eq!(rows.len(), 2);
     }
 

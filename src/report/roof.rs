@@ -1,6 +1,7 @@
 //! The closed forms of the standard pair, compared with the peak rates of their machine.
 
 use super::benchmark::{Benchmark, Measured};
+use super::methods::method_name;
 use super::number::number;
 use super::{Task, spread};
 
@@ -25,7 +26,8 @@ impl Below<'_> {
             Task::Distance | Task::DistanceOfMany => Task::Distance,
             _ => Task::All,
         };
-        format!("{}, {}", task.name(), self.measured.method.split(", ").nth(1).unwrap_or("in blocks"))
+        let method = method_name(task.name(), &self.measured.method);
+        format!("{}, {}", task.name(), method.split(", ").nth(1).unwrap_or("blocks"))
     }
 
     /// Multiply-adds for each stored byte.

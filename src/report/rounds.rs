@@ -87,6 +87,15 @@ impl Measured {
         self.over_one_thread(|&[.., by_all, by_one]| by_one / by_all)
     }
 
+    /// The same in each round.
+    pub(super) fn speed_ups_of_arithmetic(&self) -> impl Iterator<Item = f64> {
+        let samples = self.rounds.iter().filter_map(|rounds| {
+            let Rounds::OneThread { samples } = rounds else { return None };
+            Some(samples)
+        });
+        samples.flatten().map(|[.., by_all, by_one]| by_one / by_all)
+    }
+
     fn over_one_thread(&self, ratio: impl Fn(&[f64; 4]) -> f64) -> Option<Ratio> {
         self.rounds.iter().find_map(|rounds| {
             let Rounds::OneThread { samples } = rounds else { return None };

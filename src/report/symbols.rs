@@ -234,7 +234,8 @@ const TERMS: [(&str, &str); 17] = [
     ("lanes", "the numbers of one vector register: here four pairs are computed at once"),
     (
         "layout",
-        "how a Hessian is stored: in blocks, in full, as its upper blocks, or as its entries on and above the diagonal",
+        "how a Hessian is stored: its blocks on and above the diagonal, the full matrix, or packed: the entries on and above the \
+         diagonal",
     ),
     ("lift", "to give the closest point its derivatives by the dofs"),
     (

@@ -55,7 +55,9 @@ impl Task {
                 "d, xi, xi_bar, t and t_bar, each with gradient and Hessian in all dofs of both beams: what \
                  friction is made of."
             }
-            Self::WithSlips => "The same with the slips g_T and g_T_bar, by the equations term by term.",
+            Self::WithSlips => {
+                "d, xi, xi_bar, t, t_bar, g_T and g_T_bar, each with gradient and Hessian, by `Pair::linearize`."
+            }
             Self::GradientOfDistance => {
                 "The distance d with its gradient: the force of normal contact, and no tangent."
             }

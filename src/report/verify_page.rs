@@ -16,9 +16,11 @@ impl Verify {
             ),
             Block::list(&[
                 "Compared: closest points at which a number was compared.",
-                "Wrong: closest points at which a number differs by more than its tolerance. If no digits are asked for, the \
-                 tolerance is 8 times the bound on the rounding of the textbook formulas, and bounds on the rounding of the \
-                 closest point and of the reference are added. The factor 8 is a choice; it allows for another order of the sums.",
+                "Wrong: closest points at which a number differs by more than its tolerance. Each number has its own tolerance. It \
+                 is a sum of three bounds on rounding: 8 times that of the textbook formulas, that of the closest point, and \
+                 that of the reference. The factor 8 is a choice; it allows for another order of the sums.",
+                "*Digits required*: a number is right if it agrees with the best formulas or with the reference to as many \
+                 significant digits, or to the attainable digits, where these are fewer.",
                 "Not answered: the lines of the IPC Toolkit are infinite, so it does not answer cases with a parameter at an end. \
                  CasADi does not answer cases in which its iteration does not converge.",
             ]),
@@ -26,12 +28,15 @@ impl Verify {
             Block::list(&[
                 "*Worst number*: the number of the regime with the largest error over its size. The size of a gradient or a \
                  Hessian along the directions is the sum of the absolute values of what is summed.",
-                "*Its digits*: the correct digits of this number. *Bound there*: the digits that the best formulas keep at this \
+                "*Digits of the worst number*: its correct digits. *Bound for it*: the digits that the best formulas keep at this \
                  point at least, by their rounding bound. Most numbers have more digits than this bound.",
-                "The worst number need not be wrong. A number is wrong by its own tolerance. It can be wrong and have more digits \
-                 than the worst number, at a point where more digits can be kept.",
+                "The worst number need not be wrong. A wrong number can have more digits than the worst number, at a point where \
+                 more digits can be kept.",
                 "*Fewer digits*: closest points at which a number is right, but has fewer digits than the bound of the best \
-                 formulas there. *Digits lost*: the largest number of digits below this bound.",
+                 formulas there. *Digits lost, at most*: the largest number of digits below this bound. It can belong to another \
+                 number than the worst one.",
+                "*First*: delta and Delta, so each closest point has two numbers. *Second*: Delta-delta.",
+                "*Not compared*: numbers whose tolerance exceeds a thousandth of their scale.",
             ]),
         ];
         blocks.extend(self.runs.iter().flat_map(VerifyRun::blocks));
@@ -99,7 +104,7 @@ impl VerifyRun {
 
     /// The digits that were requested, if any.
     fn asked(&self) -> String {
-        self.digits.map_or_else(String::new, |digits| format!(", {digits} digits asked for"))
+        self.digits.map_or_else(String::new, |digits| format!(", {digits} digits required"))
     }
 
     /// The wrong numbers, and their regimes.
@@ -119,7 +124,7 @@ impl VerifyRun {
     fn blocks(&self) -> Vec<Block> {
         let Report { program, parts, regimes, degenerate, .. } = &self.report;
         let parts = parts.iter().map(|((_, quantity, order), of)| {
-            let counts = [of.numbers, of.wrong, of.losing].map(count);
+            let counts = [of.numbers, of.unclear, of.wrong, of.losing].map(count);
             [quantity.name().to_owned(), (*order).to_owned()].into_iter().chain(counts).collect()
         });
         let mut blocks = vec![
@@ -138,13 +143,16 @@ impl VerifyRun {
                     "#wrong",
                     "#fewer digits",
                     "worst number",
-                    "#its digits",
-                    "#bound there",
-                    "#digits lost",
+                    "#digits of the worst number",
+                    "#bound for it",
+                    "#digits lost, at most",
                 ],
                 regimes.iter().map(regime).collect(),
             ),
-            Block::table(&["quantity", "order", "#numbers", "#wrong", "#fewer digits"], parts.collect()),
+            Block::table(
+                &["quantity", "order", "#numbers", "#not compared", "#wrong", "#fewer digits"],
+                parts.collect(),
+            ),
         ];
         let reasons = degenerate.iter().map(|(reason, of)| format!("{} ({reason})", count(*of)));
         let reasons: Vec<_> = reasons.collect();

@@ -1,4 +1,4 @@
-//! The closed form: in blocks, which is the fastest, and term by term, which is the most readable.
+//! The closed form: blocks, which is the fastest layout, and term by term, which is the most readable.
 
 use super::error::Rows;
 use super::input::{Input, TimedCurve};
@@ -11,6 +11,7 @@ use beamgap::report::CLOSED_FORM;
 
 pub(super) const IN_FULL: &str = "closed form, in full";
 pub(super) const PACKED: &str = "closed form, packed";
+/// For all quantities this is `Pair::linearize`, which uses the kernel. The pages call it so.
 const BY_TERMS: &str = "closed form, term by term";
 
 /// All methods of the closed form for a pair of `S` dofs.

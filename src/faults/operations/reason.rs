@@ -30,10 +30,12 @@ const HELD: &str = "the variation of a parameter that an end holds is zero, and 
 const RATES: &str = "the rates of a parameter that an end holds are not used";
 const NORMAL: &str = "the common normal belongs to a form that is not taken here";
 const ROW: &str = "whole vectors are computed, and the layout takes a part of the last one";
-const SCREW: &str =
-    "it multiplies a component of a unit vector that is zero, or the pitch, which an arc has not";
+const ZERO: &str = "it multiplies a component of a unit vector that is zero";
+const RISE: &str = "the derivative in the pitch is not used, because an arc has no pitch";
+const ZERO_OR_PITCH: &str =
+    "it multiplies a component of a unit vector that is zero, or the pitch, which is zero for an arc";
 
-const REASONS: [Reason; 16] = [
+const REASONS: [Reason; 17] = [
     of(Lost::TimesZero, "", " end", "", HELD),
     of(Lost::TimesZero, "", " ends", "", HELD),
     of(Lost::Unused, "equations", " end", "closed_form/", RATES),
@@ -54,8 +56,9 @@ const REASONS: [Reason; 16] = [
         "curve/nurbs",
         "it multiplies x relative to x, which is zero",
     ),
-    of(Lost::TimesZero, "jet of", "", "curve/screw", SCREW),
-    of(Lost::Unused, "jet of arc", "", "curve/screw", "an arc has no pitch"),
+    of(Lost::TimesZero, "jet of helix", "", "curve/screw", ZERO),
+    of(Lost::TimesZero, "jet of arc", "", "curve/screw", ZERO_OR_PITCH),
+    of(Lost::Unused, "jet of arc", "", "curve/screw", RISE),
 ];
 
 /// The reason why an operation may be lost, from the lines of the source that lead to it; none if it may not be lost.

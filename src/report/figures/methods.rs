@@ -1,4 +1,4 @@
-//! All methods in one figure: the time of d and of all quantities, and the error beside it.
+//! All methods in one figure: the time of d and of all but the slips, and the error beside it.
 
 use super::{errors, times};
 use crate::report::Task;
@@ -18,20 +18,20 @@ const GROUP: f64 = 28.0;
 const TIMES: [f64; 2] = [8.0, 312.0];
 /// The range of the errors.
 const ERRORS: [f64; 2] = [332.0, 404.0];
-/// The shapes of d and of all quantities. Their colours are 0 and 1.
+/// The shapes of d and of all but the slips. Their colours are 0 and 1.
 const MARKS: [Mark; 2] = [Mark::Dot, Mark::Diamond];
 
 /// A median time, its interval, and the error, if it exists.
 type Point = (f64, [f64; 2], Option<f64>);
 
-/// A row: its name, and the time, the interval and the error for d and for all quantities.
+/// A row: its name, and the time, the interval and the error for d and for all but the slips.
 struct Row {
     name: String,
     points: [Option<Point>; 2],
 }
 
 impl Benchmark {
-    /// The time of every method for d and for all quantities, with its error; none if no peers were measured.
+    /// The time of every method for d and for all but the slips, with its error; none if no peers were measured.
     pub(in super::super) fn methods_to_svg(&self) -> Option<String> {
         let mut groups = groups(self.peers.as_ref()?);
         groups.push(("Closest point, which all methods need first".to_owned(), self.searches()));
@@ -100,7 +100,7 @@ fn groups(peers: &Peers) -> Vec<(String, Vec<Row>)> {
     Kind::ALL.map(of_kind).into_iter().filter(|(_, rows): &(_, Vec<_>)| !rows.is_empty()).collect()
 }
 
-/// The points of a row. The label for d is to the left of its point, that for all quantities to the right.
+/// The points of a row. The label for d is to the left of its point, that for all but the slips to the right.
 fn draw(chart: &mut Chart, row: &Row, height: f64, [x, y]: [&Axis; 2]) {
     for (k, point) in row.points.iter().enumerate() {
         let Some((median, [low, high], error)) = point else { continue };

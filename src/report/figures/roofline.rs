@@ -9,7 +9,7 @@ const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const TOP: f64 = 56.0;
 const BOTTOM: f64 = 360.0;
-/// The distance of labels from the points: labels for d are to the left, those for all quantities to the right.
+/// The distance of labels from the points: labels for d are to the left, those for all but the slips to the right.
 const BESIDE: f64 = 16.0;
 
 impl Benchmark {

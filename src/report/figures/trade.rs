@@ -1,4 +1,4 @@
-//! Accuracy over time: one point for each method, for all quantities.
+//! Accuracy over time: one point for each method, for all but the slips.
 
 use super::{errors, times};
 use crate::report::benchmark::Benchmark;
@@ -31,7 +31,7 @@ impl Benchmark {
         let x = times(Axis::decades(points.iter().map(|point| point.0)), [LEFT, RIGHT], "time of a pair");
         let range = Axis::decades(points.iter().map(|point| point.1));
         let y = errors(range, [BOTTOM, TOP], "largest error, relative", 12);
-        let mut chart = Chart::new("Accuracy over time: all quantities, 24 dofs", BOTTOM + 46.0);
+        let mut chart = Chart::new("Accuracy over time: all but the slips, 24 dofs", BOTTOM + 46.0);
         chart.frame(&x, &y);
         let colour = |kind: Kind| Kind::ALL.iter().position(|other| *other == kind).unwrap_or(0);
         // Labels of small errors are on flags: the fast methods above, to the right, the slow methods below, to the left.

@@ -26,7 +26,7 @@ fn one(block: &Block) -> String {
             format!("{}|{}|\n{rows}", row(&names), rule.join("|"))
         }
         Block::Formula(latex) => format!("```math\n{latex}\n```\n"),
-        Block::Picture { file, caption, .. } => format!("![{caption}]({file})\n"),
+        Block::Picture { file, caption, .. } => format!("![{caption}]({file})\n\n*{caption}*\n"),
         Block::Details { summary, blocks: inner } => {
             format!("<details><summary>{summary}</summary>\n{}\n</details>\n", blocks(inner))
         }

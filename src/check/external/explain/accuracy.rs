@@ -32,9 +32,10 @@ pub enum Naming {
     Equivalent,
     /// They were named together with others that yield the same numbers at these cases, but not elsewhere.
     Among,
-    /// One of two faults was named: it alone yields the same numbers at these cases.
+    /// One of two faults was named. The other one changes the numbers at these cases by no more than a thousandth of the
+    /// deviation.
     Fewer,
-    /// Another fault was named.
+    /// Only other faults were named.
     Other,
     /// Nothing was named.
     None,
@@ -172,7 +173,7 @@ fn explained(
         [_] if words(&named[0]).into_iter().collect::<BTreeSet<_>>() == own_names => Naming::First,
         all if all.iter().all(|one| *one == own) => Naming::Equivalent,
         all if all.contains(&own) => Naming::Among,
-        all if all.iter().any(|one| one.len() < own.len()) => Naming::Fewer,
+        all if all.iter().any(|one| one.is_subset(&own)) => Naming::Fewer,
         _ => Naming::Other,
     };
     ExplainedFault { faults, naming, named, deviation: [found.before, found.after.unwrap_or(found.before)] }
