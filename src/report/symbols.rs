@@ -195,27 +195,38 @@ const CONTACT: [(&str, &str); 7] = [
     ("jet", "a point of a curve with its derivatives by the parameter and by the dofs"),
 ];
 
-const NOT_COMPARED: [(&str, &str); 5] = [
+const NOT_COMPARED: [(&str, &str); 10] = [
     (
-        "kink",
-        "a parameter is about to leave its end; the constraint becomes inactive, and only one-sided derivatives exist",
-    ),
-    ("crossing", "the centroids cross, d = 0 to rounding; the distance has no derivatives there"),
-    (
-        "unresolved",
-        "the search left regions open that may contain a closest point: the centroids are nearly parallel there",
+        "kink: a parameter just leaves an end",
+        "the multiplier of the constraint is zero to rounding, so only one-sided derivatives exist",
     ),
     (
-        "degenerate",
-        "one of the reasons of this table, or D = 0, or a tangent of length zero: there is nothing to compare with",
+        "crossing centroids: d = 0 to rounding",
+        "the distance is not differentiable there; the library returns derivatives of the signed distance, which are not compared",
     ),
     (
-        "not meaningful",
-        "the tolerance exceeds a thousandth of the scale, the sum of the absolute values of the terms",
+        "nearly parallel: the search left regions open",
+        "regions remain that may contain a closest point; also called unresolved",
     ),
+    ("singular: D = 0 to rounding", "the closest points do not depend smoothly on the dofs"),
+    ("a tangent has no length", "t = 0 or t_bar = 0 to rounding"),
+    ("the search for closest points failed", "the search ended with an error, such as a zero tangent"),
+    (
+        "the closest point is not known well enough",
+        "Newton's method in double-double encloses no point that is accurate enough",
+    ),
+    (
+        "the rounding bound exceeds 1e-3 of a scale",
+        "the tolerance is larger than a thousandth of the sum of the absolute values of the terms; also called not meaningful",
+    ),
+    (
+        "overflow or underflow: beyond the range of f64",
+        "a number or a product in its computation is not representable",
+    ),
+    ("degenerate", "a closest point with one of the other reasons, in answers of programs"),
 ];
 
-const TERMS: [(&str, &str); 17] = [
+const TERMS: [(&str, &str); 21] = [
     (
         "adapter",
         "a small program that reads the exported cases, calls the code of a user, and writes its answers",
@@ -239,12 +250,30 @@ const TERMS: [(&str, &str); 17] = [
     ),
     ("lift", "to give the closest point its derivatives by the dofs"),
     (
+        "layer",
+        "what `prove` compares: values, first and second variations, matrices contracted with the directions, and the kernel",
+    ),
+    (
+        "oracle, reference",
+        "a method whose number is compared with that of the closed form: automatic differentiation, and as the third oracle \
+         central differences in double-double",
+    ),
+    (
         "prime field",
         "the integers modulo the prime 2^61 - 1: nothing is rounded, so two formulas are equal or not",
     ),
+    (
+        "routes of automatic differentiation",
+        "hyper-dual, Newton: by num-dual through Newton's iteration; hyper-dual, stationary: by num-dual at the stationary point; \
+         own hyper-dual, chord: by the numbers of this crate with two chord steps",
+    ),
     ("roofline bound", "the least time that the arithmetic or the stores of a method take on the machine"),
     ("scale", "the sum of the absolute values of the terms of a number"),
-    ("tolerance", "the sum of the rounding bounds of the two numbers that are compared"),
+    ("tolerance of check", "the sum of the rounding bounds of the two numbers that are compared"),
+    (
+        "tolerance of verify",
+        "8 times the rounding bound of the textbook formulas, and the bounds of the closest point and of the reference",
+    ),
     ("ulp", "the distance of two neighbouring floating-point numbers"),
 ];
 

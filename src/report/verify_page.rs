@@ -35,7 +35,7 @@ impl Verify {
                 "*Fewer digits*: closest points at which a number is right, but has fewer digits than the bound of the best \
                  formulas there. *Digits lost, at most*: the largest number of digits below this bound. It can belong to another \
                  number than the worst one.",
-                "*First*: delta and Delta, so each closest point has two numbers. *Second*: Delta-delta.",
+                "*First*: delta and Delta. *Second*: Delta-delta. Gradients and Hessians are compared along two pairs of directions, so a closest point has four numbers of the first order and two of the second.",
                 "*Not compared*: numbers whose tolerance exceeds a thousandth of their scale.",
             ]),
         ];

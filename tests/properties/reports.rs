@@ -192,7 +192,7 @@ fn claims_of_the_table() -> [String; 7] {
     [
         format!(
             "| Closed form and automatic differentiation agree. | {} closest points, {} numbers, {} regimes, {} pairs of \
-             curve families: {} mismatches. {} points are not compared, each with its reason. | \
+             curve families: {} mismatches. {} points or cases are not compared, each with its reason. | \
              [crosscheck](reports/crosscheck.md) |",
             count(crosscheck.compared()),
             count(numbers),
