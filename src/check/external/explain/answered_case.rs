@@ -136,9 +136,7 @@ impl<'a> AnsweredCase<'a> {
         let clear = |entry: &crate::check::candidate::Entry| {
             entry.judged(demands.digits).judgement != Judgement::Unclear
         };
-        // No fault explains a number that is not finite.
-        let is_finite = |datum: &Datum| datum.answer.is_finite();
-        let data = entries.into_iter().filter(clear).map(datum).filter(is_finite).collect();
+        let data = entries.into_iter().filter(clear).map(datum).collect();
         let chosen = evaluate()?.form;
         let robust = Formulation::robust(&paper.points(), paper.held);
         let inside = !paper.held.xi && !paper.held.xi_bar;

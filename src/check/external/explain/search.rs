@@ -118,9 +118,11 @@ pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
         fits
     };
     let mut fits = raced(0, candidates(cases));
-    // A factor or a second fault can be fitted to a few wrong numbers, whatever their cause.
+    // A factor or a second fault can be fitted to a few wrong numbers, whatever their cause. To numbers that are not finite
+    // nothing can be fitted.
     let wrong: usize = cases.iter().map(|case| case.wrong()).sum();
-    if is_found(&fits) || wrong < FEW {
+    let is_finite = of(cases).all(|datum| datum.answer.is_finite());
+    if is_found(&fits) || wrong < FEW || !is_finite {
         return fits;
     }
     let fitted = &cases[..cases.len().min(FITTED)];
