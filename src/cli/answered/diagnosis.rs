@@ -40,7 +40,8 @@ impl Diagnosed {
         let location = explain.then(|| locate(vector, answers, judged, &demands.conventions)).flatten();
         let is_antisymmetric = location.is_some_and(|location| location.is_antisymmetric);
         let conventions = other_conventions(&report.kept, demands);
-        let is_asked = explain && conventions.is_none();
+        // Several terms lead to one number that is not finite.
+        let is_asked = explain && conventions.is_none() && !(is_not_finite && report.wrong < 3);
         let explanation = is_asked.then(|| external::explain(&report.kept, demands)).flatten();
         Self { is_rounding: false, is_not_finite, is_antisymmetric, conventions, explanation }
     }
