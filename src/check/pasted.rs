@@ -7,10 +7,10 @@ use crate::linearization::{Quantity, Varied};
 use crate::pair::Contact;
 use crate::test_beam::{Family, TestBeam};
 
-/// A test of one entry at one of the minima of a case with this number. It passes if the two sides agree in the tolerance of the check.
+/// A test of one entry at one of the minima of a case, with the number of the case in its name. It passes if the two sides agree in the tolerance of the check.
 ///
 /// It only needs the library without its features. Numbers are written with all their digits.
-pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison, number: u64) -> String {
+pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison, number: Option<u64>) -> String {
     let [beam, bar] = &case.test_beams;
     let mut curves = [beam, bar].map(|test_beam| type_name(test_beam.family)).to_vec();
     curves.sort_unstable();
@@ -38,7 +38,7 @@ pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison, number: 
     let (q, dq, linear_dq) = (vectors(|s| &s.q), vectors(|s| &s.dq), vectors(|s| &s.linear_dq));
     format!(
         "#[test]
-fn {name}_of_case_{number}() {{
+fn {name}{of_case}() {{
     use beamgap::curve::{curves};
     use beamgap::linearization::{side};
     use beamgap::nalgebra::SVector;
@@ -58,6 +58,7 @@ fn {name}_of_case_{number}() {{
 }}
 ",
         name = name(entry),
+        of_case = number.map_or_else(String::new, |number| format!("_of_case_{number}")),
         contact = contact(&case.contact),
         curve = constructor(beam),
         curve_bar = constructor(bar),

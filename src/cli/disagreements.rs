@@ -103,7 +103,7 @@ pub(super) fn test(Shrunk { number, case, finding }: &Shrunk, plant: &[String]) 
         [] => "",
         _ => "// The fault is injected by the command below. Without it this test passes.\n",
     };
-    without.to_owned() + &test_source(case, finding.minimum, &finding.entry, *number)
+    without.to_owned() + &test_source(case, finding.minimum, &finding.entry, Some(*number))
 }
 
 fn mismatch(entry: &Comparison) -> String {

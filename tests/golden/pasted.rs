@@ -1,6 +1,6 @@
 mod segment {
 #[test]
-fn x_x_delta_of_case_1() {
+fn x_x_delta() {
     use beamgap::curve::Segment;
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -30,7 +30,7 @@ fn x_x_delta_of_case_1() {
 }
 mod quadratic {
 #[test]
-fn symmetry_of_x_z_second_of_case_1() {
+fn symmetry_of_x_z_second() {
     use beamgap::curve::{Quadratic, Segment};
     use beamgap::linearization::closed_form;
     use beamgap::nalgebra::SVector;
@@ -60,7 +60,7 @@ fn symmetry_of_x_z_second_of_case_1() {
 }
 mod cubic {
 #[test]
-fn x_bar_z_linear_of_case_1() {
+fn x_bar_z_linear() {
     use beamgap::curve::{Cubic, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -90,7 +90,7 @@ fn x_bar_z_linear_of_case_1() {
 }
 mod hermite {
 #[test]
-fn d_vector_y_delta_of_case_1() {
+fn d_vector_y_delta() {
     use beamgap::curve::{Hermite, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -120,7 +120,7 @@ fn d_vector_y_delta_of_case_1() {
 }
 mod hermite_scaled {
 #[test]
-fn t_vector_x_value_of_case_1() {
+fn t_vector_x_value() {
     use beamgap::curve::{Hermite, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -150,7 +150,7 @@ fn t_vector_x_value_of_case_1() {
 }
 mod bezier {
 #[test]
-fn t_vector_z_second_of_case_1() {
+fn t_vector_z_second() {
     use beamgap::curve::{Bezier, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -180,7 +180,7 @@ fn t_vector_z_second_of_case_1() {
 }
 mod bspline {
 #[test]
-fn t_bar_vector_z_delta_of_case_1() {
+fn t_bar_vector_z_delta() {
     use beamgap::curve::{BSpline, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -210,7 +210,7 @@ fn t_bar_vector_z_delta_of_case_1() {
 }
 mod nurbs {
 #[test]
-fn t_value_of_case_1() {
+fn t_value() {
     use beamgap::curve::{Nurbs, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -240,7 +240,7 @@ fn t_value_of_case_1() {
 }
 mod nurbs_weighted {
 #[test]
-fn xi_second_of_case_1() {
+fn xi_second() {
     use beamgap::curve::{NurbsWeighted, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -270,7 +270,7 @@ fn xi_second_of_case_1() {
 }
 mod arc {
 #[test]
-fn g_n_linear_of_case_1() {
+fn g_n_linear() {
     use beamgap::curve::{Arc, Segment};
     use beamgap::linearization::{ad, closed_form};
     use beamgap::nalgebra::SVector;
@@ -300,7 +300,7 @@ fn g_n_linear_of_case_1() {
 }
 mod helix {
 #[test]
-fn matrix_of_d_delta_of_case_1() {
+fn matrix_of_d_delta() {
     use beamgap::curve::{Helix, Segment};
     use beamgap::linearization::closed_form;
     use beamgap::nalgebra::SVector;
@@ -330,7 +330,7 @@ fn matrix_of_d_delta_of_case_1() {
 }
 mod d_alone_value {
 #[test]
-fn matrix_of_d_value_of_case_1() {
+fn matrix_of_d_value() {
     use beamgap::curve::{Hermite, Segment};
     use beamgap::linearization::closed_form;
     use beamgap::nalgebra::SVector;
@@ -364,7 +364,7 @@ fn matrix_of_d_value_of_case_1() {
 }
 mod d_alone_delta_delta {
 #[test]
-fn matrix_of_d_second_of_case_1() {
+fn matrix_of_d_second() {
     use beamgap::curve::{Hermite, Segment};
     use beamgap::linearization::closed_form;
     use beamgap::nalgebra::SVector;

@@ -98,7 +98,7 @@ fn tests_to_be_pasted_are_the_golden_ones() {
         // The cases take all kinds of entries one after another.
         let entry: &Comparison = &entries[(k * 29 + 9) % entries.len()];
         let name = family.name().replace('-', "_");
-        let _ = writeln!(text, "mod {name} {{\n{}}}", test_source(&case, minimum, entry, 1));
+        let _ = writeln!(text, "mod {name} {{\n{}}}", test_source(&case, minimum, entry, None));
     }
     // Only the kernel for d alone has these numbers.
     let case = small(Family::Hermite);
@@ -106,7 +106,7 @@ fn tests_to_be_pasted_are_the_golden_ones() {
     let of_d = compared[0].1.entries().iter().filter(|entry| entry.against == "kernel, d alone");
     for entry in of_d.filter(|entry| ["value", "Delta-delta"].contains(&entry.part)) {
         let name = entry.part.replace('-', "_").to_lowercase();
-        let _ = writeln!(text, "mod d_alone_{name} {{\n{}}}", test_source(&case, 0, entry, 1));
+        let _ = writeln!(text, "mod d_alone_{name} {{\n{}}}", test_source(&case, 0, entry, None));
     }
     for needed in
         ["write_d", "Route::Newton", "Route::Stationary", "Route::Chord", "linearize", "&linear_dq, &dq"]

@@ -143,7 +143,7 @@ impl Answer {
         }
         self.numbers = numbers(entries);
         if let Some(entry) = to_test(entries) {
-            self.test = test_source(case, found.minimum, entry);
+            self.test = test_source(case, found.minimum, entry, None);
         }
     }
 }
