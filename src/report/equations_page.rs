@@ -1,9 +1,12 @@
 //! The table of the equations as a page, from the record alone.
 
+mod readings;
+
 use super::Equations;
 use super::number::{count, error};
 use super::page::{Block, Page};
-use crate::equations::{Claim, Counts, EquationRow, EquationTable, Reading, Run, Symmetry, Verdict};
+use crate::equations::{Claim, EquationRow, EquationTable, Reading, Run, Symmetry, Verdict};
+use readings::{numbers, readings, refuted};
 
 impl Equations {
     /// The page. The same record always gives the same page.
@@ -241,59 +244,6 @@ const VERDICTS: [(Verdict, &str); 10] = [
     (Verdict::Misprint, "refuted as printed, equal as corrected and completed; or a list that lacks a term"),
     (Verdict::Refuted, "also refuted as corrected"),
 ];
-
-/// The rows of an equation's readings.
-fn readings(entry: &EquationRow, shown: impl Fn(&Run) -> bool) -> Block {
-    let mut rows = Vec::new();
-    for part in &entry.parts {
-        for run in part.runs.iter().filter(|run| shown(run)) {
-            let reading = match run.reading {
-                Reading::Printed => "as printed",
-                Reading::Other => "read otherwise",
-                Reading::Corrected => "corrected",
-                Reading::Complete => "complete",
-            };
-            let words = if run.words.is_empty() { String::new() } else { format!(": {}", run.words) };
-            let counts = |counts: Counts| [count(counts.equal), count(counts.refuted)];
-            let names = [part.name.clone(), format!("{reading}{words}")];
-            let draws = [counts(run.score.linear), counts(run.score.nonlinear)].into_iter().flatten();
-            let symmetric = run.symmetry().map_or("", Symmetry::words).to_owned();
-            rows.push(
-                names
-                    .into_iter()
-                    .chain(draws)
-                    .chain(run.score.errors.map(error))
-                    .chain([symmetric])
-                    .collect(),
-            );
-        }
-    }
-    let head = [
-        "part",
-        "reading",
-        "#dofs linear: equal",
-        "#refuted",
-        "#nonlinear: equal",
-        "#refuted",
-        "#error: dofs linear",
-        "#nonlinear",
-        "symmetric",
-    ];
-    Block::table(&head, rows)
-}
-
-/// The numbers of equations, as printed in the paper.
-fn numbers(entries: &[&EquationRow]) -> String {
-    entries.iter().map(|entry| format!("({})", entry.number)).collect::<Vec<_>>().join(", ")
-}
-
-/// Refuted draws of all draws.
-fn refuted(counts: [Counts; 2]) -> String {
-    if counts.iter().all(|counts| counts.total() == 0) {
-        return String::new();
-    }
-    counts.map(|counts| count(counts.refuted)).join(", ")
-}
 
 /// Inline LaTeX, fenced so that Markdown does not change it.
 fn inline(latex: &str) -> String {
