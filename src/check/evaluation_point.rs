@@ -3,6 +3,7 @@
 mod dense;
 mod refined;
 mod structure;
+mod summands;
 
 use super::root_enclosure;
 use super::verdict::Inconclusive;
@@ -18,6 +19,7 @@ pub(super) use dense::Dense;
 use refined::Refined;
 use std::sync::OnceLock;
 pub(super) use structure::Structure;
+pub(super) use summands::{Error as SummandError, Increment, Summand};
 
 /// A closest point that has derivatives and is accurate enough.
 #[derive(Debug)]

@@ -23,7 +23,7 @@ mod vectors;
 pub use answers::{ANSWERS, AnswerReader, Answers, Program};
 pub use compare::{CaseFound, Demands, Judged, Judgement, compare_answers};
 pub use conventions::{Conventions, Dofs, Length, Penalty, Range};
-pub use diagnose::other_conventions;
+pub use diagnose::{OtherConventions, other_conventions};
 pub use error::{ExternalError, Place};
 pub(in crate::check) use evaluate::reference;
 pub use evaluate::{Evaluator, Formulas};

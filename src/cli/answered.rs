@@ -11,7 +11,7 @@ use super::verify::Verified;
 use beamgap::check::external::{PartFound, Report};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
-pub(super) use diagnosis::{Diagnosed, cause, first_wrong};
+pub(super) use diagnosis::{Diagnosed, first_wrong};
 pub(super) use json::json;
 use std::fmt::Write;
 

@@ -1,13 +1,13 @@
 //! `beamgap explain`: the wrong term in the answers of a program, and how often such explanations are right.
 
-use super::answered::{cause, head, verdict};
+use super::answered::{Diagnosed, head, verdict};
 use super::arguments::{seed, work_with};
 use super::exit::Exit;
 use super::export::source;
 use super::outcome::Verdict;
 use super::output::to_stdout;
 use super::verify::Verified;
-use beamgap::check::external::{AnswerReader, Demands, Matching, VectorReader, explain, other_conventions};
+use beamgap::check::external::{AnswerReader, Demands, Matching, VectorReader};
 use beamgap::report;
 use clap::{Args, value_parser};
 use std::fmt::Write;
@@ -73,13 +73,7 @@ impl Explain {
         let Verdict { exit, words, .. } = verdict(&verified);
         let mut text = String::new();
         if exit == Exit::Disagree {
-            let kept = &verified.report.kept;
-            text = match other_conventions(kept, &demands) {
-                Some(words) => {
-                    format!("The answers agree if {words}.\nState it in the first line of the answers.\n")
-                }
-                None => explain(kept, &demands).map(|explanation| cause(&explanation)).unwrap_or_default(),
-            };
+            text = format!("{}\n", Diagnosed::of(&verified, true).words().trim_start());
         }
         to_stdout(&(text + &words + "\n"))?;
         Ok(exit)

@@ -53,7 +53,7 @@ impl Kind {
     }
 
     /// The factor on the term; nothing if its operands are wrong instead.
-    pub(super) fn factor(self) -> Option<f64> {
+    pub(crate) fn factor(self) -> Option<f64> {
         match self {
             Self::Sign => Some(-1.0),
             Self::Dropped => Some(0.0),

@@ -3,6 +3,7 @@
 mod broken;
 mod conventions;
 mod explanations;
+mod hand_written;
 mod programs;
 
 use beamgap::check::external::{

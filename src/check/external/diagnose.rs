@@ -1,36 +1,72 @@
-//! Tests whether wrong answers are correct in other conventions.
+//! Tests whether wrong answers are correct in other conventions, or come nearer in them.
 
 use super::answers::Answers;
 use super::compare::{Converted, Demands, Judgement};
+use super::conventions::Conventions;
 use super::vectors::Vector;
 use crate::check::candidate::Sides;
 
 /// The number of cases that are tried.
 const TRIED: usize = 6;
+/// The maximum number of steps from conventions to better ones.
+const STEPS: usize = 4;
 
-/// The conventions in which all these answers agree, in words; nothing if no conventions do.
-pub fn other_conventions(cases: &[(Vector, Answers)], demands: &Demands) -> Option<String> {
+/// Conventions in which fewer numbers of the answers are wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OtherConventions {
+    /// The conventions.
+    pub conventions: Conventions,
+    /// The changes, in words.
+    pub words: String,
+    /// The count of wrong numbers in them.
+    pub wrong: usize,
+    /// The count of wrong numbers in the stated conventions, at the same cases.
+    pub wrong_before: usize,
+}
+
+impl OtherConventions {
+    /// Whether all answers agree in these conventions.
+    pub fn agree(&self) -> bool {
+        self.wrong == 0
+    }
+}
+
+/// The conventions in which the fewest numbers of these answers are wrong; nothing if the stated ones are the best.
+pub fn other_conventions(cases: &[(Vector, Answers)], demands: &Demands) -> Option<OtherConventions> {
     let sides = |(vector, answers): &(Vector, Answers)| {
         let sides = vector.evaluated(|evaluation| Sides::new(evaluation, &vector.case.test_beams).0).ok()?;
         Some((vector.clone(), answers.clone(), sides))
     };
     let cases: Vec<_> = cases.iter().take(TRIED).filter_map(sides).collect();
-    if cases.is_empty() {
-        return None;
-    }
-    let agree = |conventions: &super::Conventions| {
-        cases.iter().all(|(vector, answers, sides)| {
+    // The count of wrong numbers; nothing if no number can be judged.
+    let wrong = |conventions: &Conventions| {
+        let mut judged = Vec::new();
+        for (vector, answers, sides) in &cases {
             let converted = Converted::new(vector, sides, conventions);
-            let Ok(entries) = converted.entries(answers, conventions) else { return false };
-            let judged = entries.into_iter().map(|entry| entry.judged(demands.digits).judgement);
-            let mut judged = judged.filter(|judgement| *judgement != Judgement::Unclear).peekable();
-            judged.peek().is_some() && judged.all(|judgement| judgement != Judgement::Wrong)
-        })
+            let entries = converted.entries(answers, conventions).ok()?;
+            judged.extend(entries.into_iter().map(|entry| entry.judged(demands.digits).judgement));
+        }
+        judged.retain(|judgement| *judgement != Judgement::Unclear);
+        let wrong = judged.iter().filter(|judgement| **judgement == Judgement::Wrong).count();
+        (!judged.is_empty()).then_some(wrong)
     };
-    // Along these directions nothing is wrong.
-    if agree(&demands.conventions) {
-        return None;
+    let wrong_before = wrong(&demands.conventions)?;
+    let (mut best, mut words, mut fewest) = (demands.conventions, Vec::new(), wrong_before);
+    for _ in 0..STEPS {
+        let tried = best.others().into_iter();
+        let tried = tried.filter_map(|(other, words)| Some((wrong(&other)?, other, words)));
+        // Of several, the first has the fewest changes.
+        let Some((count, other, change)) = tried.min_by_key(|(count, ..)| *count) else { break };
+        if count >= fewest {
+            break;
+        }
+        (best, fewest) = (other, count);
+        words.push(change);
+        if fewest == 0 {
+            break;
+        }
     }
-    let others = demands.conventions.others();
-    others.into_iter().find(|(conventions, _)| agree(conventions)).map(|(_, words)| words)
+    let found =
+        OtherConventions { conventions: best, words: words.join(" and "), wrong: fewest, wrong_before };
+    (!words.is_empty()).then_some(found)
 }

@@ -12,11 +12,15 @@
 
 mod accuracy;
 mod answered_case;
+mod datum;
+mod element;
 mod equation;
 mod fit;
 mod hypothesis;
 mod pairs;
 mod search;
+mod summands;
+mod wording;
 
 use super::answers::Answers;
 use super::compare::Demands;
@@ -115,6 +119,7 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
                 measured_factor(&cases, faults[0]).map(|factor| factor - 1.0)
             }
             Change::Variant(Variant::Weighted(_, factor)) => Some(factor - 1.0),
+            Change::Summands(wrong) if wrong.len() == 1 => wrong[0].fitted(),
             _ => None,
         };
         let alike = alike.iter().map(Change::name).collect();

@@ -5,10 +5,12 @@ use crate::cli::human::error;
 use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
 use beamgap::check::external::{
-    self, Cause, Explanation, Judged, Location, RunnerUp, locate, other_conventions,
+    self, Cause, Demands, Explanation, Judged, Location, OtherConventions, RunnerUp, locate,
+    other_conventions,
 };
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
+use beamgap::variant::with_faults;
 use std::fmt::Write;
 
 const ANTISYMMETRIC: &str = "The matrix of differences is antisymmetric: a term is transposed.\n";
@@ -23,8 +25,8 @@ pub(in crate::cli) struct Diagnosed {
     is_not_finite: bool,
     /// The differences of the first wrong Hessian are antisymmetric.
     is_antisymmetric: bool,
-    /// The conventions in which the answers agree.
-    pub(in crate::cli) conventions: Option<String>,
+    /// The conventions in which the answers agree, or in which the explanation is valid.
+    pub(in crate::cli) conventions: Option<OtherConventions>,
     /// The wrong term, if it was looked for.
     pub(in crate::cli) explanation: Option<Explanation>,
 }
@@ -39,11 +41,33 @@ impl Diagnosed {
         let is_not_finite = !judged.comparison.closed.is_finite();
         let location = explain.then(|| locate(vector, answers, judged, &demands.conventions)).flatten();
         let is_antisymmetric = location.is_some_and(|location| location.is_antisymmetric);
-        let conventions = other_conventions(&report.kept, demands);
+        let other = other_conventions(&report.kept, demands);
+        let found = Self { is_not_finite, is_antisymmetric, ..Self::default() };
         // Several terms lead to one number that is not finite.
-        let is_asked = explain && conventions.is_none() && !(is_not_finite && report.wrong < 3);
-        let explanation = is_asked.then(|| external::explain(&report.kept, demands)).flatten();
-        Self { is_rounding: false, is_not_finite, is_antisymmetric, conventions, explanation }
+        if !explain
+            || other.as_ref().is_some_and(OtherConventions::agree)
+            || (is_not_finite && report.wrong < 3)
+        {
+            return Self { conventions: other.filter(OtherConventions::agree), ..found };
+        }
+        let explained = |other: Option<OtherConventions>| {
+            let conventions = other.as_ref().map_or(demands.conventions, |other| other.conventions);
+            let explanation = external::explain(&report.kept, &Demands { conventions, ..*demands });
+            Self { conventions: other, explanation, ..found }
+        };
+        // A term seldom comes nearer in other conventions, so these are tried first.
+        let Some(other) = other else { return explained(None) };
+        let corrects_most = 2 * other.wrong <= other.wrong_before;
+        let nearer = explained(Some(other));
+        if nearer.has_cause() {
+            return nearer;
+        }
+        let stated = explained(None);
+        if corrects_most && !stated.has_cause() { nearer } else { stated }
+    }
+
+    fn has_cause(&self) -> bool {
+        self.explanation.as_ref().is_some_and(|explanation| !explanation.causes.is_empty())
     }
 
     /// The cause in words, each line after a line break; empty if nothing is known of it.
@@ -53,8 +77,8 @@ impl Diagnosed {
                 "Rounding of the textbook formulas explains it.\nThe formulas are right, but keep too few digits here."
                     .to_owned()
             }
-            Self { conventions: Some(words), .. } => {
-                folded(&format!("The answers agree if {words}."), "", "  ")
+            Self { conventions: Some(other), .. } if other.agree() => {
+                folded(&format!("The answers agree if {}.", other.words), "", "  ")
                     + "\nState it in the first line of the answers."
             }
             Self { is_not_finite: true, explanation, .. }
@@ -62,14 +86,24 @@ impl Diagnosed {
             {
                 NOT_FINITE.to_owned()
             }
-            Self { explanation: Some(explanation), is_antisymmetric, .. } => {
+            Self { explanation: Some(explanation), is_antisymmetric, conventions, .. } => {
+                let nearer = conventions.as_ref().map_or_else(String::new, nearer);
                 let transposed = if *is_antisymmetric && explanation.causes.is_empty() { ANTISYMMETRIC } else { "" };
-                cause(explanation) + transposed
+                nearer + &cause(explanation) + transposed
             }
             _ => return String::new(),
         };
         format!("\n{}", text.trim_end())
     }
+}
+
+/// The conventions in which fewer numbers are wrong.
+fn nearer(OtherConventions { words, wrong, wrong_before, .. }: &OtherConventions) -> String {
+    let text = format!(
+        "Fewer numbers are wrong, {wrong} instead of {wrong_before} at the first wrong cases, if {words}."
+    );
+    folded(&text, "", "  ")
+        + "\nState it in the first line of the answers. What follows is valid in these conventions.\n"
 }
 
 /// The first wrong number, and where to look.
@@ -94,7 +128,7 @@ pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {
 }
 
 /// The cause, or that it is not known, 80 columns wide.
-pub(in crate::cli) fn cause(explanation: &Explanation) -> String {
+fn cause(explanation: &Explanation) -> String {
     let of_line = |line: &str| match line.strip_prefix("  - ") {
         Some(item) => folded(item, "  - ", "    ") + "\n",
         None => folded(line, "", "  ") + "\n",
@@ -143,7 +177,12 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
     let quoted =
         |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     let names: Vec<_> = causes.iter().map(|cause| cause.name.clone()).collect();
-    let _ = writeln!(text, "In the catalogue: {}", quoted(&names));
+    let is_in_catalogue = |name: &String| {
+        let faults: Vec<String> = name.split(" and ").map(ToOwned::to_owned).collect();
+        with_faults(&faults).is_ok()
+    };
+    let title = if names.iter().any(is_in_catalogue) { "In the catalogue" } else { "Name" };
+    let _ = writeln!(text, "{title}: {}", quoted(&names));
     let alike: Vec<_> = causes.iter().flat_map(|cause| cause.alike.clone()).collect();
     if !alike.is_empty() {
         let _ = writeln!(text, "The same numbers at these cases: {}", quoted(&alike));

@@ -29,9 +29,15 @@ pub(in crate::cli) fn json(
         never_answered: Vec<Quantity>,
         first: Option<First<'a>>,
         agrees_if: Option<&'a str>,
+        /// The conventions that the explanation is valid in, if they are not the stated ones.
+        nearer_if: Option<&'a str>,
         explanation: Option<&'a Explanation>,
     }
     let Verified { report, demands, command, reason } = verified;
+    let of = |agree: bool| {
+        let other = diagnosed.conventions.as_ref().filter(|other| other.agree() == agree)?;
+        Some(other.words.as_str())
+    };
     json::text(&Document {
         schema: "beamgap-verify/2",
         version: env!("CARGO_PKG_VERSION"),
@@ -43,7 +49,8 @@ pub(in crate::cli) fn json(
         report,
         never_answered: report.never_answered(),
         first: First::of(verified),
-        agrees_if: diagnosed.conventions.as_deref(),
+        agrees_if: of(true),
+        nearer_if: of(false),
         explanation: diagnosed.explanation.as_ref(),
     })
 }

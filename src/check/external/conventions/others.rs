@@ -3,8 +3,41 @@
 use super::{Conventions, Dofs, Length, Range};
 
 impl Conventions {
-    /// The other conventions that a program may have, each with its description. One change comes before two.
+    /// The other conventions that a program may have, each with its description. Fewer changes come first.
+    ///
+    /// Changes that concern all gradients and Hessians are combined in all ways, because one without another may correct
+    /// no number. The others concern different quantities, and can be found one after the other.
     pub(in super::super) fn others(&self) -> Vec<(Self, String)> {
+        let single = self.single_changes();
+        let mut of_dofs = vec![(*self, Vec::new())];
+        for (change, words) in single.iter().filter(|(change, _)| change.differs_in_dofs(self)) {
+            for (known, known_words) in of_dofs.clone() {
+                let both = known.with_changes_of(change, self);
+                if of_dofs.iter().all(|(other, _)| *other != both) {
+                    of_dofs.push((both, [known_words, vec![words.clone()]].concat()));
+                }
+            }
+        }
+        let mut all = of_dofs.clone();
+        for (change, words) in single.iter().filter(|(change, _)| !change.differs_in_dofs(self)) {
+            for (known, known_words) in &of_dofs {
+                let both = [vec![words.clone()], known_words.clone()].concat();
+                all.push((known.with_changes_of(change, self), both));
+            }
+        }
+        all.sort_by_key(|(_, words)| words.len());
+        let joined = |(conventions, words): (Self, Vec<String>)| (conventions, words.join(" and "));
+        all.into_iter().filter(|(_, words)| !words.is_empty()).map(joined).collect()
+    }
+
+    /// Whether the dofs or the order of matrices differ.
+    fn differs_in_dofs(&self, other: &Self) -> bool {
+        let of = |one: &Self| (one.dofs, one.bar_first, one.column_major, one.hermite_tangent.to_bits());
+        of(self) != of(other)
+    }
+
+    /// The conventions with one change, each with its description.
+    fn single_changes(&self) -> Vec<(Self, String)> {
         let mut single: Vec<(Self, String)> = Vec::new();
         let mut add = |other: Self, words: &str| {
             if other != *self {
@@ -68,16 +101,6 @@ impl Conventions {
                 &format!("the tangent has the other sign (\"tangent_sign\":\"{}\")", sign(tangent)),
             );
         }
-        let mut pairs = Vec::new();
-        for (i, (one, words)) in single.iter().enumerate() {
-            for (two, more) in &single[i + 1..] {
-                let both = one.with_changes_of(two, self);
-                if both != *one && both != *two && !pairs.iter().any(|(known, _)| *known == both) {
-                    pairs.push((both, format!("{words} and {more}")));
-                }
-            }
-        }
-        single.extend(pairs);
         single
     }
 

@@ -1,81 +1,21 @@
 //! A case with its answers, and the answers of the closed form with a fault.
 
-use super::hypothesis::Change;
+use super::datum::{Datum, ratio};
+use super::hypothesis::{Change, WrongSummand};
 use crate::check::candidate::Sides;
 use crate::check::diagnosis::place;
-use crate::check::evaluation_point::EvaluationPoint;
+use crate::check::evaluation_point::{EvaluationPoint, Increment, Summand};
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Converted, Demands, Judgement, half_unit};
 use crate::check::external::conventions::{Conventions, ITEMS};
 use crate::check::external::vectors::Vector;
-use crate::check::verdict::Order;
+use crate::linearization::Varied;
 use crate::linearization::closed_form::Formulation;
-use crate::linearization::{Quantity, Varied};
 use crate::test_beam::Family;
 use crate::variant::{Fault, SCALAR_COMPONENTS, Variant};
 use std::borrow::Cow;
 use std::collections::HashMap;
-
-/// A number of an answer.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Datum {
-    /// Item and part.
-    pub(super) place: [usize; 2],
-    pub(super) quantity: Quantity,
-    pub(super) order: Order,
-    /// The place in the order of evaluation.
-    pub(super) rank: (Order, usize, usize),
-    /// Whether it is a gradient or a Hessian, contracted with the directions.
-    pub(super) is_contracted: bool,
-    pub(super) answer: f64,
-    pub(super) reference: f64,
-    pub(super) scale: f64,
-    pub(super) tolerance: f64,
-    /// The size of the probable rounding error.
-    pub(super) sigma: f64,
-    pub(super) is_wrong: bool,
-}
-
-/// The distance of a prediction from an answer.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Misfit {
-    /// The distance over the scale.
-    pub(super) scaled: f64,
-    /// The distance over the largest difference that rounding explains.
-    pub(super) over: f64,
-    /// The distance over the probable rounding error, squared.
-    pub(super) square: f64,
-}
-
-/// The square of a misfit that is not finite. It exceeds every other one, and its sums are finite.
-const BEYOND: f64 = 1e30;
-
-impl Datum {
-    /// The distance of a prediction from the answer.
-    pub(super) fn misfit(&self, predicted: f64) -> Misfit {
-        let off = (self.answer - predicted).abs();
-        if !off.is_finite() {
-            // A number that is not finite is explained only by the same one.
-            let both = self.answer.is_nan() && predicted.is_nan();
-            let is_same = both || self.answer.to_bits() == predicted.to_bits();
-            let [beyond, square] = if is_same { [0.0; 2] } else { [f64::INFINITY, BEYOND] };
-            return Misfit { scaled: beyond, over: beyond, square };
-        }
-        let rounding = 8.0 * self.tolerance + 1e-12 * self.scale + 1e-9 * (predicted - self.reference).abs();
-        let likely = ratio(off, self.sigma);
-        Misfit {
-            scaled: ratio(off, self.scale.max(predicted.abs())),
-            over: ratio(off, rounding),
-            square: (likely * likely).min(BEYOND),
-        }
-    }
-}
-
-/// A number that is infinite on both sides is no fit.
-fn ratio(one: f64, two: f64) -> f64 {
-    let ratio = if one == 0.0 { 0.0 } else { one / two };
-    if ratio.is_nan() { f64::INFINITY } else { ratio }
-}
+use std::sync::OnceLock;
 
 /// All items, as a program answers them directly, and contracted.
 pub(super) type Predicted = [Vec<Varied<f64>>; 2];
@@ -96,9 +36,10 @@ pub(super) struct AnsweredCase<'a> {
     others: Vec<EvaluationPoint<'a>>,
     /// The indices of the paper's formulation, of the library's and of the robust one among those that differ.
     formulations: [usize; FORMULATIONS],
-    conventions: Conventions,
+    pub(super) conventions: Conventions,
     families: [Family; 2],
     is_closed: bool,
+    summands: OnceLock<Vec<(Summand, Increment)>>,
     pub(super) data: Vec<Datum>,
 }
 
@@ -158,6 +99,7 @@ impl<'a> AnsweredCase<'a> {
             conventions: demands.conventions,
             families: vector.families(),
             is_closed,
+            summands: OnceLock::new(),
             data,
             memo: None,
         })
@@ -232,9 +174,39 @@ impl<'a> AnsweredCase<'a> {
         )
     }
 
+    /// All summands of the Hessians, each with the change of all components by it.
+    pub(super) fn summands(&self) -> &[(Summand, Increment)] {
+        self.summands.get_or_init(|| self.paper.summands())
+    }
+
+    /// The gradient of the gap along both directions.
+    pub(super) fn gap_gradients(&self) -> [f64; 2] {
+        let gap = self.paper.plain(&Variant::Unmodified)[20];
+        [gap.delta, gap.linear]
+    }
+
+    /// All items in the conventions of the program, with this change of all components.
+    pub(super) fn with_increment(&self, increment: &Increment) -> Vec<Varied<f64>> {
+        let mut varied = self.paper.plain(&Variant::Unmodified);
+        varied.iter_mut().zip(increment).for_each(|(of, by)| add(of, by));
+        self.conventions.of(&varied, self.is_closed)
+    }
+
+    /// The change of all components by several summands, each times its coefficient.
+    fn increment(&self, wrong: &[WrongSummand]) -> Increment {
+        let mut increment = Increment::default();
+        for of in wrong {
+            let (_, by) = &self.summands()[of.index];
+            for (sum, by) in increment.iter_mut().zip(by) {
+                *sum = std::array::from_fn(|i| sum[i] + of.coefficient * by[i]);
+            }
+        }
+        increment
+    }
+
     fn computed_by(&self, evaluation: &EvaluationPoint<'_>, change: &Change) -> Vec<Predicted> {
         let mut all = Vec::with_capacity(4);
-        let (varied, rows) = match change {
+        let (mut varied, rows) = match change {
             Change::Structure(structure) => evaluation.simplified(*structure),
             other => {
                 let variant =
@@ -244,6 +216,10 @@ impl<'a> AnsweredCase<'a> {
                 (evaluation.plain(variant), rows)
             }
         };
+        let increment = if let Change::Summands(wrong) = change { Some(self.increment(wrong)) } else { None };
+        if let Some(increment) = &increment {
+            varied.iter_mut().zip(increment).for_each(|(of, by)| add(of, by));
+        }
         let converted = |varied: [Varied<f64>; ITEMS - 1]| {
             let mut all = self.conventions.of(&varied, self.is_closed);
             change.of_items(&mut all, &varied, &self.conventions);
@@ -254,6 +230,9 @@ impl<'a> AnsweredCase<'a> {
             let mut contracted = varied;
             for (i, [delta, linear, second]) in SCALAR_COMPONENTS.into_iter().zip(rows) {
                 contracted[i] = Varied { value: contracted[i].value, delta, linear, second };
+                if let Some(increment) = &increment {
+                    add(&mut contracted[i], &increment[i]);
+                }
             }
             contracted[20] = Varied { value: contracted[20].value, ..contracted[15] };
             all.push([direct.clone(), converted(contracted)]);
@@ -288,4 +267,8 @@ impl<'a> AnsweredCase<'a> {
         let of = if datum.is_contracted { contracted } else { direct };
         of[item].parts()[part]
     }
+}
+
+fn add(of: &mut Varied<f64>, [delta, linear, second]: &[f64; 3]) {
+    (of.delta, of.linear, of.second) = (of.delta + delta, of.linear + linear, of.second + second);
 }

@@ -1,6 +1,7 @@
 //! The fit of a change to the answers, case by case. After each case, changes that fit worse than the best are dropped.
 
-use super::answered_case::{AnsweredCase, Datum, Predicted};
+use super::answered_case::{AnsweredCase, Predicted};
+use super::datum::Datum;
 use super::hypothesis::Change;
 use rayon::prelude::*;
 

@@ -1,12 +1,22 @@
 //! The possible errors of a program: a term, several terms, a simplification as a whole, a factor.
 
-use super::equation::equation;
-use crate::check::evaluation_point::Structure;
+use super::element::Element;
+use super::wording::{mistakes, names, of_fault, of_label, words};
+use crate::check::evaluation_point::{Structure, Summand};
 use crate::check::external::conventions::{Conventions, ENERGY};
 use crate::check::verdict::Order;
 use crate::linearization::{Quantity, Varied};
-use crate::number::{Label, Which};
-use crate::variant::{Fault, Kind, Variant};
+use crate::variant::Variant;
+
+/// A summand of a Hessian with its coefficient in the deviation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct WrongSummand {
+    /// Its index among all summands.
+    pub(super) index: usize,
+    pub(super) summand: Summand,
+    /// The coefficient of one occurrence: -1 if one is missing.
+    pub(super) coefficient: f64,
+}
 
 /// The change in the closed form.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,13 +27,12 @@ pub(super) enum Change {
     Structure(Structure),
     /// A quantity is multiplied, in this order.
     Factor(Quantity, Order, f64),
-    /// The tangent of the contact element lacks one of its two parts.
-    Tangent {
-        /// Whether the missing part is stiffness g_N H, and not stiffness times the product of the gradients.
-        is_geometric: bool,
-    },
+    /// Parts of the contact element are multiplied.
+    Element(Element),
     /// Beam and bar beam are exchanged.
     BeamsExchanged,
+    /// Some summands of the Hessians.
+    Summands(Vec<WrongSummand>),
 }
 
 impl Change {
@@ -35,7 +44,7 @@ impl Change {
         conventions: &Conventions,
     ) {
         match *self {
-            Self::Variant(_) | Self::Structure(_) => {}
+            Self::Variant(_) | Self::Structure(_) | Self::Summands(_) => {}
             Self::Factor(quantity, order, factor) => {
                 let items = all.len();
                 for (i, of) in all.iter_mut().enumerate() {
@@ -49,16 +58,7 @@ impl Change {
                     }
                 }
             }
-            Self::Tangent { is_geometric } => {
-                let Some(penalty) = conventions.penalty else { return };
-                let sign = if conventions.tangent_is_negative { -1.0 } else { 1.0 };
-                let gap = &varied[20];
-                let product = sign * penalty.stiffness * gap.delta * gap.linear;
-                let whole = all[ENERGY].second;
-                if whole != 0.0 {
-                    all[ENERGY].second = if is_geometric { product } else { whole - product };
-                }
-            }
+            Self::Element(element) => element.apply(&mut all[ENERGY], &varied[20], conventions),
             Self::BeamsExchanged => {
                 for i in 0..3 {
                     all.swap(i, 3 + i);
@@ -80,16 +80,22 @@ impl Change {
 
     /// Whether two terms are changed.
     pub(super) fn has_two_faults(&self) -> bool {
-        matches!(self, Self::Variant(Variant::Faulty(faults)) if faults.len() > 1)
+        match self {
+            Self::Variant(Variant::Faulty(faults)) => faults.len() > 1,
+            Self::Summands(wrong) => mistakes(wrong) > 1,
+            _ => false,
+        }
     }
 
     /// The complexity: simpler explanations come first.
     pub(super) fn class(&self) -> usize {
         match self {
             Self::Variant(Variant::Faulty(faults)) if faults.len() == 1 => 0,
-            Self::Structure(_) | Self::BeamsExchanged | Self::Tangent { .. } => 1,
+            Self::Structure(_) | Self::BeamsExchanged => 1,
+            Self::Element(element) => element.class(),
             Self::Factor(..) => 2,
             Self::Variant(Variant::Weighted(..)) => 3,
+            Self::Summands(wrong) => 2 + mistakes(wrong),
             Self::Variant(_) => 4,
         }
     }
@@ -108,9 +114,9 @@ impl Change {
             Self::Factor(quantity, order, factor) => {
                 format!("{} of {} = times {factor:.6}", order.name(), quantity.name())
             }
-            Self::Tangent { is_geometric: true } => "geometric-stiffness-missing".into(),
-            Self::Tangent { is_geometric: false } => "material-stiffness-missing".into(),
+            Self::Element(element) => element.name(),
             Self::BeamsExchanged => "beams-exchanged".into(),
+            Self::Summands(wrong) => names(wrong),
         }
     }
 
@@ -146,37 +152,9 @@ impl Change {
                 };
                 format!("{of} of {} as a whole is multiplied by {factor:.6}", quantity.name())
             }
-            Self::Tangent { is_geometric: true } => {
-                "the geometric part of the tangent of the contact element, the penalty times g_N H, is missing".into()
-            }
-            Self::Tangent { is_geometric: false } => {
-                "the part of the tangent of the contact element with the product of the gradients is missing".into()
-            }
+            Self::Element(element) => element.words(),
             Self::BeamsExchanged => "beam and bar beam are exchanged".into(),
+            Self::Summands(wrong) => words(wrong),
         }
-    }
-}
-
-fn of_label(label: &Label) -> String {
-    let (formula, term) = label.name.split_once(": ").unwrap_or(("", label.name));
-    let of = if label.which == Which::Bar { ", for the bar beam" } else { "" };
-    let formula = match formula {
-        "" => String::new(),
-        formula => format!(" of {formula}"),
-    };
-    format!("the term {term}{formula}{of}, {},", equation(label))
-}
-
-fn of_fault(Fault { label, kind }: &Fault) -> String {
-    let term = of_label(label);
-    match kind {
-        Kind::Sign => format!("{term} has the wrong sign"),
-        Kind::Dropped => format!("{term} is missing"),
-        Kind::Doubled => format!("{term} counts twice"),
-        Kind::Halved => format!("{term} counts half"),
-        Kind::Transposed => format!("{term} has delta and Delta exchanged, or is transposed"),
-        Kind::Swapped => format!("{term} has the beams exchanged"),
-        Kind::BarForgotten => format!("{term} takes the beam where the bar beam belongs"),
-        Kind::Stale => format!("{term} is taken at the parameters of the step before"),
     }
 }

@@ -3,7 +3,8 @@
 //! Numbers are evaluated in an order, and a fault changes only later numbers. Therefore, either one fault explains the
 //! first wrong numbers and the other changes later ones, or both change the first wrong numbers and nothing before.
 
-use super::answered_case::{AnsweredCase, Datum, FORMULATIONS, Predicted};
+use super::answered_case::{AnsweredCase, FORMULATIONS, Predicted};
+use super::datum::Datum;
 use super::fit::Fit;
 use super::hypothesis::Change;
 use super::search::{of_faults, singles};

@@ -1,10 +1,14 @@
 //! The search for the wrong terms: each fault of the catalogue, then factors, then pairs.
 
-use super::answered_case::{AnsweredCase, Datum, FORMULATIONS, Known, Predicted};
+use super::answered_case::{AnsweredCase, FORMULATIONS, Known, Predicted};
+use super::datum::Datum;
+use super::element::elements;
 use super::fit::{Fit, limit, near, race};
 use super::hypothesis::Change;
 use super::pairs::pairs;
+use super::summands::SummandFit;
 use crate::check::evaluation_point::Structure;
+use crate::check::external::conventions::ENERGY;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
 use crate::number::Label;
@@ -46,7 +50,7 @@ fn candidates(cases: &[&AnsweredCase]) -> Vec<Change> {
     let mut all: Vec<_> = singles().iter().map(|&fault| of_faults(&[fault])).collect();
     all.push(Change::Variant(Variant::Unmodified));
     all.extend(Structure::ALL.map(Change::Structure));
-    all.extend([true, false].map(|is_geometric| Change::Tangent { is_geometric }));
+    all.extend(elements(cases));
     all.push(Change::BeamsExchanged);
     let wrong: BTreeSet<_> = of(cases).filter(|datum| datum.is_wrong).map(|datum| datum.quantity).collect();
     for quantity in wrong {
@@ -67,7 +71,11 @@ fn of<'a>(cases: &'a [&AnsweredCase]) -> impl Iterator<Item = &'a Datum> {
 fn factor(cases: &[&AnsweredCase], quantity: Quantity, order: Order) -> Option<f64> {
     let is_of = |datum: &&Datum| {
         let is_order = datum.order == order || (order == Order::Matrix && datum.order != Order::Value);
-        datum.quantity == quantity && is_order && datum.scale > 0.0 && datum.answer.is_finite()
+        datum.quantity == quantity
+            && datum.place[0] != ENERGY
+            && is_order
+            && datum.scale > 0.0
+            && datum.answer.is_finite()
     };
     if of(cases).filter(is_of).filter(|datum| datum.is_wrong).count() < FEW {
         return None;
@@ -125,13 +133,20 @@ pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
     if is_found(&fits) || wrong < FEW || !is_finite {
         return fits;
     }
-    let fitted = &cases[..cases.len().min(FITTED)];
-    let weighted = |label: Label| Some(Change::Variant(Variant::Weighted(label, weight(fitted, label)?)));
-    let weighted = labels().into_par_iter().filter_map(weighted).collect();
     let after_singles = 2 * labels().len() * Kind::ALL.len();
-    fits = with(fits, raced(after_singles, weighted));
+    let summands = SummandFit::new(cases);
+    fits = with(fits, raced(after_singles, summands.of_one()));
     if !is_found(&fits) {
-        fits = with(fits, raced(2 * after_singles, pairs(cases)));
+        let fitted = &cases[..cases.len().min(FITTED)];
+        let weighted = |label: Label| Some(Change::Variant(Variant::Weighted(label, weight(fitted, label)?)));
+        let weighted = labels().into_par_iter().filter_map(weighted).collect();
+        fits = with(fits, raced(2 * after_singles, weighted));
+    }
+    if !is_found(&fits) {
+        fits = with(fits, raced(3 * after_singles, pairs(cases)));
+    }
+    if !is_found(&fits) {
+        fits = with(fits, raced(usize::MAX / 2, summands.of_two()));
     }
     fits
 }

@@ -1,0 +1,186 @@
+//! Errors of hand-written matrix formulas that are no faults of single terms of the closed form.
+
+use super::conventions::{changed, map};
+use super::programs::{exported, scratch};
+use super::{answers, drawing, vectors, verified};
+use crate::program::{json, run};
+use beamgap::check::external::{AnswerReader, Demands, Evaluator, Explanation, explain, other_conventions};
+use beamgap::check::{Family, Regime};
+use serde_json::Value;
+
+/// The numbers of an array of an answer.
+fn numbers(line: &Value, quantity: &str, array: &str) -> Vec<f64> {
+    line[quantity][array].as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+}
+
+/// Adds a product of two vectors to the Hessian of a quantity.
+fn add(line: &mut Value, quantity: &str, factor: f64, [one, two]: [&[f64]; 2]) {
+    let dofs = one.len();
+    let sum = numbers(line, quantity, "hessian").into_iter().enumerate();
+    let sum: Vec<f64> = sum.map(|(k, entry)| entry + factor * one[k / dofs] * two[k % dofs]).collect();
+    line[quantity]["hessian"] = sum.into();
+}
+
+/// The explanation of gradients and Hessians that are changed, and printed with `digits` digits.
+fn explained(digits: Option<u8>, change: impl Fn(&mut Value)) -> Explanation {
+    let all = vectors(&drawing(&[Family::Hermite], &[Regime::Generic, Regime::NearEnd], 8));
+    let text = changed(&answers(&Evaluator::default(), &all), |line| {
+        if !line["d"].is_object() {
+            return;
+        }
+        change(line);
+        let mut rest = serde_json::json!({ "id": line["id"] });
+        for name in ["d", "xi", "xi_bar", "t", "t_bar", "g_T", "g_T_bar"] {
+            for part in ["value", "gradient", "hessian"] {
+                rest[name][part] = line[name][part].clone();
+                if let Some(digits) = digits {
+                    map(&mut rest[name][part], &|x| {
+                        format!("{x:.*e}", usize::from(digits) - 1).parse().unwrap()
+                    });
+                }
+            }
+        }
+        *line = rest;
+    });
+    let report = verified(&all, &text, digits).unwrap();
+    explain(&report.kept, &Demands { digits, ..Demands::default() }).unwrap()
+}
+
+fn names(found: &Explanation) -> Vec<&str> {
+    found.causes.iter().map(|cause| cause.name.as_str()).collect()
+}
+
+#[test]
+fn a_missing_division_is_named() {
+    let value = |line: &Value, name: &str| line[name]["value"].as_f64().unwrap();
+    let times = |name: &'static str, array: &'static str| {
+        move |line: &mut Value| {
+            let length = value(line, name);
+            map(&mut line[name][array], &|x| length * x);
+        }
+    };
+    for digits in [None, Some(6)] {
+        let found = explained(digits, times("d", "hessian"));
+        assert_eq!(names(&found), ["H_d = times |d|"], "{found:?}");
+        assert_eq!(found.causes[0].words, "H_d as a whole is multiplied by |d|: a division is missing");
+        assert_eq!(names(&explained(digits, times("d", "gradient"))), ["grad d = times |d|"]);
+        // The normal in the product of normals is d, and not a unit vector.
+        let found = explained(digits, |line| {
+            let (d, normal) = (value(line, "d"), numbers(line, "d", "gradient"));
+            add(line, "d", 1.0 / d - d, [&normal, &normal]);
+        });
+        assert_eq!(names(&found), ["H_d: G'nn'G = times |d|^2"], "{found:?}");
+    }
+}
+
+#[test]
+fn a_product_without_its_transpose_is_named() {
+    for digits in [None, Some(6)] {
+        // H_d has b(g g_bar' + g_bar g')/d.
+        let change = |line: &mut Value, once: f64, transposed: f64| {
+            let sum = |name: &str, other: &str| -> f64 {
+                let value = |name: &str, axis| line[format!("{name}.{axis}")]["value"].as_f64().unwrap();
+                ["x", "y", "z"].map(|axis| value(name, axis) * value(other, axis)).iter().sum()
+            };
+            let factor = sum("t_vector", "t_bar_vector") / line["d"]["value"].as_f64().unwrap();
+            let [g, g_bar] = ["xi", "xi_bar"].map(|name| numbers(line, name, "gradient"));
+            add(line, "d", once * factor, [&g, &g_bar]);
+            add(line, "d", transposed * factor, [&g_bar, &g]);
+        };
+        let found = explained(digits, |line| change(line, 0.0, -1.0));
+        assert_eq!(names(&found), ["H_d: b g_bar g' = dropped"], "{found:?}");
+        assert!((found.causes[0].coefficient.unwrap() + 1.0).abs() < 1e-3);
+        // The same product twice, instead of the product and its transpose.
+        let found = explained(digits, |line| change(line, 1.0, -1.0));
+        let twice = "H_d: b gg_bar' = doubled and H_d: b g_bar g' = dropped";
+        assert_eq!(names(&found), [twice], "{found:?}");
+        // One line of a program serves both beams.
+        let found = explained(digits, |line| {
+            for bar in ["", "_bar"] {
+                let [g, grad_t] =
+                    [format!("xi{bar}"), format!("t{bar}")].map(|name| numbers(line, &name, "gradient"));
+                let slip = format!("g_T{bar}");
+                add(line, &slip, -1.0, [&g, &grad_t]);
+            }
+        });
+        let both = "H_g_T: g grad t' = dropped and H_g_T: g grad t' (bar) = dropped";
+        assert!(names(&found).contains(&both), "{found:?}");
+        assert!(found.causes[0].words.ends_with(" is missing, in both beams"), "{found:?}");
+    }
+}
+
+#[test]
+fn wrong_parts_of_a_contact_element_are_named() {
+    let mut drawing = drawing(&[Family::Hermite], &[Regime::Generic], 8);
+    drawing.penetrating = true;
+    let all = vectors(&drawing);
+    let text = answers(&Evaluator { penalty: Some(250.0), ..Evaluator::default() }, &all);
+    let named = |text: &str| {
+        let reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
+        let report = verified(&all, text, None).unwrap();
+        let demands = Demands { conventions: *reader.conventions(), digits: None };
+        explain(&report.kept, &demands).unwrap().causes.remove(0)
+    };
+    let stiffness = text.replace("\"penalty_stiffness\":250", "\"penalty_stiffness\":125");
+    let cause = named(&stiffness);
+    assert_eq!(cause.name, "penalty-stiffness = times 2.000000");
+    assert_eq!(cause.words, "the penalty stiffness is 2.000000 times the stated one");
+    let product = changed(&text, |line| {
+        if let Some(tangent) = line["tangent"].as_array() {
+            let g = numbers(line, "d", "gradient");
+            let is_active = line["g_N"]["value"].as_f64().unwrap() < 0.0;
+            let more = |k: usize| if is_active { 0.7 * 250.0 * g[k / 24] * g[k % 24] } else { 0.0 };
+            let tangent: Vec<f64> =
+                tangent.iter().enumerate().map(|(k, entry)| entry.as_f64().unwrap() + more(k)).collect();
+            line["tangent"] = tangent.into();
+        }
+    });
+    assert_eq!(named(&product).name, "material-stiffness = times 1.700000");
+}
+
+/// A program can have an unstated convention, and a wrong term as well.
+#[test]
+fn unstated_conventions_and_a_wrong_term_are_named_together() {
+    let path = exported("nearer.jsonl", &["--family", "hermite", "--cases", "4", "--expected", "none"]);
+    let vectors = path.to_str().unwrap();
+    let right = scratch("nearer-right.jsonl", "");
+    let right = right.to_str().unwrap();
+    assert!(run(&["evaluate", vectors, "--plant", "a: d.t,xi = dropped", "-o", right]).status.success());
+    let text = std::fs::read_to_string(right).unwrap();
+    // Component by component, and the bar beam first.
+    let place = |k: usize| (k / 12 * 12 + (k % 4) * 3 + k % 12 / 4 + 12) % 24;
+    let others = |text: &str| {
+        changed(text, |line| {
+            let mut rest = serde_json::json!({ "id": line["id"] });
+            for name in ["d", "xi", "xi_bar"].into_iter().filter(|name| line[name].is_object()) {
+                let (g, h) = (numbers(line, name, "gradient"), numbers(line, name, "hessian"));
+                let g: Vec<f64> = (0..24).map(|i| g[place(i)]).collect();
+                let h: Vec<f64> = (0..576).map(|k| h[24 * place(k / 24) + place(k % 24)]).collect();
+                rest[name] = serde_json::json!({ "gradient": g, "hessian": h });
+            }
+            if rest.as_object().unwrap().len() == 1 {
+                rest = line.clone();
+            }
+            *line = rest;
+        })
+    };
+    let answers = scratch("nearer-answers.jsonl", &others(&text));
+    let output = run(&["verify", vectors, answers.to_str().unwrap(), "--format", "json"]);
+    let document = json(&output);
+    let expected = "the dofs come component by component (\"dofs\":\"component-major\") and the dofs of the bar beam \
+                    come first (\"beams\":\"bar first\")";
+    assert_eq!((&document["agrees_if"], &document["nearer_if"]), (&Value::Null, &expected.into()));
+    assert_eq!(document["explanation"]["causes"][0]["name"], "a: d.t,xi = dropped");
+    let told = String::from_utf8(run(&["verify", vectors, answers.to_str().unwrap()]).stdout).unwrap();
+    assert!(
+        told.contains("Fewer numbers are wrong, ") && told.contains("Cause: the term d.t,xi of a"),
+        "{told}"
+    );
+    let (_, verdict) = told.split_once("DISAGREE").unwrap();
+    assert!(verdict.lines().all(|line| line.chars().count() <= 80), "{told}");
+    // The term alone is explained in the stated conventions.
+    let document = json(&run(&["verify", vectors, right, "--format", "json"]));
+    assert_eq!(document["nearer_if"], Value::Null);
+    assert_eq!(document["explanation"]["causes"][0]["name"], "a: d.t,xi = dropped");
+    assert_eq!(other_conventions(&[], &Demands::default()), None);
+}
