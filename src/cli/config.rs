@@ -120,6 +120,9 @@ fn expected(name: &str, names: &[String], shown: impl Fn(&str) -> String) -> Str
     }
 }
 
+/// A text with its place: a value as an option has it, or what was expected.
+type At = (Range<usize>, String);
+
 /// A file, for messages with a place in it.
 #[derive(Clone, Copy)]
 struct Text<'a> {
@@ -165,37 +168,42 @@ fn of_file(command: &Command, name: &str, text: &str) -> anyhow::Result<Settings
                 let names: Vec<_> = options_of(command, of).into_iter().filter(|of| of != "reason").collect();
                 bail!("{at}: {of}: no key `{key}`, {}", expected(key, &names, str::to_owned));
             };
-            let found = if key == "digits" {
-                digits_and_reason(file, value)
-            } else {
-                values(file, arg, value).map(|values| vec![(key, values)])
-            };
-            for (option, values) in
-                found.map_err(|(span, wrong)| anyhow!("{}: {of}.{key}: {wrong}", file.place(&span)))?
-            {
-                for (span, value) in &values {
-                    let at = file.place(span);
-                    taken(command, of, option, value)
-                        .map_err(|wrong| anyhow!("{at}: {of}.{key}: {wrong}"))?;
-                }
-                if !values.is_empty() {
-                    let values = values.into_iter().map(|(_, value)| value).collect();
-                    settings.insert((of.to_owned(), option.to_owned()), values);
-                }
-            }
+            let found = of_option(command, file, of, arg, value);
+            let found =
+                found.map_err(|(span, wrong)| anyhow!("{}: {of}.{key}: {wrong}", file.place(&span)))?;
+            settings.extend(found.into_iter().map(|(option, values)| ((of.to_owned(), option), values)));
         }
     }
     Ok(settings)
 }
 
-/// A value as an option has it, with its place.
-type At<T> = (Range<usize>, T);
+/// The accepted values of an option that the file sets. The digits come with their reason.
+fn of_option(
+    command: &Command,
+    file: Text,
+    of: &str,
+    arg: &Arg,
+    value: &Spanned<DeValue>,
+) -> Result<Vec<(String, Vec<String>)>, At> {
+    let option = arg.get_long().unwrap_or_default();
+    let found = if option == "digits" {
+        let [digits, reason] = digits_and_reason(file, value)?;
+        vec![("digits", vec![digits]), ("reason", vec![reason])]
+    } else {
+        vec![(option, values(file, arg, value)?)]
+    };
+    let mut accepted = Vec::new();
+    for (option, values) in found.into_iter().filter(|(_, values)| !values.is_empty()) {
+        for (span, value) in &values {
+            taken(command, of, option, value).map_err(|wrong| (span.clone(), wrong))?;
+        }
+        accepted.push((option.to_owned(), values.into_iter().map(|(_, value)| value).collect()));
+    }
+    Ok(accepted)
+}
 
 /// The digits and the reason of a tolerance that differs from the derived one.
-fn digits_and_reason(
-    file: Text,
-    value: &Spanned<DeValue>,
-) -> Result<Vec<(&'static str, Vec<At<String>>)>, At<String>> {
+fn digits_and_reason(file: Text, value: &Spanned<DeValue>) -> Result<[At; 2], At> {
     let wrong = || {
         let expected = "a number with its reason expected, as { value = 6, reason = \"single precision\" }";
         (value.span(), format!("{expected}, found {}", file.text[value.span()].trim()))
@@ -211,11 +219,11 @@ fn digits_and_reason(
     let digits = digits.filter(|digits| digits.get_ref().is_integer()).ok_or_else(wrong)?;
     let told = |reason: &&Spanned<DeValue>| reason.get_ref().as_str().is_some_and(|of| !of.trim().is_empty());
     let reason = reason.filter(told).ok_or_else(wrong)?;
-    Ok(vec![("digits", vec![scalar(file, digits)?]), ("reason", vec![scalar(file, reason)?])])
+    Ok([scalar(file, digits)?, scalar(file, reason)?])
 }
 
 /// A value as strings, as flags have it.
-fn values(file: Text, arg: &Arg, value: &Spanned<DeValue>) -> Result<Vec<At<String>>, At<String>> {
+fn values(file: Text, arg: &Arg, value: &Spanned<DeValue>) -> Result<Vec<At>, At> {
     match (arg.get_action(), value.get_ref()) {
         (ArgAction::SetTrue, DeValue::Boolean(true)) => Ok(vec![(value.span(), "true".to_owned())]),
         (ArgAction::SetTrue, DeValue::Boolean(false)) => Ok(Vec::new()),
@@ -227,7 +235,7 @@ fn values(file: Text, arg: &Arg, value: &Spanned<DeValue>) -> Result<Vec<At<Stri
     }
 }
 
-fn scalar(file: Text, value: &Spanned<DeValue>) -> Result<At<String>, At<String>> {
+fn scalar(file: Text, value: &Spanned<DeValue>) -> Result<At, At> {
     let text = match value.get_ref() {
         DeValue::String(text) => text.clone().into_owned(),
         DeValue::Integer(number) => i128::from_str_radix(number.as_str(), number.radix())

@@ -51,7 +51,9 @@ impl InjectFaults {
         work_with(self.threads)?;
         if self.list {
             for faults in catalogue_in_parts() {
-                to_stdout(&faults.iter().map(|fault| format!("{fault}\n")).collect::<String>())?;
+                let names =
+                    faults.iter().fold(String::new(), |names, fault| names + &fault.to_string() + "\n");
+                to_stdout(&names)?;
             }
             return Ok(Exit::Agree);
         }

@@ -4,6 +4,7 @@ use super::accuracy::verdict;
 use super::count::count;
 use super::exit::Exit;
 use super::faults;
+use super::output::to_stdout;
 use super::progress::Progress;
 use beamgap::check::Regime;
 use beamgap::equations;
@@ -58,6 +59,7 @@ impl Report {
         if let Err(missing) = &measured {
             eprintln!("Left out: benchmark: {missing}.");
         }
+        to_stdout("Reports\n")?;
         let exit = self.checks()?;
         let benchmark = measured.is_ok().then_some("benchmark");
         let written = ["crosscheck", "bounds", "accuracy", "equations", "derivation", "faults", "symbols"];

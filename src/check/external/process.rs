@@ -133,7 +133,6 @@ impl Runner {
         let mut matching: Option<(Matching, Conventions)> = None;
         loop {
             let result = match told.recv_timeout(self.time_out) {
-                Ok(Told::Nothing) => break,
                 Ok(Told::Head(head)) => {
                     let (conventions, program) = *head;
                     let demands = Demands { conventions, digits: self.digits };
@@ -155,7 +154,7 @@ impl Runner {
                 }
                 Ok(Told::Error(error)) => Err(Some(error.into())),
                 Err(RecvTimeoutError::Timeout) => Err(None),
-                Err(RecvTimeoutError::Disconnected) => break,
+                Ok(Told::Nothing) | Err(RecvTimeoutError::Disconnected) => break,
             };
             result.map_err(|error| (error, answered))?;
         }

@@ -53,7 +53,7 @@ fn a_program_is_run_and_its_exit_status_time_and_words_are_told() {
         ("yes", "standard output of yes:1:1: the titles `case,quantity,value`"),
         ("/no/such/program", "cannot start /no/such/program"),
         ("sh -c 'exit", "a program, with its arguments, expected"),
-        ("true", "true: ended without any output; a program must read the cases on standard input"),
+        ("true", "true: no output; a program must read the cases on standard input"),
     ] {
         let (code, _, told) = verify(program);
         assert!(code == Some(3) && told.contains(expected), "{program}: {told}");

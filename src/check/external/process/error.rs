@@ -48,9 +48,9 @@ pub enum ProcessError {
         /// The end of its standard error.
         stderr: String,
     },
-    /// The program ended without any output.
+    /// The program closed its output without a word.
     #[error(
-        "{program}: ended without any output; a program must read the cases on standard input and write a head and its \
+        "{program}: no output; a program must read the cases on standard input and write a head and its \
          answers to standard output{stderr}"
     )]
     Silent {
