@@ -34,16 +34,23 @@ pub(super) fn tell(error: &str) {
     let stderr = std::io::stderr();
     let width = if stderr.is_terminal() { terminal_size::terminal_size_of(&stderr) } else { None };
     let columns = width.map_or(80, |(terminal_size::Width(width), _)| usize::from(width));
+    let paths: Vec<_> = std::env::args_os().filter_map(|path| path.into_string().ok()).collect();
     // The exit code tells the error if standard error is closed.
-    let _ = writeln!(&stderr, "{}", message(error, columns));
+    let _ = writeln!(&stderr, "{}", message(error, columns, &paths));
 }
 
-fn message(error: &str, columns: usize) -> String {
+/// The error in lines of at most so many columns. The blanks of these paths do not divide a line.
+fn message(error: &str, columns: usize, paths: &[String]) -> String {
+    /// It stands for a blank of a path; no text has it.
+    const BLANK: &str = "\u{e000}";
     let (first, others) = error.split_at(error.find('\n').unwrap_or(error.len()));
     if first.chars().count() <= columns {
         return error.to_owned();
     }
-    folded_to(columns, first, "", "  ") + others
+    // An option may have a path after its name.
+    let paths = paths.iter().filter_map(|path| path.rsplit('=').next()).filter(|path| path.contains(' '));
+    let kept = paths.fold(first.to_owned(), |text, path| text.replace(path, &path.replace(' ', BLANK)));
+    folded_to(columns, &kept, "", "  ").replace(BLANK, " ") + others
 }
 
 fn columns() -> usize {
@@ -59,8 +66,11 @@ mod tests {
     #[test]
     fn an_error_is_folded_between_words() {
         let path = "/a/path/that/is/longer/than/the/line";
-        let told = message(&format!("error: cannot read {path}: no such file\nIts  output is kept"), 24);
+        let told = message(&format!("error: cannot read {path}: no such file\nIts  output is kept"), 24, &[]);
         assert_eq!(told, format!("error: cannot read\n  {path}:\n  no such file\nIts  output is kept"));
-        assert_eq!(message("error: a  short one", 24), "error: a  short one");
+        assert_eq!(message("error: a  short one", 24, &[]), "error: a  short one");
+        let paths = ["verify".to_owned(), "--output=json=a file.json".to_owned()];
+        let told = message("error: cannot write a file.json: no such file", 24, &paths);
+        assert_eq!(told, "error: cannot write\n  a file.json: no such\n  file");
     }
 }
