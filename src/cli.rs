@@ -10,6 +10,7 @@ mod case_file;
 mod check;
 mod checked;
 mod config;
+mod count;
 mod disagreements;
 mod equations;
 mod exit;
@@ -93,7 +94,7 @@ enum Command {
 /// # Errors
 /// Invalid arguments, files that cannot be written, and panics.
 pub(crate) fn run() -> anyhow::Result<Exit> {
-    let command = config::configured(Arguments::command())?;
+    let command = config::configured(with_negative_numbers(Arguments::command()))?;
     let parsed = command.clone().try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
     let arguments = match parsed {
         Ok(arguments) => arguments,
@@ -130,7 +131,16 @@ pub(crate) fn run() -> anyhow::Result<Exit> {
     })
 }
 
-/// Prints the error on stderr, in one line.
+/// The command line on which a negative number is a value, so that its option says what it expects.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let of_option = |arg: clap::Arg| {
+        let is_option = arg.get_long().is_some() && arg.get_action().takes_values();
+        if is_option { arg.allow_negative_numbers(true) } else { arg }
+    };
+    command.mut_subcommands(|sub| sub.mut_args(of_option))
+}
+
+/// Prints the error on stderr.
 pub(crate) fn tell(error: &anyhow::Error) -> Exit {
     let (line, exit) = if let Some(wrong) = error.downcast_ref::<clap::Error>() {
         (one_line(&wrong.render().to_string()), Exit::Usage)
@@ -139,7 +149,7 @@ pub(crate) fn tell(error: &anyhow::Error) -> Exit {
     } else {
         (format!("error: {error:#}"), Exit::Input)
     };
-    eprintln!("{line}");
+    terminal::tell(&line);
     exit
 }
 

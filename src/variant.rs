@@ -13,7 +13,7 @@ mod point;
 mod rewrite;
 mod rewrites;
 
-pub use catalogue::{catalogue, with_faults};
+pub use catalogue::{catalogue, catalogue_in_parts, with_faults};
 pub(crate) use catalogue::{classes, terms};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;

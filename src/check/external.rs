@@ -33,6 +33,6 @@ pub use explain::{
 pub use location::{Location, locate};
 pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};
-pub use process::{ProcessError, Runner};
+pub use process::{InputState, ProcessError, Runner};
 pub use report::{Loss, PartFound, PartKey, RegimeFound, Report};
 pub use vectors::{Drawing, Expected, Outcome, VECTORS, Vector, VectorReader, VectorWriter};

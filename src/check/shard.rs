@@ -1,6 +1,7 @@
 //! Parts of the cases, for several machines.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
@@ -30,13 +31,46 @@ impl Shard {
 
     /// Whether some case may belong to both shards.
     pub fn overlaps(self, other: Self) -> bool {
-        let (mut a, mut b) = (self.of, other.of);
-        while b > 0 {
-            (a, b) = (b, a % b);
-        }
+        let common = common_divisor(self.of, other.of);
         // By the Chinese remainder theorem.
-        (self.number - 1) % a == (other.number - 1) % a
+        (self.number - 1) % common == (other.number - 1) % common
     }
+
+    /// The shards that complete these, which do not overlap: as large as the numbers of parts of the given ones allow. There
+    /// are none if all cases are held, or if the shards are too small to be listed.
+    pub fn missing(known: &[Self]) -> Vec<Self> {
+        let mut parts: Vec<u32> = known.iter().map(|shard| shard.of).collect();
+        let multiple = parts.iter().try_fold(1_u32, |all, &of| {
+            (all / common_divisor(all, of)).checked_mul(of).filter(|&all| all <= FINEST)
+        });
+        let Some(multiple) = multiple else { return Vec::new() };
+        parts.push(multiple);
+        parts.sort_unstable();
+        parts.dedup();
+        let held = |place: &u32| known.iter().any(|shard| shard.holds((*place).into()));
+        let mut open: BTreeSet<u32> = (0..multiple).filter(|place| !held(place)).collect();
+        let mut missing = Vec::new();
+        for of in parts {
+            for number in 1..=of {
+                let of_shard = || (number - 1..multiple).step_by(of as usize);
+                if of_shard().all(|place| open.contains(&place)) {
+                    open.retain(|place| place % of != number - 1);
+                    missing.push(Self { number, of });
+                }
+            }
+        }
+        missing
+    }
+}
+
+/// The most parts into which cases are divided to find missing shards.
+const FINEST: u32 = 1 << 16;
+
+fn common_divisor(mut a: u32, mut b: u32) -> u32 {
+    while b > 0 {
+        (a, b) = (b, a % b);
+    }
+    a
 }
 
 impl fmt::Display for Shard {
@@ -96,6 +130,23 @@ mod tests {
                     assert_eq!(one.overlaps(two), share, "{one} {two}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn missing_shards_are_named() {
+        for (known, missing) in [
+            ("1/4", "2/4 3/4 4/4"),
+            ("2/2", "1/2"),
+            ("1/2 2/4", "4/4"),
+            ("4/4 1/2", "2/4"),
+            ("1/4 2/6", "3/4 4/6 6/6"),
+            ("1/1", ""),
+            ("1/99991 2/99991", ""),
+        ] {
+            let known: Vec<Shard> = known.split(' ').map(shard).collect();
+            let found: Vec<String> = Shard::missing(&known).iter().map(Shard::to_string).collect();
+            assert_eq!(found.join(" "), missing, "{known:?}");
         }
     }
 

@@ -18,10 +18,10 @@ const LOSS: f64 = 16.0;
 #[command(after_help = Exit::help())]
 pub(crate) struct Accurate {
     /// Seed of the random pairs, decimal or 0x-hexadecimal
-    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, default_value = "0x5eed", value_parser = seed)]
     seed: u64,
     /// How many pairs at each gap and angle
-    #[arg(long, value_name = "N", default_value_t = ACCURACY_PAIRS, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = ACCURACY_PAIRS)]
     #[arg(value_parser = value_parser!(u32).range(1..=100_000))]
     pairs: u32,
     #[command(flatten)]

@@ -52,6 +52,14 @@ pub(super) fn regimes() -> impl TypedValueParser<Value = Regime> {
         .try_map(|name| Regime::from_name(&name).ok_or("no such regime"))
 }
 
+/// The name of a fault.
+pub(super) fn fault(text: &str) -> Result<String, String> {
+    let expected =
+        "a term and a kind expected, such as `a: d.t,xi = dropped`; `beamgap faults --list` lists all";
+    let name = text.to_owned();
+    with_faults(std::slice::from_ref(&name)).map(|_| name).map_err(|_| expected.to_owned())
+}
+
 /// The closed form with these faults injected.
 pub(super) fn variant(plant: &[String]) -> anyhow::Result<Variant> {
     let mut known = BTreeSet::new();

@@ -1,6 +1,7 @@
 //! `beamgap bounds`: whether the tolerances are error bounds, and their overestimation factor.
 
 use super::arguments::{families, regimes, seed};
+use super::count::count;
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, State, Verdict};
 use super::output::OutputOptions;
@@ -16,10 +17,10 @@ use std::fmt::Write;
 #[command(after_help = Exit::help())]
 pub(crate) struct MeasureBounds {
     /// Seed of the random pairs, decimal or 0x-hexadecimal
-    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, default_value = "0x5eed", value_parser = seed)]
     seed: u64,
     /// How many cases of each regime; there are ten regimes
-    #[arg(long, value_name = "N", default_value_t = BOUNDS_CASES, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = BOUNDS_CASES)]
     #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
     cases: u64,
     /// Only pairs in which beam, bar beam or both are of this family; may be given once
@@ -71,11 +72,13 @@ fn outcome(record: &Bounds) -> Outcome {
             "NOTHING MEASURED: no closest point could be measured.".to_owned(),
         ),
         (_, 0) => {
-            let words = format!("BOUNDS HOLD: at {points} closest points no error exceeds its bound.");
+            let points = count(points, "closest point");
+            let words = format!("BOUNDS HOLD: at {points} no error exceeds its bound.");
             (Exit::Agree, "hold", words)
         }
         (_, n) => {
-            (Exit::Untrusted, "broken", format!("BROKEN BOUNDS: in {n} cases an error exceeds its bound."))
+            let words = format!("BROKEN BOUNDS: in {} an error exceeds its bound.", count(n, "case"));
+            (Exit::Untrusted, "broken", words)
         }
     };
     let entries = found.all.iter().map(|(&(side, order), measured)| {
@@ -86,8 +89,9 @@ fn outcome(record: &Bounds) -> Outcome {
             name: side.name().to_owned(),
             state: State::of(measured.entries, wrong as u64),
             message: format!(
-                "{} numbers with an error; it exceeds its bound in {wrong} cases",
-                measured.entries
+                "{} with an error; it exceeds its bound in {}",
+                count(measured.entries, "number"),
+                count(wrong, "case")
             ),
             source: None,
         }

@@ -150,9 +150,14 @@ fn contact(value: &Value) -> anyhow::Result<Contact> {
     known(object, "contact", &["radius", "radius_bar", "xi_0", "xi_bar_0"])?;
     let get =
         |name: &str| object.get(name).map_or(Ok(0.0), |value| number(value, &format!("contact.{name}")));
+    let radius = |name: &str| {
+        let radius = get(name)?;
+        ensure!(radius >= 0.0, "contact.{name}: a number from 0 on expected, found {radius}");
+        anyhow::Ok(radius)
+    };
     Ok(Contact {
-        radius: get("radius")?,
-        radius_bar: get("radius_bar")?,
+        radius: radius("radius")?,
+        radius_bar: radius("radius_bar")?,
         xi_0: get("xi_0")?,
         xi_bar_0: get("xi_bar_0")?,
     })

@@ -1,9 +1,10 @@
 //! `beamgap check`: both linearizations, compared on random pairs of beams.
 
-use super::arguments::{families, regimes, seconds, seed, variant, work_with};
+use super::arguments::{families, fault, regimes, seconds, seed, variant, work_with};
 use super::case;
 use super::case_file;
 use super::checked::{Checked, MOST_CASES, Oracle};
+use super::count::count;
 use super::exit::Exit;
 use super::human;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
@@ -24,10 +25,10 @@ use std::time::{Duration, Instant};
 #[command(after_help = Exit::help())]
 pub(crate) struct Check {
     /// Seed of the random pairs, decimal or 0x-hexadecimal
-    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, default_value = "0x5eed", value_parser = seed)]
     seed: u64,
     /// How many cases of each regime, up to a million
-    #[arg(long, value_name = "N", default_value = "10000", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "10000")]
     #[arg(value_parser = value_parser!(u64).range(1..=MOST_CASES))]
     cases: u64,
     /// Only pairs in which beam, bar beam or both are of this family; may be given once
@@ -37,7 +38,7 @@ pub(crate) struct Check {
     #[arg(long, value_parser = regimes())]
     regime: Vec<Regime>,
     /// Only the case with this number, and everything about it
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     #[arg(conflicts_with_all = ["cases", "family", "regime"], group = "one")]
     case: Option<u64>,
     /// Only the case in this file, or on standard input if it is -: JSON as --case or a disagreement shows it
@@ -48,22 +49,22 @@ pub(crate) struct Check {
     #[arg(long, conflicts_with_all = ["cases", "family", "regime"], requires = "one")]
     only_wrong: bool,
     /// Inject this fault, to see the check fail; may be repeated (see `beamgap faults --list`)
-    #[arg(long, value_name = "FAULT")]
+    #[arg(long, value_name = "FAULT", value_parser = fault)]
     plant: Vec<String>,
     /// What the closed form is compared with
     #[arg(long, value_enum, default_value_t = Oracle::Ad)]
     oracle: Oracle,
     /// Only the i-th of n parts of the cases; `beamgap merge` puts the parts together
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
-    #[arg(conflicts_with = "one")]
+    #[arg(conflicts_with = "one", allow_hyphen_values = true)]
     shard: Shard,
     /// Start no case after this time, as 30s or 5m; the result says how many were not reached
-    #[arg(long, value_name = "TIME", value_parser = seconds, conflicts_with = "one")]
+    #[arg(long, value_name = "TIME", value_parser = seconds, conflicts_with = "one", allow_hyphen_values = true)]
     time_budget: Option<Duration>,
     #[command(flatten)]
     output: OutputOptions,
     /// How many threads work; the result is the same [default: all cores]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
@@ -116,7 +117,8 @@ impl Check {
         checked.found = run_part(&config, self.seed, &numbers, deadline, || progress.step());
         progress.end();
         if std::io::stderr().is_terminal() {
-            eprintln!("{} cases in {:.1} s", numbers.len(), start.elapsed().as_secs_f64());
+            let cases = count(numbers.len(), "case");
+            eprintln!("{cases} in {:.1} s", start.elapsed().as_secs_f64());
         }
         let shown = checked.shown()?;
         outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
@@ -126,11 +128,12 @@ impl Check {
 
 /// The outcome of the comparison of one case, with one entry for each order of each quantity.
 fn outcome_of(points: &Compared) -> Outcome {
-    let count = |wanted: fn(&Found) -> bool| points.iter().filter(|(_, found)| wanted(found)).count() as u64;
-    let left = count(|found| matches!(found, Found::Inconclusive(..)));
+    let points_with =
+        |wanted: fn(&Found) -> bool| points.iter().filter(|(_, found)| wanted(found)).count() as u64;
+    let left = points_with(|found| matches!(found, Found::Inconclusive(..)));
     let arbitrated = points.iter().filter_map(|(_, found)| Arbitration::of(found.entries()));
     let untrusted = arbitrated.filter(|who| who.is_untrusted()).count();
-    let wrong = count(|found| matches!(found, Found::Mismatch(_)));
+    let wrong = points_with(|found| matches!(found, Found::Mismatch(_)));
     let verdict = in_words(points.len() as u64 - left, wrong, left, untrusted);
     let mut counts: BTreeMap<_, (u64, u64)> = BTreeMap::new();
     for entry in points.iter().flat_map(|(_, found)| found.entries()).filter(|entry| entry.is_meaningful()) {
@@ -141,20 +144,25 @@ fn outcome_of(points: &Compared) -> Outcome {
         group: order.name().to_owned(),
         name: quantity.name().to_owned(),
         state: State::of(numbers, wrong),
-        message: format!("{wrong} of {numbers} numbers differ beyond rounding"),
+        message: format!("{wrong} of {} {} beyond rounding", count(numbers, "number"), differ(wrong)),
         source: Some(Source::of_formula(order, quantity)),
     });
     Outcome { command: "check", verdict, entries: entries.collect() }
 }
 
+/// The verb for this count.
+fn differ(count: u64) -> &'static str {
+    if count == 1 { "differs" } else { "differ" }
+}
+
 /// The verdict, from the counts of closest points.
 pub(super) fn in_words(compared: u64, wrong: u64, left: u64, untrusted: usize) -> Verdict {
-    let points = if compared == 1 { "closest point" } else { "closest points" };
+    let points = count(compared, "closest point");
     let (exit, name, words) = match (compared, wrong) {
         _ if untrusted > 0 => {
-            let cases = if untrusted == 1 { "case" } else { "cases" };
+            let cases = count(untrusted, "case");
             let words = format!(
-                "UNTRUSTED: in {untrusted} {cases} the oracles disagree among themselves.\n\
+                "UNTRUSTED: in {cases} the oracles disagree among themselves.\n\
                  The check itself cannot be trusted, and says nothing of the closed form."
             );
             (Exit::Untrusted, "untrusted", words)
@@ -165,11 +173,11 @@ pub(super) fn in_words(compared: u64, wrong: u64, left: u64, untrusted: usize) -
             "NOTHING COMPARED: no closest point could be compared.".into(),
         ),
         (_, 0) => {
-            let words = format!("AGREE: at {compared} {points} nothing differs beyond rounding.");
+            let words = format!("AGREE: at {points} nothing differs beyond rounding.");
             (Exit::Agree, "agree", words)
         }
         _ => {
-            let words = format!("DISAGREE: {wrong} of {compared} {points} differ beyond rounding.");
+            let words = format!("DISAGREE: {wrong} of {points} {} beyond rounding.", differ(wrong));
             (Exit::Disagree, "disagree", words)
         }
     };
@@ -194,7 +202,7 @@ mod tests {
         for (numbers, exit, words) in [
             ((1, 0, 0, 0), Exit::Agree, "AGREE: at 1 closest point nothing differs beyond rounding."),
             ((2, 0, 1, 0), Exit::Agree, "AGREE: at 2 closest points nothing differs beyond rounding."),
-            ((2, 1, 0, 0), Exit::Disagree, "DISAGREE: 1 of 2 closest points differ beyond rounding."),
+            ((2, 1, 0, 0), Exit::Disagree, "DISAGREE: 1 of 2 closest points differs beyond rounding."),
             ((0, 0, 1, 0), Exit::Nothing, "NOTHING COMPARED: no closest point could be compared."),
             ((2, 1, 0, 1), Exit::Untrusted, "UNTRUSTED: in 1 case the oracles disagree among themselves."),
             ((2, 2, 0, 2), Exit::Untrusted, "UNTRUSTED: in 2 cases the oracles disagree among themselves."),

@@ -3,6 +3,7 @@
 //! Names and meanings stay; entries may be added. Numbers have all digits. Infinity and NaN are words, such as `"inf"`.
 
 use super::arguments::{planting, program, variant};
+use super::count::count;
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
 use super::{case_file, disagreements, human, json};
@@ -107,7 +108,7 @@ impl Checked {
         let wrong = tallies().map(|tally| tally.mismatches).sum();
         let mut verdict = super::check::in_words(found.compared(), wrong, left, untrusted);
         if let (asked, missed @ 1..) = self.asked() {
-            let _ = write!(verdict.words, "\nNot reached in time: {missed} of {asked} cases.");
+            let _ = write!(verdict.words, "\nNot reached in time: {missed} of {}.", count(asked, "case"));
         }
         verdict
     }
@@ -117,9 +118,10 @@ impl Checked {
         let entries = self.found.quantities.iter().map(|(&(quantity, order), cell)| {
             let &Cell { scaled_error, over_tolerance, case, entries } = cell;
             let state = State::of(entries, u64::from(over_tolerance > 1.0));
+            let numbers = count(entries, "number");
             let differs = if state == State::Differs { "differs beyond rounding: " } else { "" };
             let message = format!(
-                "{differs}{entries} numbers; the largest error is {scaled_error:.1e} of the scale, in case {case}; the largest error / \
+                "{differs}{numbers}; the largest error is {scaled_error:.1e} of the scale, in case {case}; the largest error / \
                  tolerance is {over_tolerance:.1e}"
             );
             let source = Some(Source::of_formula(order, quantity));
@@ -175,12 +177,29 @@ impl Checked {
             });
         }
         let Some(merged) = merged else { anyhow::bail!("a part expected") };
-        let shards = || known.iter().map(|(_, shard)| *shard);
-        let held: u64 = shards().map(|shard| merged.selection.count(shard)).sum();
+        let shards: Vec<Shard> = known.iter().map(|(_, shard)| *shard).collect();
+        let held: u64 = shards.iter().map(|shard| merged.selection.count(*shard)).sum();
         let all = merged.selection.count(Shard::WHOLE);
-        let names = || shards().map(|shard| shard.to_string()).collect::<Vec<_>>().join(", ");
-        ensure!(held == all, "the shards {} have {held} of {all} cases: some are missing", names());
+        ensure!(held == all, "{}: the others have {held} of {all} cases", missing(&merged, &shards));
         Ok(Self { shard: Shard::WHOLE, ..merged })
+    }
+}
+
+/// The shards without which a run is not complete, in words.
+fn missing(merged: &Checked, shards: &[Shard]) -> String {
+    let mut names: Vec<_> = Shard::missing(shards)
+        .into_iter()
+        .filter(|shard| merged.selection.count(*shard) > 0)
+        .map(|shard| shard.to_string())
+        .collect();
+    if let Some(rest @ 1..) = names.len().checked_sub(SHOWN) {
+        names.truncate(SHOWN);
+        names.push(format!("{rest} more"));
+    }
+    match names.as_slice() {
+        [] => "shards are missing".to_owned(),
+        [one] => format!("shard {one} is missing"),
+        [first @ .., last] => format!("shards {} and {last} are missing", first.join(", ")),
     }
 }
 

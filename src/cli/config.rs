@@ -3,12 +3,15 @@
 //! They become defaults of the command line, so that they are parsed, checked and shown like flags. A tolerance that is
 //! loosened in the file needs a reason; the result contains the reason.
 
-use anyhow::{Context, anyhow, bail, ensure};
+use anyhow::{Context, anyhow, bail};
+use clap::builder::ArgPredicate;
 use clap::{Arg, ArgAction, Command};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
+use std::ops::Range;
 use std::path::PathBuf;
-use toml::Value;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 /// The file that is read without `--config`.
 const FILE: &str = "beamgap.toml";
@@ -18,48 +21,58 @@ const COMMANDS: [&str; 4] = ["check", "verify", "prove", "faults"];
 const OF_ONE_RUN: [&str; 9] =
     ["allow-dirty", "case", "case-file", "color", "config", "help", "list", "only-wrong", "to"];
 
-/// The values of an option, and their source.
-struct Setting {
-    from: String,
-    values: Vec<String>,
-}
-
-/// The settings by command and option.
-type Settings = BTreeMap<(String, String), Setting>;
+/// The values by command and option.
+pub(super) type Settings = BTreeMap<(String, String), Vec<String>>;
 
 /// The command line with the defaults of the file and of the environment.
 ///
 /// # Errors
 /// If the file cannot be read, or has a key or a value that no option accepts.
-pub(super) fn configured(mut command: Command) -> anyhow::Result<Command> {
-    if let Some(path) = file() {
-        let name = path.display().to_string();
-        let text = std::fs::read_to_string(&path).with_context(|| format!("cannot read {name}"))?;
-        command = with_file(command, &name, &text)?;
-    }
-    let settings = of_environment(&command, std::env::vars_os())?;
-    with_settings(command, settings)
+pub(super) fn configured(command: Command) -> anyhow::Result<Command> {
+    let by_environment = of_environment(&command, std::env::vars_os())?;
+    let Some(path) = file() else { return with_settings(command, &by_environment) };
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(&path).with_context(|| format!("cannot read {name}"))?;
+    with_file(command, &name, &text, by_environment)
 }
 
-/// The command line with the defaults from a file of this name.
+/// The command line with the defaults from a file of this name, and those of the environment.
 ///
 /// # Errors
 /// If the file has a key or a value that no option accepts.
-pub(super) fn with_file(command: Command, name: &str, text: &str) -> anyhow::Result<Command> {
-    let settings = of_file(&command, name, text)?;
-    with_settings(command, settings)
+pub(super) fn with_file(
+    command: Command,
+    name: &str,
+    text: &str,
+    by_environment: Settings,
+) -> anyhow::Result<Command> {
+    let by_file = of_file(&command, name, text)?;
+    with_settings(command, &overridden(by_file, by_environment))
 }
 
-fn with_settings(mut command: Command, settings: Settings) -> anyhow::Result<Command> {
-    for ((of, option), Setting { from, values }) in settings {
-        let is_taken = taken(&command, &of, &option, &values);
-        is_taken.map_err(|wrong| {
-            let line = super::one_line(&wrong.render().to_string());
-            anyhow!("{from}: {}", line.trim_start_matches("error: "))
-        })?;
-        let id =
-            option_of(&command, &of, &option).map(|arg| arg.get_id().clone()).context("no such option")?;
-        command = command.mut_subcommand(of, |sub| sub.mut_arg(id, |arg| arg.default_values(values)));
+/// The settings of the environment, and those of the file that it does not override. A reason belongs to its digits, so
+/// other digits override it too.
+fn overridden(mut by_file: Settings, by_environment: Settings) -> Settings {
+    let [digits, reason] = ["digits", "reason"].map(|option| ("verify".to_owned(), option.to_owned()));
+    if by_environment.contains_key(&digits) && by_environment.get(&digits) != by_file.get(&digits) {
+        by_file.remove(&reason);
+    }
+    by_file.extend(by_environment);
+    by_file
+}
+
+fn with_settings(mut command: Command, settings: &Settings) -> anyhow::Result<Command> {
+    for ((of, option), values) in settings {
+        let id = option_of(&command, of, option).map(|arg| arg.get_id().clone()).context("no such option")?;
+        let digits = settings.get(&(of.clone(), "digits".to_owned())).and_then(|values| values.first());
+        let with_values = |arg: Arg| match (option.as_str(), digits, values.as_slice()) {
+            // A flag may ask for other digits. The reason is not theirs.
+            ("reason", Some(digits), [reason]) => {
+                arg.default_value_if("digits", ArgPredicate::from(digits.clone()), reason.clone())
+            }
+            _ => arg.default_values(values.clone()),
+        };
+        command = command.mut_subcommand(of, |sub| sub.mut_arg(id, with_values));
     }
     Ok(command)
 }
@@ -86,86 +99,160 @@ fn option_of<'a>(command: &'a Command, of: &str, option: &str) -> Option<&'a Arg
     options.into_iter().find(|arg| arg.get_long() == Some(option) && !OF_ONE_RUN.contains(&option))
 }
 
-/// The message for an unknown name, with the nearest known name.
-fn unknown<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> String {
-    let near = |other: &&str| strsim::damerau_levenshtein(name, other);
-    let nearest =
-        names.min_by_key(near).map_or_else(String::new, |name| format!(", the nearest is `{name}`"));
-    format!("no key `{name}`{nearest}")
+/// The names of these options.
+fn options_of(command: &Command, of: &str) -> Vec<String> {
+    let options = command.find_subcommand(of).into_iter().flat_map(Command::get_arguments);
+    let names = options.filter_map(Arg::get_long).filter(|name| !OF_ONE_RUN.contains(name));
+    names.map(str::to_owned).collect()
+}
+
+/// The nearest known name if it is near, or else all known names, as the end of a message.
+fn expected(name: &str, names: &[String], shown: impl Fn(&str) -> String) -> String {
+    let near = names.iter().map(|other| (strsim::damerau_levenshtein(name, other), other)).min();
+    match near {
+        Some((edits, nearest)) if edits <= (name.len() / 3).max(2) => {
+            format!("the nearest is `{}`", shown(nearest))
+        }
+        _ => {
+            let names: Vec<_> = names.iter().map(|name| shown(name)).collect();
+            format!("one of {} expected", names.join(", "))
+        }
+    }
+}
+
+/// A text with its place: a value as an option has it, or what was expected.
+type At = (Range<usize>, String);
+
+/// A file, for messages with a place in it.
+#[derive(Clone, Copy)]
+struct Text<'a> {
+    name: &'a str,
+    text: &'a str,
+}
+
+impl Text<'_> {
+    /// The file, the line, and the column in bytes.
+    fn place(self, span: &Range<usize>) -> String {
+        let before = self.text.get(..span.start).unwrap_or_default();
+        let line = 1 + before.matches('\n').count();
+        let column = 1 + before.len() - before.rfind('\n').map_or(0, |end| end + 1);
+        format!("{}:{line}:{column}", self.name)
+    }
+
+    /// A value as it is written.
+    fn found(self, value: &Spanned<DeValue>) -> String {
+        match value.get_ref() {
+            DeValue::Table(_) => "a table".to_owned(),
+            _ => self.text[value.span()].split_whitespace().collect::<Vec<_>>().join(" "),
+        }
+    }
 }
 
 fn of_file(command: &Command, name: &str, text: &str) -> anyhow::Result<Settings> {
+    let file = Text { name, text };
+    let tables = DeTable::parse(text)
+        .map_err(|error| anyhow!("{}: {}", file.place(&error.span().unwrap_or(0..0)), error.message()))?;
     let mut settings = Settings::new();
-    let tables: toml::Table = toml::from_str(text).map_err(|error| {
-        let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-        anyhow!("{name}:{line}: {}", error.message())
-    })?;
-    for (of, table) in &tables {
-        let at = format!("{name}: {of}");
-        ensure!(COMMANDS.contains(&of.as_str()), "{name}: {}", unknown(of, COMMANDS.into_iter()));
-        let table = table.as_table().ok_or_else(|| anyhow!("{at}: a table expected, found {table}"))?;
-        for (key, value) in table {
-            let at = format!("{at}.{key}");
-            let Some(arg) = option_of(command, of, key) else {
-                let options = command.find_subcommand(of).into_iter().flat_map(Command::get_arguments);
-                let longs = options.filter_map(Arg::get_long).filter(|long| !OF_ONE_RUN.contains(long));
-                bail!("{name}: {of}: {}", unknown(key, longs));
+    for (of, table) in tables.get_ref() {
+        let (at, of) = (file.place(&of.span()), of.get_ref().as_ref());
+        if !COMMANDS.contains(&of) {
+            bail!("{at}: no key `{of}`, {}", expected(of, &COMMANDS.map(str::to_owned), str::to_owned));
+        }
+        let Some(options) = table.get_ref().as_table() else {
+            bail!("{}: {of}: a table expected, found {}", file.place(&table.span()), file.found(table));
+        };
+        for (key, value) in options {
+            let (at, key) = (file.place(&key.span()), key.get_ref().as_ref());
+            // The reason is an entry of the digits.
+            let Some(arg) = option_of(command, of, key).filter(|_| key != "reason") else {
+                let names: Vec<_> = options_of(command, of).into_iter().filter(|of| of != "reason").collect();
+                bail!("{at}: {of}: no key `{key}`, {}", expected(key, &names, str::to_owned));
             };
-            let mut set = |key: &str, values| {
-                settings.insert((of.clone(), key.to_owned()), Setting { from: at.clone(), values });
-            };
-            if key == "digits" {
-                let [digits, reason] = digits_and_reason(value).with_context(|| at.clone())?;
-                set("digits", vec![digits]);
-                set("reason", vec![reason]);
-            } else {
-                let values = values(arg, value).with_context(|| at.clone())?;
-                if !values.is_empty() {
-                    set(key, values);
-                }
-            }
+            let found = of_option(command, file, of, arg, value);
+            let found =
+                found.map_err(|(span, wrong)| anyhow!("{}: {of}.{key}: {wrong}", file.place(&span)))?;
+            settings.extend(found.into_iter().map(|(option, values)| ((of.to_owned(), option), values)));
         }
     }
     Ok(settings)
 }
 
+/// The accepted values of an option that the file sets. The digits come with their reason.
+fn of_option(
+    command: &Command,
+    file: Text,
+    of: &str,
+    arg: &Arg,
+    value: &Spanned<DeValue>,
+) -> Result<Vec<(String, Vec<String>)>, At> {
+    let option = arg.get_long().unwrap_or_default();
+    let found = if option == "digits" {
+        let [digits, reason] = digits_and_reason(file, value)?;
+        vec![("digits", vec![digits]), ("reason", vec![reason])]
+    } else {
+        vec![(option, values(file, arg, value)?)]
+    };
+    let mut accepted = Vec::new();
+    for (option, values) in found.into_iter().filter(|(_, values)| !values.is_empty()) {
+        for (span, value) in &values {
+            taken(command, of, option, value).map_err(|wrong| (span.clone(), wrong))?;
+        }
+        accepted.push((option.to_owned(), values.into_iter().map(|(_, value)| value).collect()));
+    }
+    Ok(accepted)
+}
+
 /// The digits and the reason of a tolerance that differs from the derived one.
-fn digits_and_reason(value: &Value) -> anyhow::Result<[String; 2]> {
-    let expected = "a number with its reason expected, as { value = 6, reason = \"single precision\" }";
-    let table = value.as_table().ok_or_else(|| anyhow!("{expected}, found {value}"))?;
-    for key in table.keys() {
-        ensure!(
-            ["value", "reason"].contains(&key.as_str()),
-            "{}",
-            unknown(key, ["value", "reason"].into_iter())
-        );
+fn digits_and_reason(file: Text, value: &Spanned<DeValue>) -> Result<[At; 2], At> {
+    let wrong = || {
+        let expected = "a number with its reason expected, as { value = 6, reason = \"single precision\" }";
+        (value.span(), format!("{expected}, found {}", file.text[value.span()].trim()))
+    };
+    let table = value.get_ref().as_table().ok_or_else(wrong)?;
+    let names = ["value", "reason"];
+    if let Some(key) = table.keys().find(|key| !names.contains(&key.get_ref().as_ref())) {
+        let (span, key) = (key.span(), key.get_ref());
+        let expected = expected(key, &names.map(str::to_owned), str::to_owned);
+        return Err((span, format!("no key `{key}`, {expected}")));
     }
-    let digits = table.get("value").and_then(Value::as_integer);
-    let reason = table.get("reason").and_then(Value::as_str).filter(|reason| !reason.trim().is_empty());
-    match (digits, reason) {
-        (Some(digits), Some(reason)) => Ok([digits.to_string(), reason.to_owned()]),
-        _ => bail!("{expected}, found {value}"),
-    }
+    let [digits, reason] = names.map(|name| table.get(name));
+    let digits = digits.filter(|digits| digits.get_ref().is_integer()).ok_or_else(wrong)?;
+    let told = |reason: &&Spanned<DeValue>| reason.get_ref().as_str().is_some_and(|of| !of.trim().is_empty());
+    let reason = reason.filter(told).ok_or_else(wrong)?;
+    Ok([scalar(file, digits)?, scalar(file, reason)?])
 }
 
 /// A value as strings, as flags have it.
-fn values(arg: &Arg, value: &Value) -> anyhow::Result<Vec<String>> {
-    let scalar = |value: &Value| match value {
-        Value::String(text) => Ok(text.clone()),
-        Value::Integer(number) => Ok(number.to_string()),
-        Value::Float(number) => Ok(number.to_string()),
-        other => Err(anyhow!("a string or a number expected, found {other}")),
-    };
-    match (arg.get_action(), value) {
-        (ArgAction::SetTrue, Value::Boolean(true)) => Ok(vec!["true".to_owned()]),
-        (ArgAction::SetTrue, Value::Boolean(false)) => Ok(Vec::new()),
-        (ArgAction::SetTrue, other) => Err(anyhow!("true or false expected, found {other}")),
-        (ArgAction::Append, Value::Array(all)) => all.iter().map(scalar).collect(),
-        (_, value) => Ok(vec![scalar(value)?]),
+fn values(file: Text, arg: &Arg, value: &Spanned<DeValue>) -> Result<Vec<At>, At> {
+    match (arg.get_action(), value.get_ref()) {
+        (ArgAction::SetTrue, DeValue::Boolean(true)) => Ok(vec![(value.span(), "true".to_owned())]),
+        (ArgAction::SetTrue, DeValue::Boolean(false)) => Ok(Vec::new()),
+        (ArgAction::SetTrue, _) => {
+            Err((value.span(), format!("true or false expected, found {}", file.found(value))))
+        }
+        (ArgAction::Append, DeValue::Array(all)) => all.iter().map(|value| scalar(file, value)).collect(),
+        _ => Ok(vec![scalar(file, value)?]),
     }
 }
 
-/// `BEAMGAP_CHECK_CASES` sets `--cases` of `check`.
+fn scalar(file: Text, value: &Spanned<DeValue>) -> Result<At, At> {
+    let text = match value.get_ref() {
+        DeValue::String(text) => text.clone().into_owned(),
+        DeValue::Integer(number) => i128::from_str_radix(number.as_str(), number.radix())
+            .map_or_else(|_| number.to_string(), |number| number.to_string()),
+        DeValue::Float(number) => number.to_string(),
+        _ => {
+            return Err((
+                value.span(),
+                format!("a string or a number expected, found {}", file.found(value)),
+            ));
+        }
+    };
+    Ok((value.span(), text))
+}
+
+/// `BEAMGAP_CHECK_CASES` sets `--cases` of `check`. A variable of a command that sets no option is an error, so that a
+/// misspelt name is not ignored.
 fn of_environment(
     command: &Command,
     variables: impl Iterator<Item = (OsString, OsString)>,
@@ -173,128 +260,45 @@ fn of_environment(
     let mut settings = Settings::new();
     for (name, value) in variables {
         let Some(name) = name.to_str() else { continue };
-        let of_command = COMMANDS.into_iter().find_map(|of| {
+        let of_command = command.get_subcommands().map(Command::get_name).find_map(|of| {
             let rest = name.strip_prefix("BEAMGAP_")?.strip_prefix(&of.to_uppercase())?.strip_prefix('_')?;
             Some((of, rest.to_lowercase().replace('_', "-")))
         });
         let Some((of, option)) = of_command else { continue };
+        if !COMMANDS.contains(&of) {
+            bail!("{name}: the environment sets options of {}, but none of {of}", COMMANDS.join(", "));
+        }
         let Some(arg) = option_of(command, of, &option) else {
-            bail!("{name}: {of} has no option --{option} that the environment may set");
+            let variable = |option: &str| format!("BEAMGAP_{of}_{option}").to_uppercase().replace('-', "_");
+            let expected = expected(&option, &options_of(command, of), variable);
+            bail!("{name}: {of} has no option --{option} that the environment may set, {expected}");
         };
         let value = value.to_str().with_context(|| format!("{name}: text expected"))?;
-        let values = match arg.get_action() {
+        let value = match arg.get_action() {
             ArgAction::SetTrue if ["", "0", "false"].contains(&value) => continue,
-            ArgAction::SetTrue => vec!["true".to_owned()],
-            _ => vec![value.to_owned()],
+            ArgAction::SetTrue => "true",
+            _ => value,
         };
-        settings.insert((of.to_owned(), option), Setting { from: name.to_owned(), values });
+        taken(command, of, &option, value).map_err(|wrong| anyhow!("{name}: {wrong}"))?;
+        settings.insert((of.to_owned(), option), vec![value.to_owned()]);
     }
     Ok(settings)
 }
 
-/// Checks that the option accepts these values, by parsing a command line.
-fn taken(command: &Command, of: &str, option: &str, values: &[String]) -> Result<(), clap::Error> {
+/// Checks that the option accepts this value, by parsing a command line.
+fn taken(command: &Command, of: &str, option: &str, value: &str) -> Result<(), String> {
     let Some(sub) = command.find_subcommand(of) else { return Ok(()) };
     let is_flag =
         option_of(command, of, option).is_some_and(|arg| matches!(arg.get_action(), ArgAction::SetTrue));
     let required = sub.get_positionals().filter(|arg| arg.is_required_set()).map(|_| "-".to_owned());
-    let options = values.iter().filter(|_| !is_flag).map(|value| format!("--{option}={value}"));
-    let words = std::iter::once(of.to_owned()).chain(required).chain(options);
-    sub.clone().try_get_matches_from(words).map(drop)
+    let value = (!is_flag).then(|| format!("--{option}={value}"));
+    let words = std::iter::once(of.to_owned()).chain(required).chain(value);
+    let parsed = sub.clone().try_get_matches_from(words);
+    parsed.map(drop).map_err(|wrong| {
+        let line = super::one_line(&wrong.render().to_string());
+        line.trim_start_matches("error: ").to_owned()
+    })
 }
 
 #[cfg(test)]
-mod tests {
-    use super::{Settings, of_environment, of_file, with_file};
-    use crate::cli::Arguments;
-    use clap::CommandFactory;
-
-    fn read(text: &str) -> anyhow::Result<Settings> {
-        of_file(&Arguments::command(), "beamgap.toml", text)
-    }
-
-    #[test]
-    fn keys_are_options() {
-        let found = read(
-            "[check]\ncases = 5\nregime = [\"metres\", \"slender\"]\n[verify]\nno-explanation = false\n\
-             digits = { value = 6, reason = \"single precision\" }",
-        )
-        .unwrap();
-        let values =
-            |of: &str, key: &str| found.get(&(of.to_owned(), key.to_owned())).map(|of| of.values.join(" "));
-        assert_eq!(values("check", "cases").as_deref(), Some("5"));
-        assert_eq!(values("check", "regime").as_deref(), Some("metres slender"));
-        assert_eq!(values("verify", "digits").as_deref(), Some("6"));
-        assert_eq!(values("verify", "reason").as_deref(), Some("single precision"));
-        assert_eq!(values("verify", "no-explanation"), None);
-    }
-
-    #[test]
-    fn what_is_wrong_is_said_with_its_place() {
-        for (text, told) in [
-            ("[chekc]", "beamgap.toml: no key `chekc`, the nearest is `check`"),
-            ("[check]\ncsaes = 5", "beamgap.toml: check: no key `csaes`, the nearest is `cases`"),
-            ("[check]\ncase = 5", "beamgap.toml: check: no key `case`, the nearest is `cases`"),
-            ("[check]\ncases = 5\ncases = 6", "beamgap.toml:3: duplicate key"),
-            ("[check]\ncases = [", "beamgap.toml:2: "),
-            ("check = 5", "beamgap.toml: check: a table expected, found 5"),
-            ("[check]\ncases = true", "beamgap.toml: check.cases: a string or a number expected, found true"),
-            (
-                "[verify]\nno-explanation = 1",
-                "beamgap.toml: verify.no-explanation: true or false expected, found 1",
-            ),
-            ("[verify]\ndigits = 6", "beamgap.toml: verify.digits: a number with its reason expected"),
-            (
-                "[verify]\ndigits = { value = 6, reason = \" \" }",
-                "beamgap.toml: verify.digits: a number with its reason",
-            ),
-            (
-                "[verify]\ndigits = { value = 6, raeson = \"\" }",
-                "beamgap.toml: verify.digits: no key `raeson`, the nearest is `reason`",
-            ),
-        ] {
-            let Err(error) = read(text) else { panic!("{text} is taken") };
-            let error = format!("{error:#}");
-            assert!(error.starts_with(told), "{error}");
-        }
-    }
-
-    #[test]
-    fn the_environment_names_command_and_option() {
-        let read = |name: &str, value: &str| {
-            of_environment(&Arguments::command(), [(name.into(), value.into())].into_iter())
-        };
-        let found = read("BEAMGAP_CHECK_CASES", "7").unwrap();
-        assert_eq!(found[&("check".to_owned(), "cases".to_owned())].values, ["7"]);
-        assert!(read("BEAMGAP_BLESS", "1").unwrap().is_empty());
-        let Err(error) = read("BEAMGAP_CHECK_CSAES", "7") else { panic!("it is taken") };
-        assert!(error.to_string().starts_with("BEAMGAP_CHECK_CSAES: check has no option --csaes"), "{error}");
-    }
-
-    /// The texts of the fuzz target, and parts of them: truncated at any place, and with a byte changed.
-    #[test]
-    fn a_file_of_the_corpus_is_taken_or_rejected() {
-        let folder = format!("{}/tests/fuzz/seeds/config", env!("CARGO_MANIFEST_DIR"));
-        let (mut taken, mut rejected) = (0, 0);
-        for file in std::fs::read_dir(folder).unwrap() {
-            let text = std::fs::read_to_string(file.unwrap().path()).unwrap();
-            for at in 0..=text.len() {
-                let mut changed = text.clone().into_bytes();
-                changed.get_mut(at).into_iter().for_each(|byte| *byte ^= 1 << (at % 7));
-                for text in [&text[..at], &String::from_utf8(changed).unwrap()] {
-                    match with_file(Arguments::command(), "beamgap.toml", text) {
-                        Ok(command) => {
-                            command.try_get_matches_from(["beamgap", "check"]).unwrap();
-                            taken += 1;
-                        }
-                        Err(error) => {
-                            assert!(error.to_string().starts_with("beamgap.toml"), "{error:#}");
-                            rejected += 1;
-                        }
-                    }
-                }
-            }
-        }
-        assert!(taken > 50 && rejected > 200, "{taken} taken, {rejected} rejected");
-    }
-}
+mod tests;

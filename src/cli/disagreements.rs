@@ -2,6 +2,7 @@
 
 use super::case_file;
 use super::checked::{Checked, SHOWN, Shown};
+use super::count;
 use super::human::{error, name, repeat};
 use super::terminal::folded;
 use beamgap::check::external::{Cause, Explanation};
@@ -48,10 +49,10 @@ pub(super) fn listed(checked: &Checked) -> String {
         counts.iter().max_by_key(|(_, count)| **count)
     {
         let cases: usize = counts.values().sum();
-        let (order_name, name) = (order.name(), quantity.name());
+        let (order_name, name, cases) = (order.name(), quantity.name(), count::count(cases, "case"));
         let _ = write!(
             text,
-            "\n  In {count} of {cases} cases the first wrong number is {name} ({order_name}) of the {candidate}:\n  \
+            "\n  In {count} of {cases} the first wrong number is {name} ({order_name}) of the {candidate}:\n  \
              look at {}\n",
             look_at(*order, *quantity)
         );

@@ -1,6 +1,7 @@
 //! `beamgap equations`: every equation of the paper, as printed and as corrected, evaluated.
 
 use super::arguments::seed;
+use super::count::count;
 use super::exit::Exit;
 use super::formula;
 use super::outcome::{Entry, Outcome, Source, State, Verdict as Amounts};
@@ -19,6 +20,11 @@ use std::path::PathBuf;
 const HEAD: &str = "Every equation of the paper, as printed and as corrected, against hyper-dual\n\
                     numbers: over the field of 2^61 - 1 elements, and in f64\n";
 
+/// The first lines for one equation.
+fn of_one(number: u8) -> String {
+    format!("Equation ({number}) of the paper, as printed and as corrected, evaluated\n\n")
+}
+
 /// The command that writes the record and the page.
 const EQUATIONS: &str = "cargo run --release -- equations --to reports";
 
@@ -27,14 +33,14 @@ const EQUATIONS: &str = "cargo run --release -- equations --to reports";
 #[command(after_help = Exit::help())]
 pub(crate) struct ListEquations {
     /// Seed of the random residues and cases, decimal or 0x-hexadecimal
-    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, default_value = "0x5eed", value_parser = seed)]
     seed: u64,
     /// How many draws for each ordered pair of families
-    #[arg(long, value_name = "N", default_value_t = DRAWS, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = DRAWS)]
     #[arg(value_parser = value_parser!(u64).range(1..=100_000))]
     draws: u64,
     /// Only this equation, and everything about it
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     #[arg(value_parser = value_parser!(u8).range(1..=59))]
     equation: Option<u8>,
     /// With --equation: print LaTeX instead of UTF-8
@@ -58,9 +64,8 @@ impl ListEquations {
         if self.to.is_some() {
             Environment::is_clean(self.allow_dirty)?;
         }
-        if self.equation.is_none() {
-            outputs.begin(HEAD)?;
-        }
+        let head = self.equation.map_or_else(|| HEAD.to_owned(), of_one);
+        outputs.begin(&head)?;
         let progress = Progress::of("evaluating equations");
         let found = record::equation_table(self.seed, self.draws, CASES);
         progress.end();
@@ -83,7 +88,7 @@ impl ListEquations {
             Outcome { command: "equations", verdict: Amounts { exit, name, words: verdict }, entries };
         let human = || {
             let text = match record.table.equations.as_slice() {
-                [entry] => whole(entry, self.latex),
+                [entry] => head.clone() + &whole(entry, self.latex),
                 _ => table(&record.table),
             };
             format!("{text}\n{}\n", outcome.verdict.words)
@@ -124,9 +129,9 @@ fn words(paper: &record::EquationTable) -> String {
             "HOLDS: no equation is refuted as corrected; {misprints} of {all} are misprinted in the scan."
         )
     } else if of(Verdict::Refuted) == 0 {
-        format!("DOES NOT HOLD: the {all} equations are not those from 1 to 59.")
+        format!("DOES NOT HOLD: the equations, {all} in number, are not those from 1 to 59.")
     } else {
-        format!("DOES NOT HOLD: of {all} equations {} refuted as corrected.", of(Verdict::Refuted))
+        format!("DOES NOT HOLD: of {} {} refuted as corrected.", count(all, "equation"), of(Verdict::Refuted))
     }
 }
 
@@ -138,14 +143,14 @@ fn told(number: u8, verdict: Verdict) -> String {
 fn table(paper: &record::EquationTable) -> String {
     let [linear, nonlinear] = paper.pairs.map(|pairs| pairs * paper.draws);
     let mut text = format!(
-        "{HEAD}seed {:#x}, {} draws for each ordered pair of families\n\n\
+        "{HEAD}seed {:#x}, {} for each ordered pair of families\n\n\
          Refuted draws as printed: of {linear} with curves linear in their dofs (lin), and\n\
          of {nonlinear} with one that is not (non); as corrected (lin*, non*). Error: of the\n\
-         print in f64, relative to its terms, the largest at {} closest points; of\n\
+         print in f64, relative to its terms, the largest at {}; of\n\
          (14), relative to (12).\n\n",
         paper.seed,
-        paper.draws,
-        paper.points.iter().sum::<u64>(),
+        count(paper.draws, "draw"),
+        count(paper.points.iter().sum::<u64>(), "closest point"),
     );
     let titles = ["eq", "verdict", "lin", "non", "lin*", "non*", "error", "where"];
     let mut table = Table::new(&titles).left(&[1, 7]);

@@ -1,6 +1,6 @@
 //! `beamgap export`, `beamgap schema`, `beamgap evaluate`: cases for other programs, and the library's own answers.
 
-use super::arguments::{families, regimes, seed, variant};
+use super::arguments::{families, fault, regimes, seed, variant};
 use super::exit::Exit;
 use super::output::distinct;
 use anyhow::Context;
@@ -25,10 +25,10 @@ const AT_ONCE: u64 = 32;
 #[command(after_help = Exit::help())]
 pub(crate) struct Export {
     /// Seed of the random pairs, decimal or 0x-hexadecimal
-    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, default_value = "0x5eed", value_parser = seed)]
     seed: u64,
     /// How many cases of each regime
-    #[arg(long, value_name = "N", default_value = "11", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "11")]
     #[arg(value_parser = value_parser!(u64).range(1..=10_000_000))]
     cases: u64,
     /// Only pairs of these families; may be repeated
@@ -124,7 +124,7 @@ pub(crate) struct Evaluate {
     #[arg(value_name = "VECTORS", default_value = "-")]
     vectors: PathBuf,
     /// Inject this fault; may be repeated (see `beamgap faults --list`)
-    #[arg(long, value_name = "FAULT")]
+    #[arg(long, value_name = "FAULT", value_parser = fault)]
     plant: Vec<String>,
     /// By which formulas: those that keep the most digits, the paper's, or the normal and the cross products
     #[arg(long, value_enum, default_value_t = By::Chosen)]

@@ -1,6 +1,7 @@
 //! `beamgap faults`: fault injection, and which checks detect which faults.
 
 use super::arguments::{regimes, seed, work_with};
+use super::count::count as counted;
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
 use super::output::{OutputOptions, to_stdout};
@@ -11,7 +12,7 @@ use beamgap::check::external::equation_of;
 use beamgap::equations::named;
 use beamgap::faults::{Check, all_operations, inject, limits, sampled};
 use beamgap::report::{self, Environment, Faults, Record};
-use beamgap::variant::{Rewrite, catalogue};
+use beamgap::variant::{Rewrite, catalogue, catalogue_in_parts};
 use clap::{Args, value_parser};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -25,7 +26,7 @@ pub(crate) struct InjectFaults {
     #[arg(long, conflicts_with_all = ["seed", "regime", "format", "output", "to"])]
     list: bool,
     /// Seed of the random pairs, decimal or 0x-hexadecimal
-    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, default_value = "0x5eed", value_parser = seed)]
     seed: u64,
     /// Only this regime; may be repeated
     #[arg(long, value_parser = regimes())]
@@ -39,7 +40,7 @@ pub(crate) struct InjectFaults {
     #[command(flatten)]
     output: OutputOptions,
     /// How many threads work; the result is the same [default: all cores]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
@@ -49,8 +50,11 @@ impl InjectFaults {
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         work_with(self.threads)?;
         if self.list {
-            let names: Vec<_> = catalogue().iter().map(ToString::to_string).collect();
-            to_stdout(&(names.join("\n") + "\n"))?;
+            for faults in catalogue_in_parts() {
+                let names =
+                    faults.iter().fold(String::new(), |names, fault| names + &fault.to_string() + "\n");
+                to_stdout(&names)?;
+            }
             return Ok(Exit::Agree);
         }
         let mut outputs = self.output.open()?;
@@ -120,6 +124,7 @@ fn outcome(record: &Faults) -> Outcome {
         let state = State::of(count as u64, missed.len() as u64);
         let message = match state {
             State::Differs => format!("not detected: {}", missed.into_iter().collect::<Vec<_>>().join("; ")),
+            _ if count == 1 => "the only fault is detected".to_owned(),
             _ => format!("all {count} faults are detected"),
         };
         let number = number_of(&name);
@@ -132,8 +137,10 @@ fn outcome(record: &Faults) -> Outcome {
             name: format!("{}, {}", of.code, of.place),
             state: State::of(of.faults as u64, open as u64),
             message: format!(
-                "{} of {} faults are detected; {open} operations have no reason",
-                of.detected, of.faults
+                "{} of {} detected; {} without a reason",
+                of.detected,
+                counted(of.faults, "fault"),
+                counted(open, "operation")
             ),
             source: None,
         }
@@ -169,7 +176,8 @@ fn words(record: &Faults) -> String {
     if count == 0 {
         return of_terms;
     }
-    format!("{of_terms}\nOf {count} faults of single operations, each is detected or has a reason.")
+    let count = counted(count, "fault");
+    format!("{of_terms}\nOf {count} of single operations, each is detected or has a reason.")
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::arguments::{planted, program};
 use super::checked::{Checked, Shown};
+use super::count::count;
 use super::disagreements;
 use beamgap::check::{Cell, Comparison, Differences, Family, Inconclusive, NotCompared, Order, Shard};
 use beamgap::linearization::Quantity;
@@ -41,18 +42,18 @@ pub(super) fn head(Checked { planted: plant, seed, selection, shard, .. }: &Chec
         selection.family.map_or_else(|| "all families".into(), |family| format!("family {}", family.name()));
     let regimes = match selection.regimes.as_slice() {
         [one] => format!("regime {}", one.name()),
-        several => format!("{} regimes", several.len()),
+        several => count(several.len(), "regime"),
     };
     let part = match selection.count(*shard) {
         _ if *shard == Shard::WHOLE => String::new(),
-        count => format!("shard {shard}, {count} cases\n"),
+        cases => format!("shard {shard}, {}\n", count(cases, "case")),
     };
     format!(
         "Contact geometry of two beams: closed form and automatic differentiation\n\
-         seed {seed:#x}, {regimes}, {} cases each, {family}\n{part}{}\n\
+         seed {seed:#x}, {regimes}, {} each, {family}\n{part}{}\n\
          first: delta and Delta; second: Delta-delta; symmetry: second, with the\n\
          directions exchanged; matrix: gradient and Hessian times the directions\n",
-        selection.cases,
+        count(selection.cases, "case"),
         planted(plant),
     )
 }
@@ -142,8 +143,9 @@ fn differences(checked: &Checked) -> String {
         return String::new();
     }
     format!(
-        "  computed at {points} closest points; at {unclear} of them the tolerance for AD is larger\n  \
+        "  computed at {}; at {unclear} of them the tolerance for AD is larger\n  \
          than 1e-3 of a scale, and they decided {decided}\n\nWorst difference from them / scale\n{}",
+        count(*points, "closest point"),
         cells(of, &[Order::Value, Order::First, Order::Second], worst)
     )
 }

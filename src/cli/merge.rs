@@ -2,6 +2,7 @@
 
 use super::checked::Checked;
 use super::exit::Exit;
+use super::human;
 use super::output::OutputOptions;
 use anyhow::Context;
 use clap::Args;
@@ -21,7 +22,7 @@ pub(crate) struct Merge {
 impl Merge {
     /// Merges and writes the result. It is equal, to the last byte, to that of a run on one machine.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let outputs = self.output.open()?;
+        let mut outputs = self.output.open()?;
         let read = |path: &PathBuf| {
             let name = path.display().to_string();
             let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {name}"))?;
@@ -31,6 +32,8 @@ impl Merge {
         };
         let parts = self.parts.iter().map(read).collect::<anyhow::Result<Vec<(String, Checked)>>>()?;
         let merged = Checked::merge(parts)?;
+        // Mismatches are shrunk after this, which takes seconds.
+        outputs.begin(&human::head(&merged))?;
         let shown = merged.shown()?;
         outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
         Ok(shown.outcome.verdict.exit)

@@ -1,6 +1,7 @@
 //! A proof as tables for people, and as a JSON document.
 
 use super::arguments::{planted, planting, program};
+use super::count::count;
 use super::exit::Exit;
 use super::json;
 use super::outcome::{Entry as OutcomeEntry, Outcome, Source, State, Verdict};
@@ -24,7 +25,8 @@ pub(super) fn outcome(proof: &Proof) -> Outcome {
         (Exit::Agree, "proved", words)
     } else {
         let (pairs, all) = (proof.refutations.len(), proof.pairs);
-        let words = format!("REFUTED: in {pairs} of {all} pairs of families they are not equal.");
+        let all = count(all, "pair");
+        let words = format!("REFUTED: in {pairs} of {all} of families they are not equal.");
         (Exit::Disagree, "refuted", words)
     };
     let entries = proof.rows.iter().map(|&Row { quantity, layer, equal, refuted, .. }| {
@@ -38,7 +40,7 @@ pub(super) fn outcome(proof: &Proof) -> Outcome {
             group: layer.name().to_owned(),
             name: quantity.name().to_owned(),
             state: State::of(equal + refuted, refuted),
-            message: format!("equal in {equal} draws, unequal in {refuted}"),
+            message: format!("equal in {}, unequal in {refuted}", count(equal, "draw")),
             source: Some(Source::of_formula(order, quantity)),
         }
     });
@@ -50,8 +52,9 @@ pub(super) fn head(plant: &[String], seed: u64, families: &[Family], draws: u64)
     format!(
         "Contact geometry of two beams: closed form against automatic differentiation,\n\
          over the field of 2^61 - 1 elements, compared by ==\n\
-         seed {seed:#x}, {} ordered pairs of families, {draws} draws each\n{}\n",
-        families.len().pow(2),
+         seed {seed:#x}, {} of families, {} each\n{}\n",
+        count(families.len().pow(2), "ordered pair"),
+        count(draws, "draw"),
         planted(plant)
     )
 }
@@ -83,7 +86,7 @@ pub(super) fn human(proved: &Proved) -> String {
     }
     match proof.refutations.len().saturating_sub(SHOWN) {
         0 => {}
-        rest => drop(writeln!(text, "\nand {rest} more pairs of families")),
+        rest => drop(writeln!(text, "\nand {} of families", count(rest, "more pair"))),
     }
     text + "\n" + &outcome(proof).verdict.words + "\n"
 }

@@ -1,6 +1,7 @@
 //! `beamgap prove`: both linearizations over a prime field, compared without a tolerance.
 
-use super::arguments::{families, seed, variant, work_with};
+use super::arguments::{families, fault, seed, variant, work_with};
+use super::count::count;
 use super::exit::Exit;
 use super::output::OutputOptions;
 use super::progress::Progress;
@@ -16,22 +17,22 @@ use std::time::Instant;
 #[command(after_help = Exit::help())]
 pub(crate) struct Prove {
     /// Seed of the random residues, decimal or 0x-hexadecimal
-    #[arg(long, default_value = "0x5eed", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, default_value = "0x5eed", value_parser = seed)]
     seed: u64,
     /// How many draws for each ordered pair of families
-    #[arg(long, value_name = "N", default_value = "1000", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "1000")]
     #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
     draws: u64,
     /// Only pairs of these families; may be repeated
     #[arg(long, value_parser = families())]
     family: Vec<Family>,
     /// Inject this fault, to see the proof fail; may be repeated (see `beamgap faults --list`)
-    #[arg(long, value_name = "FAULT")]
+    #[arg(long, value_name = "FAULT", value_parser = fault)]
     plant: Vec<String>,
     #[command(flatten)]
     output: OutputOptions,
     /// How many threads work; the result is the same [default: all cores]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
@@ -60,7 +61,8 @@ impl Prove {
         progress.end();
         let all = proof.pairs as u64 * draws;
         // The result is written even if stderr is closed.
-        let _ = writeln!(std::io::stderr(), "{all} draws in {:.1} s", start.elapsed().as_secs_f64());
+        let _ =
+            writeln!(std::io::stderr(), "{} in {:.1} s", count(all, "draw"), start.elapsed().as_secs_f64());
         let proved = Proved { plant, seed, families, draws, proof };
         let outcome = proof::outcome(&proved.proof);
         outputs.write(&outcome, || proof::human(&proved), || proof::json(&proved))?;

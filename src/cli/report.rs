@@ -1,8 +1,10 @@
 //! `beamgap report`: writes the reports again.
 
 use super::accuracy::verdict;
+use super::count::count;
 use super::exit::Exit;
 use super::faults;
+use super::output::to_stdout;
 use super::progress::Progress;
 use beamgap::check::Regime;
 use beamgap::equations;
@@ -19,7 +21,7 @@ use std::path::PathBuf;
 pub(crate) struct Report {
     /// How many cases of each regime are compared; the bounds on rounding are
     /// measured with 11112 if this is not given
-    #[arg(long, value_name = "N", default_value_t = CASES, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = CASES)]
     #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
     cases: u64,
     /// Write the benchmark alone
@@ -42,7 +44,8 @@ impl Report {
         Environment::is_clean(self.allow_dirty)?;
         if !self.verified.is_empty() {
             let record = report::verify(&self.to, &self.verified, "examples/verify/public/run")?;
-            println!("Wrote verify to {}: {} programs.", self.to.display(), record.runs.len());
+            let programs = count(record.runs.len(), "program");
+            println!("Wrote verify to {}: {programs}.", self.to.display());
             return Ok(Exit::Agree);
         }
         let measured = self.measured();
@@ -56,6 +59,7 @@ impl Report {
         if let Err(missing) = &measured {
             eprintln!("Left out: benchmark: {missing}.");
         }
+        to_stdout("Reports\n")?;
         let exit = self.checks()?;
         let benchmark = measured.is_ok().then_some("benchmark");
         let written = ["crosscheck", "bounds", "accuracy", "equations", "derivation", "faults", "symbols"];

@@ -69,6 +69,10 @@ impl Verify {
             let words = "a file for the cases or for the answers expected, found standard input for both\n";
             return Err(clap::Error::raw(ErrorKind::ArgumentConflict, words).into());
         }
+        if self.reason.is_some() && self.digits.is_none() {
+            let words = "--digits expected: a reason is that of the digits, which are not given\n";
+            return Err(clap::Error::raw(ErrorKind::MissingRequiredArgument, words).into());
+        }
         let inputs = [Some(&self.vectors), self.answers.as_ref()];
         self.output.distinct_from(&inputs.into_iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>())?;
         let mut outputs = self.output.open()?;
@@ -138,7 +142,7 @@ impl Verify {
         match failed {
             Some(error) if exit == Exit::Agree => Err(error),
             Some(error) => {
-                eprintln!("error: {error:#}");
+                super::terminal::tell(&format!("error: {error:#}"));
                 Ok(exit)
             }
             None => Ok(exit),

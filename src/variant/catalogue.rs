@@ -18,6 +18,16 @@ pub fn catalogue() -> Vec<Fault> {
     ALL.get_or_init(|| labels().par_iter().flat_map_iter(of_term).collect()).clone()
 }
 
+/// The faults of the catalogue in the same order, in parts of more and more terms: the first faults are known early.
+pub fn catalogue_in_parts() -> impl Iterator<Item = Vec<Fault>> {
+    let (labels, mut start, mut count) = (labels(), 0, 2);
+    std::iter::from_fn(move || {
+        let terms = labels.get(start..labels.len().min(start + count)).filter(|terms| !terms.is_empty())?;
+        (start, count) = (start + terms.len(), 2 * count);
+        Some(terms.par_iter().flat_map_iter(of_term).collect())
+    })
+}
+
 /// The closed form with the faults of these names, as [`Fault`] writes them; unmodified if there are no names.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! Cases as files: they are read back without a change, or rejected with the place of the error.
 
-use crate::program::{command, golden, run, stdout};
+use crate::program::{command, golden, message, run, stdout};
 use beamgap::check::{CaseData, CheckConfig, Comparison, Family, TestBeam, Verdict, test_source};
 use beamgap::pair::Contact;
 use serde_json::{Value, json};
@@ -135,7 +135,7 @@ fn document() -> Value {
 fn refused(text: &str) -> String {
     let output = check(text, &[]);
     assert_eq!((output.status.code(), output.stdout.len()), (Some(3), 0), "{output:?}");
-    let told = String::from_utf8(output.stderr).unwrap();
+    let told = message(&output);
     assert_eq!(told.lines().count(), 1, "{told}");
     let told = told.trim_end().strip_prefix("error: standard input is not ").unwrap_or(&told).to_owned();
     told.strip_prefix("a case: ").map(str::to_owned).unwrap_or(told)
@@ -209,6 +209,12 @@ fn a_bad_case_is_refused_with_its_place() {
             "contact.xi: no such entry, expected radius, radius_bar, xi_0, xi_bar_0",
         ),
         ("", "contact", json!({ "radius": "1" }), "contact.radius: a number expected, found \"1\""),
+        (
+            "",
+            "contact",
+            json!({ "radius_bar": -0.5 }),
+            "contact.radius_bar: a number from 0 on expected, found -0.5",
+        ),
     ];
     for (place, name, value, expected) in with {
         let mut document = document();

@@ -2,7 +2,7 @@
 //!
 //! A missing tool is skipped. If BEAMGAP_ADAPTERS is set, a missing tool is an error.
 
-use crate::program::{command, golden, has_no_message, json, run, stdout};
+use crate::program::{command, golden, has_no_message, json, message, run, stdout};
 use crate::schemas::is_valid;
 use serde_json::Value;
 use std::fs;
@@ -54,7 +54,9 @@ fn a_merged_run_is_the_run() {
             }
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
             let merged = in_all_formats(&parts, &[&["merge"][..], &names].concat());
-            assert_eq!((merged.status.code(), merged.stderr.is_empty()), (status, true), "{merged:?}");
+            assert_eq!((merged.status.code(), has_no_message(&merged)), (status, true), "{merged:?}");
+            // The title is shown before the mismatches are shrunk.
+            assert!(merged.stderr.starts_with(b"Contact geometry of two beams"), "{merged:?}");
             for format in FORMATS {
                 assert!(read(&whole, format) == read(&parts, format), "{selection:?} {partition:?} {format}");
             }
@@ -74,15 +76,14 @@ fn what_is_no_run_is_not_merged() {
     part("first", &["--shard", "1/2"]);
     part("second", &["--shard", "2/2"]);
     part("fourth", &["--shard", "2/4"]);
+    part("quarter", &["--shard", "1/4"]);
     part("seed", &["--shard", "2/2", "--seed", "7"]);
     part("regime", &["--shard", "2/2", "--regime", "metres"]);
     fs::write(folder.join("broken.json"), "{").unwrap();
     for (parts, told) in [
-        (&["first.json"][..], "error: the shards 1/2 have 10 of 20 cases: some are missing\n"),
-        (
-            &["first.json", "fourth.json"],
-            "error: the shards 1/2, 2/4 have 16 of 20 cases: some are missing\n",
-        ),
+        (&["first.json"][..], "error: shard 2/2 is missing: the others have 10 of 20 cases\n"),
+        (&["first.json", "fourth.json"], "error: shard 4/4 is missing: the others have 16 of 20 cases\n"),
+        (&["quarter.json"], "error: shards 2/4, 3/4 and 4/4 are missing: the others have 5 of 20 cases\n"),
         (
             &["second.json", "fourth.json"],
             "error: fourth.json: shard 2/4 has cases of shard 2/2 of second.json\n",
@@ -103,7 +104,7 @@ fn what_is_no_run_is_not_merged() {
         ),
     ] {
         let output = command(&[&["merge"][..], parts].concat()).current_dir(&folder).output().unwrap();
-        assert_eq!(String::from_utf8_lossy(&output.stderr), told);
+        assert_eq!(message(&output), told);
         assert_eq!((output.status.code(), output.stdout.is_empty()), (Some(3), true), "{parts:?}");
     }
 }
@@ -223,6 +224,23 @@ fn formats_are_the_golden_ones() {
         ("markdown", "prove.md"),
     ] {
         golden(name, &read(&folder, format), blind);
+    }
+}
+
+/// The job of the README is the one that is ready to be copied, and what it writes is kept.
+#[test]
+fn the_example_of_a_job_runs_the_commands_of_the_readme() {
+    let file = |name: &str| fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap();
+    let (readme, job) = (file("README.md"), file("examples/ci/github.yml"));
+    let (_, section) = readme.split_once("\n## Put it into CI\n").unwrap();
+    let block = section.split("```").nth(1).unwrap();
+    let commands: Vec<&str> = block.lines().filter_map(|line| line.strip_prefix("$ ")).collect();
+    assert_eq!(commands.len(), 3, "{block}");
+    for command in commands {
+        assert!(job.contains(&format!("- run: {command}\n")), "{command} is missing in the job");
+        for (_, path) in command.split(" --output ").skip(1).filter_map(|output| output.split_once('=')) {
+            assert!(job.contains(&format!(": {path}\n")), "{path} is not kept");
+        }
     }
 }
 

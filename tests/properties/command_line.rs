@@ -1,7 +1,7 @@
 //! The command line: its output, its exit codes, and that its output is reproducible.
 
 use crate::program::{
-    blind_json, blind_text, command, golden, has_no_message, json, run, shown_in_the_readme, stdout,
+    blind_json, blind_text, command, golden, has_no_message, json, message, run, shown_in_the_readme, stdout,
 };
 use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
@@ -103,6 +103,36 @@ fn bad_input_is_one_line_and_a_code() {
         ),
         (&["check", "--seed", "soon"], 2, &bad_seed("soon")),
         (&["check", "--seed", "-1"], 2, &bad_seed("-1")),
+        (
+            &["verify", "vectors", "answers", "--digits", "-1"],
+            2,
+            "invalid value '-1' for '--digits <N>': -1 is not in 1..=15 (see --help)",
+        ),
+        (
+            &["explain", "vectors", "answers", "--threads", "-1"],
+            2,
+            "invalid value '-1' for '--threads <N>': -1 is not in 1..=1024 (see --help)",
+        ),
+        (
+            &["evaluate", "--penalty", "-1e3"],
+            2,
+            "invalid value '-1e3' for '--penalty <STIFFNESS>': expected a positive number (see --help)",
+        ),
+        (
+            &["check", "--time-budget", "-5s"],
+            2,
+            "invalid value '-5s' for '--time-budget <TIME>': a time expected, such as 30s, 5m or 1h (see --help)",
+        ),
+        (
+            &["check", "--shard", "-1/2"],
+            2,
+            "invalid value '-1/2' for '--shard <I/N>': i/n expected, with i from 1 to n (see --help)",
+        ),
+        (
+            &["verify", "vectors", "answers", "--reason", "few digits are printed"],
+            2,
+            "--digits expected: a reason is that of the digits, which are not given (see --help)",
+        ),
         (&["check", "--seed", "0x10000000000000000"], 2, &bad_seed("0x10000000000000000")),
         (&["check", "--seed", "0x+1"], 2, &bad_seed("0x+1")),
         (
@@ -139,12 +169,12 @@ fn bad_input_is_one_line_and_a_code() {
     ];
     for (arguments, code, line) in told {
         let output = run(arguments);
-        assert_eq!(String::from_utf8_lossy(&output.stderr), format!("error: {line}\n"), "{arguments:?}");
+        assert_eq!(message(&output), format!("error: {line}\n"), "{arguments:?}");
         assert_eq!(output.status.code(), Some(code), "{arguments:?}");
         assert!(output.stdout.is_empty(), "{arguments:?}");
     }
     let none = run(&[]);
-    let line = String::from_utf8_lossy(&none.stderr);
+    let line = message(&none);
     assert!(
         line.starts_with("error: 'beamgap' requires a subcommand") && line.lines().count() == 1,
         "{line}"
@@ -197,7 +227,7 @@ fn a_full_disk_loses_nothing() {
     let output = small(&["--output", "/dev/full"]);
     assert_eq!(output.status.code(), Some(3));
     assert_eq!(output.stdout, small(&[]).stdout);
-    let told = String::from_utf8_lossy(&output.stderr);
+    let told = message(&output);
     let line = told.lines().last().unwrap_or_default();
     assert!(line.starts_with("error: cannot write /dev/full, wrote to standard output instead"), "{line}");
 }

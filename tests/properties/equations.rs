@@ -217,6 +217,8 @@ fn the_command_prints_all_or_one() {
         "an equation that is misprinted holds as corrected"
     );
     let text = String::from_utf8(one.stdout).unwrap();
+    let head = "Equation (42) of the paper, as printed and as corrected, evaluated\n\n(42) ";
+    assert!(text.starts_with(head), "{text}");
     for part in [
         "1/t³ (𝐭,ξ Δξ + Δᵤ𝐮_C,ξ)·𝐭·(𝐭,ξ δξ + δᵤ𝐮_C,ξ)",
         "+ outside [..]; t (Δt·δt)",
@@ -232,6 +234,7 @@ fn the_command_prints_all_or_one() {
     assert!(String::from_utf8(latex.stdout).unwrap().contains(r"\frac{1}{t^3}"));
 
     let json = run(&["--draws", "1", "--equation", "42", "--format", "json"]);
+    assert!(json.stderr.starts_with(b"Equation (42) of the paper"), "{json:?}");
     let record = Equations::from_json(&String::from_utf8(json.stdout).unwrap()).unwrap().table;
     assert_eq!((record.equations.len(), record.equations[0].number), (1, 42));
 }

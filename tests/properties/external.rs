@@ -115,15 +115,30 @@ fn what_is_not_answered_is_told() {
     lines[5] = "{\"id\":5,\"result\":\"degenerate\"}";
     let report = verified(&all, &lines.join("\n"), None).unwrap();
     assert_eq!((report.compared, report.unanswered, report.missing), (9, 1, 0));
-    // An answer that occurs twice belongs to no open case.
-    let twice = format!("{text}{}\n", lines[3]);
-    assert!(
-        verified(&all, &twice, None).unwrap_err().contains("a case that is still open expected, found \"7\"")
-    );
     // Answers with values only.
     let value = "{\"schema\":\"beamgap-answers/1\"}\n{\"id\":\"0\",\"d\":1e3,\"x\":{\"value\":[0,0,0]}}\n";
     let report = verified(&all, value, None).unwrap();
     assert_eq!((report.wrong, report.parts.len()), (1, 2));
+}
+
+/// An answer without its case says why it has none.
+#[test]
+fn an_answer_belongs_to_one_case() {
+    let all = vectors(&drawing(&[Family::Segment], &[Regime::Generic], 70));
+    let text = answers(&Evaluator::default(), &all);
+    let first = text.lines().nth(1).unwrap();
+    // 69 cases are open, and the first five of them are given up.
+    let late = [text.lines().next().unwrap(), text.lines().last().unwrap(), first].join("\n");
+    for (text, expected) in [
+        (format!("{text}{first}\n"), "answers:72: case \"0\": one answer expected, found another in line 2"),
+        (format!("{text}{{\"id\":\"70\",\"d\":1}}\n"), "answers:72: the id of a case expected, found \"70\""),
+        (
+            late,
+            "answers:3: case \"0\": its answer expected earlier, in the order of the cases or at most 64 out of it",
+        ),
+    ] {
+        assert_eq!(verified(&all, &text, None).map(drop), Err(expected.to_owned()));
+    }
 }
 
 #[test]

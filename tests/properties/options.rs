@@ -1,7 +1,7 @@
 //! Options from flags, from the environment and from a file; colours; shell completions and manual pages.
 
 use crate::ci::folder;
-use crate::program::{command, has_no_message, json, run, stdout};
+use crate::program::{command, has_no_message, json, message, run, stdout};
 use std::fs;
 
 #[test]
@@ -10,7 +10,7 @@ fn flags_win_over_the_environment_and_it_over_the_file() {
     let cases = |arguments: &[&str], environment: &[(&str, &str)]| {
         let small = [&["check", "--family", "segment", "--format", "json"], arguments].concat();
         let output = command(&small).envs(environment.iter().copied()).current_dir(&folder).output().unwrap();
-        (output.status.code(), String::from_utf8(output.stderr.clone()).unwrap(), output)
+        (output.status.code(), message(&output), output)
     };
     let count = |arguments: &[&str], environment: &[(&str, &str)]| {
         let (code, error, output) = cases(arguments, environment);
@@ -25,12 +25,16 @@ fn flags_win_over_the_environment_and_it_over_the_file() {
     assert_eq!(count(&[], &[("BEAMGAP_CHECK_CASES", "2")]), 2);
     assert_eq!(count(&["--cases", "1"], &[("BEAMGAP_CHECK_CASES", "2")]), 1);
     for (text, told) in [
-        ("[check]\ncsaes = 3", "error: beamgap.toml: check: no key `csaes`, the nearest is `cases`\n"),
+        ("[check]\ncsaes = 3", "error: beamgap.toml:2:1: check: no key `csaes`, the nearest is `cases`\n"),
         (
             "[check]\ncases = 0",
-            "error: beamgap.toml: check.cases: invalid value '0' for '--cases <N>': 0 is not in 1..=1000000 (see --help)\n",
+            "error: beamgap.toml:2:9: check.cases: invalid value '0' for '--cases <N>': 0 is not in 1..=1000000 (see --help)\n",
         ),
-        ("[check", "error: beamgap.toml:1: "),
+        ("[check", "error: beamgap.toml:1:"),
+        (
+            "[check]\nplant = \"a: d.t,xi = lost\"",
+            "error: beamgap.toml:2:9: check.plant: invalid value 'a: d.t,xi = lost' for '--plant <FAULT>': a term",
+        ),
     ] {
         fs::write(folder.join("beamgap.toml"), text).unwrap();
         let (code, error, output) = cases(&[], &[]);
@@ -38,6 +42,10 @@ fn flags_win_over_the_environment_and_it_over_the_file() {
         assert_eq!((code, output.stdout.is_empty()), (Some(3), true));
     }
     assert_eq!(cases(&["--config", "none.toml"], &[]).0, Some(3));
+    let mut export = command(&["export"]);
+    let output = export.env("BEAMGAP_EXPORT_CASES", "1").current_dir(&folder).output().unwrap();
+    let told = "error: BEAMGAP_EXPORT_CASES: the environment sets options of check, verify, prove, faults, but none of export\n";
+    assert_eq!((output.status.code(), message(&output).as_str()), (Some(3), told));
     // With `--case`, the number of cases in the file has no effect.
     fs::write(folder.join("beamgap.toml"), "[check]\ncases = 3\n").unwrap();
     let one = command(&["check", "--case", "17"]).current_dir(&folder).output().unwrap();
@@ -62,6 +70,9 @@ fn few_digits_need_a_reason() {
     assert!(text.contains(told), "{text}");
     let document = json(&in_folder(&["verify", "vectors.jsonl", "--format", "json"]));
     assert_eq!((&document["digits"], &document["reason"]), (&6.into(), &"printed with few digits".into()));
+    // The reason is that of six digits.
+    let text = stdout(&in_folder(&["verify", "vectors.jsonl", "--digits", "10"]));
+    assert!(text.contains("10 significant digits are required where they are attainable\n"), "{text}");
     fs::write(folder.join("beamgap.toml"), "[verify]\ndigits = 6\n").unwrap();
     assert_eq!(in_folder(&["verify", "vectors.jsonl"]).status.code(), Some(3));
 }

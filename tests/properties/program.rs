@@ -30,6 +30,13 @@ pub(crate) fn has_no_message(output: &Output) -> bool {
     told.lines().all(is_title)
 }
 
+/// Standard error with its error on one line, which the program folds.
+pub(crate) fn message(output: &Output) -> String {
+    let told = String::from_utf8(output.stderr.clone()).unwrap();
+    assert!(told.lines().all(|line| line.chars().count() <= 80 || !line.trim().contains(' ')), "{told}");
+    told.replace("\n  ", " ")
+}
+
 /// The lines that the README shows after a command are the last that the command prints.
 pub(crate) fn shown_in_the_readme(output: &str, command: &str) {
     let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();

@@ -6,7 +6,7 @@ use super::error::ExternalError;
 use super::report::Report;
 use super::vectors::Vector;
 use rayon::prelude::*;
-use std::collections::VecDeque;
+use std::collections::{HashMap, HashSet, VecDeque};
 
 /// The number of cases that are compared at a time, by all cores.
 const AT_ONCE: usize = 64;
@@ -19,6 +19,12 @@ pub struct Matching {
     demands: Demands,
     look_ahead: usize,
     open: VecDeque<Vector>,
+    /// The answered cases, with the lines of their answers.
+    answered: HashMap<String, usize>,
+    /// The cases whose answers would come too late.
+    late: HashSet<String>,
+    /// The file of the cases, if they are read from one.
+    file: Option<String>,
     ready: Vec<(Vector, Answers)>,
     report: Report,
 }
@@ -26,7 +32,16 @@ pub struct Matching {
 impl Matching {
     /// A matching without any answers.
     pub fn new(demands: Demands, look_ahead: usize) -> Self {
-        Self { demands, look_ahead, open: VecDeque::new(), ready: Vec::new(), report: Report::default() }
+        Self {
+            demands,
+            look_ahead,
+            open: VecDeque::new(),
+            answered: HashMap::new(),
+            late: HashSet::new(),
+            file: None,
+            ready: Vec::new(),
+            report: Report::default(),
+        }
     }
 
     /// Sets the program, as the head of its answers describes it.
@@ -39,35 +54,53 @@ impl Matching {
     /// Adds the answers to a case; `next` yields the cases that follow.
     ///
     /// # Errors
-    /// If there is no such case, or an answer has the wrong number of entries.
+    /// If there is no such case, it is answered already, or an answer has the wrong number of entries.
     pub fn take<E: From<ExternalError>>(
         &mut self,
         answers: Answers,
         mut next: impl FnMut() -> Result<Option<Vector>, E>,
     ) -> Result<(), E> {
+        if let Some(line) = self.answered.get(&answers.id) {
+            let expected =
+                format!("case {:?}: one answer expected, found another in line {line}", answers.id);
+            return Err(answers.place.error(expected).into());
+        }
         let vector = match self.open.iter().position(|vector| vector.id == answers.id) {
             Some(at) => self.open.remove(at),
             None => loop {
-                match next()? {
+                let vector = next()?;
+                if let (None, Some(place)) = (&self.file, vector.as_ref().and_then(|of| of.place.as_ref())) {
+                    self.file = Some(place.file.clone());
+                }
+                match vector {
                     Some(vector) if vector.id == answers.id => break Some(vector),
                     Some(vector) => self.leave_open(vector),
                     None => break None,
                 }
             },
         };
-        let Some(vector) = vector else {
-            let expected = format!(
-                "the name of a case that is still open expected, found {:?}: each case is answered once, in the order of \
-                 the cases or at most {} out of it",
-                answers.id, self.look_ahead
-            );
-            return Err(answers.place.error(expected).into());
-        };
+        let Some(vector) = vector else { return Err(self.without_case(answers).into()) };
+        self.answered.insert(answers.id.clone(), answers.place.line);
         self.ready.push((vector, answers));
         if self.ready.len() >= AT_ONCE {
             self.compare()?;
         }
         Ok(())
+    }
+
+    /// The error for an answer whose case is not open.
+    fn without_case(&self, answers: Answers) -> ExternalError {
+        let id = &answers.id;
+        let expected = if self.late.contains(id) {
+            format!(
+                "case {id:?}: its answer expected earlier, in the order of the cases or at most {} out of it",
+                self.look_ahead
+            )
+        } else {
+            let of = self.file.as_ref().map_or_else(String::new, |file| format!(" of {file}"));
+            format!("the id of a case{of} expected, found {id:?}")
+        };
+        answers.place.error(expected)
     }
 
     fn leave_open(&mut self, vector: Vector) {
@@ -76,6 +109,7 @@ impl Matching {
             && let Some(oldest) = self.open.pop_front()
         {
             self.report.add_missing(&oldest.id);
+            self.late.insert(oldest.id);
         }
     }
 

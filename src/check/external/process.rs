@@ -9,8 +9,8 @@ use super::error::ExternalError;
 use super::matching::Matching;
 use super::report::Report;
 use super::vectors::{Vector, VectorReader};
-pub use error::ProcessError;
-use pipes::{Told, feed, listen, overhear};
+pub use error::{InputState, ProcessError};
+use pipes::{Feed, Feeding, Told, feed, listen, overhear};
 use std::io::BufRead;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
@@ -55,7 +55,7 @@ impl Runner {
             .stderr(Stdio::piped())
             .spawn()
             .map_err(|source| ProcessError::Start { program: program.clone(), source })?;
-        let sent = feed(&mut child, vectors, self.look_ahead);
+        let (sent, feeding) = feed(&mut child, vectors, self.look_ahead);
         let told = listen(&mut child, &program);
         let stderr = overhear(&mut child);
         let end =
@@ -79,46 +79,57 @@ impl Runner {
                             })
                         }
                     }
-                    None => Err(self.late(program, [answered, report.vectors], end(&stderr))),
+                    None => {
+                        let seconds = GRACE.as_secs_f64();
+                        Err(ProcessError::Running { program, seconds, stderr: end(&stderr) })
+                    }
                 }
             }
-            Err((error, counts)) => {
+            Err((error, answered)) => {
+                let input = self.input(&feeding);
                 // If a program failed, its last output is attributed to the failure.
                 let grace = if error.is_some() { LAST_WORDS } else { Duration::ZERO };
                 let status = wait(&mut child, grace);
                 let stderr = end(&stderr);
                 Err(match (error, status) {
-                    (None, _) => self.late(program, counts, stderr),
-                    (Some(ProcessError::Text { .. }), Some(status))
+                    (None, _) => {
+                        let seconds = self.time_out.as_secs_f64();
+                        ProcessError::TimeOut { program, seconds, answered, input, stderr }
+                    }
+                    (Some(ProcessError::Text { .. } | ProcessError::Silent { .. }), Some(status))
                         if !status.success() && !is_closed(status) =>
                     {
                         let (report, conventions) = (Box::default(), Box::default());
-                        let answered = counts[0];
                         ProcessError::Failed { program, status, answered, stderr, report, conventions }
                     }
                     (Some(ProcessError::Text { error, .. }), _) => ProcessError::Text { error, stderr },
+                    (Some(ProcessError::Silent { .. }), _) => ProcessError::Silent { program, stderr },
                     (Some(other), _) => other,
                 })
             }
         }
     }
 
-    fn late(&self, program: String, [answered, sent]: [u64; 2], stderr: String) -> ProcessError {
-        let seconds = self.time_out.as_secs_f64();
-        let look_ahead = self.look_ahead;
-        ProcessError::TimeOut { program, seconds, answered, sent, look_ahead, stderr }
+    /// What the program did with its input, at a time-out.
+    fn input(&self, feeding: &Feeding) -> InputState {
+        let states = [
+            (Feed::Writes, InputState::Unread),
+            (Feed::Ended, InputState::Ended),
+            (Feed::Closed, InputState::Closed),
+        ];
+        let of = states.into_iter().find(|(state, _)| feeding.is(*state));
+        of.map_or(InputState::Read(self.look_ahead), |(_, input)| input)
     }
 
-    /// Matches answers with the cases sent. A missing error means a time-out.
-    #[expect(clippy::type_complexity, reason = "an error, and how many answers to how many cases there were")]
+    /// Matches answers with the cases sent. A missing error means a time-out. The number is that of the answers.
     fn matched(
         &self,
         program: &str,
         sent: &Receiver<Result<Vector, ExternalError>>,
         told: &Receiver<Told>,
         progress: &mut impl FnMut(&Report),
-    ) -> Result<(Report, Conventions, u64), (Option<ProcessError>, [u64; 2])> {
-        let (mut answered, mut taken) = (0, 0);
+    ) -> Result<(Report, Conventions, u64), (Option<ProcessError>, u64)> {
+        let mut answered = 0;
         let mut matching: Option<(Matching, Conventions)> = None;
         loop {
             let result = match told.recv_timeout(self.time_out) {
@@ -133,10 +144,7 @@ impl Runner {
                     answered += 1;
                     let (matching, _) = matching.as_mut().expect("the head comes before the answers");
                     let next = || match sent.recv_timeout(self.time_out) {
-                        Ok(vector) => {
-                            taken += 1;
-                            vector.map(Some).map_err(|error| Some(ProcessError::from(error)))
-                        }
+                        Ok(vector) => vector.map(Some).map_err(|error| Some(ProcessError::from(error))),
                         Err(RecvTimeoutError::Disconnected) => Ok(None),
                         Err(RecvTimeoutError::Timeout) => Err(None),
                     };
@@ -146,21 +154,20 @@ impl Runner {
                 }
                 Ok(Told::Error(error)) => Err(Some(error.into())),
                 Err(RecvTimeoutError::Timeout) => Err(None),
-                Err(RecvTimeoutError::Disconnected) => break,
+                Ok(Told::Nothing) | Err(RecvTimeoutError::Disconnected) => break,
             };
-            result.map_err(|error| (error, [answered, taken]))?;
+            result.map_err(|error| (error, answered))?;
         }
         let Some((matching, conventions)) = matching else {
-            let place = super::Place { file: format!("standard output of {program}"), line: 1, column: 1 };
-            let error = place.error("a head expected, found the end of the text");
-            return Err((Some(error.into()), [answered, taken]));
+            let program = program.to_owned();
+            return Err((Some(ProcessError::Silent { program, stderr: String::new() }), answered));
         };
         let next = || match sent.recv_timeout(self.time_out) {
             Ok(vector) => vector.map(Some).map_err(|error| Some(ProcessError::from(error))),
             Err(_) => Ok(None),
         };
         let report = matching.finish(OptionalError::wrap(next));
-        let report = report.map_err(|OptionalError(error)| (error, [answered, taken]))?;
+        let report = report.map_err(|OptionalError(error)| (error, answered))?;
         Ok((report, conventions, answered))
     }
 }

@@ -17,9 +17,10 @@ pub(in crate::cli) fn markdown(outcome: &Outcome) -> String {
     }
     let all: Vec<&Entry> = outcome.entries.iter().collect();
     if !all.is_empty() {
-        let count = all.len();
+        let entries =
+            if all.len() == 1 { "The entry".to_owned() } else { format!("All {} entries", all.len()) };
         let table = table(&all);
-        let _ = write!(text, "\n<details><summary>All {count} entries</summary>\n\n{table}\n</details>\n");
+        let _ = write!(text, "\n<details><summary>{entries}</summary>\n\n{table}\n</details>\n");
     }
     text
 }

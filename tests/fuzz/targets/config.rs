@@ -31,7 +31,7 @@ fn command() -> Command {
 
 libfuzzer_sys::fuzz_target!(|text: &str| {
     // A default that was accepted must be accepted when the command is parsed.
-    if let Ok(command) = config::with_file(command(), "beamgap.toml", text) {
+    if let Ok(command) = config::with_file(command(), "beamgap.toml", text, config::Settings::new()) {
         command.try_get_matches_from(["beamgap", "check"]).expect("the defaults are taken");
     }
 });

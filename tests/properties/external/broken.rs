@@ -3,8 +3,8 @@
 use super::conventions::changed;
 use super::programs::{exported, scratch};
 use super::{answers, drawing, vectors, verified};
-use crate::program::run;
-use beamgap::check::external::{Demands, Evaluator, explain};
+use crate::program::{message, run};
+use beamgap::check::external::{Demands, Evaluator, VectorReader, VectorWriter, explain};
 use beamgap::check::{Family, Regime};
 use serde_json::Value;
 
@@ -125,4 +125,42 @@ fn an_output_replaces_no_input_and_no_other_output() {
         assert_eq!(output.status.code(), Some(2), "{output:?}");
     }
     assert_eq!(std::fs::read(&path).unwrap(), before);
+}
+
+/// Two cases of one name are an error of the cases, not of the answers.
+#[test]
+fn a_case_has_a_name_of_its_own() {
+    let drawing = drawing(&[Family::Segment], &[Regime::Generic], 2);
+    let writer = VectorWriter::default();
+    let line = writer.line(&drawing.vector(0));
+    let text = format!("{}\n{line}\n{}\n{line}\n", writer.head(&drawing), writer.line(&drawing.vector(1)));
+    let path = scratch("twice.jsonl", &text);
+    let none = scratch("twice-answers.jsonl", "{\"schema\":\"beamgap-answers/1\"}\n");
+    let (path, none) = (path.to_str().unwrap(), none.to_str().unwrap());
+    let program = format!("cat '{none}'");
+    for arguments in [&["verify", path, none][..], &["verify", path, "--run", &program], &["evaluate", path]]
+    {
+        let output = run(arguments);
+        let told = format!("{path}:4: id: a name of its own expected, found \"0\" as in line 2");
+        assert_eq!(output.status.code(), Some(3), "{output:?}");
+        assert!(message(&output).contains(&told), "{output:?}");
+    }
+}
+
+/// A radius is not negative, neither in cases for programs nor in a case file.
+#[test]
+fn a_radius_is_not_negative() {
+    let drawing = drawing(&[Family::Segment], &[Regime::Generic], 1);
+    let writer = VectorWriter::default();
+    let mut line: serde_json::Value = serde_json::from_str(&writer.line(&drawing.vector(0))).unwrap();
+    for (radius, expected) in
+        [("-0.5", "a number from 0 on expected, found -0.5"), ("inf", "a finite number expected, found inf")]
+    {
+        line["contact"] = serde_json::json!({ "radius_bar": radius });
+        let text = format!("{}\n{line}\n", writer.head(&drawing));
+        let mut reader = VectorReader::new(text.as_bytes(), "vectors").unwrap();
+        let told = reader.next_vector().unwrap_err().to_string();
+        let column = line.to_string().find("radius_bar").unwrap() + "radius_bar\":".len() + 1;
+        assert_eq!(told, format!("vectors:2:{column}: radius_bar: {expected}"));
+    }
 }

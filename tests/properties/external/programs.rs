@@ -1,7 +1,7 @@
 //! Programs that answer while they run, and results for other programs.
 
 use super::{drawing, vectors};
-use crate::program::{command, json, run};
+use crate::program::{command, json, message, run};
 use beamgap::check::external::VectorWriter;
 use beamgap::check::{Family, Regime};
 use std::fmt::Write as _;
@@ -27,14 +27,14 @@ fn a_program_is_run_and_its_exit_status_time_and_words_are_told() {
     let path = exported("run.jsonl", &["--family", "segment", "--cases", "3", "--expected", "none"]);
     let vectors = path.to_str().unwrap();
     let own = format!("'{}' evaluate", env!("CARGO_BIN_EXE_beamgap"));
-    let verify = |program: &str, more: &[&str]| {
-        let output = run(&[&["verify", vectors, "--run", program], more].concat());
-        let told = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-        (output.status.code(), told(&output.stdout), told(&output.stderr))
+    let verify = |program: &str| {
+        let output = run(&["verify", vectors, "--run", program]);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        (output.status.code(), text, message(&output))
     };
-    let (code, text, _) = verify(&own, &[]);
+    let (code, text, _) = verify(&own);
     assert!(code == Some(0) && text.contains("AGREE: at "), "{text}");
-    let (code, text, _) = verify(&format!("{own} --plant 'b: t.t_bar = halved'"), &[]);
+    let (code, text, _) = verify(&format!("{own} --plant 'b: t.t_bar = halved'"));
     assert!(
         code == Some(1) && text.contains("Cause: the term t.t_bar of b, eq. (50), counts half"),
         "{text}"
@@ -53,13 +53,48 @@ fn a_program_is_run_and_its_exit_status_time_and_words_are_told() {
         ("yes", "standard output of yes:1:1: the titles `case,quantity,value`"),
         ("/no/such/program", "cannot start /no/such/program"),
         ("sh -c 'exit", "a program, with its arguments, expected"),
-        ("true", "expected, found the end of the text"),
+        ("true", "true: no output; a program must read the cases on standard input"),
     ] {
-        let (code, _, told) = verify(program, &[]);
+        let (code, _, told) = verify(program);
         assert!(code == Some(3) && told.contains(expected), "{program}: {told}");
     }
-    let (code, _, told) = verify("sleep 30", &["--time-out", "1"]);
-    assert!(code == Some(3) && told.contains("no answer within 1 s"), "{told}");
+}
+
+/// A program that does not answer in time is told what it did with its input.
+#[test]
+fn a_time_out_says_what_the_program_did_with_its_input() {
+    let [few, many] = [1, 4].map(|cases: u32| {
+        let (name, cases) = (format!("late-{cases}.jsonl"), cases.to_string());
+        let more = ["--family", "segment", "--regime", "generic", "--cases", &cases, "--expected", "all"];
+        exported(&name, &more)
+    });
+    assert!(std::fs::metadata(&few).unwrap().len() < 1 << 16, "the first pipe is not full");
+    assert!(std::fs::metadata(&many).unwrap().len() > 1 << 17, "the second pipe is full");
+    let head = scratch("late-head.jsonl", "{\"schema\":\"beamgap-answers/1\"}\n");
+    let head = format!("cat {}", head.display());
+    let flush =
+        "a program must write each answer out (flush): it is sent at most 2 cases ahead of its answers";
+    for (vectors, program, told) in [
+        (&few, "sleep 30".to_owned(), "all cases are on its standard input, which is closed"),
+        (&many, "sleep 30".to_owned(), "it does not read its standard input"),
+        (&many, format!("sh -c '{head}; exec sleep 30'"), "it does not read its standard input"),
+        (&many, format!("sh -c '{head}; exec sleep 30 <&-'"), "it has closed its standard input"),
+        (&many, format!("sh -c '{head}; cat >/dev/null; exec sleep 30'"), flush),
+    ] {
+        let arguments =
+            ["verify", vectors.to_str().unwrap(), "--run", &program, "--time-out", "1", "--look-ahead", "2"];
+        let output = run(&arguments);
+        let found = message(&output);
+        assert_eq!(output.status.code(), Some(3), "{found}");
+        assert!(
+            found.contains(": no answer within 1 s, after 0 answers; ") && found.contains(told),
+            "{found}"
+        );
+    }
+    let program = format!("sh -c '{head}; exec >&-; exec sleep 30'");
+    let output = run(&["verify", few.to_str().unwrap(), "--run", &program]);
+    let told = "sh: still running 5 s after the end of its answers; a program must end then";
+    assert!(message(&output).contains(told), "{output:?}");
 }
 
 #[test]

@@ -6,13 +6,45 @@ use crate::check::external::error::ExternalError;
 use crate::check::external::vectors::{Vector, VectorReader};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::Child;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::mpsc::{self, Receiver, SyncSender, TrySendError};
 use std::thread;
 
 /// The number of bytes of standard error that are kept, from its end.
 const STDERR: usize = 4096;
+/// What the thread that writes cases does.
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Feed {
+    /// It waits for the next case, or for an answer if many cases are open.
+    Waits,
+    /// It writes.
+    Writes,
+    /// It has written all cases.
+    Ended,
+    /// The program has closed its input.
+    Closed,
+}
+
+/// The state of the thread that writes cases, for the thread that waits for answers.
+#[derive(Clone, Default)]
+pub(super) struct Feeding(Arc<AtomicU8>);
+
+impl Feeding {
+    fn set(&self, feed: Feed) {
+        self.0.store(feed as u8, Ordering::Relaxed);
+    }
+
+    pub(super) fn is(&self, feed: Feed) -> bool {
+        self.0.load(Ordering::Relaxed) == feed as u8
+    }
+}
+
 /// The messages of the thread that reads answers.
 pub(super) enum Told {
+    /// The output ended before a head.
+    Nothing,
     Head(Box<(Conventions, Program)>),
     Answers(Box<Answers>),
     Error(ExternalError),
@@ -23,14 +55,19 @@ pub(super) fn feed<R: BufRead + Send + 'static>(
     child: &mut Child,
     mut vectors: VectorReader<R>,
     look_ahead: usize,
-) -> Receiver<Result<Vector, ExternalError>> {
+) -> (Receiver<Result<Vector, ExternalError>>, Feeding) {
     let (tell, sent) = mpsc::sync_channel(look_ahead);
     let mut stdin = child.stdin.take();
+    let state = Feeding::default();
+    let feeding = state.clone();
     thread::spawn(move || {
         let mut write = |line: &str| {
             let Some(to) = &mut stdin else { return };
+            state.set(Feed::Writes);
             // A program may close its input early. The remaining cases are then not answered.
-            if to.write_all(line.as_bytes()).and_then(|()| to.write_all(b"\n")).is_err() {
+            let written = to.write_all(line.as_bytes()).and_then(|()| to.write_all(b"\n"));
+            state.set(if written.is_ok() { Feed::Waits } else { Feed::Closed });
+            if written.is_err() {
                 stdin = None;
             }
         };
@@ -43,12 +80,17 @@ pub(super) fn feed<R: BufRead + Send + 'static>(
                     }
                     write(vectors.line());
                 }
-                Ok(None) => return,
+                Ok(None) => {
+                    if stdin.take().is_some() {
+                        state.set(Feed::Ended);
+                    }
+                    return;
+                }
                 Err(error) => return drop(tell.send(Err(error))),
             }
         }
     });
-    sent
+    (sent, feeding)
 }
 
 /// Reads the answers of the program.
@@ -57,7 +99,11 @@ pub(super) fn listen(child: &mut Child, program: &str) -> Receiver<Told> {
     let name = format!("standard output of {program}");
     if let Some(stdout) = child.stdout.take() {
         thread::spawn(move || {
-            let mut answers = match AnswerReader::new(BufReader::with_capacity(1 << 16, stdout), &name) {
+            let mut stdout = BufReader::with_capacity(1 << 16, stdout);
+            if stdout.fill_buf().is_ok_and(<[u8]>::is_empty) {
+                return drop(tell.send(Told::Nothing));
+            }
+            let mut answers = match AnswerReader::new(stdout, &name) {
                 Ok(answers) => answers,
                 Err(error) => return drop(tell.send(Told::Error(error))),
             };

@@ -8,6 +8,7 @@ use crate::check::external::lines::Lines;
 use crate::pair::Contact;
 use crate::test_beam::{Family, TestBeam};
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::io::BufRead;
 
 type Read<T> = Result<T, JsonError>;
@@ -18,6 +19,8 @@ type Entries<'a, 'b> = &'b [(Cow<'a, str>, Node<'a>)];
 pub struct VectorReader<R> {
     lines: Lines<R>,
     text: String,
+    /// The names of the cases so far, with their lines.
+    known: HashMap<String, usize>,
 }
 
 impl<R: BufRead> VectorReader<R> {
@@ -32,13 +35,13 @@ impl<R: BufRead> VectorReader<R> {
         schema(&text, VECTORS).map_err(|JsonError { column, expected }| {
             super::Place { column, line: place.line.max(1), ..place }.error(expected)
         })?;
-        Ok(Self { lines, text })
+        Ok(Self { lines, text, known: HashMap::new() })
     }
 
     /// The next case; nothing at the end.
     ///
     /// # Errors
-    /// If a line is not a valid case.
+    /// If a line is not a valid case, or has the name of another case.
     pub fn next_vector(&mut self) -> Result<Option<Vector>, ExternalError> {
         self.text.clear();
         match self.lines.next_line()? {
@@ -47,7 +50,14 @@ impl<R: BufRead> VectorReader<R> {
         }
         let place = self.lines.place();
         match vector(&self.text) {
-            Ok(vector) => Ok(Some(Vector { place: Some(place), ..vector })),
+            Ok(vector) => match self.known.insert(vector.id.clone(), place.line) {
+                None => Ok(Some(Vector { place: Some(place), ..vector })),
+                Some(line) => {
+                    let expected =
+                        format!("id: a name of its own expected, found {:?} as in line {line}", vector.id);
+                    Err(place.error(expected))
+                }
+            },
             Err(JsonError { column, expected }) => Err(super::Place { column, ..place }.error(expected)),
         }
     }
@@ -175,9 +185,15 @@ fn contact(node: &Node) -> Read<Contact> {
     let entries = node.object("contact")?;
     known(entries, &["radius", "radius_bar", "xi_0", "xi_bar_0"])?;
     let get = |name: &str| find(entries, name).map_or(Ok(0.0), |node| finite(node, name));
+    let radius = |name: &str| {
+        let radius = get(name)?;
+        let column = find(entries, name).map_or(node.column, |node| node.column);
+        let wrong = || JsonError::at(column, format!("{name}: a number from 0 on expected, found {radius}"));
+        if radius >= 0.0 { Ok(radius) } else { Err(wrong()) }
+    };
     Ok(Contact {
-        radius: get("radius")?,
-        radius_bar: get("radius_bar")?,
+        radius: radius("radius")?,
+        radius_bar: radius("radius_bar")?,
         xi_0: get("xi_0")?,
         xi_bar_0: get("xi_bar_0")?,
     })
