@@ -11,6 +11,7 @@ mod diagnose;
 mod error;
 mod evaluate;
 mod explain;
+mod few_digits;
 mod json;
 mod lines;
 mod location;
@@ -30,6 +31,7 @@ pub use evaluate::{Evaluator, Formulas};
 pub use explain::{
     Cause, ExplainedFault, Explanation, Naming, Programs, RunnerUp, equation_of, explain, explained_faults,
 };
+pub use few_digits::{FewDigits, few_digits};
 pub use location::{Location, locate};
 pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};

@@ -3,6 +3,7 @@
 mod diagnosis;
 mod json;
 
+use super::count::count as counted;
 use super::exit::Exit;
 use super::human::error;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
@@ -19,27 +20,31 @@ use std::fmt::Write;
 pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
     let Report { compared, wrong, doubted, missing, unanswered, vectors, .. } = report;
     let open = missing + unanswered;
-    let open =
-        if open == 0 { String::new() } else { format!("\n{open} of {vectors} cases are not answered.") };
+    let open = if open == 0 {
+        String::new()
+    } else {
+        format!("\nNot answered: {open} of {}.", counted(*vectors, "case"))
+    };
     let losing: u64 = report.regimes.values().map(|of| of.losing).sum();
     let right = match losing {
         0 => "nothing differs beyond rounding.".to_owned(),
         _ => format!("no number is wrong; at {losing} of them digits are lost."),
     };
+    let points = counted(*compared, "closest point");
     let (exit, name, words) = match (*compared, *wrong) {
         (0, _) => (
             Exit::Nothing,
             "nothing-compared",
-            format!("NOTHING COMPARED: no answer to the {vectors} cases could be compared.{open}"),
+            format!("NOTHING COMPARED: no answer to {} could be compared.{open}", counted(*vectors, "case")),
         ),
-        (_, 0) => (Exit::Agree, "agree", format!("AGREE: at {compared} closest points {right}{open}")),
+        (_, 0) => (Exit::Agree, "agree", format!("AGREE: at {points} {right}{open}")),
         (_, wrong) if wrong == *doubted => (
             Exit::Untrusted,
             "untrusted",
-            format!("UNTRUSTED: at {doubted} of {compared} closest points the references disagree."),
+            format!("UNTRUSTED: at {doubted} of {points} the references disagree."),
         ),
         _ => {
-            let words = format!("DISAGREE: at {wrong} of {compared} closest points.{open}");
+            let words = format!("DISAGREE: at {wrong} of {points}.{open}");
             (Exit::Disagree, "disagree", words)
         }
     };
@@ -101,7 +106,7 @@ pub(super) fn head(command: &str, digits: Option<u8>, reason: Option<&str>) -> S
 pub(super) fn human(verified: &Verified) -> String {
     let Verified { report, command, reason, .. } = verified;
     let mut text = head(command, verified.demands.digits, reason.as_deref());
-    let _ = writeln!(text, "{} cases", report.vectors);
+    let _ = writeln!(text, "{}", counted(report.vectors, "case"));
     if !report.parts.is_empty() {
         let titles = ["quantity", "order", "numbers", "wrong", "fewer digits", "digits", "attainable"];
         let mut table = Table::new(&titles).left(&[1]);
@@ -146,22 +151,18 @@ fn name_of(comparison: &beamgap::check::Comparison) -> String {
     super::human::name(comparison)
 }
 
-fn cases(count: u64) -> String {
-    if count == 1 { "1 case".to_owned() } else { format!("{count} cases") }
-}
-
 /// The cases and answers that were not compared.
 fn left_out(report: &Report) -> String {
     let mut text = String::new();
     for (reason, count) in &report.degenerate {
-        let _ = writeln!(text, "\nNot compared: {}: {reason}", cases(*count));
+        let _ = writeln!(text, "\nNot compared: {}: {reason}", counted(*count, "case"));
     }
     if report.missing > 0 {
         let first = report.first_missing.as_deref().unwrap_or_default();
-        let _ = writeln!(text, "\nNot answered: {}, the first is {first}", cases(report.missing));
+        let _ = writeln!(text, "\nNot answered: {}, the first is {first}", counted(report.missing, "case"));
     }
     if report.unanswered > 0 {
-        let _ = writeln!(text, "\nAnswered without a number: {}", cases(report.unanswered));
+        let _ = writeln!(text, "\nAnswered without a number: {}", counted(report.unanswered, "case"));
     }
     let never = report.never_answered();
     if !never.is_empty() && !report.parts.is_empty() {

@@ -64,7 +64,7 @@ pub(super) fn listed(checked: &Checked) -> String {
 pub(super) fn likely(LikelyCause { explanation, is_remedy }: &LikelyCause) -> String {
     let Explanation { causes, runner_up, .. } = explanation;
     let Some(Cause { words, coefficient, .. }) = causes.first() else {
-        return "Likely cause: not known. No fault of the catalogue explains the mismatches.".into();
+        return "Likely cause: not known. No known error explains the mismatches.".into();
     };
     let coefficient = coefficient.map(|of| format!("coefficient {of:+.3}"));
     let second =

@@ -1,12 +1,13 @@
 //! The first wrong number in the answers of a program, and the cause, for people.
 
 use super::name_of;
+use crate::cli::count::count as counted;
 use crate::cli::human::error;
 use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
 use beamgap::check::external::{
-    self, Cause, Demands, Explanation, Judged, Location, OtherConventions, RunnerUp, locate,
-    other_conventions,
+    self, Cause, Demands, Explanation, FewDigits, Judged, Location, OtherConventions, RunnerUp, few_digits,
+    locate, other_conventions,
 };
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
@@ -27,6 +28,8 @@ pub(in crate::cli) struct Diagnosed {
     is_antisymmetric: bool,
     /// The conventions in which the answers agree, or in which the explanation is valid.
     pub(in crate::cli) conventions: Option<OtherConventions>,
+    /// The digits of the answers, if they are few and none were requested.
+    pub(in crate::cli) few_digits: Option<FewDigits>,
     /// The wrong term, if it was looked for.
     pub(in crate::cli) explanation: Option<Explanation>,
 }
@@ -38,11 +41,17 @@ impl Diagnosed {
         if judged.is_rounding {
             return Self { is_rounding: true, ..Self::default() };
         }
+        let few_digits = few_digits(&report.kept, demands);
+        if few_digits.is_some_and(|few| few.agree) {
+            return Self { few_digits, ..Self::default() };
+        }
+        // What is wrong is looked for with the digits that the answers have.
+        let demands = &Demands { digits: demands.digits.or(few_digits.map(|few| few.digits)), ..*demands };
         let is_not_finite = !judged.comparison.closed.is_finite();
         let location = explain.then(|| locate(vector, answers, judged, &demands.conventions)).flatten();
         let is_antisymmetric = location.is_some_and(|location| location.is_antisymmetric);
         let other = other_conventions(&report.kept, demands);
-        let found = Self { is_not_finite, is_antisymmetric, ..Self::default() };
+        let found = Self { is_not_finite, is_antisymmetric, few_digits, ..Self::default() };
         // Several terms lead to one number that is not finite.
         if !explain
             || other.as_ref().is_some_and(OtherConventions::agree)
@@ -77,6 +86,7 @@ impl Diagnosed {
                 "Rounding of the textbook formulas explains it.\nThe formulas are right, but keep too few digits here."
                     .to_owned()
             }
+            Self { few_digits: Some(FewDigits { agree: true, .. }), .. } => String::new(),
             Self { conventions: Some(other), .. } if other.agree() => {
                 folded(&format!("The answers agree if {}.", other.words), "", "  ")
                     + "\nState it in the first line of the answers."
@@ -93,7 +103,24 @@ impl Diagnosed {
             }
             _ => return String::new(),
         };
-        format!("\n{}", text.trim_end())
+        let few = self.few_digits.map_or_else(String::new, of_few);
+        format!("\n{}", (few + &text).trim_end())
+    }
+}
+
+/// That the answers have few digits.
+fn of_few(FewDigits { digits, is_single, agree }: FewDigits) -> String {
+    let what = if is_single {
+        "All answers are numbers of single precision".to_owned()
+    } else {
+        format!("All answers have at most {digits} significant digits")
+    };
+    if agree {
+        format!(
+            "{what}. If {digits} are required,\nthe wrong cases that were tried agree: --digits {digits}.\n"
+        )
+    } else {
+        format!("{what}. They differ in the first {digits} digits too.\n")
     }
 }
 
@@ -103,7 +130,7 @@ fn nearer(OtherConventions { words, wrong, wrong_before, .. }: &OtherConventions
         "Fewer numbers are wrong, {wrong} instead of {wrong_before} at the first wrong cases, if {words}."
     );
     folded(&text, "", "  ")
-        + "\nState it in the first line of the answers. What follows is valid in these conventions.\n"
+        + "\nState it in the first line of the answers.\nWhat follows is valid in these conventions.\n"
 }
 
 /// The first wrong number, and where to look.
@@ -111,15 +138,14 @@ pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {
     let Verified { report, demands, .. } = verified;
     let mut text = String::new();
     let Some((vector, answers, judged)) = &report.first else { return text };
-    text += &first(judged, &vector.id, &answers.place.to_string());
-    if let Some(location) = locate(vector, answers, judged, &demands.conventions) {
-        text += &entry(&location, demands.conventions.first_index);
-    }
+    let location = locate(vector, answers, judged, &demands.conventions);
+    let location = location.as_ref().map(|location| (location, demands.conventions.first_index));
+    text += &first(judged, &vector.id, &answers.place.to_string(), location);
     if let Some(((order, quantity, part), count)) = report.beginning() {
         let _ = writeln!(
             text,
-            "In {count} of {} wrong cases the first wrong number is {part} of {}:\nlook at {}",
-            report.wrong,
+            "In {count} of {} the first wrong number is {part} of {}:\nlook at {}",
+            counted(report.wrong, "wrong case"),
             quantity.name(),
             at(order, quantity)
         );
@@ -153,8 +179,11 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
             let best = close.map_or_else(String::new, |RunnerUp { words, left }| {
                 format!(" The best attempt leaves {}: {words}.", error(*left))
             });
-            let _ =
-                writeln!(text, "Cause: not known. No fault of the catalogue explains {cases} cases.{best}");
+            let _ = writeln!(
+                text,
+                "Cause: not known. No known error explains {}.{best}",
+                counted(*cases, "case")
+            );
             return text;
         }
         [one] => {
@@ -171,7 +200,8 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
     let left = runner_up.map_or_else(|| "none".into(), |second| error(second.left));
     let _ = writeln!(
         text,
-        "With it the deviation of {cases} cases falls from {} to {after}; the next best cause leaves {left}.",
+        "With it the deviation of {} falls from {} to {after}; the next best cause leaves {left}.",
+        counted(*cases, "case"),
         error(*before)
     );
     let quoted =
@@ -203,35 +233,39 @@ fn at(order: Order, quantity: Quantity) -> &'static str {
     }
 }
 
-fn first(judged: &Judged, case: &str, place: &str) -> String {
+/// The wrong number itself: for a gradient or a Hessian, the entry that differs most.
+fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, usize)>) -> String {
     let comparison = &judged.comparison;
-    format!(
-        "First wrong number: {} of {}, case {case}\n  in {place}\n  answered {:e}\n  expected {:e}\n  \
-         difference {}, tolerance {}, scaled error {}\n",
-        comparison.part,
-        name_of(comparison),
-        comparison.closed,
-        comparison.other,
-        error(comparison.difference()),
-        error(comparison.tolerance),
-        error(comparison.scaled_error())
-    )
-}
-
-fn entry(location: &Location, first_index: usize) -> String {
+    let name = name_of(comparison);
+    let [difference, tolerance, scaled] =
+        [comparison.difference(), comparison.tolerance, comparison.scaled_error()].map(error);
+    let numbers = |answered: f64, expected: f64| {
+        format!("  in {place}\n  answered {answered:e}\n  expected {expected:e}\n")
+    };
+    let Some((location, first_index)) = location else {
+        return format!(
+            "First wrong number: {} of {name}, case {case}\n{}  difference {difference}, tolerance {tolerance}, \
+             scaled error {scaled}\n",
+            comparison.part,
+            numbers(comparison.closed, comparison.other)
+        );
+    };
     let indices: Vec<_> = location.indices.iter().map(|i| (i + first_index).to_string()).collect();
-    let mut text = format!(
-        "Entry of the {} that differs most: [{}], {}\n  answered {:e}\n  expected {:e}\n  scaled error {}, {} entries differ\n",
-        location.what,
+    let differing = if location.differing > 1 {
+        format!("; {} entries differ, this one most", location.differing)
+    } else {
+        String::new()
+    };
+    let is_of_element = matches!(location.what, "residual" | "tangent");
+    let name = if is_of_element { String::new() } else { format!(" of {name}") };
+    let antisymmetric = if location.is_antisymmetric { ANTISYMMETRIC } else { "" };
+    format!(
+        "First wrong number: entry [{}] of the {}{name}, case {case}\n{}  in the block {}, scaled error {}{differing}\n  \
+         along two directions: difference {difference}, tolerance {tolerance}\n{antisymmetric}",
         indices.join(","),
+        location.what,
+        numbers(location.answered, location.expected),
         location.block.join(" x "),
-        location.answered,
-        location.expected,
-        error(location.scaled_error),
-        location.differing
-    );
-    if location.is_antisymmetric {
-        text += ANTISYMMETRIC;
-    }
-    text
+        error(location.scaled_error)
+    )
 }

@@ -31,6 +31,8 @@ pub(in crate::cli) fn json(
         agrees_if: Option<&'a str>,
         /// The conventions that the explanation is valid in, if they are not the stated ones.
         nearer_if: Option<&'a str>,
+        /// The significant digits of the answers, if they are few and none were requested.
+        answered_digits: Option<u8>,
         explanation: Option<&'a Explanation>,
     }
     let Verified { report, demands, command, reason } = verified;
@@ -51,6 +53,7 @@ pub(in crate::cli) fn json(
         first: First::of(verified),
         agrees_if: of(true),
         nearer_if: of(false),
+        answered_digits: diagnosed.few_digits.map(|few| few.digits),
         explanation: diagnosed.explanation.as_ref(),
     })
 }

@@ -184,3 +184,60 @@ fn unstated_conventions_and_a_wrong_term_are_named_together() {
     assert_eq!(document["explanation"]["causes"][0]["name"], "a: d.t,xi = dropped");
     assert_eq!(other_conventions(&[], &Demands::default()), None);
 }
+
+/// Answers of few digits are recognized, and a wrong term is found in them.
+#[test]
+fn few_digits_are_recognized() {
+    let path = exported("few.jsonl", &["--family", "hermite", "--cases", "4", "--expected", "none"]);
+    let vectors = path.to_str().unwrap();
+    let right = scratch("few-right.jsonl", "");
+    let wrong = scratch("few-wrong.jsonl", "");
+    let evaluated = |more: &[&str], to: &std::path::Path| {
+        let output = run(&[&["evaluate", vectors, "-o", to.to_str().unwrap()], more].concat());
+        assert!(output.status.success(), "{output:?}");
+        std::fs::read_to_string(to).unwrap()
+    };
+    let text = evaluated(&[], &right);
+    let faulty = evaluated(&["--plant", "a: d.t,xi = dropped"], &wrong);
+    let with = |text: &str, round: &dyn Fn(f64) -> f64| {
+        changed(text, |line| {
+            for (_, quantity) in line.as_object_mut().unwrap().iter_mut().filter(|(key, _)| *key != "id") {
+                if let Some(parts) = quantity.as_object_mut() {
+                    parts.values_mut().for_each(|part| map(part, round));
+                }
+            }
+        })
+    };
+    let six = |x: f64| format!("{x:.5e}").parse().unwrap();
+    #[expect(clippy::cast_possible_truncation, reason = "single precision")]
+    let single = |x: f64| f64::from(x as f32);
+    let verified = |text: &str, more: &[&str]| {
+        let answers = scratch("few-answers.jsonl", text);
+        let output = run(&[&["verify", vectors, answers.to_str().unwrap()], more].concat());
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    for (round, told) in [
+        (&six as &dyn Fn(f64) -> f64, "All answers have at most 6 significant digits"),
+        (&single, "All answers are numbers of single precision"),
+    ] {
+        let (code, shown) = verified(&with(&text, round), &[]);
+        assert_eq!(code, Some(1), "{shown}");
+        assert!(
+            shown.ends_with(&format!(
+                "{told}. If 6 are required,\nthe wrong cases that were tried agree: --digits 6.\n"
+            )),
+            "{shown}"
+        );
+        assert_eq!(verified(&with(&text, round), &["--digits", "6"]).0, Some(0));
+        let (code, shown) = verified(&with(&faulty, round), &[]);
+        assert_eq!(code, Some(1), "{shown}");
+        assert!(shown.contains("They differ in the first 6 digits too."), "{shown}");
+        assert!(shown.contains("In the catalogue: `a: d.t,xi = dropped`"), "{shown}");
+    }
+    let document: Value =
+        serde_json::from_str(&verified(&with(&text, &six), &["--format", "json"]).1).unwrap();
+    assert_eq!(document["answered_digits"], 6);
+    // Answers with all digits have no such hint.
+    let (_, told) = verified(&faulty, &[]);
+    assert!(!told.contains("significant digits") && told.contains("Cause: "), "{told}");
+}
