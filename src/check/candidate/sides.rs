@@ -199,25 +199,34 @@ fn exact(value: f64) -> RunningError {
 
 /// The paper's formulas, with bounds on their rounding where shape functions are written as sums of powers.
 fn textbook(evaluation: &EvaluationPoint, test_beams: &[TestBeam; 2]) -> [Varied<RunningError2>; COMPONENTS] {
-    let mut beams = evaluation.bounded(Step::Now);
-    for ((partial, test_beam), is_sum) in beams.iter_mut().zip(test_beams).zip(evaluation.have_shapes()) {
-        if !is_sum {
-            continue;
-        }
+    // Half an ulp of the sum of the absolute values, by coordinate.
+    let rounding = |of: &[f64]| {
+        let size = |c: usize| of.iter().skip(c).step_by(3).map(|dof| dof.abs()).sum::<f64>();
+        Vector3::from_fn(|c, _| f64::EPSILON / 2.0 * size(c))
+    };
+    let sums = evaluation.have_shapes();
+    let of_dofs = |read: fn(&TestBeam) -> &[f64]| {
+        [0, 1].map(|i| if sums[i] { rounding(read(&test_beams[i])) } else { Vector3::zeros() })
+    };
+    let positions = of_dofs(|beam| &beam.q);
+    let [delta, linear] = [of_dofs(|beam| &beam.dq), of_dofs(|beam| &beam.linear_dq)];
+    // A program that solves for the closest point with such positions finds other parameters.
+    let at = evaluation.parameters_with(positions.map(|rounding| CAREFUL * rounding));
+    let mut beams = evaluation.bounded_at(at);
+    for (i, partial) in beams.iter_mut().enumerate() {
         let PartialVariations { geometry: Geometry { x, t, t_xi, t_xixi }, delta_u, linear_u, .. } = partial;
-        let rounded = |vectors: &mut dyn Iterator<Item = &mut Vector3<RunningError2>>, of: &[f64]| {
+        let rounded = |vectors: &mut dyn Iterator<Item = &mut Vector3<RunningError2>>, by: &Vector3<f64>| {
             for vector in vectors {
-                for (c, number) in vector.iter_mut().enumerate() {
-                    let size: f64 = of.iter().skip(c).step_by(3).map(|dof| dof.abs()).sum();
-                    number.bound = number.bound.map(|bound| bound + f64::EPSILON / 2.0 * size);
+                for (number, by) in vector.iter_mut().zip(by) {
+                    number.bound = number.bound.map(|bound| bound + by);
                 }
             }
         };
-        rounded(&mut [x, t, t_xi, t_xixi].into_iter(), &test_beam.q);
-        rounded(&mut delta_u.iter_mut(), &test_beam.dq);
-        rounded(&mut linear_u.iter_mut(), &test_beam.linear_dq);
+        rounded(&mut [x, t, t_xi, t_xixi].into_iter(), &positions[i]);
+        rounded(&mut delta_u.iter_mut(), &delta[i]);
+        rounded(&mut linear_u.iter_mut(), &linear[i]);
     }
-    Variant::Unmodified.formulas(&beams, evaluation.at, evaluation.form, evaluation.contact).components()
+    Variant::Unmodified.formulas(&beams, at, evaluation.form, evaluation.contact).components()
 }
 
 /// Whether the differences in double-double disagree with the reference.
