@@ -18,6 +18,7 @@ mod location;
 mod matching;
 mod number;
 mod process;
+mod recent;
 mod report;
 mod vectors;
 

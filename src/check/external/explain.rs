@@ -3,7 +3,8 @@
 //! Each fault of the catalogue is injected, and the answers of the closed form with it are compared with the answers of
 //! the program, at several cases: values, variations along the directions, gradients and Hessians contracted with them,
 //! and single entries of these. A fault that leaves only rounding is an explanation. The simplest is chosen: a fault of
-//! one term, a simplification as a whole, a factor on a quantity, a factor on a term, two faults.
+//! one term, a simplification as a whole, a factor on a quantity, a wrong summand of a Hessian or a factor on a term, two
+//! faults.
 //!
 //! Answers may have few digits, so that several faults leave only rounding. Deviations are squared and summed, each
 //! over the probable rounding error. The explanation with the smallest sum is the best. Another one is distinct from

@@ -3,10 +3,11 @@
 use super::answers::{Answers, Program};
 use super::compare::{Demands, compare_answers};
 use super::error::ExternalError;
+use super::recent::Recent;
 use super::report::Report;
 use super::vectors::Vector;
 use rayon::prelude::*;
-use std::collections::{HashMap, HashSet, VecDeque};
+use std::collections::VecDeque;
 
 /// The number of cases that are compared at a time, by all cores.
 const AT_ONCE: usize = 64;
@@ -19,10 +20,10 @@ pub struct Matching {
     demands: Demands,
     look_ahead: usize,
     open: VecDeque<Vector>,
-    /// The answered cases, with the lines of their answers.
-    answered: HashMap<String, usize>,
-    /// The cases whose answers would come too late.
-    late: HashSet<String>,
+    /// The last answered cases, with the lines of their answers.
+    answered: Recent,
+    /// The last cases whose answers would come too late.
+    late: Recent,
     /// The file of the cases, if they are read from one.
     file: Option<String>,
     ready: Vec<(Vector, Answers)>,
@@ -36,8 +37,8 @@ impl Matching {
             demands,
             look_ahead,
             open: VecDeque::new(),
-            answered: HashMap::new(),
-            late: HashSet::new(),
+            answered: Recent::default(),
+            late: Recent::default(),
             file: None,
             ready: Vec::new(),
             report: Report::default(),
@@ -60,7 +61,7 @@ impl Matching {
         answers: Answers,
         mut next: impl FnMut() -> Result<Option<Vector>, E>,
     ) -> Result<(), E> {
-        if let Some(line) = self.answered.get(&answers.id) {
+        if let Some(line) = self.answered.line(&answers.id) {
             let expected =
                 format!("case {:?}: one answer expected, found another in line {line}", answers.id);
             return Err(answers.place.error(expected).into());
@@ -80,7 +81,7 @@ impl Matching {
             },
         };
         let Some(vector) = vector else { return Err(self.without_case(answers).into()) };
-        self.answered.insert(answers.id.clone(), answers.place.line);
+        self.answered.insert(&answers.id, answers.place.line);
         self.ready.push((vector, answers));
         if self.ready.len() >= AT_ONCE {
             self.compare()?;
@@ -91,7 +92,7 @@ impl Matching {
     /// The error for an answer whose case is not open.
     fn without_case(&self, answers: Answers) -> ExternalError {
         let id = &answers.id;
-        let expected = if self.late.contains(id) {
+        let expected = if self.late.line(id).is_some() {
             format!(
                 "case {id:?}: its answer expected earlier, in the order of the cases or at most {} out of it",
                 self.look_ahead
@@ -109,7 +110,7 @@ impl Matching {
             && let Some(oldest) = self.open.pop_front()
         {
             self.report.add_missing(&oldest.id);
-            self.late.insert(oldest.id);
+            self.late.insert(&oldest.id, 0);
         }
     }
 

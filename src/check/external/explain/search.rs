@@ -1,4 +1,4 @@
-//! The search for the wrong terms: each fault of the catalogue, then factors, then pairs.
+//! The search for the wrong terms: each fault of the catalogue, then summands of Hessians, factors, and pairs.
 
 use super::answered_case::{AnsweredCase, FORMULATIONS, Known, Predicted};
 use super::datum::Datum;

@@ -6,6 +6,7 @@ use super::answered_case::AnsweredCase;
 use super::datum::Datum;
 use super::hypothesis::{Change, WrongSummand};
 use crate::check::evaluation_point::{Increment, Summand, SummandError};
+use crate::linearization::Varied;
 use rayon::prelude::*;
 
 /// The number of changes of each kind that are tried at all cases.
@@ -27,17 +28,17 @@ impl Deviations {
             let over = |datum: &Datum| finite((datum.answer - datum.reference) / datum.sigma);
             case.data.iter().map(over).collect::<Vec<_>>()
         };
+        let unchanged: Vec<_> = cases.iter().map(|case| case.with_increment(&Increment::default())).collect();
         let caused = |index: usize| {
-            let of_case = |case: &&AnsweredCase| {
+            let of_case = |(case, without): (&&AnsweredCase, &Vec<Varied<f64>>)| {
                 let with = case.with_increment(&case.summands()[index].1);
-                let without = case.with_increment(&Increment::default());
                 let over = |datum: &Datum| {
                     let [item, part] = datum.place;
                     finite((with[item].parts()[part] - without[item].parts()[part]) / datum.sigma)
                 };
                 case.data.iter().map(over).collect::<Vec<_>>()
             };
-            cases.iter().flat_map(of_case).collect()
+            cases.iter().zip(&unchanged).flat_map(of_case).collect()
         };
         Self {
             found: cases.iter().flat_map(found).collect(),

@@ -5,10 +5,10 @@ use crate::check::CaseData;
 use crate::check::external::error::ExternalError;
 use crate::check::external::json::{JsonError, Node, Value};
 use crate::check::external::lines::Lines;
+use crate::check::external::recent::Recent;
 use crate::pair::Contact;
 use crate::test_beam::{Family, TestBeam};
 use std::borrow::Cow;
-use std::collections::HashMap;
 use std::io::BufRead;
 
 type Read<T> = Result<T, JsonError>;
@@ -19,8 +19,7 @@ type Entries<'a, 'b> = &'b [(Cow<'a, str>, Node<'a>)];
 pub struct VectorReader<R> {
     lines: Lines<R>,
     text: String,
-    /// The names of the cases so far, with their lines.
-    known: HashMap<String, usize>,
+    known: Recent,
 }
 
 impl<R: BufRead> VectorReader<R> {
@@ -35,13 +34,13 @@ impl<R: BufRead> VectorReader<R> {
         schema(&text, VECTORS).map_err(|JsonError { column, expected }| {
             super::Place { column, line: place.line.max(1), ..place }.error(expected)
         })?;
-        Ok(Self { lines, text, known: HashMap::new() })
+        Ok(Self { lines, text, known: Recent::default() })
     }
 
     /// The next case; nothing at the end.
     ///
     /// # Errors
-    /// If a line is not a valid case, or has the name of another case.
+    /// If a line is not a valid case, or has the name of one of the last cases.
     pub fn next_vector(&mut self) -> Result<Option<Vector>, ExternalError> {
         self.text.clear();
         match self.lines.next_line()? {
@@ -50,7 +49,7 @@ impl<R: BufRead> VectorReader<R> {
         }
         let place = self.lines.place();
         match vector(&self.text) {
-            Ok(vector) => match self.known.insert(vector.id.clone(), place.line) {
+            Ok(vector) => match self.known.insert(&vector.id, place.line) {
                 None => Ok(Some(Vector { place: Some(place), ..vector })),
                 Some(line) => {
                     let expected =
