@@ -48,10 +48,10 @@ impl Explain {
         let [one, two] = [1, 2].map(|faults| count_of(faults, &shown));
         let together = [Naming::Equivalent, Naming::Among];
         let wrong: u64 = [1, 2].map(|faults| count_of(faults, &[Naming::Other])).iter().sum();
-        let wrong = if wrong == 0 {
-            "No program has only other faults named.".to_owned()
-        } else {
-            format!("{} programs have only other faults named.", count(wrong))
+        let wrong = match wrong {
+            0 => "No program has only other faults named.".to_owned(),
+            1 => "One program has only other faults named.".to_owned(),
+            wrong => format!("{} programs have only other faults named.", count(wrong)),
         };
         let of_two = if two == 0 {
             String::new()

@@ -120,7 +120,7 @@ fn of_few(FewDigits { digits, is_single, agree }: FewDigits) -> String {
             "{what}. If {digits} are required,\nthe wrong cases that were tried agree: --digits {digits}.\n"
         )
     } else {
-        format!("{what}. They differ in the first {digits} digits too.\n")
+        format!("{what}.\nThey differ in the first {digits} digits too.\n")
     }
 }
 

@@ -74,9 +74,10 @@ impl Fit {
         self.over <= 1.0
     }
 
-    /// Whether only a small part of the deviation remains: the answers have few digits that were not stated.
+    /// Whether only a small part of the deviation remains: the answers have few digits that were not stated. A free
+    /// factor leaves as little if it is fitted to another error.
     pub(super) fn is_close(&self, before: f64) -> bool {
-        before.is_finite() && self.worst <= CLOSE * before
+        before.is_finite() && self.worst <= CLOSE * before && !self.change.has_free_factor()
     }
 }
 

@@ -87,6 +87,15 @@ impl Change {
         }
     }
 
+    /// Whether a term has a factor that is none of common errors.
+    pub(super) fn has_free_factor(&self) -> bool {
+        match self {
+            Self::Variant(Variant::Weighted(..)) => true,
+            Self::Summands(wrong) => wrong.iter().any(WrongSummand::has_free_factor),
+            _ => false,
+        }
+    }
+
     /// The complexity: simpler explanations come first.
     pub(super) fn class(&self) -> usize {
         match self {

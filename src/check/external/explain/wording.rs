@@ -79,6 +79,12 @@ impl WrongSummand {
         1.0 + self.coefficient / f64::from(self.summand.count)
     }
 
+    /// Whether the factor is none of common errors, which change the number of occurrences by halves.
+    pub(super) fn has_free_factor(&self) -> bool {
+        let halves = 2.0 * self.coefficient;
+        (halves - halves.round()).abs() > 1e-12
+    }
+
     /// The coefficient in the deviation, if it was fitted.
     pub(super) fn fitted(&self) -> Option<f64> {
         (self.summand.error == SummandError::Factor).then(|| self.factor() - 1.0)
