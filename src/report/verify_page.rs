@@ -60,6 +60,7 @@ impl Verify {
         let counts: Vec<_> = counts.collect();
         let differ = match differ.len() {
             0 => "no run has a wrong number".to_owned(),
+            1 => format!("one has wrong numbers: {}", counts.join(", ")),
             n => format!("{} have wrong numbers: {}", count(n as u64), counts.join(", ")),
         };
         format!(
