@@ -125,7 +125,7 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
         for k in [both, other].into_iter().flatten() {
             let predicted = |change: &Change| cases[k].computed_in(formulation, change);
             fit.add(cases[k], predicted, &|datum| key(datum) <= start);
-            if !fit.explains() {
+            if !fit.explains(f64::INFINITY) {
                 return None;
             }
         }

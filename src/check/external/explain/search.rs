@@ -113,7 +113,7 @@ pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
         // If correct answers are among the best, two faults explain no more. If a fault explains all, but leaves more
         // than is likely, a second fault may be small.
         near(fits).iter().any(|of| {
-            if of.explains() { of.change.is_none() || of.mean() <= LIKELY } else { of.is_close(before) }
+            if of.explains(before) { of.change.is_none() || of.mean() <= LIKELY } else { of.is_close(before) }
         })
     };
     let raced = |first: usize, changes: Vec<Change>| {
@@ -166,11 +166,12 @@ pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
         of.sum <= if of.change.class() < class { sum + 3.0 * (limit - sum) } else { limit }
     };
     // If correct answers are not distinguished better than this, the cause is unknown.
-    let is_faint = fits.iter().any(|of| is_near(of) && of.change.is_none() && of.explains());
+    let is_faint = fits.iter().any(|of| is_near(of) && of.change.is_none() && of.explains(before));
     // Two faults that leave more than is likely are not the faults of the program.
     let is_likely = |of: &Fit| !of.change.has_two_faults() || of.mean() <= LIKELY;
-    let explains =
-        |of: &Fit| !is_faint && is_near(of) && ((of.explains() && is_likely(of)) || of.is_close(before));
+    let explains = |of: &Fit| {
+        !is_faint && is_near(of) && ((of.explains(before) && is_likely(of)) || of.is_close(before))
+    };
     let (mut equal, mut others): (Vec<_>, Vec<_>) = fits.into_iter().partition(explains);
     equal.sort_by_key(|of| (of.change.class(), of.order));
     if let Some(simplest) = equal.first().map(|of| of.change.class()) {
