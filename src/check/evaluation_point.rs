@@ -2,6 +2,7 @@
 
 mod dense;
 mod refined;
+mod solved_again;
 mod structure;
 mod summands;
 
@@ -9,14 +10,13 @@ use super::root_enclosure;
 use super::verdict::Inconclusive;
 use crate::closest_point::{ClosestPoint, Degeneracy, Held};
 use crate::linearization::ad::Chord;
-use crate::linearization::closed_form::{Formulation, PartialVariations, Points, Projection, variations_in};
+use crate::linearization::closed_form::{Formulation, PartialVariations, Points, variations_in};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{DoubleDouble, Faulty, RunningError, TermScale};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
 use crate::variant::{Contracted, SCALARS, Step, Variant, contracted, every_layout, fast_kernel, terms};
 pub(super) use dense::Dense;
-use nalgebra::Vector3;
 use refined::Refined;
 use std::sync::OnceLock;
 pub(super) use structure::Structure;
@@ -94,20 +94,6 @@ impl<'a> EvaluationPoint<'a> {
         Ok(evaluation.in_formulation(form))
     }
 
-    /// Widens the bounds for methods that solve for the closest point in `f64` again, from positions alone. Rounding of
-    /// their conditions, whose tangents are derivatives of positions, moves the parameters too.
-    fn widen(&mut self) {
-        let Self { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *self;
-        let exact = (RunningError2::from(xi.value), RunningError2::from(xi_bar.value));
-        let chord = Chord::<RunningError2>::new(beam, bar, exact, held);
-        let [step, step_bar] = chord.step(beam, bar, exact);
-        for (at, step) in [(&mut self.at.0, step), (&mut self.at.1, step_bar)] {
-            // Two steps, each of which rounds the parameter.
-            let far = 2.0 * (step.value.abs() + step.bound[0] + f64::EPSILON * at.value.abs());
-            at.bound[1] = at.bound[1].max(far);
-        }
-    }
-
     /// The evaluation point with these formulas.
     pub(crate) fn in_formulation(self, form: Formulation) -> Self {
         Self { form, unmodified: OnceLock::new(), ..self }
@@ -141,31 +127,6 @@ impl<'a> EvaluationPoint<'a> {
             [beam.partial_variations(xi), bar.partial_variations(xi_bar)]
         };
         *self.caches[step as usize].bounded.get_or_init(partial)
-    }
-
-    /// Both beams at the closest point, with these bounds on the parameters.
-    pub(super) fn bounded_at(
-        &self,
-        (xi, xi_bar): (RunningError2, RunningError2),
-    ) -> [PartialVariations<RunningError2>; 2] {
-        let [beam, bar] = self.beams;
-        [beam.partial_variations(xi), bar.partial_variations(xi_bar)]
-    }
-
-    /// The parameters, with bounds for methods that solve for the closest point in `f64` with positions and tangents that
-    /// have these errors.
-    pub(super) fn parameters_with(&self, errors: [Vector3<f64>; 2]) -> (RunningError2, RunningError2) {
-        let points = self.points();
-        let size = |v: &Vector3<f64>, error: &Vector3<f64>| v.abs().dot(error);
-        let of_both = errors[0] + errors[1];
-        let residual = |t: &Vector3<f64>, own: &Vector3<f64>| size(t, &of_both) + size(&points.d, own);
-        let residuals = [residual(&points.beam.t, &errors[0]), residual(&points.bar.t, &errors[1])];
-        let inverse = Projection::new(&points.beam, &points.bar, self.held).inverse();
-        let mut at = self.at;
-        for (at, [p, q]) in [&mut at.0, &mut at.1].into_iter().zip(inverse) {
-            at.bound[1] += p.abs() * residuals[0] + q.abs() * residuals[1];
-        }
-        at
     }
 
     fn padded(&self, step: Step) -> &[PaddedBeam<RunningError>; 2] {

@@ -8,9 +8,7 @@ use super::outcome::{Entry, Outcome, Source, State, Verdict as Amounts};
 use super::output::OutputOptions;
 use super::progress::Progress;
 use super::terminal::folded;
-use beamgap::equations::{
-    self as record, CASES, Counts, DRAWS, EquationRow, Order, Reading, Run, Score, Verdict,
-};
+use beamgap::equations::{self as record, CASES, Counts, DRAWS, EquationRow, Order, Run, Score, Verdict};
 use beamgap::report::{self, Environment, Equations, Record, Table};
 use clap::{Args, value_parser};
 use std::fmt::Write;
@@ -235,14 +233,7 @@ fn whole(entry: &EquationRow, latex: bool) -> String {
 }
 
 fn shown(run: &Run) -> String {
-    let reading = match run.reading {
-        Reading::Printed => "as printed",
-        Reading::Other => "read otherwise",
-        Reading::Corrected => "corrected",
-        Reading::Complete => "complete",
-    };
-    let words = if run.words.is_empty() { String::new() } else { format!(": {}", run.words) };
-    let mut text = format!("  {reading}{words}\n");
+    let mut text = format!("  {}\n", run.name());
     let kinds = [("dofs linear", run.score.linear), ("nonlinear", run.score.nonlinear)];
     for ((kind, counts), error) in kinds.into_iter().zip(run.score.errors) {
         let error = error.map_or_else(|| "not finite".to_owned(), |error| format!("{error:.1e}"));

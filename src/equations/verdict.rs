@@ -83,6 +83,17 @@ impl Run {
         self.score.linear.all_equal() && self.score.nonlinear.all_equal()
     }
 
+    /// The kind of reading, and what is read otherwise.
+    pub fn name(&self) -> String {
+        let reading = match self.reading {
+            Reading::Printed => "as printed",
+            Reading::Other => "read otherwise",
+            Reading::Corrected => "corrected",
+            Reading::Complete => "complete",
+        };
+        if self.words.is_empty() { reading.to_owned() } else { format!("{reading}: {}", self.words) }
+    }
+
     /// Whether it is symmetric, if it is of second order.
     pub fn symmetry(&self) -> Option<Symmetry> {
         let [at_points, anywhere] = self.symmetric?;

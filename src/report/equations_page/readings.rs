@@ -1,6 +1,6 @@
 //! The readings of an equation as a table, and its numbers and counts.
 
-use crate::equations::{Counts, EquationRow, Reading, Run, Symmetry};
+use crate::equations::{Counts, EquationRow, Run, Symmetry};
 use crate::report::number::{count, error};
 use crate::report::page::Block;
 
@@ -9,15 +9,8 @@ pub(super) fn readings(entry: &EquationRow, shown: impl Fn(&Run) -> bool) -> Blo
     let mut rows = Vec::new();
     for part in &entry.parts {
         for run in part.runs.iter().filter(|run| shown(run)) {
-            let reading = match run.reading {
-                Reading::Printed => "as printed",
-                Reading::Other => "read otherwise",
-                Reading::Corrected => "corrected",
-                Reading::Complete => "complete",
-            };
-            let words = if run.words.is_empty() { String::new() } else { format!(": {}", run.words) };
             let counts = |counts: Counts| [count(counts.equal), count(counts.refuted)];
-            let names = [part.name.clone(), format!("{reading}{words}")];
+            let names = [part.name.clone(), run.name()];
             let draws = [counts(run.score.linear), counts(run.score.nonlinear)].into_iter().flatten();
             let symmetric = run.symmetry().map_or("", Symmetry::words).to_owned();
             rows.push(
