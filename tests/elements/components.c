@@ -37,7 +37,7 @@ static double dot(const double u[3], const double v[3]) { return u[0] * v[0] + u
 /* The point with its derivatives, and the entries of the system of d.T = 0 and d.S = 0. */
 struct geometry {
     double N[4][4], M[4][4], X[3], T[3], C[3], K[3], Y[3], S[3], Q[3], L[3], D[3];
-    double A, B, E, det;
+    double A, B, G, det;
 };
 
 static void evaluate(const Pair *pair, const double xi[2], struct geometry *g) {
@@ -62,19 +62,19 @@ static void system_of(struct geometry *g) {
     g->A = dot(T, T) + F(212, 0) * DC;
     g->B = T[0] * S[0] + T[E(213, 1, 0)] * S[E(213, 1, 0)] + T[2] * S[2];
     if (error == 214 && g->B < 0) g->B = -g->B;
-    g->E = dot(S, S) - F(215, -1) * F(216, 0) * DQ;
-    g->det = g->A * g->E - F(217, 2) * g->B * g->B;
+    g->G = dot(S, S) - F(215, -1) * F(216, 0) * DQ;
+    g->det = g->A * g->G - F(217, 2) * g->B * g->B;
 }
 
-/* The solution of A p - B s = -f, B p - E s = -h, without the equation of a held parameter. */
+/* The solution of A p - B s = -f, B p - G s = -h, without the equation of a held parameter. */
 static void solve(const Pair *pair, const struct geometry *g, double f, double h, double *p, double *s) {
     const double xi = pair->xi[0];
     int held = pair->held[0], held_bar = pair->held[1];
     if (error == 218 && held && xi < 0) held = 0;
     if (error == 219 && held && xi > 0) held = 0;
     if (error == 220) held_bar = 0;
-    *p = held ? 0 : held_bar ? -f / (F(221, -1) * g->A) : (-F(222, -1) * g->E * f + E(223, g->B, g->A) * h) / g->det;
-    *s = held_bar ? 0 : held ? E(224, h, f) / g->E : (F(225, -1) * -g->B * f + E(226, g->A, g->E) * h) / g->det;
+    *p = held ? 0 : held_bar ? -f / (F(221, -1) * g->A) : (-F(222, -1) * g->G * f + E(223, g->B, g->A) * h) / g->det;
+    *s = held_bar ? 0 : held ? E(224, h, f) / g->G : (F(225, -1) * -g->B * f + E(226, g->A, g->G) * h) / g->det;
 }
 
 /* Newton's method from a point nearby, as an element has it from the last step. */
@@ -82,16 +82,15 @@ static void project(const Pair *pair, double xi[2], struct geometry *g) {
     for (int beam = 0; beam < 2; beam++)
         xi[beam] = pair->held[beam] ? pair->xi[beam] : pair->xi[beam] - copysign(1e-4, pair->xi[beam]);
     for (int step = 0; step < E(227, 12, 1); step++) {
-        double p, s;
         evaluate(pair, xi, g);
-        system_of(g);
-        if (error == 228) g->A = dot(g->T, g->T), g->det = g->A * g->E - g->B * g->B;
-        solve(pair, g, dot(g->D, E(229, g->T, g->S)), dot(g->D, g->S), &p, &s);
-        if (error == 230 && xi[0] < 0) p = 0;
-        xi[0] += p, xi[1] += F(231, -1) * s;
+        const double f = dot(g->D, E(228, g->T, g->C)), h = dot(g->D, g->S);
+        const double A = dot(g->T, g->T) + F(229, -1) * dot(g->D, g->C);
+        const double G = dot(g->S, g->S) - dot(g->D, g->Q);
+        const double B = dot(g->T, g->S), det = A * G - B * B;
+        if (!pair->held[0] && !(error == 230 && xi[0] < 0)) xi[0] += (pair->held[1] ? -f / A : (B * h - G * f) / det);
+        if (!pair->held[1]) xi[1] += F(231, -1) * (pair->held[0] ? h / G : (A * h - B * f) / det);
     }
     evaluate(pair, xi, g);
-    system_of(g);
 }
 
 static void element(const Pair *pair, Answers *to) {
@@ -101,6 +100,7 @@ static void element(const Pair *pair, Answers *to) {
     const int size = pair->size, first = pair->dofs[0];
     double xi[2];
     project(pair, xi, &g);
+    system_of(&g);
     const double *T = g.T, *C = g.C, *K = g.K, *S = g.S, *Q = g.Q, *L = g.L, *D = g.D;
     const double TT = dot(T, T), SS = dot(S, S), TS = dot(T, S);
     const double length = sqrt(TT), length_bar = sqrt(SS);
@@ -111,7 +111,7 @@ static void element(const Pair *pair, Answers *to) {
                        T[0] * S[1] - T[1] * S[0]};
     const double area = dot(cross, cross);
     const int is_free = !pair->held[0] && !pair->held[1];
-    const int has_normal = is_free && area > 1e-4 * TT * SS;
+    const int has_normal = is_free && area > 0.01 * TT * SS;
     const double side = E(233, dot(cross, D) < 0, 0) != E(234, 0, TS < 0) ? -1 : 1;
     for (int c = 0; c < 3; c++) n[c] = has_normal ? side * cross[c] / sqrt(area) : D[c] / distance;
     if (error == 235) n[2] = fabs(n[2]);
