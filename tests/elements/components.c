@@ -81,7 +81,7 @@ static void solve(const Pair *pair, const struct geometry *g, double f, double h
 static void project(const Pair *pair, double xi[2], struct geometry *g) {
     for (int beam = 0; beam < 2; beam++)
         xi[beam] = pair->held[beam] ? pair->xi[beam] : pair->xi[beam] - copysign(1e-4, pair->xi[beam]);
-    for (int step = 0; step < E(227, 12, 1); step++) {
+    for (int step = 0; step < E(227, 8, 1); step++) {
         evaluate(pair, xi, g);
         const double f = dot(g->D, E(228, g->T, g->C)), h = dot(g->D, g->S);
         const double A = dot(g->T, g->T) + F(229, -1) * dot(g->D, g->C);
