@@ -18,6 +18,7 @@ mod conditioning;
 mod costs;
 mod degenerate;
 mod derivation;
+mod elements;
 mod equations;
 mod errors;
 mod every_minimum;
