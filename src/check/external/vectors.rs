@@ -19,7 +19,7 @@ use crate::check::draw::Case;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::verdict::Inconclusive;
 use crate::check::{CaseData, Regime};
-use crate::closest_point::{ClosestPoint, Search, closest_points};
+use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
 use crate::test_beam::Family;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -60,6 +60,15 @@ impl Outcome {
             Self::Valid => "valid",
             Self::Degenerate(_) => "degenerate",
             Self::NoProjection => "no-projection",
+        }
+    }
+
+    /// The reason why there is nothing to compare with.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Valid => "valid",
+            Self::Degenerate(reason) => reason.reason(),
+            Self::NoProjection => "no closest point is known",
         }
     }
 }
@@ -169,6 +178,16 @@ impl Vector {
     /// The families of beam and bar beam.
     pub fn families(&self) -> [Family; 2] {
         self.case.test_beams.each_ref().map(|beam| beam.family)
+    }
+}
+
+/// The parameters that are held at an end, in a word.
+pub(super) fn held_name(held: Held) -> &'static str {
+    match (held.xi, held.xi_bar) {
+        (false, false) => "none",
+        (true, false) => "xi",
+        (false, true) => "xi_bar",
+        (true, true) => "both",
     }
 }
 
