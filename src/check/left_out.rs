@@ -51,7 +51,8 @@ pub fn left_out_warning<'a>(
         .collect();
     let (last, first) = words.split_last()?;
     let list = if first.is_empty() { last.clone() } else { format!("{} and {last}", first.join(", ")) };
-    Some(format!("{list} are not compared."))
+    let verb = if large.len() == 1 && large[0].not_compared == 1 { "is" } else { "are" };
+    Some(format!("{list} {verb} not compared."))
 }
 
 #[cfg(test)]

@@ -96,7 +96,7 @@ fn share(report: &Report) -> String {
     }
     let words = report.coverage.words();
     what.extend(words.into_iter().filter(|word| word == "residual" || word == "tangent"));
-    format!("{points}, for {}, ", what.join(", "))
+    format!("{points}, for {}, ", what.join(" and "))
 }
 
 /// The cases that are not answered, and why.
