@@ -33,7 +33,7 @@ pub use evaluate::{Evaluator, Formulas};
 pub use explain::{
     Cause, ExplainedFault, Explanation, Naming, Programs, RunnerUp, equation_of, explain, explained_faults,
 };
-pub use few_digits::{FewDigits, few_digits};
+pub use few_digits::{FewDigits, FewKind, Precision, few_digits};
 pub use location::{Location, locate};
 pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};

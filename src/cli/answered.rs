@@ -74,7 +74,7 @@ pub(super) fn human(verified: &Verified) -> String {
     let mut text = head(command, verified.demands.digits, reason.as_deref());
     let _ = writeln!(text, "{}", counted(report.vectors, "case"));
     if !report.parts.is_empty() {
-        let titles = ["quantity", "order", "numbers", "wrong", "fewer digits", "digits", "attainable"];
+        let titles = ["quantity", "order", "numbers", "wrong", "fewer digits", "digits", "bound"];
         let mut table = Table::new(&titles).left(&[1]);
         for ((_, quantity, part), found) in &report.parts {
             table.row(vec![
@@ -89,7 +89,7 @@ pub(super) fn human(verified: &Verified) -> String {
         }
         let _ = write!(text, "\n{table}");
         text += "digits: correct digits of the number with the fewest\n\
-                 attainable: digits that the best formulas keep at its closest point\n";
+                 bound: digits that the best formulas keep there at least\n";
     }
     let losing: Vec<_> =
         report.regimes.iter().filter_map(|(name, of)| Some((name, of, of.loss.as_ref()?))).collect();

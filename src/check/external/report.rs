@@ -5,6 +5,7 @@ mod coverage;
 use super::answers::{Answers, Program};
 use super::compare::{CaseFound, Judged, Judgement};
 use super::error::Place;
+use super::few_digits::Precision;
 use super::only::{Only, PartKey};
 use super::vectors::Vector;
 use crate::check::left_out_warning;
@@ -139,6 +140,9 @@ pub struct Report {
     /// What was answered, by part.
     #[serde(skip)]
     pub coverage: Coverage,
+    /// The digits of the answers.
+    #[serde(skip)]
+    pub precision: Precision,
 }
 
 impl Report {
@@ -180,6 +184,7 @@ impl Report {
             }
         };
         self.coverage.add(&vector.id, line, &answers);
+        self.precision.add(&vector.regime, &answers, &judged);
         for one in &judged {
             self.add_part(one, &vector.id, &answers.place);
         }

@@ -64,7 +64,7 @@ pub(in crate::cli) fn json(
         first: First::of(verified),
         agrees_if: of(true),
         nearer_if: of(false),
-        answered_digits: diagnosed.few_digits.map(|few| few.digits),
+        answered_digits: diagnosed.few_digits.as_ref().map(|few| few.digits),
         explanation: diagnosed.explanation.as_ref(),
     })
 }

@@ -54,14 +54,15 @@ fn incomplete(report: &Report) -> Verdict {
         (None, Some(never)) => format!("{never}."),
         (None, None) => "a quantity is answered at some cases and not at others.".to_owned(),
     };
+    let has_never = never.is_some();
     let second = never.filter(|_| report.open() > 0).map(|never| format!("{never}."));
     let mut kept = right(report);
     if let Some(first) = kept.get_mut(..1) {
         first.make_ascii_uppercase();
     }
     let only = report.coverage.words().iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(",");
-    let hint = if report.coverage.is_stated() {
-        "The head of the answers states more. Partial answers are accepted with --allow-missing.".to_owned()
+    let hint = if report.coverage.is_stated() || !has_never {
+        "Partial answers are accepted with --allow-missing.".to_owned()
     } else {
         format!(
             "If the program answers no more, state \"only\":[{only}] in the first line of the answers, or use --allow-missing."
@@ -144,9 +145,7 @@ fn partly(report: &Report) -> Option<String> {
 fn denied(report: &Report) -> Option<String> {
     let (case, place) = report.first_declined.as_ref()?;
     let cases = counted(report.declined, "case");
-    Some(format!(
-        "Of {cases} the answer denies a regular closest point, although there is one. The first is case {case}, {place}."
-    ))
+    Some(format!("At {cases} a regular closest point is denied. The first is case {case}, {place}."))
 }
 
 fn lines(parts: &[Option<String>]) -> String {
