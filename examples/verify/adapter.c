@@ -4,7 +4,10 @@
  *     cc -O2 adapter.c -o adapter -lm
  *     beamgap verify vectors.jsonl --run ./adapter
  *
- * Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
+ * This program is for two straight beams, the family `segment`. For yours, change
+ * 1. FAMILY and BEAM_DOFS, the name of the family and its dofs a beam,
+ * 2. `element`, and what `main` prints of it,
+ * 3. HEAD: "only" lists what you answer, and conventions that differ are stated there (beamgap schema answers).
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -12,7 +15,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DOFS = 12 };
+#define FAMILY "segment"
+#define HEAD \
+    "{\"schema\":\"beamgap-answers/1\",\"program\":\"adapter.c\"," \
+    "\"only\":[\"d\",\"xi:first\",\"xi_bar:first\"]}\n"
+enum { BEAM_DOFS = 6, DOFS = 2 * BEAM_DOFS };
 
 struct answers {
     double d, d_gradient[DOFS], d_hessian[DOFS][DOFS];
@@ -94,18 +101,22 @@ int main(void) {
     char *line = NULL;
     size_t size = 0;
     if (getline(&line, &size, stdin) < 0) return 1; /* the head of the cases */
-    /* Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers). */
-    printf("{\"schema\":\"beamgap-answers/1\",\"program\":\"adapter.c\"}\n");
+    printf(HEAD);
     while (getline(&line, &size, stdin) >= 0) {
         const char *id = after(line, "\"id\":\""), *beam = after(line, "\"beam\":{");
         const char *bar = after(beam, "\"bar\":{"), *point = after(bar, "\"point\":{");
         const char *held = after(point, "\"held\":\"");
         double q[DOFS], xi[1], xi_bar[1];
-        if (!id) return 1;
+        const char *family = "\"family\":\"" FAMILY "\"";
+        if (!id || !beam || !bar) return 1;
+        if (strncmp(beam, family, strlen(family)) || strncmp(bar, family, strlen(family))) {
+            fprintf(stderr, "adapter.c is for the family %s; a case has another one. Change FAMILY, BEAM_DOFS and element.\n",
+                    FAMILY);
+            return 1;
+        }
         printf("{\"id\":\"%.*s\"", (int)strcspn(id, "\""), id);
-        if (beam && bar && held && !strncmp(beam, "\"family\":\"segment\"", 18) &&
-            !strncmp(bar, "\"family\":\"segment\"", 18) && numbers(after(beam, "\"q\":["), 6, q) &&
-            numbers(after(bar, "\"q\":["), 6, q + 6) && numbers(after(point, "\"xi\":"), 1, xi) &&
+        if (held && numbers(after(beam, "\"q\":["), BEAM_DOFS, q) &&
+            numbers(after(bar, "\"q\":["), BEAM_DOFS, q + BEAM_DOFS) && numbers(after(point, "\"xi\":"), 1, xi) &&
             numbers(after(point, "\"xi_bar\":"), 1, xi_bar)) {
             struct answers answers;
             const int both = !strncmp(held, "both", 4);
@@ -121,7 +132,7 @@ int main(void) {
             print("gradient", answers.xi_bar_gradient, DOFS);
             printf("}}\n");
         } else {
-            printf(",\"result\":\"degenerate\"}\n"); /* not answered */
+            printf(",\"result\":\"degenerate\"}\n"); /* the case has no regular closest point */
         }
         fflush(stdout);
     }

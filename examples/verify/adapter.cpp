@@ -4,7 +4,10 @@
 //     c++ -O2 -std=c++17 adapter.cpp -o adapter
 //     beamgap verify vectors.jsonl --run ./adapter
 //
-// Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
+// This program is for two straight beams, the family `segment`. For yours, change
+// 1. `family` and `beam_dofs`, the name of the family and its dofs a beam,
+// 2. `element`, and what `main` prints of it,
+// 3. `head`: "only" lists what you answer, and conventions that differ are stated there (beamgap schema answers).
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -16,7 +19,10 @@
 
 using Vector = std::array<double, 3>;
 using Row = std::vector<double>;
-constexpr int dofs = 12;
+const std::string family = "segment";
+const char *const head =
+    R"({"schema":"beamgap-answers/1","program":"adapter.cpp","only":["d","xi:value","xi:first","xi_bar:value","xi_bar:first"]})";
+constexpr int beam_dofs = 6, dofs = 2 * beam_dofs;
 
 struct Quantity {
     std::optional<double> value;
@@ -130,27 +136,32 @@ int main() {
     std::string text;
     std::getline(std::cin, text);  // the head of the cases
     std::cout << std::setprecision(17);
-    // Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers).
-    std::cout << R"({"schema":"beamgap-answers/1","program":"adapter.cpp"})" << '\n';
+    std::cout << head << '\n';
     while (std::getline(std::cin, text)) {
         Line line(text);
         if (!line.to("\"id\":\"")) return 1;
         std::cout << "{\"id\":\"" << line.word() << '"';
-        bool is_known = line.to("\"beam\":{\"family\":\"") && line.word() == "segment" && line.to("\"q\":[");
-        Row q = line.numbers(6);
-        is_known = is_known && line.to("\"bar\":{\"family\":\"") && line.word() == "segment" && line.to("\"q\":[");
-        for (double number : line.numbers(6)) q.push_back(number);
-        is_known = is_known && line.to("\"point\":{\"xi\":");
+        Row q;
+        for (const char *beam : {"\"beam\":{\"family\":\"", "\"bar\":{\"family\":\""}) {
+            if (!line.to(beam) || line.word() != family) {
+                std::cerr << "adapter.cpp is for the family " << family << "; a case is of the family " << line.word()
+                          << ". Change family, beam_dofs and element." << std::endl;
+                return 1;
+            }
+            line.to("\"q\":[");
+            for (double number : line.numbers(beam_dofs)) q.push_back(number);
+        }
+        bool is_regular = line.to("\"point\":{\"xi\":");
         const double xi = line.numbers(1)[0];
-        is_known = is_known && line.to("\"xi_bar\":");
+        is_regular = is_regular && line.to("\"xi_bar\":");
         const double xi_bar = line.numbers(1)[0];
-        if (is_known && line.to("\"held\":\"")) {
+        if (is_regular && line.to("\"held\":\"")) {
             const Answers answers = element(q, xi, xi_bar, line.word());
             print("d", answers.d);
             print("xi", answers.xi);
             print("xi_bar", answers.xi_bar);
         } else {
-            std::cout << ",\"result\":\"degenerate\"";  // not answered
+            std::cout << ",\"result\":\"degenerate\"";  // the case has no regular closest point
         }
         std::cout << '}' << std::endl;
     }

@@ -4,47 +4,17 @@
 !     gfortran -O2 adapter.f90 -o adapter
 !     beamgap verify vectors.jsonl --run ./adapter
 !
-! Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
-program adapter
-   use, intrinsic :: iso_fortran_env, only: real64, iostat_end
+! This program is for two straight beams, the family `segment`. For yours, change the module `contact_element`:
+! 1. family and beam_dofs, the name of the family and its dofs a beam,
+! 2. `element`,
+! 3. head: "only" lists what you answer, and conventions that differ are stated there (beamgap schema answers).
+module contact_element
+   use, intrinsic :: iso_fortran_env, only: real64
    implicit none
-   integer, parameter :: dofs = 12
-   character(:), allocatable :: line
-   real(real64) :: q(dofs), xi(1), xi_bar(1), d, gradient(dofs), hessian(dofs, dofs), g(dofs), g_bar(dofs)
-   integer :: beam, bar, point, held
-
-   if (.not. next(line)) stop 1   ! the head of the cases
-   ! Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers).
-   print '(a)', '{"schema":"beamgap-answers/1","program":"adapter.f90","matrix":"column-major"}'
-   do while (next(line))
-      write (*, '(3a)', advance='no') '{"id":"', word(after('"id":"', 1)), '"'
-      beam = after('"beam":{"family":"', 1)
-      bar = after('"bar":{"family":"', beam)
-      point = after('"point":{', bar)
-      held = after('"held":"', point)
-      if (beam > 0 .and. bar > 0 .and. held > 0) then
-         if (word(beam) == 'segment' .and. word(bar) == 'segment') then
-            call numbers(after('"q":[', beam), q(1:6))
-            call numbers(after('"q":[', bar), q(7:12))
-            call numbers(after('"xi":', point), xi)
-            call numbers(after('"xi_bar":', point), xi_bar)
-            call element(q, xi(1), xi_bar(1), word(held), d, gradient, hessian, g, g_bar)
-            write (*, '(a, es24.16, a)', advance='no') ',"d":{"value":', d, ',"gradient":['
-            call write_row(gradient)
-            write (*, '(a)', advance='no') '],"hessian":['
-            call write_row(reshape(hessian, [dofs*dofs]))   ! column by column, as the head declares
-            write (*, '(a)', advance='no') ']},"xi":{"gradient":['
-            call write_row(g)
-            write (*, '(a)', advance='no') ']},"xi_bar":{"gradient":['
-            call write_row(g_bar)
-            write (*, '(a)') ']}}'
-            flush (6)
-            cycle
-         end if
-      end if
-      write (*, '(a)') ',"result":"degenerate"}'   ! not answered
-      flush (6)
-   end do
+   character(*), parameter :: family = 'segment'
+   character(*), parameter :: head = '{"schema":"beamgap-answers/1","program":"adapter.f90",'// &
+                              '"matrix":"column-major","only":["d","xi:first","xi_bar:first"]}'
+   integer, parameter :: beam_dofs = 6, dofs = 2*beam_dofs
 
 contains
 
@@ -110,6 +80,52 @@ contains
       integer :: i
       row = [(of((i + 2)/3)*w(mod(i - 1, 3) + 1), i=1, dofs)]
    end function
+end module
+
+program adapter
+   use, intrinsic :: iso_fortran_env, only: real64, iostat_end, error_unit
+   use contact_element, only: family, head, beam_dofs, dofs, element
+   implicit none
+   character(:), allocatable :: line
+   real(real64) :: q(dofs), xi(1), xi_bar(1), d, gradient(dofs), hessian(dofs, dofs), g(dofs), g_bar(dofs)
+   integer :: beam, bar, point, held
+
+   if (.not. next(line)) stop 1   ! the head of the cases
+   print '(a)', head
+   do while (next(line))
+      write (*, '(3a)', advance='no') '{"id":"', word(after('"id":"', 1)), '"'
+      beam = after('"beam":{"family":"', 1)
+      bar = after('"bar":{"family":"', beam)
+      point = after('"point":{', bar)
+      held = after('"held":"', point)
+      if (word(beam) /= family .or. word(bar) /= family) then
+         write (error_unit, '(5a)') 'adapter.f90 is for the family ', family, '; a case is of ', word(beam), &
+            '. Change the module contact_element.'
+         stop 1
+      end if
+      if (held > 0) then
+         call numbers(after('"q":[', beam), q(1:beam_dofs))
+         call numbers(after('"q":[', bar), q(beam_dofs + 1:))
+         call numbers(after('"xi":', point), xi)
+         call numbers(after('"xi_bar":', point), xi_bar)
+         call element(q, xi(1), xi_bar(1), word(held), d, gradient, hessian, g, g_bar)
+         write (*, '(a, es24.16, a)', advance='no') ',"d":{"value":', d, ',"gradient":['
+         call write_row(gradient)
+         write (*, '(a)', advance='no') '],"hessian":['
+         call write_row(reshape(hessian, [dofs*dofs]))   ! column by column, as the head declares
+         write (*, '(a)', advance='no') ']},"xi":{"gradient":['
+         call write_row(g)
+         write (*, '(a)', advance='no') ']},"xi_bar":{"gradient":['
+         call write_row(g_bar)
+         write (*, '(a)') ']}}'
+         flush (6)
+         cycle
+      end if
+      write (*, '(a)') ',"result":"degenerate"}'   ! the case has no regular closest point
+      flush (6)
+   end do
+
+contains
 
    ! Reads the next line, of any length.
    logical function next(line)

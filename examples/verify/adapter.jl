@@ -3,8 +3,14 @@
 #     beamgap export --family segment -o vectors.jsonl
 #     beamgap verify vectors.jsonl --run "julia adapter.jl"
 #
-# Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
+# This program is for two straight beams, the family `segment`. For yours, change
+# 1. FAMILY, the name of the family,
+# 2. `element`, and what `main` prints of it,
+# 3. HEAD: "only" lists what you answer, and conventions that differ are stated there (beamgap schema answers).
 using LinearAlgebra
+
+const FAMILY = "segment"
+const HEAD = """{"schema":"beamgap-answers/1","program":"adapter.jl","only":["d","xi:first","xi_bar:first"]}"""
 
 """
 YOUR ELEMENT. Here: two straight beams, 12 dofs, by the equations of Zavarise (2007).
@@ -46,16 +52,18 @@ list(row) = "[" * join(row, ",") * "]"
 
 function main()
     readline()  # the head of the cases
-    # Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers).
-    println("{\"schema\":\"beamgap-answers/1\",\"program\":\"adapter.jl\"}")
+    println(HEAD)
     for line in eachline()
         id = match(r"\"id\":\"([^\"]*)\"", line)[1]
-        beams = match(r"\"beam\":\{\"family\":\"segment\",\"q\":\[([^]]*)\].*\"bar\":\{\"family\":\"segment\",\"q\":\[([^]]*)\]", line)
+        beams = match(r"\"beam\":\{\"family\":\"([a-z-]*)\".*?\"q\":\[([^]]*)\].*\"bar\":\{\"family\":\"([a-z-]*)\".*?\"q\":\[([^]]*)\]", line)
+        for family in (beams[1], beams[3])
+            family == FAMILY || error("adapter.jl is for the family $FAMILY; a case is of the family $family. Change FAMILY and element.")
+        end
         point = match(r"\"point\":\{\"xi\":([^,]*),\"xi_bar\":([^}]*)\}.*\"held\":\"([a-z_]*)\"", line)
-        if beams === nothing || point === nothing
-            println("{\"id\":\"$id\",\"result\":\"degenerate\"}")  # not answered
+        if point === nothing
+            println("{\"id\":\"$id\",\"result\":\"degenerate\"}")  # the case has no regular closest point
         else
-            q = vcat(numbers(beams[1]), numbers(beams[2]))
+            q = vcat(numbers(beams[2]), numbers(beams[4]))
             len, gradient, hessian, g, g_bar = element(q, parse(Float64, point[1]), parse(Float64, point[2]), point[3])
             println("{\"id\":\"$id\",\"d\":{\"value\":$len,\"gradient\":$(list(gradient)),\"hessian\":$(list(vec(hessian')))},",
                 "\"xi\":{\"gradient\":$(list(g))},\"xi_bar\":{\"gradient\":$(list(g_bar))}}")

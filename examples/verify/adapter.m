@@ -2,29 +2,53 @@ function adapter(vectors, answers)
 % Answers the cases of `beamgap export` with your own element.
 %
 %     beamgap export --family segment -o vectors.jsonl
-%     matlab -batch "adapter('vectors.jsonl', 'answers.jsonl')"
-%     beamgap verify vectors.jsonl answers.jsonl
+%     beamgap verify vectors.jsonl --run "octave-cli --eval adapter"
+%     beamgap verify vectors.jsonl --run "matlab -batch adapter"
 %
-% Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
-from = fopen(vectors, 'r');
-to = fopen(answers, 'w');
+% With two arguments, adapter('vectors.jsonl', 'answers.jsonl') reads and writes files.
+%
+% This program is for two straight beams, the family `segment`. For yours, change
+% 1. family, the name of the family,
+% 2. `element`, and what is printed of it,
+% 3. head: "only" lists what you answer, and conventions that differ are stated there (beamgap schema answers).
+family = 'segment';
+head = '{"schema":"beamgap-answers/1","program":"adapter.m","only":["d","xi:first","xi_bar:first"]}';
+if nargin == 2
+    from = fopen(vectors, 'r');
+    to = fopen(answers, 'w');
+elseif exist('OCTAVE_VERSION', 'builtin')
+    from = stdin;
+    to = stdout;
+else
+    from = fopen('/dev/stdin', 'r');
+    to = 1;
+end
 fgetl(from);  % the head of the cases
-% Declare here each convention that differs, such as "parameter":"[0,1]" (beamgap schema answers).
-fprintf(to, '{"schema":"beamgap-answers/1","program":"adapter.m"}\n');
+fprintf(to, '%s\n', head);
 line = fgetl(from);
 while ischar(line)
     one = jsondecode(line);
-    if strcmp(one.result, 'valid') && strcmp(one.beam.family, 'segment') && strcmp(one.bar.family, 'segment')
+    for name = {one.beam.family, one.bar.family}
+        if ~strcmp(name{1}, family)
+            error('adapter.m is for the family %s; a case is of the family %s. Change family and element.', family, name{1});
+        end
+    end
+    if strcmp(one.result, 'valid')
         [d, gradient, hessian, g, g_bar] = element([one.beam.q; one.bar.q], one.point.xi, one.point.xi_bar, one.held);
         fprintf(to, '{"id":"%s","d":{"value":%.17g,"gradient":%s,"hessian":%s},', one.id, d, list(gradient), list(hessian'));
         fprintf(to, '"xi":{"gradient":%s},"xi_bar":{"gradient":%s}}\n', list(g), list(g_bar));
     else
-        fprintf(to, '{"id":"%s","result":"degenerate"}\n', one.id);  % not answered
+        fprintf(to, '{"id":"%s","result":"degenerate"}\n', one.id);  % the case has no regular closest point
+    end
+    if exist('OCTAVE_VERSION', 'builtin')
+        fflush(to);
     end
     line = fgetl(from);
 end
-fclose(from);
-fclose(to);
+if nargin == 2
+    fclose(from);
+    fclose(to);
+end
 end
 
 function [len, gradient, hessian, g, g_bar] = element(q, xi, xi_bar, held)

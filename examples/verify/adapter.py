@@ -4,10 +4,20 @@
     beamgap export --family segment -o vectors.jsonl
     beamgap verify vectors.jsonl --run "python3 adapter.py"
 
-Replace `element` by yours. Omit quantities that you do not compute: they are reported as not answered.
+This program is for two straight beams, the family `segment`. For yours, change
+1. FAMILY, the name of the family,
+2. `element`: it returns what is answered,
+3. HEAD: "only" lists what you answer, and conventions that differ are stated there (beamgap schema answers).
 """
 import json
 import sys
+
+FAMILY = "segment"
+HEAD = {
+    "schema": "beamgap-answers/1",
+    "program": "adapter.py",
+    "only": ["d", "xi:value", "xi:first", "xi_bar:value", "xi_bar:first"],
+}
 
 
 def dot(u, v):
@@ -65,17 +75,20 @@ def element(q, q_bar, xi, xi_bar, held):
 
 def main():
     sys.stdin.readline()  # the head of the cases
-    # Declare here each convention that differs, such as "parameter": "[0,1]" (beamgap schema answers).
-    print(json.dumps({"schema": "beamgap-answers/1", "program": "adapter.py"}))
+    print(json.dumps(HEAD))
     for line in sys.stdin:
         case = json.loads(line)
         answer = {"id": case["id"], "result": "degenerate"}
         beam, bar = case["beam"], case["bar"]
-        if case["result"] == "valid" and beam["family"] == bar["family"] == "segment":
+        for family in (beam["family"], bar["family"]):
+            if family != FAMILY:
+                sys.exit(f"adapter.py is for the family {FAMILY}; a case is of the family {family}. Change FAMILY and element.")
+        if case["result"] == "valid":
             point = case["point"]
             answer = element(beam["q"], bar["q"], point["xi"], point["xi_bar"], case["held"])
             answer["id"] = case["id"]
         print(json.dumps(answer), flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -24,7 +24,7 @@ use rayon::prelude::*;
 
 pub use found::{Digits, Example, Found};
 pub(super) use found::{contact_in_words, list};
-pub(super) use sides::{Entry, Sides, is_doubted};
+pub(super) use sides::{Entry, ProblemSize, Sides, is_doubted};
 
 /// The factor on the rounding of the textbook formulas: a choice, which allows another order of the sums.
 pub const CAREFUL: f64 = 8.0;
@@ -183,7 +183,7 @@ fn at_closest_points(candidate: &impl Candidate, case: &CaseData) -> Vec<AtPoint
         let (mut entries, mut misshapen) = (Vec::new(), None);
         for answer in &answers {
             match sides.entries(answer, [&dq, &linear_dq]) {
-                Ok(of_answer) => entries.extend(of_answer.into_iter().map(|entry| entry.comparison)),
+                Ok(of_answer) => entries.extend(of_answer.into_iter().map(Entry::decided)),
                 Err(wrong) => misshapen = misshapen.or(Some(wrong)),
             }
         }

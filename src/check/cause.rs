@@ -42,7 +42,7 @@ pub fn likely_cause(variant: &Variant, seed: u64, numbers: &[u64]) -> Option<Lik
     for vector in vectors {
         let Some(answers) = program.answered(&vector) else { continue };
         if let Ok(found) = compare_answers(&vector, &answers, &demands) {
-            report.add(vector, answers, found);
+            report.add(vector, Some(answers), found);
         }
     }
     let explanation = explain(&report.kept, &demands)?;

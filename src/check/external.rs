@@ -17,6 +17,7 @@ mod lines;
 mod location;
 mod matching;
 mod number;
+mod only;
 mod process;
 mod recent;
 mod report;
@@ -32,10 +33,11 @@ pub use evaluate::{Evaluator, Formulas};
 pub use explain::{
     Cause, ExplainedFault, Explanation, Naming, Programs, RunnerUp, equation_of, explain, explained_faults,
 };
-pub use few_digits::{FewDigits, few_digits};
+pub use few_digits::{FewDigits, FewKind, Precision, few_digits};
 pub use location::{Location, locate};
 pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};
+pub use only::{Only, PartKey};
 pub use process::{InputState, ProcessError, Runner};
-pub use report::{Loss, PartFound, PartKey, RegimeFound, Report};
+pub use report::{Coverage, Loss, PartFound, RegimeFound, Report};
 pub use vectors::{Drawing, Expected, Outcome, VECTORS, Vector, VectorReader, VectorWriter};

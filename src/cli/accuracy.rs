@@ -41,7 +41,7 @@ impl Accurate {
         let record = Accuracy::new(found, self.seed, pairs, Environment::here(&command));
         let (exit, words) = verdict(&record);
         let name = if exit == Exit::Agree { "well-chosen" } else { "badly-chosen" };
-        let verdict = Verdict { exit, name, words };
+        let verdict = Verdict::new(exit, name, words);
         let outcome = Outcome { command: "accuracy", verdict, entries: Vec::new() };
         let human = || terminal::page(&record.page(), &outcome.verdict.words);
         outputs.write(&outcome, human, || Ok(record.to_json()?))?;

@@ -2,11 +2,11 @@
 
 mod diagnosis;
 mod json;
+mod verdict;
 
 use super::count::count as counted;
-use super::exit::Exit;
 use super::human::error;
-use super::outcome::{Entry, Outcome, Source, State, Verdict};
+use super::outcome::{Entry, Outcome, Source, State};
 use super::terminal::folded;
 use super::verify::Verified;
 use beamgap::check::external::{PartFound, Report};
@@ -15,41 +15,7 @@ use beamgap::report::Table;
 pub(super) use diagnosis::{Diagnosed, first_wrong};
 pub(super) use json::json;
 use std::fmt::Write;
-
-/// The verdict on the answers.
-pub(super) fn verdict(Verified { report, .. }: &Verified) -> Verdict {
-    let Report { compared, wrong, doubted, missing, unanswered, vectors, .. } = report;
-    let open = missing + unanswered;
-    let open = if open == 0 {
-        String::new()
-    } else {
-        format!("\nNot answered: {open} of {}.", counted(*vectors, "case"))
-    };
-    let losing: u64 = report.regimes.values().map(|of| of.losing).sum();
-    let right = match losing {
-        0 => "nothing differs beyond rounding.".to_owned(),
-        _ => format!("no number is wrong; at {losing} of them digits are lost."),
-    };
-    let points = counted(*compared, "closest point");
-    let (exit, name, words) = match (*compared, *wrong) {
-        (0, _) => (
-            Exit::Nothing,
-            "nothing-compared",
-            format!("NOTHING COMPARED: no answer to {} could be compared.{open}", counted(*vectors, "case")),
-        ),
-        (_, 0) => (Exit::Agree, "agree", format!("AGREE: at {points} {right}{open}")),
-        (_, wrong) if wrong == *doubted => (
-            Exit::Untrusted,
-            "untrusted",
-            format!("UNTRUSTED: at {doubted} of {points} the references disagree."),
-        ),
-        _ => {
-            let words = format!("DISAGREE: at {wrong} of {points}.{open}");
-            (Exit::Disagree, "disagree", words)
-        }
-    };
-    Verdict { exit, name, words }
-}
+pub(super) use verdict::verdict;
 
 /// The verdict with one entry for each order of each quantity.
 pub(super) fn outcome(verified: &Verified) -> Outcome {
@@ -108,7 +74,7 @@ pub(super) fn human(verified: &Verified) -> String {
     let mut text = head(command, verified.demands.digits, reason.as_deref());
     let _ = writeln!(text, "{}", counted(report.vectors, "case"));
     if !report.parts.is_empty() {
-        let titles = ["quantity", "order", "numbers", "wrong", "fewer digits", "digits", "attainable"];
+        let titles = ["quantity", "order", "numbers", "wrong", "fewer digits", "digits", "bound"];
         let mut table = Table::new(&titles).left(&[1]);
         for ((_, quantity, part), found) in &report.parts {
             table.row(vec![
@@ -123,7 +89,7 @@ pub(super) fn human(verified: &Verified) -> String {
         }
         let _ = write!(text, "\n{table}");
         text += "digits: correct digits of the number with the fewest\n\
-                 attainable: digits that the best formulas keep at its closest point\n";
+                 bound: digits that the best formulas keep there at least\n";
     }
     let losing: Vec<_> =
         report.regimes.iter().filter_map(|(name, of)| Some((name, of, of.loss.as_ref()?))).collect();

@@ -96,7 +96,7 @@ fn outcome(record: &Bounds) -> Outcome {
             source: None,
         }
     });
-    Outcome { command: "bounds", verdict: Verdict { exit, name, words }, entries: entries.collect() }
+    Outcome { command: "bounds", verdict: Verdict::new(exit, name, words), entries: entries.collect() }
 }
 
 fn order_of(part: &str) -> Order {

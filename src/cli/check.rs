@@ -186,7 +186,7 @@ pub(super) fn in_words(compared: u64, wrong: u64, left: u64, untrusted: usize) -
     } else {
         format!("\nNot compared, and not counted as agreeing: {left}.")
     };
-    Verdict { exit, name, words: words + &rest }
+    Verdict::new(exit, name, words + &rest)
 }
 
 #[cfg(test)]

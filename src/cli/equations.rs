@@ -82,8 +82,7 @@ impl ListEquations {
         }
         let (exit, name) = if holds { (Exit::Agree, "holds") } else { (Exit::Disagree, "does-not-hold") };
         let entries = record.table.equations.iter().map(entry).collect();
-        let outcome =
-            Outcome { command: "equations", verdict: Amounts { exit, name, words: verdict }, entries };
+        let outcome = Outcome { command: "equations", verdict: Amounts::new(exit, name, verdict), entries };
         let human = || {
             let text = match record.table.equations.as_slice() {
                 [entry] => head.clone() + &whole(entry, self.latex),

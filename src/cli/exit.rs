@@ -4,15 +4,17 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(crate) enum Exit {
-    /// All compared points agree; points that could not be compared were reported.
+    /// All that was asked is compared and agrees. Points that could not be compared are reported, with a warning if they
+    /// are more than 2 % of those of a regime.
     Agree = 0,
-    /// At least one closest point does not agree.
+    /// A number differs, or an answer denies a regular closest point. Answers that are missing are reported too.
     Disagree = 1,
     /// The arguments are invalid.
     Usage = 2,
     /// An input is invalid, or an output cannot be written.
     Input = 3,
-    /// Nothing could be compared; this is not a success.
+    /// Nothing differs, but not everything was compared: a case or a quantity is not answered that was asked for, or
+    /// nothing could be compared. This is not a success.
     Nothing = 4,
     /// The check itself cannot be trusted: an injected fault was not detected, an error bound was exceeded, or the
     /// oracles (AD's routes and the differences) disagree among themselves. The closed form is not rejected.
@@ -35,11 +37,11 @@ impl Exit {
     /// The meaning of the code.
     pub(crate) fn meaning(self) -> &'static str {
         match self {
-            Self::Agree => "all compared numbers agree",
+            Self::Agree => "all that was asked is compared and agrees",
             Self::Disagree => "some numbers disagree",
             Self::Usage => "wrong arguments",
             Self::Input => "bad input, or an output that cannot be written",
-            Self::Nothing => "nothing could be compared",
+            Self::Nothing => "nothing differs, but answers are missing, or nothing was compared",
             Self::Untrusted => "the check itself cannot be trusted",
             Self::Internal => "an internal error",
         }

@@ -43,7 +43,7 @@ pub(crate) struct Export {
     /// Write numbers as hexadecimal strings, as C's %a prints them
     #[arg(long)]
     hex: bool,
-    /// Choose radii so large that the surfaces penetrate, for contact elements
+    /// Choose radii so large that the surfaces penetrate in all cases [default: in about half the cases of each regime]
     #[arg(long)]
     penetrating: bool,
     /// Write to this file, and not to standard output

@@ -147,7 +147,7 @@ fn outcome(record: &Faults) -> Outcome {
     });
     let (exit, name) =
         if record.holds { (Exit::Agree, "detected") } else { (Exit::Untrusted, "not-detected") };
-    let verdict = Verdict { exit, name, words: words(record) };
+    let verdict = Verdict::new(exit, name, words(record));
     Outcome { command: "faults", verdict, entries: of_formulas.chain(of_operations).collect() }
 }
 

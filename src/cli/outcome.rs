@@ -15,6 +15,38 @@ pub(super) struct Verdict {
     pub(super) name: &'static str,
     /// One or more lines for people; the first begins with the verdict and a colon.
     pub(super) words: String,
+    /// Whether the result is a success to look at: the first line says what was left out.
+    pub(super) is_warning: bool,
+}
+
+impl Verdict {
+    /// A verdict without a warning.
+    pub(super) fn new(exit: Exit, name: &'static str, words: String) -> Self {
+        Self { exit, name, words, is_warning: false }
+    }
+
+    /// The verdict with a warning as its first line, if it is a success.
+    pub(super) fn warned(self, warning: Option<String>) -> Self {
+        match warning {
+            Some(warning) if self.exit == Exit::Agree => {
+                let words = self.words.replacen("AGREE: ", "", 1);
+                let mut letters = words.chars();
+                let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
+                let words = format!("AGREE, WITH A WARNING: {warning}\n{first}{}", letters.as_str());
+                Self { words, is_warning: true, ..self }
+            }
+            _ => self,
+        }
+    }
+
+    /// How a result is announced: a notice, a warning or an error.
+    pub(super) fn level(&self) -> &'static str {
+        match (self.exit, self.is_warning) {
+            (Exit::Agree, false) => "notice",
+            (Exit::Agree, true) => "warning",
+            _ => "error",
+        }
+    }
 }
 
 /// A verdict with its entries.
@@ -131,7 +163,7 @@ impl Outcome {
             source: Source::of_answer(place),
         };
         let entries = place.map(entry).into_iter().collect();
-        let verdict = Verdict { exit: Exit::Input, name: "error", words: format!("ERROR: {message}") };
+        let verdict = Verdict::new(Exit::Input, "error", format!("ERROR: {message}"));
         Self { command, verdict, entries }
     }
 

@@ -44,7 +44,7 @@ pub(super) fn outcome(proof: &Proof) -> Outcome {
             source: Some(Source::of_formula(order, quantity)),
         }
     });
-    Outcome { command: "prove", verdict: Verdict { exit, name, words }, entries: entries.collect() }
+    Outcome { command: "prove", verdict: Verdict::new(exit, name, words), entries: entries.collect() }
 }
 
 /// The heading: the request.

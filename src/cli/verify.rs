@@ -39,6 +39,10 @@ pub(crate) struct Verify {
     /// textbook formulas keeps]
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=15))]
     digits: Option<u8>,
+    /// Accept answers to some of the cases and quantities. Without it, everything must be answered that the head of the
+    /// answers does not exclude
+    #[arg(long)]
+    allow_missing: bool,
     /// The reason why N digits are enough; the result shows it
     #[arg(long, value_name = "TEXT")]
     reason: Option<String>,
@@ -59,6 +63,8 @@ pub(super) struct Verified {
     pub(super) command: String,
     /// The reason for the requested number of digits.
     pub(super) reason: Option<String>,
+    /// Whether cases and quantities may be left out.
+    pub(super) allow_missing: bool,
 }
 
 impl Verify {
@@ -132,15 +138,16 @@ impl Verify {
             human += &answered::first_wrong(verified);
             outcome.verdict.words += &diagnosed.words();
         }
-        if let Some(error) = failed.as_ref().filter(|_| exit == Exit::Agree) {
-            // The answers before the failure are no success.
+        // The answers before the failure are no success, and those that are missing follow from it.
+        let is_failure = matches!(exit, Exit::Agree | Exit::Nothing);
+        if let Some(error) = failed.as_ref().filter(|_| is_failure) {
             let words = format!("ERROR: {error:#}\nThe answers before: {}", outcome.verdict.words);
-            outcome.verdict = Verdict { exit: Exit::Input, name: "error", words };
+            outcome.verdict = Verdict::new(Exit::Input, "error", words);
         }
         let human = || format!("{human}{}\n", outcome.verdict.words);
         outputs.write(&outcome, human, || answered::json(verified, &diagnosed, &outcome.verdict))?;
         match failed {
-            Some(error) if exit == Exit::Agree => Err(error),
+            Some(error) if is_failure => Err(error),
             Some(error) => {
                 super::terminal::tell(&format!("error: {error:#}"));
                 Ok(exit)
@@ -151,7 +158,13 @@ impl Verify {
 
     fn of(&self, report: Report, conventions: Conventions) -> Verified {
         let demands = Demands { conventions, digits: self.digits };
-        Verified { report, demands, command: self.from(), reason: self.reason.clone() }
+        Verified {
+            report,
+            demands,
+            command: self.from(),
+            reason: self.reason.clone(),
+            allow_missing: self.allow_missing,
+        }
     }
 
     /// The source of the answers.
@@ -184,7 +197,7 @@ impl Verify {
         let conventions = *answers.conventions();
         outputs.begin(&head)?;
         let mut matching = Matching::new(Demands { conventions, digits: self.digits }, look_ahead)
-            .of_program(answers.program());
+            .of_program(answers.program(), answers.only());
         while let Some(answers) = answers.next_answers()? {
             matching.take(answers, || vectors.next_vector())?;
             progress.show(matching.report());

@@ -26,6 +26,42 @@ pub(in crate::check) struct Sides {
     pub(in crate::check) scales: Vec<Varied<TermScale>>,
     /// The size of the terms of the formulas that lose the fewest digits.
     pub(in crate::check) best_scales: Vec<Varied<TermScale>>,
+    /// The size of the problem, for numbers that are exactly zero.
+    pub(in crate::check) problem: ProblemSize,
+}
+
+/// The size of a problem. A number that is exactly zero has no size of its own.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::check) struct ProblemSize {
+    /// The largest dof.
+    pub(in crate::check) length: f64,
+    /// The largest entries of the directions.
+    pub(in crate::check) directions: [f64; 2],
+    /// The stiffness of a contact element.
+    pub(in crate::check) stiffness: f64,
+}
+
+impl ProblemSize {
+    fn new(test_beams: &[TestBeam; 2]) -> Self {
+        let largest = |read: fn(&TestBeam) -> &[f64]| {
+            let all = test_beams.iter().flat_map(read);
+            all.fold(0.0_f64, |largest, number| largest.max(number.abs()))
+        };
+        let directions = [largest(|beam| &beam.dq), largest(|beam| &beam.linear_dq)];
+        Self { length: largest(|beam| &beam.q), directions, stiffness: 1.0 }
+    }
+
+    /// The size of part k of an item.
+    fn of(&self, [item, k]: [usize; 2]) -> f64 {
+        let size = match item {
+            // The parameters.
+            18 | 19 => 1.0,
+            COMPONENTS.. => self.stiffness * self.length * self.length,
+            _ => self.length,
+        };
+        let [delta, linear] = self.directions.map(|direction| direction / self.length);
+        size * [1.0, delta, linear, delta * linear][k]
+    }
 }
 
 /// A number of an answer, compared.
@@ -46,7 +82,49 @@ pub(in crate::check) struct Entry {
     pub(in crate::check) size: f64,
     /// The root of the sum of their squares: independent errors of the entries add up in this way.
     pub(in crate::check) spread: f64,
+    /// The largest change of the number if each number of the answer changes by one.
+    pub(in crate::check) sensitivity: f64,
+    /// The part of the tolerance that is the rounding of the contraction of the answer.
+    pub(in crate::check) own_bound: f64,
+    /// The bound of the reference.
+    pub(in crate::check) reference_bound: f64,
 }
+
+impl Entry {
+    /// The size of the number: that of its terms, or of the reference.
+    fn scale(&self) -> f64 {
+        self.comparison.scale.max(self.comparison.other.abs())
+    }
+
+    /// Whether the number is wrong by more than its whole size, and by more than twice its tolerance, while the reference
+    /// is known. No loss of digits explains it, even if the tolerance is large.
+    pub(in crate::check) fn is_beyond(&self) -> bool {
+        let (comparison, scale) = (&self.comparison, self.scale());
+        let is_known = self.reference_bound <= LEAST * scale;
+        is_known && comparison.difference() > 2.0 * comparison.tolerance + scale
+    }
+
+    /// Whether a tolerance is meaningful for this number. The rounding of the contraction is no part of it, because a
+    /// wrong answer may be so large that its rounding exceeds the scale.
+    pub(in crate::check) fn is_meaningful_with(&self, tolerance: f64, size: f64) -> bool {
+        let Comparison { closed, other, .. } = self.comparison;
+        let of_references = (tolerance - self.own_bound).max(0.0);
+        let is_small = of_references <= LEAST * size.max(self.scale()) && of_references.is_finite();
+        is_small || (other.is_finite() && !closed.is_finite()) || self.is_beyond()
+    }
+
+    /// The comparison, with a tolerance that decides if this number is wrong by more than its size.
+    pub(in crate::check) fn decided(self) -> Comparison {
+        let is_open = !self.comparison.is_meaningful();
+        if is_open && self.is_meaningful_with(self.comparison.tolerance, 0.0) && !self.comparison.agrees() {
+            return Comparison { tolerance: LEAST * self.scale(), ..self.comparison };
+        }
+        self.comparison
+    }
+}
+
+/// The largest tolerance over the scale of a number that is meaningful.
+const LEAST: f64 = 1e-3;
 
 impl Sides {
     /// The references at a closest point, and the point in the paper's formulation.
@@ -66,6 +144,7 @@ impl Sides {
             best: best.components().to_vec(),
             scales: paper.sized(&Variant::Unmodified).to_vec(),
             best_scales,
+            problem: ProblemSize::new(test_beams),
         };
         (sides, paper)
     }
@@ -98,7 +177,7 @@ impl Sides {
         for (k, (number, part)) in direct.into_iter().zip([value, delta, linear, second]).enumerate() {
             if let Some(number) = number {
                 let exact = RunningError { value: number, bound: 0.0 };
-                let entry = self.entry(([item, k], quantity, part), exact, [number.abs(); 2]);
+                let entry = self.entry(([item, k], quantity, part), exact, [number.abs(), number.abs(), 1.0]);
                 entries.push(entry);
             }
         }
@@ -122,8 +201,12 @@ impl Sides {
             }
         }
         let mut entries = Vec::new();
+        let sum = |of: &[f64]| of.iter().map(|entry| entry.abs()).sum::<f64>();
+        let (delta_sum, linear_sum) = (sum(dq), sum(linear_dq));
+        let sensitivities = [0.0, delta_sum, linear_sum, delta_sum * linear_sum];
         let mut add = |k: usize, part, (number, [size, squares]): (RunningError, [f64; 2])| {
-            let entry = self.entry(([item, k], quantity, part), number, [size, squares.sqrt()]);
+            let sizes = [size, squares.sqrt(), sensitivities[k]];
+            let entry = self.entry(([item, k], quantity, part), number, sizes);
             entries.push(Entry { is_contracted: true, ..entry });
         };
         if let Some(gradient) = gradient {
@@ -140,17 +223,25 @@ impl Sides {
         &self,
         ([item, k], quantity, part): ([usize; 2], Quantity, &'static str),
         number: RunningError,
-        [size, spread]: [f64; 2],
+        [size, spread, sensitivity]: [f64; 3],
     ) -> Entry {
         let of = |side: &[Varied<RunningError2>]| side[item].parts()[k];
         let (other, textbook, best) = (of(&self.reference), of(&self.textbook), of(&self.best));
         // The second bound is for methods that solve for the closest point again.
         let [near, far] = textbook.bound;
-        let bound = CAREFUL * near + far + number.bound;
         let [best_near, best_far] = best.bound;
-        let attainable = CAREFUL * best_near + best_far + number.bound;
+        let [mut scale, mut best_scale] =
+            [&self.scales, &self.best_scales].map(|scales| scales[item].parts()[k].scale);
+        // Where the exact number is zero, only the rounding of the problem's size is.
+        let mut of_zero = 0.0;
+        if scale == 0.0 && other.value == 0.0 && other.bound[0] == 0.0 {
+            scale = self.problem.of([item, k]);
+            best_scale = scale;
+            of_zero = CAREFUL * f64::EPSILON * scale;
+        }
+        let bound = CAREFUL * near + far + of_zero + number.bound;
+        let attainable = CAREFUL * best_near + best_far + of_zero + number.bound;
         let loss = (number.value - best.value).abs();
-        let best_scale = self.best_scales[item].parts()[k].scale;
         let comparison = Comparison {
             quantity,
             axis: (item < COMPONENTS).then(|| Quantity::axis_of_component(item)).flatten(),
@@ -159,7 +250,7 @@ impl Sides {
             against: ROUTES[2],
             closed: number.value,
             other: other.value,
-            scale: self.scales[item].parts()[k].scale,
+            scale,
             bound,
             tolerance: bound + other.bound[0],
         };
@@ -172,6 +263,9 @@ impl Sides {
             best_scale,
             size,
             spread,
+            sensitivity,
+            own_bound: number.bound,
+            reference_bound: other.bound[0],
         }
     }
 }

@@ -10,6 +10,7 @@ mod jsonl;
 use super::conventions::Conventions;
 use super::error::{ExternalError, Place};
 use super::lines::Lines;
+use super::only::{ONLY, Only};
 use crate::check::Answer;
 use crate::linearization::Quantity;
 use serde::{Deserialize, Serialize};
@@ -61,9 +62,33 @@ impl Answers {
 #[derive(Debug)]
 pub struct AnswerReader<R> {
     lines: Lines<R>,
+    head: Head,
+    rows: Option<csv::Rows>,
+}
+
+/// The head of answers.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Head {
     conventions: Conventions,
     program: Program,
-    rows: Option<csv::Rows>,
+    only: Only,
+}
+
+impl Head {
+    /// Sets an entry.
+    ///
+    /// # Errors
+    /// What was expected, if the key or the value is unknown.
+    fn set(&mut self, key: &str, value: &str) -> Result<(), String> {
+        match key {
+            "program" => value.clone_into(&mut self.program.name),
+            "version" => value.clone_into(&mut self.program.version),
+            "comment" => {}
+            _ if ONLY.contains(&key) => return self.only.set(key, value),
+            _ => return self.conventions.set(key, value),
+        }
+        Ok(())
+    }
 }
 
 /// The program, as the head describes it.
@@ -83,28 +108,33 @@ impl<R: BufRead> AnswerReader<R> {
     pub fn new(from: R, name: &str) -> Result<Self, ExternalError> {
         let mut lines = Lines::new(from, name);
         let first = lines.next_line()?.unwrap_or_default().to_owned();
-        let (mut conventions, mut program) = (Conventions::default(), Program::default());
+        let mut head = Head::default();
         let rows = if first.trim_start().starts_with('{') || first.is_empty() {
-            jsonl::head(&first, &mut conventions, &mut program).map_err(|wrong| {
+            jsonl::head(&first, &mut head).map_err(|wrong| {
                 let place = lines.place();
                 Place { column: wrong.column, line: place.line.max(1), ..place }.error(wrong.expected)
             })?;
             None
         } else {
-            csv::head(first, &mut lines, &mut conventions, &mut program)?;
+            csv::head(first, &mut lines, &mut head)?;
             Some(csv::Rows::default())
         };
-        Ok(Self { lines, conventions, program, rows })
+        Ok(Self { lines, head, rows })
     }
 
     /// The conventions that the head states.
     pub fn conventions(&self) -> &Conventions {
-        &self.conventions
+        &self.head.conventions
     }
 
     /// The program, as the head describes it.
     pub fn program(&self) -> &Program {
-        &self.program
+        &self.head.program
+    }
+
+    /// What the program answers, if not everything.
+    pub fn only(&self) -> &Only {
+        &self.head.only
     }
 
     /// The answers to the next case; nothing at the end of the text.
@@ -113,7 +143,7 @@ impl<R: BufRead> AnswerReader<R> {
     /// If a line is not a valid answer.
     pub fn next_answers(&mut self) -> Result<Option<Answers>, ExternalError> {
         if let Some(rows) = &mut self.rows {
-            return rows.next_answers(&mut self.lines, self.conventions.first_index);
+            return rows.next_answers(&mut self.lines, self.head.conventions.first_index);
         }
         let Some(line) = self.lines.next_line()? else { return Ok(None) };
         match jsonl::answers(line) {
@@ -141,7 +171,7 @@ fn quantity(name: &str) -> Result<(Quantity, Option<char>), String> {
     if is_vector(quantity) || axis.is_none() { Ok((quantity, axis)) } else { Err(unknown()) }
 }
 
-fn is_vector(quantity: Quantity) -> bool {
+pub(super) fn is_vector(quantity: Quantity) -> bool {
     let vectors = [Quantity::X, Quantity::XBar, Quantity::DVector, Quantity::TVector, Quantity::TBarVector];
     vectors.contains(&quantity)
 }

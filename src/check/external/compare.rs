@@ -2,10 +2,11 @@
 
 use super::answers::Answers;
 use super::conventions::{Conventions, ENERGY};
-use super::error::ExternalError;
-use super::vectors::{Outcome, Vector};
+use super::error::{ExternalError, Place};
+use super::only::Only;
+use super::vectors::{Outcome, Vector, held_name};
 use crate::check::Answer;
-use crate::check::candidate::{Entry, Sides, is_doubted};
+use crate::check::candidate::{Entry, ProblemSize, Sides, is_doubted};
 use crate::check::diagnosis::place;
 use crate::check::serialized::number;
 use crate::check::verdict::Comparison;
@@ -60,6 +61,9 @@ pub struct Judged {
     pub is_rounding: bool,
     /// Whether it is a gradient or a Hessian, contracted with the directions.
     pub is_contracted: bool,
+    /// The largest change of the number if each number of the answer changes by one.
+    #[serde(skip)]
+    pub sensitivity: f64,
 }
 
 /// The result of the answers to a case.
@@ -67,8 +71,14 @@ pub struct Judged {
 pub enum CaseFound {
     /// There is no reference for this case.
     Degenerate(Outcome),
+    /// There is no answer, although there is a reference.
+    Missing,
     /// The program gave no number.
     Unanswered,
+    /// The program declared that there is no closest point, or that it is degenerate, although it is valid.
+    Declined,
+    /// The program states that it does not answer this case, and gave no number.
+    NotAsked,
     /// All its numbers, and whether the references disagree among themselves.
     Compared(Vec<Judged>, bool),
 }
@@ -81,15 +91,16 @@ pub(super) fn half_unit(digits: u8) -> f64 {
 impl Entry {
     /// The judgement under these demands, and its tolerance.
     pub(super) fn judged(self, digits: Option<u8>) -> Judged {
-        let Self { comparison, loss, attainable, best_scale: scale, size, is_contracted, .. } = self;
+        let Self {
+            comparison, loss, attainable, best_scale: scale, size, is_contracted, sensitivity, ..
+        } = self;
         let (is_meaningful, is_right) = match digits {
-            None => (comparison.is_meaningful(), comparison.agrees()),
+            None => (self.is_meaningful_with(comparison.tolerance, 0.0), comparison.agrees()),
             Some(digits) => {
                 let asked = half_unit(digits) * scale.max(size);
                 let limit = attainable.max(asked);
-                let is_meaningful = attainable <= 1e-3 * scale.max(size).max(comparison.other.abs());
                 (
-                    is_meaningful || !comparison.closed.is_finite(),
+                    self.is_meaningful_with(attainable, scale.max(size)),
                     loss <= limit || comparison.difference() <= limit,
                 )
             }
@@ -112,7 +123,17 @@ impl Entry {
             (Quantity::Xi | Quantity::XiBar, crate::check::Order::Value)
         );
         let size = if is_parameter { 1.0 } else { size.max(comparison.other.abs()) };
-        Judged { comparison, judgement, loss, attainable, scale, size, is_rounding, is_contracted }
+        Judged {
+            comparison,
+            judgement,
+            loss,
+            attainable,
+            scale,
+            size,
+            is_rounding,
+            is_contracted,
+            sensitivity,
+        }
     }
 }
 
@@ -120,6 +141,9 @@ impl Entry {
 pub(super) struct Converted {
     pub(super) sides: Sides,
     pub(super) directions: [Vec<f64>; 2],
+    /// The references of a contact element whose contact is closed if that of `sides` is open, and reversed: at a gap
+    /// that is zero to rounding.
+    at_zero_gap: Option<Box<Sides>>,
 }
 
 impl Converted {
@@ -127,15 +151,23 @@ impl Converted {
         // g_N, the 21st component.
         let is_closed = sides.reference[20].value.value < 0.0;
         let families = vector.families();
-        Self {
-            sides: Sides {
-                reference: conventions.of(&sides.reference, is_closed),
-                textbook: conventions.of(&sides.textbook, is_closed),
-                best: conventions.of(&sides.best, is_closed),
-                best_scales: conventions.of(&sides.best_scales, is_closed),
-                scales: conventions.of(&sides.scales, is_closed),
+        let gap = &sides.textbook[20].value;
+        let is_zero = conventions.penalty.is_some() && gap.value.abs() <= 2.0 * gap.bound[1];
+        let of = |is_closed: bool| Sides {
+            reference: conventions.of(&sides.reference, is_closed),
+            textbook: conventions.of(&sides.textbook, is_closed),
+            best: conventions.of(&sides.best, is_closed),
+            best_scales: conventions.of(&sides.best_scales, is_closed),
+            scales: conventions.of(&sides.scales, is_closed),
+            problem: ProblemSize {
+                stiffness: conventions.penalty.map_or(1.0, |penalty| penalty.stiffness),
+                ..sides.problem
             },
+        };
+        Self {
+            sides: of(is_closed),
             directions: vector.directions().map(|dq| conventions.direction(families, &dq)),
+            at_zero_gap: is_zero.then(|| Box::new(of(!is_closed))),
         }
     }
 
@@ -160,13 +192,21 @@ impl Converted {
                 let size = directions[0].len();
                 if conventions.column_major { transposed(tangent, size) } else { tangent.clone() }
             });
-            // At a gap of exactly zero the element has two tangents.
-            let gap = &self.sides.textbook[20].value;
-            if gap.value.abs() > 2.0 * gap.bound[1] {
+            let of = |sides: &Sides| {
                 let arrays = [answers.residual.as_deref(), tangent.as_deref()];
                 let parts = ["residual", "residual", "tangent"];
-                entries.extend(self.sides.of_arrays((ENERGY, Quantity::GN), parts, arrays, directions)?);
+                sides.of_arrays((ENERGY, Quantity::GN), parts, arrays, directions)
+            };
+            let mut of_element = of(&self.sides)?;
+            // At a gap of exactly zero the element has two tangents.
+            if let Some(others) = &self.at_zero_gap {
+                let nearer = |(one, other): (Entry, Entry)| {
+                    let error = |entry: &Entry| entry.comparison.over_tolerance();
+                    if error(&other) < error(&one) { other } else { one }
+                };
+                of_element = of_element.into_iter().zip(of(others)?).map(nearer).collect();
             }
+            entries.extend(of_element);
         }
         Ok(entries)
     }
@@ -206,10 +246,25 @@ pub fn compare_answers(
     answers: &Answers,
     demands: &Demands,
 ) -> Result<CaseFound, ExternalError> {
+    compare_case(vector, Some(answers), demands, &Only::default())
+}
+
+/// Compares the answers to a case, if there are any, of a program that answers only some cases.
+pub(super) fn compare_case(
+    vector: &Vector,
+    answers: Option<&Answers>,
+    demands: &Demands,
+    only: &Only,
+) -> Result<CaseFound, ExternalError> {
     let compared = vector.evaluated(|evaluation| {
-        if answers.is_empty() {
-            return Ok(CaseFound::Unanswered);
-        }
+        let is_asked = only.has_case(&vector.id, held_name(evaluation.held));
+        let answers = match answers {
+            _ if !is_asked && answers.is_none_or(Answers::is_empty) => return Ok(CaseFound::NotAsked),
+            None => return Ok(CaseFound::Missing),
+            Some(answers) if answers.declined => return Ok(CaseFound::Declined),
+            Some(answers) if answers.is_empty() => return Ok(CaseFound::Unanswered),
+            Some(answers) => answers,
+        };
         let (sides, paper) = Sides::new(evaluation, &vector.case.test_beams);
         let converted = Converted::new(vector, &sides, &demands.conventions);
         let entries = converted.entries(answers, &demands.conventions)?;
@@ -221,9 +276,10 @@ pub fn compare_answers(
         let is_doubted = is_wrong && is_doubted(&paper, &sides.reference);
         Ok(CaseFound::Compared(judged, is_doubted))
     });
+    let place =
+        || answers.map_or_else(|| Place { file: String::new(), line: 0, column: 0 }, |of| of.place.clone());
     match compared {
-        Ok(found) => found
-            .map_err(|wrong: String| answers.place.clone().error(format!("case {}: {wrong}", answers.id))),
+        Ok(found) => found.map_err(|wrong: String| place().error(format!("case {}: {wrong}", vector.id))),
         Err(outcome) => Ok(CaseFound::Degenerate(outcome)),
     }
 }

@@ -1,8 +1,9 @@
 //! Matches answers with their cases, while both are streamed.
 
 use super::answers::{Answers, Program};
-use super::compare::{Demands, compare_answers};
+use super::compare::{Demands, compare_case};
 use super::error::ExternalError;
+use super::only::Only;
 use super::recent::Recent;
 use super::report::Report;
 use super::vectors::Vector;
@@ -26,7 +27,8 @@ pub struct Matching {
     late: Recent,
     /// The file of the cases, if they are read from one.
     file: Option<String>,
-    ready: Vec<(Vector, Answers)>,
+    ready: Vec<(Vector, Option<Answers>)>,
+    only: Only,
     report: Report,
 }
 
@@ -41,14 +43,20 @@ impl Matching {
             late: Recent::default(),
             file: None,
             ready: Vec::new(),
-            report: Report::default(),
+            report: Report::of_program(
+                &Program::default(),
+                &Only::default(),
+                demands.conventions.penalty.is_some(),
+            ),
+            only: Only::default(),
         }
     }
 
-    /// Sets the program, as the head of its answers describes it.
+    /// Sets the program and what it answers, as the head of its answers describes it.
     #[must_use]
-    pub fn of_program(mut self, program: &Program) -> Self {
-        self.report.program = program.clone();
+    pub fn of_program(mut self, program: &Program, only: &Only) -> Self {
+        self.report = Report::of_program(program, only, self.demands.conventions.penalty.is_some());
+        self.only = only.clone();
         self
     }
 
@@ -75,18 +83,19 @@ impl Matching {
                 }
                 match vector {
                     Some(vector) if vector.id == answers.id => break Some(vector),
-                    Some(vector) => self.leave_open(vector),
+                    Some(vector) => self.leave_open(vector)?,
                     None => break None,
                 }
             },
         };
         let Some(vector) = vector else { return Err(self.without_case(answers).into()) };
         self.answered.insert(&answers.id, answers.place.line);
-        self.ready.push((vector, answers));
-        if self.ready.len() >= AT_ONCE {
-            self.compare()?;
-        }
-        Ok(())
+        Ok(self.add((vector, Some(answers)))?)
+    }
+
+    fn add(&mut self, case: (Vector, Option<Answers>)) -> Result<(), ExternalError> {
+        self.ready.push(case);
+        if self.ready.len() >= AT_ONCE { self.compare() } else { Ok(()) }
     }
 
     /// The error for an answer whose case is not open.
@@ -104,14 +113,15 @@ impl Matching {
         answers.place.error(expected)
     }
 
-    fn leave_open(&mut self, vector: Vector) {
+    fn leave_open(&mut self, vector: Vector) -> Result<(), ExternalError> {
         self.open.push_back(vector);
         if self.open.len() > self.look_ahead
             && let Some(oldest) = self.open.pop_front()
         {
-            self.report.add_missing(&oldest.id);
             self.late.insert(&oldest.id, 0);
+            self.add((oldest, None))?;
         }
+        Ok(())
     }
 
     /// Compares the matched answers.
@@ -120,7 +130,9 @@ impl Matching {
     /// If an answer has the wrong number of entries.
     pub fn compare(&mut self) -> Result<(), ExternalError> {
         let ready = std::mem::take(&mut self.ready);
-        let compare = |(vector, answers): &(Vector, Answers)| compare_answers(vector, answers, &self.demands);
+        let compare = |(vector, answers): &(Vector, Option<Answers>)| {
+            compare_case(vector, answers.as_ref(), &self.demands, &self.only)
+        };
         let found: Vec<_> = ready.par_iter().map(compare).collect();
         for ((vector, answers), found) in ready.into_iter().zip(found) {
             self.report.add(vector, answers, found?);
@@ -133,7 +145,7 @@ impl Matching {
         &self.report
     }
 
-    /// Marks the remaining cases as not answered.
+    /// Adds the remaining cases, which are not answered.
     ///
     /// # Errors
     /// If an answer has the wrong number of entries, or a case cannot be read.
@@ -141,13 +153,13 @@ impl Matching {
         mut self,
         mut next: impl FnMut() -> Result<Option<Vector>, E>,
     ) -> Result<Report, E> {
-        self.compare()?;
         for vector in std::mem::take(&mut self.open) {
-            self.report.add_missing(&vector.id);
+            self.add((vector, None))?;
         }
         while let Some(vector) = next()? {
-            self.report.add_missing(&vector.id);
+            self.add((vector, None))?;
         }
+        self.compare()?;
         Ok(self.report)
     }
 }

@@ -13,13 +13,13 @@ pub use error::{InputState, ProcessError};
 use pipes::{Feed, Feeding, Told, feed, listen, overhear};
 use std::io::BufRead;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// The maximum time that a program may take to end after its last answer.
 const GRACE: Duration = Duration::from_secs(5);
-/// The same time after an invalid answer, so that the exit status is known.
+/// The same time after an answer that is cut off, so that the exit status is known.
 const LAST_WORDS: Duration = Duration::from_secs(1);
 
 /// The settings of the run of a program.
@@ -85,20 +85,19 @@ impl Runner {
                     }
                 }
             }
-            Err((error, answered)) => {
+            Err(Stop { fault, answered, is_cut }) => {
                 let input = self.input(&feeding);
-                // If a program failed, its last output is attributed to the failure.
-                let grace = if error.is_some() { LAST_WORDS } else { Duration::ZERO };
-                let status = wait(&mut child, grace);
+                // The first fault is the message. If the last answer is cut off, the program ended before. If a line is
+                // wrong, the program is ended here, and what it does after that line is not its first fault.
+                let grace = if is_cut { LAST_WORDS } else { Duration::ZERO };
+                let status = wait(&mut child, grace).filter(|status| is_cut && !status.success());
                 let stderr = end(&stderr);
-                Err(match (error, status) {
+                Err(match (fault, status) {
                     (None, _) => {
                         let seconds = self.time_out.as_secs_f64();
                         ProcessError::TimeOut { program, seconds, answered, input, stderr }
                     }
-                    (Some(ProcessError::Text { .. } | ProcessError::Silent { .. }), Some(status))
-                        if !status.success() && !is_closed(status) =>
-                    {
+                    (Some(ProcessError::Text { .. } | ProcessError::Silent { .. }), Some(status)) => {
                         let (report, conventions) = (Box::default(), Box::default());
                         ProcessError::Failed { program, status, answered, stderr, report, conventions }
                     }
@@ -121,55 +120,69 @@ impl Runner {
         of.map_or(InputState::Read(self.look_ahead), |(_, input)| input)
     }
 
-    /// Matches answers with the cases sent. A missing error means a time-out. The number is that of the answers.
+    /// Matches answers with the cases sent.
     fn matched(
         &self,
         program: &str,
         sent: &Receiver<Result<Vector, ExternalError>>,
         told: &Receiver<Told>,
         progress: &mut impl FnMut(&Report),
-    ) -> Result<(Report, Conventions, u64), (Option<ProcessError>, u64)> {
-        let mut answered = 0;
+    ) -> Result<(Report, Conventions, u64), Stop> {
+        let (mut answered, mut is_cut) = (0, false);
         let mut matching: Option<(Matching, Conventions)> = None;
         loop {
             let result = match told.recv_timeout(self.time_out) {
                 Ok(Told::Head(head)) => {
-                    let (conventions, program) = *head;
+                    let (conventions, program, only) = *head;
                     let demands = Demands { conventions, digits: self.digits };
-                    let new = Matching::new(demands, self.look_ahead).of_program(&program);
+                    let new = Matching::new(demands, self.look_ahead).of_program(&program, &only);
                     matching = Some((new, conventions));
                     Ok(())
                 }
                 Ok(Told::Answers(answers)) => {
                     answered += 1;
                     let (matching, _) = matching.as_mut().expect("the head comes before the answers");
-                    let next = || match sent.recv_timeout(self.time_out) {
+                    // Each case is announced before it is written, so a case that is not there was not sent.
+                    let next = || match sent.try_recv() {
                         Ok(vector) => vector.map(Some).map_err(|error| Some(ProcessError::from(error))),
-                        Err(RecvTimeoutError::Disconnected) => Ok(None),
-                        Err(RecvTimeoutError::Timeout) => Err(None),
+                        Err(TryRecvError::Disconnected | TryRecvError::Empty) => Ok(None),
                     };
                     let taken = matching.take(*answers, OptionalError::wrap(next));
                     progress(matching.report());
                     taken.map_err(|OptionalError(error)| error)
                 }
-                Ok(Told::Error(error)) => Err(Some(error.into())),
+                Ok(Told::Error(error, is_last)) => {
+                    is_cut = is_last;
+                    Err(Some(error.into()))
+                }
                 Err(RecvTimeoutError::Timeout) => Err(None),
                 Ok(Told::Nothing) | Err(RecvTimeoutError::Disconnected) => break,
             };
-            result.map_err(|error| (error, answered))?;
+            result.map_err(|fault| Stop { fault, answered, is_cut })?;
         }
         let Some((matching, conventions)) = matching else {
             let program = program.to_owned();
-            return Err((Some(ProcessError::Silent { program, stderr: String::new() }), answered));
+            let fault = Some(ProcessError::Silent { program, stderr: String::new() });
+            return Err(Stop { fault, answered, is_cut: true });
         };
         let next = || match sent.recv_timeout(self.time_out) {
             Ok(vector) => vector.map(Some).map_err(|error| Some(ProcessError::from(error))),
             Err(_) => Ok(None),
         };
         let report = matching.finish(OptionalError::wrap(next));
-        let report = report.map_err(|OptionalError(error)| (error, answered))?;
+        let report = report.map_err(|OptionalError(fault)| Stop { fault, answered, is_cut })?;
         Ok((report, conventions, answered))
     }
+}
+
+/// The end of a comparison before all cases are answered.
+struct Stop {
+    /// The first fault; none for a time-out.
+    fault: Option<ProcessError>,
+    /// The number of answers before it.
+    answered: u64,
+    /// Whether the fault is that the program ended, before its last line did.
+    is_cut: bool,
 }
 
 /// An error, or none for a time-out.
@@ -185,16 +198,6 @@ impl From<ExternalError> for OptionalError {
     fn from(error: ExternalError) -> Self {
         Self(Some(error.into()))
     }
-}
-
-/// Whether a program ended because its output is no longer read: by the signal SIGPIPE, or as a shell reports it.
-fn is_closed(status: ExitStatus) -> bool {
-    const SIGPIPE: i32 = 13;
-    #[cfg(unix)]
-    if std::os::unix::process::ExitStatusExt::signal(&status) == Some(SIGPIPE) {
-        return true;
-    }
-    status.code() == Some(128 + SIGPIPE)
 }
 
 /// The status of a program that has closed its output; nothing if it does not end.

@@ -1,11 +1,17 @@
 //! The results of all answers.
 
+mod coverage;
+
 use super::answers::{Answers, Program};
 use super::compare::{CaseFound, Judged, Judgement};
 use super::error::Place;
-use super::vectors::{Outcome, Vector};
-use crate::check::verdict::Order;
+use super::few_digits::Precision;
+use super::only::{Only, PartKey};
+use super::vectors::Vector;
+use crate::check::left_out_warning;
+use crate::check::verdict::Inconclusive;
 use crate::linearization::Quantity;
+pub use coverage::Coverage;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -65,6 +71,12 @@ impl Loss {
 pub struct RegimeFound {
     /// Cases that were compared.
     pub compared: u64,
+    /// Cases that could not be compared, or at which some number could not be compared.
+    #[serde(default)]
+    pub not_compared: u64,
+    /// Of these, those without a reference.
+    #[serde(default)]
+    pub without_reference: u64,
     /// Of these, those with a wrong number.
     pub wrong: u64,
     /// Of these, those with a number that is correct but loses digits.
@@ -75,9 +87,6 @@ pub struct RegimeFound {
     /// The largest error over the size of the number, whether correct or wrong.
     pub worst: Option<Loss>,
 }
-
-/// The key of a part: order, quantity, and the name of the order, or residual or tangent.
-pub type PartKey = (Order, Quantity, &'static str);
 
 /// The result of all answers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -93,12 +102,24 @@ pub struct Report {
     pub wrong: u64,
     /// Of these, those at which the references disagree among themselves.
     pub doubted: u64,
-    /// Cases without an answer.
+    /// Cases with a reference that the program states to answer.
+    #[serde(default)]
+    pub asked: u64,
+    /// Cases with a reference that the program states not to answer.
+    #[serde(default)]
+    pub not_asked: u64,
+    /// Of the cases to answer, those without an answer.
     pub missing: u64,
     /// The first of them.
     pub first_missing: Option<String>,
     /// Answers without any number.
     pub unanswered: u64,
+    /// Answers that there is no regular closest point, although there is one.
+    #[serde(default)]
+    pub declined: u64,
+    /// The first of them: its case, and the place of the answer.
+    #[serde(default)]
+    pub first_declined: Option<(String, Place)>,
     /// Cases whose closest point has no reference, by reason.
     #[serde(rename = "not_compared")]
     pub degenerate: BTreeMap<String, u64>,
@@ -116,46 +137,66 @@ pub struct Report {
     /// Cases for the explanation, of as many kinds as possible.
     #[serde(skip)]
     pub kept: Vec<(Vector, Answers)>,
+    /// What was answered, by part.
+    #[serde(skip)]
+    pub coverage: Coverage,
+    /// The digits of the answers.
+    #[serde(skip)]
+    pub precision: Precision,
 }
 
 impl Report {
-    /// Adds a case that was not answered.
-    pub fn add_missing(&mut self, id: &str) {
-        self.vectors += 1;
-        self.missing += 1;
-        self.first_missing.get_or_insert_with(|| id.to_owned());
+    /// A report on a program that answers only some parts and cases; `is_element` if it states a penalty stiffness.
+    pub fn of_program(program: &Program, only: &Only, is_element: bool) -> Self {
+        let coverage = Coverage::new(only, is_element);
+        Self { program: program.clone(), coverage, ..Self::default() }
     }
 
-    /// Adds the result of a case.
-    pub fn add(&mut self, vector: Vector, answers: Answers, found: CaseFound) {
+    /// Adds the result of a case. There are no answers if the program gave none.
+    pub fn add(&mut self, vector: Vector, answers: Option<Answers>, found: CaseFound) {
         self.vectors += 1;
-        let (judged, is_doubted) = match found {
-            CaseFound::Degenerate(outcome) => {
-                let reason = match outcome {
-                    Outcome::Degenerate(reason) => reason.reason(),
-                    Outcome::NoProjection => "no closest point is known",
-                    Outcome::Valid => "valid",
-                };
-                self.add_degenerate(reason);
+        self.asked += u64::from(!matches!(found, CaseFound::Degenerate(_) | CaseFound::NotAsked));
+        let line = vector.place.as_ref().map_or(0, |place| place.line);
+        let (judged, is_doubted, answers) = match (found, answers) {
+            (CaseFound::Degenerate(outcome), _) => {
+                self.add_degenerate(&vector.regime, outcome.reason());
                 return;
             }
-            CaseFound::Unanswered => {
+            (CaseFound::Compared(judged, is_doubted), Some(answers)) => (judged, is_doubted, answers),
+            (CaseFound::Declined, Some(answers)) => {
+                self.declined += 1;
+                self.first_declined.get_or_insert((vector.id, answers.place));
+                return;
+            }
+            (CaseFound::NotAsked, _) => {
+                self.not_asked += 1;
+                return;
+            }
+            (_, Some(_)) => {
                 self.unanswered += 1;
                 return;
             }
-            CaseFound::Compared(judged, is_doubted) => (judged, is_doubted),
+            (_, None) => {
+                self.missing += 1;
+                self.first_missing.get_or_insert(vector.id);
+                self.coverage.add_missing(line);
+                return;
+            }
         };
+        self.coverage.add(&vector.id, line, &answers);
+        self.precision.add(&vector.regime, &answers, &judged);
         for one in &judged {
             self.add_part(one, &vector.id, &answers.place);
         }
         let is = |wanted: Judgement| move |judged: &&Judged| judged.judgement == wanted;
         if judged.iter().all(|judged| judged.judgement == Judgement::Unclear) {
-            self.add_degenerate("the rounding bound exceeds 1e-3 of a scale");
+            self.add_degenerate(&vector.regime, Inconclusive::NotMeaningful.reason());
             return;
         }
         self.compared += 1;
         let regime = self.regimes.entry(vector.regime.clone()).or_default();
         regime.compared += 1;
+        regime.not_compared += u64::from(judged.iter().any(|judged| is(Judgement::Unclear)(&judged)));
         regime.losing += u64::from(judged.iter().any(|judged| is(Judgement::Loses)(&judged)));
         for one in judged.iter().filter(|judged| judged.judgement != Judgement::Unclear) {
             let worst = Loss { judged: *one, case: vector.id.clone() };
@@ -178,7 +219,9 @@ impl Report {
         self.first.get_or_insert((vector, answers, first));
     }
 
-    fn add_degenerate(&mut self, reason: &str) {
+    fn add_degenerate(&mut self, regime: &str, reason: &str) {
+        self.regimes.entry(regime.to_owned()).or_default().not_compared += 1;
+        self.regimes.entry(regime.to_owned()).or_default().without_reference += 1;
         *self.degenerate.entry(reason.to_owned()).or_default() += 1;
     }
 
@@ -232,9 +275,28 @@ impl Report {
         Quantity::ALL.into_iter().filter(|quantity| !is_answered(quantity)).collect()
     }
 
-    /// Whether something was compared, and no number is wrong.
+    /// Whether something was compared, and nothing is wrong.
     pub fn agrees(&self) -> bool {
-        self.compared > 0 && self.wrong == 0
+        self.compared > 0 && self.wrong == 0 && self.declined == 0
+    }
+
+    /// Cases that the program did not answer by a number, although there is a reference.
+    pub fn open(&self) -> u64 {
+        self.missing + self.unanswered
+    }
+
+    /// Whether all that was asked is answered.
+    pub fn is_complete(&self) -> bool {
+        self.open() == 0 && self.coverage.open_parts().is_empty()
+    }
+
+    /// The warning if too many cases of some regimes could not be compared.
+    pub fn warning(&self) -> Option<String> {
+        let of_regime = |(name, of): (&String, &RegimeFound)| {
+            (name.clone(), of.not_compared, of.compared + of.without_reference)
+        };
+        let counts: Vec<_> = self.regimes.iter().map(of_regime).collect();
+        left_out_warning(counts.iter().map(|(name, left, all)| (name.as_str(), *left, *all)), "cases")
     }
 
     /// The part that is wrong first in most wrong cases. If there are several, the earliest in the order of evaluation.

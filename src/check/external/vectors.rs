@@ -19,7 +19,7 @@ use crate::check::draw::Case;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::verdict::Inconclusive;
 use crate::check::{CaseData, Regime};
-use crate::closest_point::{ClosestPoint, Search, closest_points};
+use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
 use crate::test_beam::Family;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -62,6 +62,15 @@ impl Outcome {
             Self::NoProjection => "no-projection",
         }
     }
+
+    /// The reason why there is nothing to compare with.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Valid => "valid",
+            Self::Degenerate(reason) => reason.reason(),
+            Self::NoProjection => "no closest point is known",
+        }
+    }
 }
 
 /// The cases that are drawn.
@@ -75,7 +84,8 @@ pub struct Drawing {
     pub families: Vec<Family>,
     /// The number of cases of each regime.
     pub cases: u64,
-    /// Whether the radii are so large that the surfaces penetrate.
+    /// Whether the radii are so large that the surfaces penetrate in all cases. Otherwise they do in about half the cases of
+    /// each regime.
     pub penetrating: bool,
 }
 
@@ -85,8 +95,21 @@ impl Drawing {
         self.cases * self.regimes.len() as u64
     }
 
-    /// A case, by its number. Regimes alternate, and so do pairs of families within each regime.
+    /// A case, by its number. Regimes alternate, and so do pairs of families within each regime, and open and closed gaps.
+    ///
+    /// A case whose closest point cannot be compared is drawn again, because it would be left out.
     pub fn vector(&self, number: u64) -> Vector {
+        let first = self.drawn(number, 0);
+        if first.outcome() == Outcome::Valid {
+            return first;
+        }
+        let others = (1..=TRIES).map(|again| self.drawn(number, again));
+        others.into_iter().find(|vector| vector.outcome() == Outcome::Valid).unwrap_or(first)
+    }
+
+    /// A case, drawn for the first time or again.
+    fn drawn(&self, number: u64, again: u64) -> Vector {
+        let seed = self.seed.wrapping_add(again.wrapping_mul(AGAIN));
         let (regimes, families) = (self.regimes.len() as u64, self.families.len() as u64);
         let of = |i: u64| usize::try_from(i).unwrap_or(0);
         let regime = self.regimes[of(number % regimes)];
@@ -95,15 +118,19 @@ impl Drawing {
         let mut vector = Vector {
             id: number.to_string(),
             regime: regime.name().to_owned(),
-            case: Case::of(self.seed, number, regime, pair).data(),
+            case: Case::of(seed, number, regime, pair).data(),
             point: None,
             place: None,
         };
         if let Some(point) = vector.closest_point() {
             vector.point = Some((point.xi, point.xi_bar));
-            if self.penetrating {
-                let radius = 0.625 * point.distance;
-                (vector.case.contact.radius, vector.case.contact.radius_bar) = (radius, radius);
+            // Gaps alternate for each pair of families.
+            let is_closed =
+                self.penetrating || (place + place / families + place / families / families) % 2 == 1;
+            let contact = &mut vector.case.contact;
+            if is_closed != (point.distance < contact.radius + contact.radius_bar) || self.penetrating {
+                let radius = if is_closed { 0.625 } else { 0.25 } * point.distance;
+                (contact.radius, contact.radius_bar) = (radius, radius);
             }
         }
         // The parameters are as exact as those of the check.
@@ -169,6 +196,21 @@ impl Vector {
     /// The families of beam and bar beam.
     pub fn families(&self) -> [Family; 2] {
         self.case.test_beams.each_ref().map(|beam| beam.family)
+    }
+}
+
+/// How often a case is drawn again.
+const TRIES: u64 = 16;
+/// The distance of the seeds of these draws.
+const AGAIN: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// The parameters that are held at an end, in a word.
+pub(super) fn held_name(held: Held) -> &'static str {
+    match (held.xi, held.xi_bar) {
+        (false, false) => "none",
+        (true, false) => "xi",
+        (false, true) => "xi_bar",
+        (true, true) => "both",
     }
 }
 

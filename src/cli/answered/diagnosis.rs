@@ -6,8 +6,8 @@ use crate::cli::human::error;
 use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
 use beamgap::check::external::{
-    self, Cause, Demands, Explanation, FewDigits, Judged, Location, OtherConventions, RunnerUp, few_digits,
-    locate, other_conventions,
+    self, Cause, Demands, Explanation, FewDigits, FewKind, Judged, Location, OtherConventions, RunnerUp,
+    few_digits, locate, other_conventions,
 };
 use beamgap::check::{Order, look_at};
 use beamgap::linearization::Quantity;
@@ -18,7 +18,7 @@ const ANTISYMMETRIC: &str = "The matrix of differences is antisymmetric: a term 
 const NOT_FINITE: &str = "Cause: the first wrong number is not finite. Look for a division by zero.";
 
 /// The cause of wrong answers.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(in crate::cli) struct Diagnosed {
     /// Rounding of the textbook formulas explains the first wrong number.
     is_rounding: bool,
@@ -41,12 +41,13 @@ impl Diagnosed {
         if judged.is_rounding {
             return Self { is_rounding: true, ..Self::default() };
         }
-        let few_digits = few_digits(&report.kept, demands);
-        if few_digits.is_some_and(|few| few.agree) {
+        let few_digits = few_digits(report, demands);
+        if few_digits.as_ref().is_some_and(FewDigits::settles) {
             return Self { few_digits, ..Self::default() };
         }
         // What is wrong is looked for with the digits that the answers have.
-        let demands = &Demands { digits: demands.digits.or(few_digits.map(|few| few.digits)), ..*demands };
+        let demands =
+            &Demands { digits: demands.digits.or(few_digits.as_ref().map(|few| few.digits)), ..*demands };
         let is_not_finite = !judged.comparison.closed.is_finite();
         let location = explain.then(|| locate(vector, answers, judged, &demands.conventions)).flatten();
         let is_antisymmetric = location.is_some_and(|location| location.is_antisymmetric);
@@ -62,7 +63,7 @@ impl Diagnosed {
         let explained = |other: Option<OtherConventions>| {
             let conventions = other.as_ref().map_or(demands.conventions, |other| other.conventions);
             let explanation = external::explain(&report.kept, &Demands { conventions, ..*demands });
-            Self { conventions: other, explanation, ..found }
+            Self { conventions: other, explanation, ..found.clone() }
         };
         // A term seldom comes nearer in other conventions, so these are tried first.
         let Some(other) = other else { return explained(None) };
@@ -86,7 +87,7 @@ impl Diagnosed {
                 "Rounding of the textbook formulas explains it.\nThe formulas are right, but keep too few digits here."
                     .to_owned()
             }
-            Self { few_digits: Some(FewDigits { agree: true, .. }), .. } => String::new(),
+            Self { few_digits: Some(few), .. } if few.settles() => String::new(),
             Self { conventions: Some(other), .. } if other.agree() => {
                 folded(&format!("The answers agree if {}.", other.words), "", "  ")
                     + "\nState it in the first line of the answers."
@@ -103,25 +104,64 @@ impl Diagnosed {
             }
             _ => return String::new(),
         };
-        let few = self.few_digits.map_or_else(String::new, of_few);
+        let few = self.few_digits.as_ref().map_or_else(String::new, of_few);
         format!("\n{}", (few + &text).trim_end())
     }
 }
 
 /// That the answers have few digits.
-fn of_few(FewDigits { digits, is_single, agree }: FewDigits) -> String {
-    let what = if is_single {
-        "All answers are numbers of single precision".to_owned()
-    } else {
-        format!("All answers have at most {digits} significant digits")
+fn of_few(few: &FewDigits) -> String {
+    let FewDigits { digits, kind, is_all, agree } = few;
+    let whose = if *is_all { "All answers" } else { "The wrong answers" };
+    let what = match kind {
+        FewKind::Significant => format!("{whose} have at most {digits} significant digits"),
+        FewKind::Decimals => format!("{whose} have at most {digits} decimals"),
+        FewKind::Single(_) => format!("{whose} are numbers of single precision"),
     };
-    if agree {
-        format!(
-            "{what}. If {digits} are required,\nthe wrong cases that were tried agree: --digits {digits}.\n"
-        )
-    } else {
-        format!("{what}.\nThey differ in the first {digits} digits too.\n")
+    let others = if *is_all { String::new() } else { "Other answers have more digits.\n".to_owned() };
+    match kind {
+        FewKind::Decimals => {
+            let found = if *agree {
+                "To so many decimals the wrong cases that were tried agree."
+            } else {
+                "They differ in these decimals too."
+            };
+            let advice = "Print significant digits, as %.17g does: small numbers have few of them now.";
+            folded(&format!("{what}. {found} {advice}"), "", "  ") + "\n" + &others
+        }
+        FewKind::Single(regimes) if !*agree && *is_all => {
+            format!("{what}.\n{}", of_single(regimes))
+        }
+        _ if *agree => {
+            format!(
+                "{what}. If {digits} are required,\nthe wrong cases that were tried agree: --digits {digits}.\n{others}"
+            )
+        }
+        _ => format!("{what}.\nThey differ in the first {digits} digits too.\n{others}"),
     }
+}
+
+/// The regimes in which answers in single precision agree, and those in which they do not.
+fn of_single([agree, explained, others]: &[Vec<String>; 3]) -> String {
+    let mut text = String::new();
+    let mut add = |words: String| text += &(folded(&words, "", "  ") + "\n");
+    if !agree.is_empty() {
+        add(format!("They agree to 6 digits in {}.", agree.join(", ")));
+    }
+    if !explained.is_empty() {
+        add(format!(
+            "Rounding in single precision explains the differences in {}: single precision can do no better there.",
+            explained.join(", ")
+        ));
+    }
+    if !others.is_empty() {
+        add("They differ in the first 6 digits too.".to_owned());
+        add(format!(
+            "Rounding in single precision does not explain the differences in {}.",
+            others.join(", ")
+        ));
+    }
+    text
 }
 
 /// The conventions in which fewer numbers are wrong.

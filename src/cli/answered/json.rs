@@ -26,7 +26,14 @@ pub(in crate::cli) fn json(
         reason: Option<&'a str>,
         #[serde(flatten)]
         report: &'a Report,
+        allow_missing: bool,
+        /// Whether all that was asked is answered.
+        is_complete: bool,
+        /// Why the success is one to look at.
+        warning: Option<String>,
         never_answered: Vec<Quantity>,
+        /// The parts that are answered at some cases and not at others, each with the count of cases.
+        partly_answered: Vec<(String, u64)>,
         first: Option<First<'a>>,
         agrees_if: Option<&'a str>,
         /// The conventions that the explanation is valid in, if they are not the stated ones.
@@ -35,7 +42,7 @@ pub(in crate::cli) fn json(
         answered_digits: Option<u8>,
         explanation: Option<&'a Explanation>,
     }
-    let Verified { report, demands, command, reason } = verified;
+    let Verified { report, demands, command, reason, allow_missing } = verified;
     let of = |agree: bool| {
         let other = diagnosed.conventions.as_ref().filter(|other| other.agree() == agree)?;
         Some(other.words.as_str())
@@ -49,11 +56,15 @@ pub(in crate::cli) fn json(
         digits: demands.digits,
         reason: reason.as_deref(),
         report,
+        allow_missing: *allow_missing,
+        is_complete: report.is_complete(),
+        warning: report.warning(),
         never_answered: report.never_answered(),
+        partly_answered: report.coverage.partly(),
         first: First::of(verified),
         agrees_if: of(true),
         nearer_if: of(false),
-        answered_digits: diagnosed.few_digits.map(|few| few.digits),
+        answered_digits: diagnosed.few_digits.as_ref().map(|few| few.digits),
         explanation: diagnosed.explanation.as_ref(),
     })
 }

@@ -1,7 +1,6 @@
 //! Annotations of GitHub Actions, and the summary of a step.
 
 use super::markdown;
-use crate::cli::exit::Exit;
 use crate::cli::outcome::Outcome;
 use std::fmt::Write as _;
 use std::fs::OpenOptions;
@@ -18,7 +17,7 @@ pub(in crate::cli) fn github(outcome: &Outcome) -> String {
         let of = property(&format!("{title}: {} ({})", entry.name, entry.group));
         let _ = writeln!(text, "::error {at}title={of}::{}", message(&entry.message));
     }
-    let level = if outcome.verdict.exit == Exit::Agree { "notice" } else { "error" };
+    let level = outcome.verdict.level();
     let _ = writeln!(text, "::{level} title={}::{}", property(&title), message(&outcome.verdict.words));
     text
 }

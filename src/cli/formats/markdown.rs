@@ -1,12 +1,15 @@
 //! Markdown, for the summary of a job or a comment.
 
-use crate::cli::exit::Exit;
 use crate::cli::outcome::{Entry, Outcome};
 use std::fmt::Write;
 
 /// The verdict, the entries that differ, and a collapsed table of all entries.
 pub(in crate::cli) fn markdown(outcome: &Outcome) -> String {
-    let sign = if outcome.verdict.exit == Exit::Agree { "✅" } else { "❌" };
+    let sign = match outcome.verdict.level() {
+        "notice" => "✅",
+        "warning" => "⚠️",
+        _ => "❌",
+    };
     let mut text = format!("## {sign} beamgap {}\n\n", outcome.command);
     for line in outcome.verdict.words.lines() {
         let _ = writeln!(text, "{}  ", escaped(line));

@@ -23,11 +23,11 @@ pub(in crate::cli) fn sarif(outcome: &Outcome) -> anyhow::Result<String> {
         let text = first["message"]["text"].as_str().unwrap_or_default();
         first["message"]["text"] = format!("{text}\n{}", verdict.words).into();
     }
-    // An error of the whole result has no line in the source.
-    if outcome.is_wrong_as_a_whole() {
+    // An error of the whole result has no line in the source, and a warning has none.
+    if outcome.is_wrong_as_a_whole() || verdict.is_warning {
         results.push(json!({
             "ruleId": id("verdict"),
-            "level": "error",
+            "level": verdict.level(),
             "message": { "text": verdict.words },
         }));
         rules.insert((id("verdict"), format!("beamgap {command}: the verdict.")));

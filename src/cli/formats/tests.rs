@@ -11,7 +11,7 @@ fn entry(name: &str, state: State, source: Option<Source>) -> Entry {
 
 fn outcome(exit: Exit, entries: Vec<Entry>) -> Outcome {
     let words = "VERDICT: first line.\nSecond line: a, b.".to_owned();
-    Outcome { command: "check", verdict: Verdict { exit, name: "name", words }, entries }
+    Outcome { command: "check", verdict: Verdict::new(exit, "name", words), entries }
 }
 
 fn agreeing() -> Outcome {

@@ -1,7 +1,6 @@
 //! Answers as CSV: `case,quantity,value`, one number a row.
 
-use super::{ANSWERS, Answers, Program, quantity};
-use crate::check::external::conventions::Conventions;
+use super::{ANSWERS, Answers, Head, quantity};
 use crate::check::external::error::{ExternalError, Place};
 use crate::check::external::lines::Lines;
 use crate::check::external::number;
@@ -14,8 +13,7 @@ const TITLES: &str = "case,quantity,value";
 pub(super) fn head<R: BufRead>(
     first: String,
     lines: &mut Lines<R>,
-    conventions: &mut Conventions,
-    program: &mut Program,
+    head: &mut Head,
 ) -> Result<(), ExternalError> {
     let (mut line, mut is_named) = (first, false);
     while let Some(comment) = line.trim_start().strip_prefix('#') {
@@ -27,10 +25,7 @@ pub(super) fn head<R: BufRead>(
         match key {
             "schema" if value == ANSWERS => is_named = true,
             "schema" => return Err(error(format!("schema: {ANSWERS} expected, found {value}"))),
-            "program" => value.clone_into(&mut program.name),
-            "version" => value.clone_into(&mut program.version),
-            "comment" => {}
-            _ => conventions.set(key, value).map_err(error)?,
+            _ => head.set(key, value).map_err(error)?,
         }
         lines.next_line()?.unwrap_or_default().clone_into(&mut line);
     }

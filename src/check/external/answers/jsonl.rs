@@ -1,27 +1,28 @@
 //! Answers as JSON Lines.
 
-use super::{ANSWERS, Answers, Place, Program, is_vector, quantity};
-use crate::check::external::conventions::Conventions;
+use super::{ANSWERS, Answers, Head, Place, is_vector, quantity};
 use crate::check::external::json::{JsonError, Node, Value};
 use crate::check::external::vectors::{find, id, schema};
 
 type Read<T> = Result<T, JsonError>;
 
 /// Reads the head.
-pub(super) fn head(line: &str, conventions: &mut Conventions, program: &mut Program) -> Read<()> {
+pub(super) fn head(line: &str, to: &mut Head) -> Read<()> {
     let head = schema(line, ANSWERS)?;
     for (name, node) in head.object("head")? {
         let value = match &node.value {
             Value::Number(_, word) => (*word).to_owned(),
             Value::Text(text) => text.clone().into_owned(),
             Value::Numbers(numbers) => format!("{numbers:?}").replace(".0", ""),
+            Value::List(words) => {
+                let words = words.iter().map(|word| word.text(name)).collect::<Read<Vec<_>>>()?;
+                words.join(",")
+            }
             _ => return Err(JsonError::at(node.column, format!("{name}: a string or a number expected"))),
         };
         match name.as_ref() {
-            "schema" | "comment" => {}
-            "program" => program.name = value,
-            "version" => program.version = value,
-            _ => conventions.set(name, &value).map_err(|wrong| JsonError::at(node.column, wrong))?,
+            "schema" => {}
+            _ => to.set(name, &value).map_err(|wrong| JsonError::at(node.column, wrong))?,
         }
     }
     Ok(())

@@ -149,7 +149,7 @@ fn explained(
                 }
             }
             if let Ok(compared) = compare_answers(&vector, &answers, demands) {
-                report.add(vector, answers, compared);
+                report.add(vector, Some(answers), compared);
             }
         }
         if report.wrong > 0 {

@@ -3,8 +3,9 @@
 use crate::check::external::answers::{AnswerReader, Answers, Program};
 use crate::check::external::conventions::Conventions;
 use crate::check::external::error::ExternalError;
+use crate::check::external::only::Only;
 use crate::check::external::vectors::{Vector, VectorReader};
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::Child;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -45,9 +46,10 @@ impl Feeding {
 pub(super) enum Told {
     /// The output ended before a head.
     Nothing,
-    Head(Box<(Conventions, Program)>),
+    Head(Box<(Conventions, Program, Only)>),
     Answers(Box<Answers>),
-    Error(ExternalError),
+    /// An error, and whether it is in a last line that has no end.
+    Error(ExternalError, bool),
 }
 
 /// Writes the cases to the program. Each case is announced before it is written.
@@ -103,18 +105,29 @@ pub(super) fn listen(child: &mut Child, program: &str) -> Receiver<Told> {
             if stdout.fill_buf().is_ok_and(<[u8]>::is_empty) {
                 return drop(tell.send(Told::Nothing));
             }
-            let mut answers = match AnswerReader::new(stdout, &name) {
-                Ok(answers) => answers,
-                Err(error) => return drop(tell.send(Told::Error(error))),
+            let mut output = Output { from: stdout, last: None };
+            let end = |tell: &SyncSender<Told>, error, output: &mut Output<_>| {
+                // The rest is read too, so that the program sees no closed pipe and fails for no other reason.
+                let is_cut = output.is_cut();
+                let _ = tell.send(Told::Error(error, is_cut));
+                let _ = io::copy(&mut output.from, &mut io::sink());
             };
-            if tell.send(Told::Head(Box::new((*answers.conventions(), answers.program().clone())))).is_err() {
+            let mut answers = match AnswerReader::new(&mut output, &name) {
+                Ok(answers) => answers,
+                Err(error) => return end(&tell, error, &mut output),
+            };
+            let head = (*answers.conventions(), answers.program().clone(), answers.only().clone());
+            if tell.send(Told::Head(Box::new(head))).is_err() {
                 return;
             }
             loop {
                 let next = match answers.next_answers() {
                     Ok(Some(answers)) => Told::Answers(Box::new(answers)),
                     Ok(None) => return,
-                    Err(error) => return drop(tell.send(Told::Error(error))),
+                    Err(error) => {
+                        drop(answers);
+                        return end(&tell, error, &mut output);
+                    }
                 };
                 if tell.send(next).is_err() {
                     return;
@@ -123,6 +136,41 @@ pub(super) fn listen(child: &mut Child, program: &str) -> Receiver<Told> {
         });
     }
     told
+}
+
+/// Output with the last byte that was read of it.
+struct Output<R> {
+    from: R,
+    last: Option<u8>,
+}
+
+impl<R: BufRead> Output<R> {
+    /// Whether the output ended in the middle of a line.
+    fn is_cut(&mut self) -> bool {
+        self.last != Some(b'\n') && self.from.fill_buf().is_ok_and(<[u8]>::is_empty)
+    }
+}
+
+impl<R: BufRead> Read for Output<R> {
+    fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+        let read = self.from.read(to)?;
+        self.last = to[..read].last().copied().or(self.last);
+        Ok(read)
+    }
+}
+
+impl<R: BufRead> BufRead for Output<R> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        self.from.fill_buf()
+    }
+
+    fn consume(&mut self, count: usize) {
+        // An empty buffer would be filled.
+        if let Some(Ok(buffer)) = (count > 0).then(|| self.from.fill_buf()) {
+            self.last = buffer.get(..count).and_then(|read| read.last()).copied().or(self.last);
+        }
+        self.from.consume(count);
+    }
 }
 
 /// The end of the program's standard error, after the program has closed it.

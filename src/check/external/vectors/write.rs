@@ -1,6 +1,6 @@
 //! Cases as lines of JSON.
 
-use super::{Drawing, Outcome, VECTORS, Vector};
+use super::{Drawing, Outcome, VECTORS, Vector, held_name};
 use crate::check::CAREFUL;
 use crate::check::candidate::Sides;
 use crate::check::evaluation_point::EvaluationPoint;
@@ -111,12 +111,7 @@ impl VectorWriter {
             format!("{{{}}}", entries.join(","))
         };
         let [one, two] = evaluation.partial_variations(Step::Now);
-        let held = match (evaluation.held.xi, evaluation.held.xi_bar) {
-            (false, false) => "none",
-            (true, false) => "xi",
-            (false, true) => "xi_bar",
-            (true, true) => "both",
-        };
+        let held = held_name(evaluation.held);
         format!(",\"held\":\"{held}\",\"jets\":{{\"beam\":{},\"bar\":{}}}", beam(&one), beam(&two))
     }
 
