@@ -3,6 +3,7 @@
 use super::compare::{Compared, compare_beams};
 use super::config::{CheckConfig, Oracles};
 use super::evaluation_point::EvaluationPoint;
+use super::independent_search::{Searched, searched};
 use super::verdict::Inconclusive;
 use crate::closest_point::ClosestPoint;
 use crate::linearization::{COMPONENTS, Varied};
@@ -56,6 +57,15 @@ impl CaseData {
         let beams = self.beams()?;
         let evaluation = EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.contact, point);
         Ok(evaluation.map(|evaluation| evaluation.plain(variant)))
+    }
+
+    /// Searches for its closest points in two independent ways, and compares what is found.
+    ///
+    /// # Errors
+    /// If the numbers define no beam.
+    pub fn searched(&self) -> Result<Searched, TestBeamError> {
+        let beams = self.beams()?;
+        Ok(searched(beams.each_ref().map(|beam| &**beam)))
     }
 
     pub(crate) fn beams(&self) -> Result<[Box<dyn AnyBeam>; 2], TestBeamError> {
