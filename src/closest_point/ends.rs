@@ -53,6 +53,9 @@ fn edge(
         let at = if free == 0 { [index, end] } else { [end, index] };
         let nodes = pair.nodes(at);
         let interval = nodes[free];
+        if pair.band.excludes(nodes) {
+            continue;
+        }
         let bounds = Bounds::new(nodes[0], nodes[1]);
         let across = 1 - free;
         // No minimum: the gradient along the edge keeps its sign, or that across it points inward, or F is concave.

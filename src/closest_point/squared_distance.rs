@@ -204,20 +204,32 @@ impl SquaredDistance {
     /// error times the third derivative of F along v, which is zero for straight beams and for symmetric ones.
     pub(super) fn gradient_error(&self, eigenvalue: f64, held: Held) -> f64 {
         let [t, t_bar] = self.squares.map(f64::sqrt);
-        let (a, b, c) = (self.a / self.squares[0], -self.b / t / t_bar, -self.a_bar / self.squares[1]);
         let v = match (held.xi, held.xi_bar) {
             (true, _) => Vector2::y(),
             (false, true) => Vector2::x(),
-            (false, false) if (a - eigenvalue).abs() > (c - eigenvalue).abs() => {
-                Vector2::new(-b, a - eigenvalue)
-            }
-            (false, false) => Vector2::new(c - eigenvalue, -b),
+            (false, false) => self.eigenvector(eigenvalue),
         };
-        let v = v.normalize();
         let (x, y) = (v.x / t, v.y / t_bar);
         let [xxx, xxy, xyy, yyy] = self.third;
         let third = x * x * (xxx * x + 3.0 * xxy * y) + y * y * (3.0 * xyy * x + yyy * y);
         self.rounding() * third.abs() / (eigenvalue * eigenvalue)
+    }
+
+    /// The unit eigenvector of an eigenvalue, both for unit tangents.
+    fn eigenvector(&self, eigenvalue: f64) -> Vector2<f64> {
+        let [t, t_bar] = self.squares.map(f64::sqrt);
+        let (a, b, c) = (self.a / self.squares[0], -self.b / t / t_bar, -self.a_bar / self.squares[1]);
+        if (a - eigenvalue).abs() > (c - eigenvalue).abs() {
+            Vector2::new(-b, a - eigenvalue).normalize()
+        } else {
+            Vector2::new(c - eigenvalue, -b).normalize()
+        }
+    }
+
+    /// The direction, for unit tangents, in which F changes least: along a continuum of nearest points.
+    pub(super) fn valley(&self) -> [f64; 2] {
+        let [low, high] = self.eigenvalues(Held::default());
+        self.eigenvector(if low.abs() < high.abs() { low } else { high }).into()
     }
 
     /// Whether a step of this size explains the gradient in parameter `i`: g = -H step.

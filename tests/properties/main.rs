@@ -15,6 +15,7 @@ mod closest_points;
 mod cluster;
 mod command_line;
 mod conditioning;
+mod continua;
 mod costs;
 mod degenerate;
 mod derivation;
