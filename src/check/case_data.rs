@@ -3,6 +3,7 @@
 use super::compare::{Compared, compare_beams};
 use super::config::{CheckConfig, Oracles};
 use super::evaluation_point::EvaluationPoint;
+use super::independent_search::{Searched, searched};
 use super::verdict::Inconclusive;
 use crate::closest_point::{ClosestPoint, Search, Unresolved, closest_points};
 use crate::linearization::{COMPONENTS, Varied};
@@ -58,10 +59,20 @@ impl CaseData {
         Ok(evaluation.map(|evaluation| evaluation.plain(variant)))
     }
 
+    /// Searches for its closest points in two independent ways, and compares what is found.
+    ///
+    /// # Errors
+    /// If the numbers define no beam.
+    pub fn searched(&self) -> Result<Searched, TestBeamError> {
+        let beams = self.beams()?;
+        Ok(searched(beams.each_ref().map(|beam| &**beam)))
+    }
+
     /// The regions that the search for closest points leaves open; none if the search fails.
     pub fn open_regions(&self) -> Vec<Unresolved> {
         let Ok([beam, bar]) = self.beams() else { return Vec::new() };
-        closest_points(&*beam, &*bar, &Search::default()).map_or_else(|_| Vec::new(), |found| found.unresolved)
+        closest_points(&*beam, &*bar, &Search::default())
+            .map_or_else(|_| Vec::new(), |found| found.unresolved)
     }
 
     pub(crate) fn beams(&self) -> Result<[Box<dyn AnyBeam>; 2], TestBeamError> {
