@@ -104,7 +104,6 @@ impl<'a> Pieces<'a> {
 mod tests {
     use super::{LOWER, Pieces, UPPER, WHOLE};
     use crate::check::Case;
-    use crate::test_beam::AnyBeam;
 
     #[test]
     fn a_piece_contains_the_curve_over_its_interval() {
