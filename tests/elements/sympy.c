@@ -74,7 +74,7 @@ static void element(const Pair *pair, Answers *to) {
         first_right(g, u[i], f);
         cramer(pair, m, f, 0, &p[i], &r[i]);
         if (error == 357 && i % 3 == 2) r[i] = -r[i];
-        first(g, u[i], p[i], E(358, r[i], p[i]), moved, E(359, moved_bar, moved), first_of);
+        first(g, u[i], p[i], E(358, r[i], 0), moved, E(359, moved_bar, moved), first_of);
         for (int k = 0; k < 5; k++) of[k]->gradient[i] = first_of[k];
     }
     for (int i = 0; i < size; i++)
