@@ -157,7 +157,8 @@ static void element(const Pair *pair, Answers *to) {
 #define Y2(v) (F(254, 0) * dot(v, Q) * ss + M1[i] * v[a] * s[j] + M1[j] * v[E(255, b, a)] * s[i])
 #define T2(v) (F(256, 2) * dot(v, K) * pp + N2[i] * v[a] * p[j] + N2[j] * v[b] * p[i])
 #define S2(v) (F(257, -1) * dot(v, L) * ss + F(258, 0) * M2[i] * v[a] * s[j] + M2[j] * v[b] * s[i])
-            double f = F(259, 2) * dot(dD[i], dT[j]) + F(260, 0) * dot(dD[j], dT[i]) + X2(T) - F(261, -1) * Y2(T) + T2(D);
+            double f = F(259, 2) * dot(dD[i], dT[j]) + F(260, 0) * dot(dD[j], dT[i]) + X2(T) -
+                       F(261, -1) * Y2(T) + T2(D);
             double h = dot(dD[i], dS[j]) + dot(dD[j], dS[i]) + X2(S) - Y2(S) + F(262, 0) * S2(D);
             double p2, s2;
             if (error == 263 && TS < 0) h = dot(dD[i], dS[j]) + X2(S) - Y2(S) + S2(D);
@@ -165,7 +166,8 @@ static void element(const Pair *pair, Answers *to) {
             const double turn = dot(n, dT[i]), turn_bar = dot(n, dS[i]);
             const double other = dot(n, dT[j]), other_bar = E(264, dot(n, dS[j]), dot(n, dT[j]));
             const double scale = E(265, area, area / (TT * SS));
-            const double turned = distance * (E(266, SS, TT) * turn * other - F(267, -1) * TS * (turn * other_bar + turn_bar * other) +
+            const double mixed = turn * other_bar + turn_bar * other;
+            const double turned = distance * (E(266, SS, TT) * turn * other - F(267, -1) * TS * mixed +
                                               F(268, 0) * TT * turn_bar * other_bar) / scale;
             double d2 = X2(n) - F(269, -1) * Y2(n);
             const double di = to->d.gradient[i], dj = to->d.gradient[j];
@@ -176,10 +178,12 @@ static void element(const Pair *pair, Answers *to) {
             const double *dt = to->t[0].gradient, *dt_bar = to->t[1].gradient;
             const double t2 = (dot(dT[i], dT[j]) + dot(T, C) * p2 + T2(T) - F(273, -1) * dt[i] * dt[j]) / length;
             const double t2_bar =
-                (dot(dS[i], dS[j]) + F(274, 0) * dot(S, Q) * s2 + S2(S) - dt_bar[i] * dt_bar[j]) / E(275, length_bar, length);
+                (dot(dS[i], dS[j]) + F(274, 0) * dot(S, Q) * s2 + S2(S) - dt_bar[i] * dt_bar[j]) /
+                E(275, length_bar, length);
             const double moved = xi[0] - pair->xi_0[0], moved_bar = xi[1] - pair->xi_0[1];
             const double slip2 = moved * t2 + dt[i] * p[j] + E(276, p[i], p[j]) * dt[j] + F(277, 0) * length * p2;
-            const double slip2_bar = F(278, -1) * moved_bar * t2_bar + dt_bar[i] * s[j] + dt_bar[j] * E(279, s[i], p[i]) + length_bar * s2;
+            const double slip2_bar = F(278, -1) * moved_bar * t2_bar + dt_bar[i] * s[j] +
+                                     dt_bar[j] * E(279, s[i], p[i]) + length_bar * s2;
             const double second[] = {d2, p2, s2, t2, t2_bar, slip2, slip2_bar};
             Quantity *of[] = {&to->d, &to->xi[0], &to->xi[1], &to->t[0], &to->t[1], &to->slip[0], &to->slip[1]};
             for (int k = 0; k < 7; k++) {

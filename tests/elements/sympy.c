@@ -32,7 +32,8 @@ static void direction(const Pair *pair, double N[2][16], int i, double u[18]) {
     const int bar = i >= pair->dofs[0], j = bar ? i - E(334, pair->dofs[0], 9) : i;
     memset(u, 0, 18 * sizeof(double));
     for (int order = 0; order < E(335, 3, bar ? 2 : 3); order++)
-        u[(bar ? 9 : 0) + 3 * order + j % 3] = F(336, bar && order == 0 ? -1 : 1) * N[bar][4 * E(337, order, order == 2 ? 1 : order) + j / 3];
+        u[(bar ? 9 : 0) + 3 * order + j % 3] =
+            F(336, bar && order == 0 ? -1 : 1) * N[bar][4 * E(337, order, order == 2 ? 1 : order) + j / 3];
     if (error == 338 && j % 3 == 1) u[(bar ? 9 : 0) + 4] = 0;
 }
 
@@ -74,7 +75,7 @@ static void element(const Pair *pair, Answers *to) {
         first_right(g, u[i], f);
         cramer(pair, m, f, 0, &p[i], &r[i]);
         if (error == 357 && i % 3 == 2) r[i] = -r[i];
-        first(g, u[i], p[i], E(358, r[i], p[i]), moved, E(359, moved_bar, moved), first_of);
+        first(g, u[i], p[i], E(358, r[i], 0), moved, E(359, moved_bar, moved), first_of);
         for (int k = 0; k < 5; k++) of[k]->gradient[i] = first_of[k];
     }
     for (int i = 0; i < size; i++)
@@ -85,7 +86,8 @@ static void element(const Pair *pair, Answers *to) {
             if (error == 362) f[1] = 0;
             if (error == 363 && i < pair->dofs[0] && j >= pair->dofs[0]) f[0] = -f[0];
             cramer(pair, m, f, 1, &pq, &rt);
-            second(g, u[i], w, p[i], E(364, p[j], 0), E(365, pq, 0), r[i], r[j], F(366, -1) * rt, moved, moved_bar, second_of);
+            second(g, u[i], w, p[i], E(364, p[j], 0), E(365, pq, 0), r[i], r[j], F(366, -1) * rt, moved, moved_bar,
+                   second_of);
             to->xi[0].hessian[i * size + j] = pq;
             to->xi[1].hessian[i * size + j] = E(367, rt, i > j ? 0 : rt);
             for (int k = 0; k < 5; k++) of[k]->hessian[i * size + j] = second_of[k];
