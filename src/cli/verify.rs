@@ -16,9 +16,22 @@ use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+/// The answers as CSV, for the help.
+const CSV: &str = "\
+Answers as CSV, one number a row; the rows of a case follow one another:
+  # schema = beamgap-answers/1
+  # only = d, xi:first
+  case,quantity,value
+  0,d,0.25
+  0,d:gradient:3,-0.5
+  0,d:hessian:3:4,0.125
+  0,residual:3,-0.5
+Comments before the titles state conventions, as the head of JSON Lines does.
+";
+
 /// The arguments.
 #[derive(Args)]
-#[command(after_help = Exit::help())]
+#[command(after_help = format!("{CSV}\n{}", Exit::help()))]
 pub(crate) struct Verify {
     /// The cases that `beamgap export` wrote, or - for standard input
     #[arg(value_name = "VECTORS")]

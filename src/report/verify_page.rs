@@ -97,8 +97,8 @@ fn regime((regime, of): (&String, &RegimeFound)) -> Vec<String> {
 
 impl VerifyRun {
     fn row(&self) -> Vec<String> {
-        let Report { program, vectors, compared, wrong, missing, unanswered, .. } = &self.report;
-        let counts = [*vectors, *compared, *wrong, missing + unanswered].map(count);
+        let Report { program, vectors, compared, wrong, missing, unanswered, not_asked, .. } = &self.report;
+        let counts = [*vectors, *compared, *wrong, missing + unanswered + not_asked].map(count);
         let name = program.name.clone() + &self.asked();
         [name, program.version.clone()].into_iter().chain(counts).collect()
     }

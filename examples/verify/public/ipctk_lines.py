@@ -59,10 +59,13 @@ def closest_point(case):
 
 
 FUNCTIONS = {
-    "line-line": (line_line, {"distance": "d^2"}),
-    "signed": (signed, {}),
-    "edge-edge": (edge_edge, {"distance": "d^2"}),
-    "closest-point": (closest_point, {"parameter": "[0,1]"}),
+    "line-line": (line_line, {"distance": "d^2", "only": ["d"], "only_held": "none"}),
+    "signed": (signed, {"only": ["d"], "only_held": "none"}),
+    "edge-edge": (edge_edge, {"distance": "d^2", "only": ["d"]}),
+    "closest-point": (
+        closest_point,
+        {"parameter": "[0,1]", "only": ["xi:value", "xi:first", "xi_bar:value", "xi_bar:first"], "only_held": "none"},
+    ),
 }
 
 element, conventions = FUNCTIONS[sys.argv[1]]

@@ -197,7 +197,9 @@ impl Sides {
             let found = numbers.map_or(expected, <[f64]>::len);
             if found != expected {
                 let name = quantity.name();
-                return Err(format!("{what} of {name}: {expected} numbers expected, found {found}"));
+                let is_triangle = what == "Hessian" && found == dofs * (dofs + 1) / 2;
+                let hint = if is_triangle { ": a triangle alone; the whole matrix is expected" } else { "" };
+                return Err(format!("{what} of {name}: {expected} numbers expected, found {found}{hint}"));
             }
         }
         let mut entries = Vec::new();

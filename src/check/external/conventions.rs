@@ -37,7 +37,7 @@ pub enum Length {
     HalfSquared,
 }
 
-/// The order of the dofs of a beam.
+/// The order of the dofs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dofs {
     /// Node by node: x, y and z of each.
@@ -45,6 +45,8 @@ pub enum Dofs {
     NodeMajor,
     /// All x, then all y, then all z.
     ComponentMajor,
+    /// All x of both beams, then all y, then all z.
+    PairComponentMajor,
 }
 
 /// The conventions of a program.
@@ -59,7 +61,7 @@ pub struct Conventions {
     pub length: Length,
     /// Whether the gap is the penetration r + r_bar - d.
     pub gap_is_negative: bool,
-    /// The order of the dofs of a beam.
+    /// The order of the dofs.
     pub dofs: Dofs,
     /// Whether the dofs of the bar beam come first.
     pub bar_first: bool,
@@ -75,6 +77,8 @@ pub struct Conventions {
     pub penalty: Option<Penalty>,
     /// The first index of rows and columns, in answers that have indices.
     pub first_index: usize,
+    /// Whether null stands for a dof that the element does not have.
+    pub null_is_no_dof: bool,
 }
 
 /// A contact element with the energy stiffness g_N²/2. Its residual is the gradient and its tangent the Hessian of it.
@@ -101,17 +105,18 @@ impl Default for Conventions {
             tangent_is_negative: false,
             penalty: None,
             first_index: 0,
+            null_is_no_dof: false,
         }
     }
 }
 
 /// The keys of the head, each with its values. The first value is the default.
-pub(super) const KEYS: [(&str, &[&str]); 13] = [
+pub(super) const KEYS: [(&str, &[&str]); 14] = [
     ("parameter", &["[-1,1]", "[0,1]"]),
     ("d", &["x - x_bar", "x_bar - x"]),
     ("distance", &["d", "d^2", "d^2/2"]),
     ("gap", &["d - r - r_bar", "r + r_bar - d"]),
-    ("dofs", &["node-major", "component-major"]),
+    ("dofs", &["node-major", "component-major", "component-major over both beams"]),
     ("beams", &["beam first", "bar first"]),
     ("matrix", &["row-major", "column-major"]),
     ("residual_sign", &["+", "-"]),
@@ -120,6 +125,7 @@ pub(super) const KEYS: [(&str, &[&str]); 13] = [
     ("penalty_active", &["penetration", "always"]),
     ("penalty_stiffness", &[]),
     ("hermite_tangent", &[]),
+    ("null", &["not a number", "no dof"]),
 ];
 
 impl Conventions {
@@ -147,12 +153,16 @@ impl Conventions {
             "d" => self.d_is_negative = choice()? == 1,
             "distance" => self.length = [Length::Distance, Length::Square, Length::HalfSquared][choice()?],
             "gap" => self.gap_is_negative = choice()? == 1,
-            "dofs" => self.dofs = [Dofs::NodeMajor, Dofs::ComponentMajor][choice()?],
+            "dofs" => {
+                let orders = [Dofs::NodeMajor, Dofs::ComponentMajor, Dofs::PairComponentMajor];
+                self.dofs = orders[choice()?];
+            }
             "beams" => self.bar_first = choice()? == 1,
             "matrix" => self.column_major = choice()? == 1,
             "residual_sign" => self.residual_is_negative = choice()? == 1,
             "tangent_sign" => self.tangent_is_negative = choice()? == 1,
             "first_index" => self.first_index = choice()?,
+            "null" => self.null_is_no_dof = choice()? == 1,
             "penalty_active" => self.penalty = Some(Penalty { always: choice()? == 1, ..penalty }),
             "penalty_stiffness" => self.penalty = Some(Penalty { stiffness: positive()?, ..penalty }),
             _ => self.hermite_tangent = positive()?,
@@ -230,7 +240,7 @@ impl Conventions {
             };
             let nodes = count / width;
             let place = move |k: usize| match self.dofs {
-                Dofs::NodeMajor => k,
+                Dofs::NodeMajor | Dofs::PairComponentMajor => k,
                 Dofs::ComponentMajor if width == count => k,
                 Dofs::ComponentMajor => (k % nodes) * width + k / nodes,
             };
@@ -242,7 +252,23 @@ impl Conventions {
         let [beam, bar] = families;
         let first = of_beam(0, beam).collect::<Vec<_>>();
         let second = of_beam(beam.units().len(), bar).collect::<Vec<_>>();
-        if self.bar_first { [second, first].concat() } else { [first, second].concat() }
+        let both = if self.bar_first { [second, first].concat() } else { [first, second].concat() };
+        if self.dofs != Dofs::PairComponentMajor {
+            return both;
+        }
+        // Coordinates and weights of both beams, one after the other. Dofs that belong to no node come last.
+        let start = beam.units().len();
+        let component = |(place, _): &(usize, f64)| {
+            let (family, place) = if *place < start { (beam, *place) } else { (bar, *place - start) };
+            match family {
+                Family::Arc | Family::Helix => 4,
+                Family::NurbsWeighted => place % 4,
+                _ => place % 3,
+            }
+        };
+        let mut sorted = both;
+        sorted.sort_by_key(component);
+        sorted
     }
 
     /// A direction in the dofs of the program.

@@ -193,6 +193,10 @@ impl Known {
         let along = |k: usize| {
             // Every dof occurs, together with others of both beams.
             let (row, column) = ((7 * k + 1) % dofs, (5 * k + dofs / 2) % dofs);
+            // A dof that the element does not have has no direction.
+            if self.vector.directions().iter().any(|along| along[row] == 0.0 || along[column] == 0.0) {
+                return None;
+            }
             let mut vector = self.vector.clone();
             let [beam, bar] = &mut vector.case.test_beams;
             let split = beam.q.len();

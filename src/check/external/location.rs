@@ -3,6 +3,7 @@
 use super::answers::Answers;
 use super::compare::Judged;
 use super::conventions::{Conventions, Length, Range};
+use super::shape::Shape;
 use super::vectors::Vector;
 use crate::check::evaluation_point::Dense;
 use crate::check::serialized::short;
@@ -32,6 +33,8 @@ pub struct Location {
     pub differing: usize,
     /// Whether the matrix of differences is antisymmetric.
     pub is_antisymmetric: bool,
+    /// The shape of the matrix, if it is not an ordinary symmetric one.
+    pub shape: Option<Shape>,
 }
 
 /// The entry of the answers that differs most, if the wrong number is a contraction.
@@ -65,8 +68,18 @@ pub fn locate(
         })
         .ok()??;
     let expected = if is_second { expected.1 } else { expected.0 };
-    let dofs = vector.families().map(|family| family.units().len());
-    entry(answered, &expected, dofs, conventions, (is_energy, is_second))
+    let beam = vector.families()[0].units().len();
+    let directions = vector.directions();
+    // A dof that the element does not have has no direction.
+    let dofs: Vec<Dof> = conventions
+        .dofs(vector.families())
+        .into_iter()
+        .map(|(place, _)| Dof {
+            block: if place < beam { "beam" } else { "bar" },
+            is_there: directions.iter().any(|direction| direction[place] != 0.0),
+        })
+        .collect();
+    entry(answered, &expected, &dofs, conventions, (is_energy, is_second))
 }
 
 /// Gradient and Hessian in the conventions of a program; a Hessian row by row.
@@ -122,19 +135,30 @@ fn expected(
     Some((own, rows.collect()))
 }
 
+/// A dof of the program.
+struct Dof {
+    /// Its beam.
+    block: &'static str,
+    /// Whether the element has it.
+    is_there: bool,
+}
+
 fn entry(
     answered: &[f64],
     expected: &[f64],
-    [beam, bar]: [usize; 2],
+    dofs: &[Dof],
     conventions: &Conventions,
     (is_energy, is_second): (bool, bool),
 ) -> Option<Location> {
-    let size = beam + bar;
+    let size = dofs.len();
     if answered.len() != expected.len() {
         return None;
     }
     let at = |k: usize| if conventions.column_major && is_second { (k % size) * size + k / size } else { k };
     let difference = |k: usize| {
+        if !(dofs[k % size].is_there && dofs[if is_second { k / size } else { k }].is_there) {
+            return 0.0;
+        }
         let difference = (answered[at(k)] - expected[k]).abs();
         if difference.is_nan() { f64::INFINITY } else { difference }
     };
@@ -147,8 +171,8 @@ fn entry(
         (signed(k) + signed(mirror)).abs() <= 1e-6 * difference(worst)
     };
     let indices = if is_second { vec![worst / size, worst % size] } else { vec![worst] };
-    let first = if conventions.bar_first { bar } else { beam };
-    let block = indices.iter().map(|&i| if (i < first) == conventions.bar_first { "bar" } else { "beam" });
+    let block = indices.iter().map(|&i| dofs[i].block);
+    let rows: Vec<f64> = (0..answered.len()).map(|k| answered[at(k)]).collect();
     Some(Location {
         what: match (is_energy, is_second) {
             (false, false) => "gradient",
@@ -162,6 +186,7 @@ fn entry(
         scaled_error: difference(worst) / largest,
         differing: (0..expected.len()).filter(|&k| difference(k) > limit).count(),
         is_antisymmetric: is_second && (0..expected.len()).all(antisymmetric),
+        shape: if is_second { Shape::of(&rows, expected, size) } else { None },
         indices,
     })
 }

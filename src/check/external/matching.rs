@@ -3,6 +3,7 @@
 use super::answers::{Answers, Program};
 use super::compare::{Demands, compare_case};
 use super::error::ExternalError;
+use super::no_dof::without;
 use super::only::Only;
 use super::recent::Recent;
 use super::report::Report;
@@ -130,12 +131,25 @@ impl Matching {
     /// If an answer has the wrong number of entries.
     pub fn compare(&mut self) -> Result<(), ExternalError> {
         let ready = std::mem::take(&mut self.ready);
-        let compare = |(vector, answers): &(Vector, Option<Answers>)| {
-            compare_case(vector, answers.as_ref(), &self.demands, &self.only)
+        let compare = |(vector, answers): (Vector, Option<Answers>)| {
+            let conventions = &self.demands.conventions;
+            let (vector, answers) = match answers {
+                Some(answers) if conventions.null_is_no_dof => {
+                    let place = answers.place.clone();
+                    let id = answers.id.clone();
+                    let (vector, answers) = without(vector, answers, conventions)
+                        .map_err(|wrong| place.error(format!("case {id}: {wrong}")))?;
+                    (vector, Some(answers))
+                }
+                answers => (vector, answers),
+            };
+            let found = compare_case(&vector, answers.as_ref(), &self.demands, &self.only)?;
+            Ok((vector, answers, found))
         };
-        let found: Vec<_> = ready.par_iter().map(compare).collect();
-        for ((vector, answers), found) in ready.into_iter().zip(found) {
-            self.report.add(vector, answers, found?);
+        let found: Vec<Result<_, ExternalError>> = ready.into_par_iter().map(compare).collect();
+        for found in found {
+            let (vector, answers, found) = found?;
+            self.report.add(vector, answers, found);
         }
         Ok(())
     }

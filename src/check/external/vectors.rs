@@ -20,7 +20,7 @@ use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::verdict::Inconclusive;
 use crate::check::{CaseData, Regime};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
-use crate::test_beam::Family;
+use crate::test_beam::{AnyBeam, Family};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -51,6 +51,10 @@ pub enum Outcome {
     Degenerate(Inconclusive),
     /// There is none.
     NoProjection,
+    /// The given point is not one.
+    OtherPoint,
+    /// A beam has no length.
+    NoLength,
 }
 
 impl Outcome {
@@ -58,8 +62,8 @@ impl Outcome {
     pub fn name(self) -> &'static str {
         match self {
             Self::Valid => "valid",
-            Self::Degenerate(_) => "degenerate",
-            Self::NoProjection => "no-projection",
+            Self::Degenerate(_) | Self::NoLength => "degenerate",
+            Self::NoProjection | Self::OtherPoint => "no-projection",
         }
     }
 
@@ -69,6 +73,8 @@ impl Outcome {
             Self::Valid => "valid",
             Self::Degenerate(reason) => reason.reason(),
             Self::NoProjection => "no closest point is known",
+            Self::OtherPoint => "the given point is not a closest point of the beams",
+            Self::NoLength => "a beam has no length",
         }
     }
 }
@@ -122,7 +128,7 @@ impl Drawing {
             point: None,
             place: None,
         };
-        if let Some(point) = vector.closest_point() {
+        if let Ok(point) = vector.closest_point() {
             vector.point = Some((point.xi, point.xi_bar));
             // Gaps alternate for each pair of families.
             let is_closed =
@@ -143,15 +149,28 @@ impl Drawing {
 
 impl Vector {
     /// The nearest closest point, or the one next to the given parameters.
-    fn closest_point(&self) -> Option<ClosestPoint> {
-        let beams = self.case.beams().ok()?;
-        let minima = closest_points(&*beams[0], &*beams[1], &Search::default()).ok()?.minima;
+    fn closest_point(&self) -> Result<ClosestPoint, Outcome> {
+        let beams = self.case.beams().map_err(|_| Outcome::NoProjection)?;
+        let is_point = |beam: &dyn AnyBeam| {
+            [-1.0, -0.5, 0.0, 0.5, 1.0].iter().all(|&xi| beam.geometry(xi).t.iter().all(|t| *t == 0.0))
+        };
+        if beams.iter().any(|beam| is_point(&**beam)) {
+            return Err(Outcome::NoLength);
+        }
+        let found = closest_points(&*beams[0], &*beams[1], &Search::default())
+            .map_err(|_| Outcome::Degenerate(Inconclusive::SearchFailed))?;
+        let (minima, is_open) = (found.minima, !found.unresolved.is_empty());
         let away = |point: &ClosestPoint| match self.point {
             Some((xi, xi_bar)) => (point.xi - xi).abs().max((point.xi_bar - xi_bar).abs()),
             None => point.distance,
         };
-        let point = minima.into_iter().min_by(|one, two| away(one).total_cmp(&away(two)))?;
-        (self.point.is_none() || away(&point) <= NEAR).then_some(point)
+        let nearest = minima.into_iter().min_by(|one, two| away(one).total_cmp(&away(two)));
+        let nearest = nearest.filter(|point| self.point.is_none() || away(point) <= NEAR);
+        nearest.ok_or(match (is_open, self.point) {
+            (true, _) => Outcome::Degenerate(Inconclusive::Unresolved),
+            (false, Some(_)) => Outcome::OtherPoint,
+            (false, None) => Outcome::NoProjection,
+        })
     }
 
     /// The result of `f` at the closest point, or the reason why there is none.
@@ -160,7 +179,7 @@ impl Vector {
         f: impl FnOnce(EvaluationPoint<'_>) -> R,
     ) -> Result<R, Outcome> {
         let beams = self.case.beams().map_err(|_| Outcome::NoProjection)?;
-        let point = self.closest_point().ok_or(Outcome::NoProjection)?;
+        let point = self.closest_point()?;
         let evaluation =
             EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.case.contact, &point);
         evaluation.map(f).map_err(Outcome::Degenerate)

@@ -7,9 +7,9 @@ use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
 use beamgap::check::external::{
     self, Cause, Demands, Explanation, FewDigits, FewKind, Judged, Location, OtherConventions, RunnerUp,
-    few_digits, locate, other_conventions,
+    Shape, few_digits, locate, other_conventions,
 };
-use beamgap::check::{Order, look_at};
+use beamgap::check::{Comparison, Order, look_at};
 use beamgap::linearization::Quantity;
 use beamgap::variant::with_faults;
 use std::fmt::Write;
@@ -26,6 +26,8 @@ pub(in crate::cli) struct Diagnosed {
     is_not_finite: bool,
     /// The differences of the first wrong Hessian are antisymmetric.
     is_antisymmetric: bool,
+    /// The matrix and its shape, if the first wrong one is a triangle or has doubled entries.
+    shape: Option<(String, Shape)>,
     /// The conventions in which the answers agree, or in which the explanation is valid.
     pub(in crate::cli) conventions: Option<OtherConventions>,
     /// The digits of the answers, if they are few and none were requested.
@@ -50,7 +52,14 @@ impl Diagnosed {
             &Demands { digits: demands.digits.or(few_digits.as_ref().map(|few| few.digits)), ..*demands };
         let is_not_finite = !judged.comparison.closed.is_finite();
         let location = explain.then(|| locate(vector, answers, judged, &demands.conventions)).flatten();
-        let is_antisymmetric = location.is_some_and(|location| location.is_antisymmetric);
+        let is_antisymmetric = location.as_ref().is_some_and(|location| location.is_antisymmetric);
+        let shape = location.and_then(|location| {
+            let shape = location.shape.filter(|shape| *shape != Shape::Unsymmetric)?;
+            Some((matrix_name(&location, &judged.comparison), shape))
+        });
+        if shape.is_some() {
+            return Self { shape, few_digits, ..Self::default() };
+        }
         let other = other_conventions(&report.kept, demands);
         let found = Self { is_not_finite, is_antisymmetric, few_digits, ..Self::default() };
         // Several terms lead to one number that is not finite.
@@ -86,6 +95,9 @@ impl Diagnosed {
             Self { is_rounding: true, .. } => {
                 "Rounding of the textbook formulas explains it.\nThe formulas are right, but keep too few digits here."
                     .to_owned()
+            }
+            Self { shape: Some((matrix, shape)), .. } => {
+                folded(&format!("Cause: the {matrix} {}. Both triangles are expected.", shape.words()), "", "  ")
             }
             Self { few_digits: Some(few), .. } if few.settles() => String::new(),
             Self { conventions: Some(other), .. } if other.agree() => {
@@ -273,6 +285,14 @@ fn at(order: Order, quantity: Quantity) -> &'static str {
     }
 }
 
+/// An array in words, such as Hessian of d.
+fn matrix_name(location: &Location, comparison: &Comparison) -> String {
+    match location.what {
+        "residual" | "tangent" => location.what.to_owned(),
+        what => format!("{what} of {}", name_of(comparison)),
+    }
+}
+
 /// The wrong number itself: for a gradient or a Hessian, the entry that differs most.
 fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, usize)>) -> String {
     let comparison = &judged.comparison;
@@ -296,14 +316,13 @@ fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, 
     } else {
         String::new()
     };
-    let is_of_element = matches!(location.what, "residual" | "tangent");
-    let name = if is_of_element { String::new() } else { format!(" of {name}") };
+    let matrix = matrix_name(location, comparison);
+    let shape = location.shape.map_or_else(String::new, |shape| format!("The {matrix} {}.\n", shape.words()));
     let antisymmetric = if location.is_antisymmetric { ANTISYMMETRIC } else { "" };
     format!(
-        "First wrong number: entry [{}] of the {}{name}, case {case}\n{}  in the block {}, scaled error {}{differing}\n  \
-         along two directions: difference {difference}, tolerance {tolerance}\n{antisymmetric}",
+        "First wrong number: entry [{}] of the {matrix}, case {case}\n{}  in the block {}, scaled error {}{differing}\n  \
+         along two directions: difference {difference}, tolerance {tolerance}\n{antisymmetric}{shape}",
         indices.join(","),
-        location.what,
         numbers(location.answered, location.expected),
         location.block.join(" x "),
         error(location.scaled_error)

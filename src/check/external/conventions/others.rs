@@ -73,6 +73,10 @@ impl Conventions {
             Self { dofs: Dofs::ComponentMajor, ..*self },
             "the dofs come component by component (\"dofs\":\"component-major\")",
         );
+        add(
+            Self { dofs: Dofs::PairComponentMajor, ..*self },
+            "the dofs of both beams come component by component (\"dofs\":\"component-major over both beams\")",
+        );
         let (first, value) = if self.bar_first { ("beam", "beam first") } else { ("bar beam", "bar first") };
         let words = format!("the dofs of the {first} come first (\"beams\":\"{value}\")");
         add(Self { bar_first: !self.bar_first, ..*self }, &words);
@@ -133,6 +137,7 @@ impl Conventions {
             ),
             penalty: self.penalty,
             first_index: self.first_index,
+            null_is_no_dof: self.null_is_no_dof,
         }
     }
 }

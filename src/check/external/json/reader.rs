@@ -1,6 +1,7 @@
 //! The grammar of JSON, with numbers in any notation.
 
 use super::{JsonError, Node, Read, Value};
+use crate::check::external::no_dof::NULL;
 use crate::check::external::number;
 use std::borrow::Cow;
 
@@ -99,7 +100,7 @@ impl<'a> Reader<'a> {
             let node = self.value(depth + 1)?;
             let number = match &node.value {
                 Value::Number(number, _) => Some(*number),
-                Value::Null => Some(f64::NAN),
+                Value::Null => Some(NULL),
                 Value::Text(text) => number::parse(text).ok(),
                 _ => None,
             };
