@@ -22,6 +22,7 @@ mod formula;
 mod human;
 mod json;
 mod merge;
+mod open_regions;
 mod outcome;
 mod output;
 mod panics;

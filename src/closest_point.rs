@@ -12,8 +12,10 @@
 //! without directed rounding. A point whose scaled eigenvalue is far above [`Search::resolution`] is resolved.
 
 mod bounds;
+mod continuum;
 mod ends;
 mod error;
+mod nearest;
 mod newton;
 mod point;
 mod search;
@@ -21,6 +23,7 @@ mod squared_distance;
 mod tree;
 mod unresolved;
 
+pub use continuum::Continuum;
 pub use error::ProjectionError;
 pub use newton::refine;
 pub use point::{ClosestPoint, Degeneracy, End, Held, Kind, Side};
@@ -31,7 +34,7 @@ use crate::number::Which;
 use crate::pair::{self, DofVector};
 use ends::Rim;
 use nalgebra::SVector;
-use search::{Inside, Pair};
+use search::{Band, Inside, Pair};
 use tree::{ROOT, Tree};
 
 /// A curve with fixed degrees of freedom, as the search uses it.
@@ -125,11 +128,13 @@ pub struct Search {
     pub boxes: usize,
     /// The half-width, in the parameters, below which a box is no longer divided.
     pub resolution: f64,
+    /// Pairs of parameters with |xi - `xi_bar`| below this are left out: see [`Search::without_diagonal`].
+    pub diagonal: f64,
 }
 
 impl Default for Search {
     fn default() -> Self {
-        Self { boxes: 1 << 14, resolution: 1.0 / f64::from(1 << 20) }
+        Self { boxes: 1 << 14, resolution: 1.0 / f64::from(1 << 20), diagonal: 0.0 }
     }
 }
 
@@ -144,6 +149,16 @@ impl Search {
     #[must_use]
     pub fn with_resolution(self, resolution: f64) -> Self {
         Self { resolution, ..self }
+    }
+
+    /// These limits without the pairs of parameters with |xi - `xi_bar`| < `width`.
+    ///
+    /// A curve touches itself where its distance to itself has a minimum apart from the diagonal xi = `xi_bar`. Each such
+    /// minimum is listed twice, with the parameters exchanged. A pair with |xi - `xi_bar`| = `width` is no minimum, unless
+    /// the distance is stationary there.
+    #[must_use]
+    pub fn without_diagonal(self, width: f64) -> Self {
+        Self { diagonal: width, ..self }
     }
 }
 
@@ -171,8 +186,12 @@ pub struct Unresolved {
     pub xi_bar: [f64; 2],
     /// The number of boxes that cover the region.
     pub boxes: usize,
-    /// A point near the smallest distance in the region.
+    /// A point of the region at the smallest distance. Of a continuum of such points it is one in the middle.
     pub point: ClosestPoint,
+    /// An interval that contains the smallest distance in the region. The upper end is the distance of [`Self::point`].
+    pub distance: [f64; 2],
+    /// Why the region is open.
+    pub continuum: Continuum,
 }
 
 /// The cost of a search.
@@ -200,7 +219,8 @@ pub fn closest_points(
     bar: &dyn Centroid,
     options: &Search,
 ) -> Result<ClosestPoints, ProjectionError> {
-    let mut pair = Pair { curves: [beam, bar], trees: [Tree::new(beam)?, Tree::new(bar)?] };
+    let band = Band { width: options.diagonal };
+    let mut pair = Pair { curves: [beam, bar], trees: [Tree::new(beam)?, Tree::new(bar)?], band };
     for (tree, which) in pair.trees.iter().zip([Which::Beam, Which::Bar]) {
         let root = tree.node(ROOT);
         if root.speed == 0.0 && root.turn == 0.0 {
@@ -214,28 +234,39 @@ pub fn closest_points(
         intervals: rim.intervals,
         evaluations: pair.trees.iter().map(Tree::evaluations).sum(),
     };
-    assemble(&pair, inside, rim, statistics)
+    assemble(&mut pair, inside, rim, statistics, options.boxes)
 }
 
 /// Collects all results, each point once.
 fn assemble(
-    pair: &Pair,
-    inside: Inside,
+    pair: &mut Pair,
+    mut inside: Inside,
     rim: Rim,
     statistics: Statistics,
+    boxes: usize,
 ) -> Result<ClosestPoints, ProjectionError> {
     let mut unresolved = Vec::new();
     let mut points: Vec<ClosestPoint> = Vec::new();
+    let mut open = Vec::with_capacity(inside.open.len());
+    for region in inside.open {
+        if !region.is_corner(pair)? {
+            open.push(region);
+        }
+    }
+    inside.open = open;
     for zero in inside.zeros {
-        add(&mut points, ends::at_end(pair, &zero).unwrap_or(zero));
+        let zero = ends::at_end(pair, &zero).unwrap_or(zero);
+        if !zero.leads_inward() {
+            add(&mut points, zero);
+        }
     }
     for region in &inside.open {
-        unresolved.push(region.unresolved(region.point(pair)?));
+        unresolved.push(region.unresolved(pair, boxes)?);
     }
     for region in &rim.open {
         // An open region inside that touches an edge already covers the open region of the edge.
         if !inside.open.iter().any(|known| known.touches(region)) {
-            unresolved.push(region.unresolved(region.point(pair)?));
+            unresolved.push(region.unresolved(pair, boxes)?);
         }
     }
     for point in rim.minima {
@@ -245,6 +276,7 @@ fn assemble(
             add(&mut points, ends::at_end(pair, &point).unwrap_or(point));
         }
     }
+    points.retain(|point| pair.band.contains((point.xi, point.xi_bar)));
     points.sort_by(|p, q| p.distance.total_cmp(&q.distance));
     let (minima, stationary) = points.into_iter().partition(|point| point.kind == Kind::Minimum);
     Ok(ClosestPoints { minima, stationary, unresolved, statistics })
@@ -272,8 +304,11 @@ impl ClosestPoints {
         let nearest = self.minima.iter().find(|point| point.is_interior());
         let limit = nearest.map_or(f64::INFINITY, |point| point.distance);
         for region in &self.unresolved {
+            let is_near = region.point.is_interior() && region.point.distance <= limit;
+            // Near a tangent without length, rounding decides about the eigenvalue, although no continuum is there.
+            let is_still = matches!(region.continuum, Continuum::ZeroTangent { .. });
             if let (Some(Degeneracy::Singular { conditioning }), true) =
-                (region.point.degeneracy(), region.point.is_interior() && region.point.distance <= limit)
+                (region.point.degeneracy(), is_near && !is_still)
             {
                 return Err(ProjectionError::Singular { conditioning });
             }

@@ -18,6 +18,8 @@ mod operation_count;
 mod polynomial_degree;
 mod prime_field;
 mod running_error;
+#[cfg(feature = "check")]
+mod taylor_series;
 mod term_scale;
 #[cfg(feature = "check")]
 mod traced;
@@ -39,6 +41,8 @@ pub use operation_count::OperationCount;
 pub use polynomial_degree::PolynomialDegree;
 pub use prime_field::PrimeField;
 pub use running_error::{Bound, RunningError, RunningErrorBy};
+#[cfg(feature = "check")]
+pub(crate) use taylor_series::TaylorSeries;
 pub use term_scale::TermScale;
 #[cfg(feature = "check")]
 pub(crate) use traced::Traced;

@@ -3,8 +3,9 @@
 use super::compare::{Compared, compare_beams};
 use super::config::{CheckConfig, Oracles};
 use super::evaluation_point::EvaluationPoint;
+use super::independent_search::{Searched, searched};
 use super::verdict::Inconclusive;
-use crate::closest_point::ClosestPoint;
+use crate::closest_point::{ClosestPoint, Search, Unresolved, closest_points};
 use crate::linearization::{COMPONENTS, Varied};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, TestBeam, TestBeamError};
@@ -56,6 +57,22 @@ impl CaseData {
         let beams = self.beams()?;
         let evaluation = EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.contact, point);
         Ok(evaluation.map(|evaluation| evaluation.plain(variant)))
+    }
+
+    /// Searches for its closest points in two independent ways, and compares what is found.
+    ///
+    /// # Errors
+    /// If the numbers define no beam.
+    pub fn searched(&self) -> Result<Searched, TestBeamError> {
+        let beams = self.beams()?;
+        Ok(searched(beams.each_ref().map(|beam| &**beam)))
+    }
+
+    /// The regions that the search for closest points leaves open; none if the search fails.
+    pub fn open_regions(&self) -> Vec<Unresolved> {
+        let Ok([beam, bar]) = self.beams() else { return Vec::new() };
+        closest_points(&*beam, &*bar, &Search::default())
+            .map_or_else(|_| Vec::new(), |found| found.unresolved)
     }
 
     pub(crate) fn beams(&self) -> Result<[Box<dyn AnyBeam>; 2], TestBeamError> {

@@ -1,7 +1,7 @@
 //! Draws the case of a given number with a counter-based generator, so that shards, threads and reruns agree.
 
 use super::case_data::CaseData;
-use super::regime::{Draw, Regime};
+use super::regime::{Draw, Regime, sign};
 use super::shard::Shard;
 use crate::number::RunningError;
 use crate::pair::Contact;
@@ -123,10 +123,11 @@ impl Case {
         rng.set_stream(number);
         let draw = regime.draw(&mut rng);
         let mut test_beams = crossing(families, &draw, &mut rng);
+        let mut distance = draw.gap * draw.length;
         if regime == Regime::BadlyScaled {
             for _ in 0..rng.random_range(1..4) {
                 let beam = &mut test_beams[rng.random_range(0..2)];
-                let factor = 10_f64.powf(rng.random_range(-8.0..8.0)) * if rng.random() { 1.0 } else { -1.0 };
+                let factor = 10_f64.powf(rng.random_range(-8.0..8.0)) * sign(&mut rng);
                 // Dofs are chosen most often, because directions enter linearly.
                 let numbers = match rng.random_range(0..6) {
                     0 => &mut beam.dq,
@@ -136,13 +137,10 @@ impl Case {
                 let dof = rng.random_range(0..numbers.len());
                 numbers[dof] *= factor;
             }
+            let [x, x_bar] = [0, 1].map(|i| test_beams[i].drawn().geometry(draw.at[i]).x);
+            distance = distance.max((x - x_bar).norm());
         }
-        let contact = Contact {
-            radius: 0.05 * draw.length * rng.random_range(0.1..1.0),
-            radius_bar: 0.05 * draw.length * rng.random_range(0.1..1.0),
-            xi_0: rng.random_range(-1.0..1.0),
-            xi_bar_0: rng.random_range(-1.0..1.0),
-        };
+        let contact = draw.contact(draw.length, distance, &mut rng);
         let beams = test_beams.each_ref().map(TestBeam::drawn);
         Self { number, regime, families, contact, test_beams, beams }
     }
@@ -166,6 +164,7 @@ pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng)
             frame: Matrix3::from_columns(&[tangents[i], bending, tangents[i].cross(&bending)]),
             length: draw.length * rng.random_range(0.8..1.25),
             bend: draw.bend[i],
+            hand: draw.hand[i],
             xi: draw.at[i],
         };
         families[i].draw(&target, rng)
@@ -175,7 +174,7 @@ pub(super) fn crossing(families: [Family; 2], draw: &Draw, rng: &mut ChaCha8Rng)
     let [x, x_bar] = [0, 1].map(|i| test_beams[i].drawn().geometry_at(RunningError::from(draw.at[i])));
     let [x, t, x_bar, t_bar] = [x.x, x.t, x_bar.x, x_bar.t].map(|v| v.map(|c| c.value));
     let across = t.cross(&t_bar).normalize();
-    test_beams[0].translate(&(across * (draw.gap * draw.length) - (x - x_bar)));
+    test_beams[0].translate(&(across * (draw.side * draw.gap * draw.length) - (x - x_bar)));
     test_beams
 }
 

@@ -2,6 +2,7 @@
 
 use super::arbitration::{Arbitration, DIFFERENCES};
 use super::compare::MATRICES;
+use super::coverage::Coverage;
 use super::diagnosis::Finding;
 use super::draw::Case;
 use super::regime::Regime;
@@ -11,7 +12,7 @@ use crate::closest_point::ClosestPoint;
 use crate::linearization::Quantity;
 use crate::test_beam::Family;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The worst comparison of one order of one quantity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -75,6 +76,10 @@ pub struct Tally {
     pub worst: Cell,
     /// The points or cases that were not compared, by reason.
     pub not_compared: BTreeMap<Inconclusive, NotCompared>,
+    /// The compared points on both sides of each symmetry.
+    pub coverage: Coverage,
+    /// The same, by family of either beam.
+    pub coverage_of_families: BTreeMap<Family, Coverage>,
 }
 
 impl Tally {
@@ -97,6 +102,20 @@ impl Tally {
         self.worst.merge(&other.worst);
         for (reason, other) in &other.not_compared {
             self.leave_out(*reason, *other);
+        }
+        self.coverage.merge(&other.coverage);
+        for (family, coverage) in &other.coverage_of_families {
+            self.coverage_of_families.entry(*family).or_default().merge(coverage);
+        }
+    }
+
+    /// Counts the sides on which a compared point lies.
+    fn cover(&mut self, case: &Case, point: &ClosestPoint) {
+        let mut coverage = Coverage::default();
+        coverage.add(case, point);
+        self.coverage.merge(&coverage);
+        for family in BTreeSet::from(case.families) {
+            self.coverage_of_families.entry(family).or_default().merge(&coverage);
         }
     }
 }
@@ -233,6 +252,9 @@ impl Summary {
                 tally.interior += 1;
             } else {
                 tally.at_end += 1;
+            }
+            if let Some(point) = point {
+                tally.cover(case, point);
             }
             compared += 1;
             for entry in entries.iter().filter(|entry| entry.is_meaningful()) {

@@ -3,6 +3,7 @@
 use super::case_file;
 use super::human::{error, name};
 use super::json;
+use super::open_regions;
 use super::outcome::Verdict;
 use beamgap::check::{Arbitration, CaseData, Compared, Comparison, Regime, Verdict as Found};
 use beamgap::closest_point::{ClosestPoint, End};
@@ -74,6 +75,9 @@ pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) 
         if let Some(who) = Arbitration::of(compared.entries()) {
             let _ = writeln!(text, "By differences in double-double: {}", who.words());
         }
+    }
+    for region in case.open_regions() {
+        text += &open_regions::described(&region);
     }
     text + "\n" + &verdict.words + "\n"
 }
@@ -168,6 +172,7 @@ pub(super) fn json(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -
     add("verdict", json!(verdict.name));
     let points = points.iter().map(|(point, compared)| at_point(point.as_ref(), compared, *only_wrong));
     add("closest_points", points.collect());
+    add("open_regions", case.open_regions().iter().map(open_regions::json).collect());
     json::text(&document)
 }
 

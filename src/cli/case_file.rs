@@ -15,7 +15,8 @@ use std::path::Path;
 pub(super) const SCHEMA: &str = "beamgap-case/1";
 
 /// The other keys of a document.
-const SHOWN: [&str; 7] = ["schema", "version", "seed", "case", "regime", "verdict", "closest_points"];
+const SHOWN: [&str; 8] =
+    ["schema", "version", "seed", "case", "regime", "verdict", "closest_points", "open_regions"];
 
 /// The case as JSON; `null` for a number that JSON cannot represent.
 pub(super) fn object(case: &CaseData) -> Map<String, Value> {

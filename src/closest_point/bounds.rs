@@ -29,11 +29,11 @@ const INFLATED: f64 = INFLATION * INFLATION * INFLATION;
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
     pub(super) squared_distance: SquaredDistance,
-    half: [f64; 2],
+    pub(super) half: [f64; 2],
     /// Bounds of |Δa|, |Δb|, |Δā|.
     change: [f64; 3],
     /// Bounds of the non-linear part of the gradient.
-    remainder: [f64; 2],
+    pub(super) remainder: [f64; 2],
     /// H⁻¹ in the order of H; not a number if H is singular to rounding.
     inverse: [f64; 3],
 }
@@ -123,6 +123,14 @@ impl Bounds {
     /// Whether F is concave in parameter `i` in the whole box, so that there is no minimum along it.
     pub(super) fn is_concave_along(&self, i: usize) -> bool {
         self.curvature(i) < -self.change[2 * i]
+    }
+
+    /// Whether each component of the gradient increases in the directions of both parameters, in the whole box.
+    /// `sign` is the product of the signs of the two directions.
+    pub(super) fn increases(&self, sign: f64) -> bool {
+        let SquaredDistance { a, b, a_bar, .. } = self.squared_distance;
+        let [da, db, da_bar] = self.change;
+        a > da && -a_bar > da_bar && -sign * b > db
     }
 
     /// The second derivative of F in parameter `i`: a or -a_bar.

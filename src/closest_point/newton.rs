@@ -90,7 +90,10 @@ fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoi
     if let Some((i, _, at, _)) = free().find(|&(_, _, at, step)| at.abs() >= 1.0 && leaves(at, step)) {
         return Err(ProjectionError::AtEnd { which: [Which::Beam, Which::Bar][i], side: Side::nearest(at) });
     }
-    if free().any(|(_, _, at, step)| step.is_nan() || step.abs() >= SMALL || leaves(at, step)) {
+    let is_open = |i: usize, at: f64, step: f64| {
+        step.is_nan() || step.abs() >= SMALL || leaves(at, step) || p.is_near_standstill(i, step)
+    };
+    if free().any(|(i, _, at, step)| is_open(i, at, step)) {
         return Err(ProjectionError::NotConverged { residual: point.residual });
     }
     if !free().all(|(i, ..)| p.explains_gradient(i, SMALL)) {

@@ -24,6 +24,25 @@ pub(super) struct Inside {
 pub(super) struct Pair<'a> {
     pub(super) curves: [&'a dyn Centroid; 2],
     pub(super) trees: [Tree<'a>; 2],
+    pub(super) band: Band,
+}
+
+/// The pairs of parameters that are searched: |xi - xi_bar| >= width.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Band {
+    pub(super) width: f64,
+}
+
+impl Band {
+    /// Whether the pair is searched.
+    pub(super) fn contains(self, (xi, xi_bar): (f64, f64)) -> bool {
+        (xi - xi_bar).abs() >= self.width
+    }
+
+    /// Whether no pair of the box is searched.
+    pub(super) fn excludes(self, [x, y]: [&Node; 2]) -> bool {
+        (x.centre - y.centre).abs() + x.half + y.half < self.width
+    }
 }
 
 impl Pair<'_> {
@@ -50,6 +69,9 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
         let at = queue[next];
         next += 1;
         let [x, y] = pair.nodes(at);
+        if pair.band.excludes([x, y]) {
+            continue;
+        }
         let bounds = Bounds::new(x, y);
         if bounds.excludes_zero() {
             continue;
@@ -79,7 +101,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
                 _ => {}
             }
         }
-        let side = usize::from(y.half * y.speed + y.sag > x.half * x.speed + x.sag);
+        let side = usize::from(y.reach() > x.reach());
         let halves = [x.half, y.half];
         match [side, 1 - side].into_iter().find(|&side| halves[side] > search.resolution) {
             Some(side) => {
@@ -95,7 +117,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
     for &at in &queue[next..] {
         let nodes = pair.nodes(at);
         let bounds = Bounds::new(nodes[0], nodes[1]);
-        if !bounds.excludes_zero() {
+        if !bounds.excludes_zero() && !pair.band.excludes(nodes) {
             open.push(Region::new(nodes, bounds.squared_distance.distance));
         }
     }

@@ -22,6 +22,13 @@ pub(super) struct Node {
     children: u32,
 }
 
+impl Node {
+    /// A bound of the distance between a point of the interval and its centre.
+    pub(super) fn reach(&self) -> f64 {
+        self.half * self.speed + self.sag
+    }
+}
+
 /// The intervals of a curve. The first is [-1, 1], the next two are its ends, with no width.
 pub(super) struct Tree<'a> {
     curve: &'a dyn Centroid,
@@ -69,11 +76,18 @@ impl<'a> Tree<'a> {
     }
 
     fn push(&mut self, centre: f64, half: f64) -> Result<u32, ProjectionError> {
+        let node = self.node_over(centre, half)?;
+        self.nodes.push(node);
+        u32::try_from(self.nodes.len() - 1).map_err(|_| ProjectionError::NonFinite)
+    }
+
+    /// An interval that is not part of the tree.
+    pub(super) fn node_over(&self, centre: f64, half: f64) -> Result<Node, ProjectionError> {
         let geometry = evaluate(self.curve, centre)?;
         let (speed, bend) = (geometry.t.norm(), geometry.t_xi.norm());
         let jerk = half * self.bound;
         let twist = 0.5 * half * jerk;
-        self.nodes.push(Node {
+        Ok(Node {
             centre,
             half,
             geometry,
@@ -84,8 +98,7 @@ impl<'a> Tree<'a> {
             twist,
             jerk,
             children: 0,
-        });
-        u32::try_from(self.nodes.len() - 1).map_err(|_| ProjectionError::NonFinite)
+        })
     }
 }
 

@@ -3,7 +3,7 @@
 use super::crosscheck::Crosscheck;
 use super::number::{count, error, finite};
 use super::page::{Block, Page};
-use crate::check::{Cell, Inconclusive, Mismatch, NotCompared, Order, Regime, Tally};
+use crate::check::{Cell, Coverage, Inconclusive, Mismatch, NotCompared, Order, Regime, Symmetry, Tally};
 use crate::linearization::Quantity;
 use crate::test_beam::Family;
 
@@ -33,6 +33,7 @@ impl Crosscheck {
         blocks.extend(self.mismatches_listed());
         blocks.extend(self.by_regime());
         blocks.extend(self.by_quantity());
+        blocks.extend(self.by_symmetry());
         blocks.push(Block::heading("Details"));
         blocks.push(self.by_reason());
         blocks.push(self.by_family());
@@ -146,6 +147,45 @@ impl Crosscheck {
             Block::table(&["reason", "regime", "#count", "#first case"], rows)
         };
         Block::details("Points and cases that were not compared", vec![body])
+    }
+
+    /// The smaller share of the two sides of each symmetry, by regime and by family.
+    fn by_symmetry(&self) -> [Block; 4] {
+        let regimes: Vec<(&str, &Coverage)> =
+            self.found.regimes.iter().map(|(regime, tally)| (regime.name(), &tally.coverage)).collect();
+        let of_family = |family: Family| {
+            let mut sum = Coverage::default();
+            let tallies = self.found.regimes.values();
+            tallies
+                .filter_map(|tally| tally.coverage_of_families.get(&family))
+                .for_each(|coverage| sum.merge(coverage));
+            sum
+        };
+        let sums: Vec<_> =
+            self.found.families.keys().map(|&family| (family.name(), of_family(family))).collect();
+        let families: Vec<(&str, &Coverage)> =
+            sums.iter().map(|(name, coverage)| (*name, coverage)).collect();
+        let table = |rows: &[(&str, &Coverage)]| {
+            let row = |symmetry: Symmetry| {
+                let share = |(_, coverage): &(&str, &Coverage)| {
+                    coverage.share(symmetry).map_or_else(String::new, |share| format!("{:.0}", 100.0 * share))
+                };
+                std::iter::once(symmetry.sides()[0].to_owned()).chain(rows.iter().map(share)).collect()
+            };
+            let head: Vec<String> = std::iter::once("sign of".to_owned())
+                .chain(rows.iter().map(|(name, _)| format!("#{name}")))
+                .collect();
+            Block::table(&head, Symmetry::ALL.into_iter().map(row).collect())
+        };
+        [
+            Block::heading("Both sides of every symmetry"),
+            Block::text(
+                "A mirror image, reversed parameters and exchanged beams change the signs of these quantities. The table has the \
+                 smaller share of the two signs among the compared points, in percent. A sign of zero to rounding is not counted.",
+            ),
+            table(&regimes),
+            Block::details("The same by curve family of either beam", vec![table(&families)]),
+        ]
     }
 
     /// A table with families of the beam as rows and of the bar beam as columns.

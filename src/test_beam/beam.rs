@@ -8,7 +8,7 @@ use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::PartialVariations;
 use crate::number::{
     Bits, DoubleDouble, Dual, Extends, Faulty, HyperDual, PolynomialDegree, PrimeField, Real, RunningError,
-    RunningErrorBy, Traced,
+    RunningErrorBy, TaylorSeries, Traced,
 };
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
@@ -26,6 +26,7 @@ pub(crate) trait AnyBeam:
     + PositionAt<Dual2SVec<HyperDual64, 2>>
     + PositionAt<Dual<HyperDual<RunningError2>>>
     + PositionAt<Dual<Dual<RunningError2>>>
+    + PositionAt<TaylorSeries>
     + Debug
     + Send
     + Sync
@@ -162,6 +163,12 @@ impl<C: Curve<N>, const N: usize> PositionAt<Dual<HyperDual<RunningError2>>> for
 impl<C: Curve<N>, const N: usize> PositionAt<Dual<Dual<RunningError2>>> for Drawn<C, N> {
     fn position_at(&self, xi: Dual<Dual<RunningError2>>) -> Vector3<Dual<Dual<RunningError2>>> {
         self.seeded(|q, _, _| RunningError2::from(q)).position_at(xi)
+    }
+}
+
+impl<C: Curve<N>, const N: usize> PositionAt<TaylorSeries> for Drawn<C, N> {
+    fn position_at(&self, xi: TaylorSeries) -> Vector3<TaylorSeries> {
+        self.seeded(|q, _, _| q).position_at(xi)
     }
 }
 

@@ -16,6 +16,8 @@ pub(crate) struct Target {
     pub(crate) length: f64,
     /// The angle by which it turns over its length.
     pub(crate) bend: f64,
+    /// The sign of its torsion.
+    pub(crate) hand: f64,
     /// The parameter at which it passes `point`.
     pub(crate) xi: f64,
 }
@@ -24,7 +26,7 @@ impl Target {
     /// The point at xi and its derivative: an arc to second order, with some torsion.
     fn at(&self, xi: f64) -> [Vector3<f64>; 2] {
         let (s, half) = (xi - self.xi, 0.5 * self.length);
-        let (k, c) = (0.25 * self.bend, 0.04 * self.bend);
+        let (k, c) = (0.25 * self.bend, 0.04 * self.bend * self.hand);
         let local = Vector3::new(s, k * s * s, c * s * s * s) * half;
         let slope = Vector3::new(1.0, 2.0 * k * s, 3.0 * c * s * s) * half;
         [self.point + self.frame * local, self.frame * slope]
@@ -40,8 +42,14 @@ impl Target {
 impl Family {
     /// A beam of this family with random parameters (knots, weights, opening angle). Its dofs have no meaning.
     pub(crate) fn model(self, rng: &mut ChaCha8Rng) -> Box<dyn AnyBeam> {
-        let target =
-            Target { point: Vector3::zeros(), frame: Matrix3::identity(), length: 1.0, bend: 1.0, xi: 0.0 };
+        let target = Target {
+            point: Vector3::zeros(),
+            frame: Matrix3::identity(),
+            length: 1.0,
+            bend: 1.0,
+            hand: 1.0,
+            xi: 0.0,
+        };
         self.draw(&target, rng).drawn()
     }
 
@@ -73,7 +81,7 @@ impl Family {
                 (vec![half_angle], placed.to_vec())
             }
             Self::Helix => {
-                let rise = rng.random_range(0.2..1.5);
+                let rise = target.hand * rng.random_range(0.2..1.5);
                 let (half_angle, [x, y, z, radius, a, b, c, d, phase]) = winding(target, rise, rng);
                 let pitch = rise * radius * std::f64::consts::TAU;
                 (vec![half_angle], vec![x, y, z, a, b, c, d, radius, pitch, phase])
@@ -157,8 +165,10 @@ fn winding(target: &Target, rise: f64, rng: &mut ChaCha8Rng) -> (f64, [f64; 9]) 
     let rotation = Rotation3::from_matrix_unchecked(global * local.transpose());
     let axial_offset = rise * radius * half_angle * target.xi;
     let centre = target.point + normal * radius - axial * axial_offset;
+    // A quaternion and its negative are the same rotation.
+    let sign = if rng.random() { 1.0 } else { -1.0 };
     let quaternion =
-        UnitQuaternion::from_rotation_matrix(&rotation).into_inner() * rng.random_range(0.5..2.0);
+        UnitQuaternion::from_rotation_matrix(&rotation).into_inner() * (rng.random_range(0.5..2.0) * sign);
     let [x, y, z, w] = [quaternion.i, quaternion.j, quaternion.k, quaternion.w];
     (half_angle, [centre.x, centre.y, centre.z, radius, w, x, y, z, phase])
 }

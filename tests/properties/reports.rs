@@ -251,3 +251,15 @@ fn count(number: u64) -> String {
         digits.as_bytes().rchunks(3).rev().map(|group| std::str::from_utf8(group).unwrap()).collect();
     grouped.join(",")
 }
+
+#[test]
+fn the_compared_points_lie_on_both_sides_of_every_symmetry() {
+    let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
+    for (regime, tally) in &crosscheck.found.regimes {
+        assert_eq!(tally.coverage.counts.len(), check::Symmetry::ALL.len());
+        for (&symmetry, counts) in &tally.coverage.counts {
+            let share = tally.coverage.share(symmetry).unwrap();
+            assert!(share >= 0.35, "{}: {} is {counts:?}", regime.name(), symmetry.name());
+        }
+    }
+}

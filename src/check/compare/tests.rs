@@ -107,7 +107,7 @@ fn differences_are_asked_in_every_case_only_if_all_are_wanted() {
 #[test]
 fn differences_decide_what_ad_cannot() {
     let decided = |oracles| {
-        let found = found(oracles, 7, 23);
+        let found = found(oracles, 7, 518);
         found.into_iter().map(|(_, verdict)| (asked(verdict.entries()), verdict)).next().unwrap()
     };
     let (told, verdict) = decided(Oracles::Ad);

@@ -39,7 +39,8 @@ fn beams_cross_as_their_regime_draws() {
         let rounding = 1e-9 * length;
         assert!((d.norm() - draw.gap * length).abs() < rounding, "{number}: {d} at {draw:?}");
         assert!(d.dot(&t.normalize()).abs() < rounding && d.dot(&t_bar.normalize()).abs() < rounding);
-        assert!(d.dot(&t.cross(&t_bar)) > 0.0 || draw.gap * length < rounding, "{number}: d is t × t_bar");
+        let along = d.dot(&t.cross(&t_bar));
+        assert!(along.signum() == draw.side || draw.gap * length < rounding, "{number}: {d} at {draw:?}");
         assert!(x_bar.amax() < 3.0 * length, "{number}: {x_bar}, of {length}");
     }
 }
@@ -63,11 +64,15 @@ fn straight_beams_have_the_length_and_the_angle_that_are_drawn() {
 }
 
 #[test]
-fn radii_are_thin_and_references_within_the_beams() {
+fn surfaces_penetrate_where_the_gap_is_closed_and_references_lie_within_the_beams() {
     for number in 0..200 {
-        let (contact, length) = (Case::draw(SEED, number).contact, drawn(number).length);
-        for radius in [contact.radius, contact.radius_bar] {
-            assert!((0.005..0.05).contains(&(radius / length)), "{number}: {radius}, of {length}");
+        let (contact, draw) = (Case::draw(SEED, number).contact, drawn(number));
+        let (radii, gap) = (contact.radius + contact.radius_bar, draw.gap * draw.length);
+        assert!(contact.radius > 0.05 * radii && contact.radius_bar > 0.05 * radii, "{number}: {contact:?}");
+        if draw.closed {
+            assert!((1.05 * gap..1.5 * gap + 0.1 * draw.length).contains(&radii), "{number}: {radii}");
+        } else {
+            assert!((0.1 * gap..0.9 * gap).contains(&radii), "{number}: {radii} of {gap}");
         }
         assert!([contact.xi_0, contact.xi_bar_0].iter().all(|xi| (-1.0..1.0).contains(xi)));
     }

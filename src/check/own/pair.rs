@@ -58,16 +58,20 @@ impl Pair {
             _ => None,
         };
         let own = varied(curve, &beams[place % beams.len()], rng);
-        let own: Box<dyn AnyBeam> = match unit {
-            Some(unit) => placed(own, Matrix3::identity() * unit),
-            None => Box::new(own),
+        // The mirror image of a curve is as good a curve.
+        let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, draw.hand[0]));
+        let own: Box<dyn AnyBeam> = if unit.is_some() || draw.hand[0] < 0.0 {
+            placed(own, mirror * unit.unwrap_or(1.0))
+        } else {
+            Box::new(own)
         };
         let partner = Family::ALL.get(place % (Family::ALL.len() + 1)).copied();
         let spot = Spot::on(&*own, draw.at[0]);
         let frame = crossing_frame(&spot.t, &draw, rng);
         let other: Box<dyn AnyBeam> = if let Some(family) = partner {
             let length = spot.length * rng.random_range(0.8..1.25);
-            let target = Target { point: spot.x, frame, length, bend: draw.bend[1], xi: draw.at[1] };
+            let (bend, hand, xi) = (draw.bend[1], draw.hand[1], draw.at[1]);
+            let target = Target { point: spot.x, frame, length, bend, hand, xi };
             let mut test_beam = family.draw(&target, rng);
             test_beam.translate(&shift(&spot, &Spot::beyond(&*test_beam.drawn(), draw.at[1]), &draw));
             test_beam.drawn()
@@ -77,7 +81,8 @@ impl Pair {
             // Its tangent, and any two vectors normal to it, are turned onto those of the frame.
             let tangent = there.t.normalize();
             let own_frame = with_tangent(&tangent, rng);
-            let turn = frame * own_frame.transpose() * unit.unwrap_or(1.0);
+            let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, draw.hand[1]));
+            let turn = frame * mirror * own_frame.transpose() * unit.unwrap_or(1.0);
             let mut second = Drawn {
                 curve: Placed { curve: second.curve, turn, shift: Vector3::zeros() },
                 q: second.q,
@@ -88,14 +93,7 @@ impl Pair {
             second.curve.shift = shift(&spot, &Spot::on(&second, draw.at[1]), &draw);
             Box::new(second)
         };
-        let mut radius = || 0.05 * spot.length * rng.random_range(0.1..1.0);
-        let (radius, radius_bar) = (radius(), radius());
-        let contact = Contact {
-            radius,
-            radius_bar,
-            xi_0: rng.random_range(-1.0..1.0),
-            xi_bar_0: rng.random_range(-1.0..1.0),
-        };
+        let contact = draw.contact(spot.length, draw.gap * spot.length, rng);
         let (mut beams, mut families) = ([own, other], [None, partner]);
         if !rng.random::<bool>() {
             beams.reverse();
@@ -146,7 +144,7 @@ impl Spot {
 /// The shift that moves the other beam so that the gap is the drawn one, normal to both tangents.
 fn shift(own: &Spot, other: &Spot, draw: &Draw) -> Vector3<f64> {
     let across = own.t.cross(&other.t).normalize();
-    own.x - other.x - across * (draw.gap * own.length)
+    own.x - other.x - across * (draw.side * draw.gap * own.length)
 }
 
 /// The other beam's frame where the two cross: its tangent, and any normal.

@@ -1,10 +1,10 @@
-//! A curve moved, turned and in another unit.
+//! A curve moved, turned or mirrored, and in another unit.
 
 use crate::curve::{Curve, DofDerivatives, Geometry, Jet};
 use crate::number::Real;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
-/// s R x + c, with the dofs of x.
+/// s R x + c, with the dofs of x. R is a rotation or a reflection.
 #[derive(Clone, Debug)]
 pub(super) struct Placed<C> {
     pub(super) curve: C,

@@ -3,7 +3,8 @@
 use super::{Cell, Differences, NotCompared, Summary, Tally};
 use crate::check::arbitration::DIFFERENCES;
 use crate::check::{
-    Arbitration, Case, CheckConfig, Compared, Comparison, Inconclusive, Order, Regime, Verdict, compare,
+    Arbitration, Case, CheckConfig, Compared, Comparison, Inconclusive, Order, Regime, Symmetry, Verdict,
+    compare,
 };
 use crate::closest_point::ClosestPoint;
 use crate::linearization::Quantity;
@@ -27,6 +28,12 @@ fn off(by: f64) -> Comparison {
 /// A tolerance that is not meaningful.
 fn unclear() -> Comparison {
     Comparison { tolerance: 1.0, ..off(0.5) }
+}
+
+/// The coverage of the regime of metres alone.
+fn covered(summary: &Summary) -> Tally {
+    let Tally { coverage, coverage_of_families, .. } = summary.regimes[&Regime::Metres].clone();
+    Tally { coverage, coverage_of_families, ..Tally::default() }
 }
 
 /// A case of the regime of metres, with a closest point inside and one at an end.
@@ -73,7 +80,12 @@ fn points_are_counted_where_they_belong() {
             (Inconclusive::Crossing, NotCompared { count: 1, first_case: case.number }),
         ]
         .into(),
+        ..covered(&summary)
     };
+    // Three points, each on one side of every symmetry that applies.
+    assert_eq!(tally.coverage.counts[&Symmetry::Xi].iter().sum::<u64>(), 3);
+    assert_eq!(tally.coverage.counts[&Symmetry::End].iter().sum::<u64>(), 1);
+    assert!(case.families.iter().all(|family| tally.coverage_of_families[family] == tally.coverage));
     assert_eq!(summary.regimes, [(Regime::Metres, tally)].into());
     assert_eq!(summary.quantities, [((Quantity::D, Order::Second), worst)].into());
     assert_eq!(summary.pairs, [((case.families[0], case.families[1]), 3)].into());
@@ -164,7 +176,9 @@ fn two_summaries_add_up_in_any_order() {
         mismatches: 1,
         worst,
         not_compared: [(Inconclusive::Unresolved, NotCompared { count: 3, first_case: 20 })].into(),
+        ..covered(&both)
     };
+    assert_eq!(tally.coverage.counts[&Symmetry::Xi].iter().sum::<u64>(), 3);
     assert_eq!(both.regimes, [(Regime::Metres, tally)].into());
     assert_eq!(both.quantities[&(Quantity::D, Order::Second)], worst);
     assert_eq!((both.compared(), both.pairs.values().sum::<u64>()), (3, 3));

@@ -35,6 +35,7 @@ fn the_largest_run_fits_a_terminal() {
             Inconclusive::Unresolved,
             NotCompared { count, first_case: worst.case },
         )]),
+        ..Tally::default()
     };
     let cells = Quantity::ALL.iter().flat_map(|&q| Order::ALL.map(|order| ((q, order), worst)));
     shown(Summary {

@@ -1,8 +1,8 @@
 //! Tests of regions: what they contain, what they touch, and the point that represents them.
 
-use super::super::search::Pair;
+use super::super::search::{Band, Pair};
 use super::super::tree::Tree;
-use super::super::{Centroid, Degeneracy};
+use super::super::{Centroid, Continuum, Degeneracy};
 use super::{Region, gather};
 use crate::curve::Geometry;
 
@@ -67,16 +67,28 @@ impl Centroid for Line {
     }
 }
 
+fn pair<'a>(beam: &'a Line, bar: &'a Line) -> Pair<'a> {
+    let trees = [Tree::new(beam).unwrap(), Tree::new(bar).unwrap()];
+    Pair { curves: [beam, bar], trees, band: Band { width: 0.0 } }
+}
+
 #[test]
-fn the_point_of_a_region_is_stationary() {
+fn the_point_of_a_region_is_in_the_middle_of_the_continuum() {
+    // The points (xi, 1) and (2 xi_bar, 0) are nearest at xi = 2 xi_bar.
     let (beam, bar) = (Line(1.0, 1.0), Line(2.0, 0.0));
-    let pair = Pair { curves: [&beam, &bar], trees: [Tree::new(&beam).unwrap(), Tree::new(&bar).unwrap()] };
     let square = Region { nearest: (0.5, -0.25), ..region([[-1.0, 1.0]; 2], 1.5) };
-    let point = square.point(&pair).unwrap();
-    assert!(point.residual < 1e-15 && (point.xi - 0.25).abs() < 0.26, "{point:?}");
-    assert!(matches!(point.degeneracy(), Some(Degeneracy::Singular { .. })));
+    let found = square.unresolved(&mut pair(&beam, &bar), 64).unwrap();
+    assert_eq!((found.point.xi, found.point.xi_bar, found.distance[1]), (0.0, 0.0, 1.0));
+    assert!(found.distance[0] <= 1.0 && found.distance[0] > 1.0 - 1e-13, "{found:?}");
+    assert!(matches!(found.point.degeneracy(), Some(Degeneracy::Singular { .. })));
+    assert_eq!(found.continuum, Continuum::Parallel);
     // If an edge has no width, only the other parameter moves.
-    let edge = Region { nearest: (0.5, -0.25), ..region([[0.5, 0.5], [-1.0, 1.0]], 1.5) };
-    let point = edge.point(&pair).unwrap();
-    assert_eq!((point.xi, point.xi_bar), (0.5, 0.25));
+    let edge = Region { nearest: (1.0, -0.25), ..region([[1.0, 1.0], [-1.0, 1.0]], 1.5) };
+    let found = edge.unresolved(&mut pair(&beam, &bar), 64).unwrap();
+    assert_eq!((found.point.xi, found.point.xi_bar, found.distance[1]), (1.0, 0.5, 1.0));
+    // In this part of the square, the nearest points are those of a corner.
+    let part = Region { nearest: (-0.75, 0.75), ..region([[-1.0, -0.5], [0.25, 1.0]], 1.5) };
+    let found = part.unresolved(&mut pair(&beam, &bar), 64).unwrap();
+    assert_eq!((found.point.xi, found.point.xi_bar), (-0.5, 0.25));
+    assert_eq!(found.distance[1].to_bits(), 2.0_f64.sqrt().to_bits());
 }

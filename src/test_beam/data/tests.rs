@@ -9,8 +9,14 @@ use rand_chacha::ChaCha8Rng;
 /// One of every family.
 fn all() -> Vec<TestBeam> {
     let mut rng = ChaCha8Rng::seed_from_u64(7);
-    let target =
-        Target { point: Vector3::zeros(), frame: Matrix3::identity(), length: 1.0, bend: 1.0, xi: 0.0 };
+    let target = Target {
+        point: Vector3::zeros(),
+        frame: Matrix3::identity(),
+        length: 1.0,
+        bend: 1.0,
+        hand: 1.0,
+        xi: 0.0,
+    };
     Family::ALL.map(|family| family.draw(&target, &mut rng)).into()
 }
 

@@ -1,0 +1,190 @@
+//! The smallest distance over a rectangle of parameters, by descent from above and by branch and bound from below.
+
+use super::bounds::Bounds;
+use super::search::Pair;
+use super::tree::{ENDS, ROOT, evaluate};
+use super::{ProjectionError, SquaredDistance};
+use nalgebra::Vector3;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// The maximum number of steps of a descent. Each step is a Newton step or reduces the radius of trust.
+const STEPS: usize = 100;
+/// The interval of the smallest distance may have this width, in units of the rounding of the positions.
+const WIDTH: f64 = 256.0;
+/// A box of this half-width, in the parameters, is not divided.
+const NARROW: f64 = 1e-12;
+
+/// The smallest distance over a rectangle.
+pub(super) struct Nearest {
+    /// Parameters in the rectangle at which the distance is the upper end of the interval.
+    pub(super) at: (f64, f64),
+    /// An interval that contains the smallest distance.
+    pub(super) distance: [f64; 2],
+}
+
+/// Finds the smallest distance over `extent`, by at most `boxes` boxes. The search starts at `start`.
+///
+/// # Derivation
+/// F = d²/2 differs from its Taylor polynomial of second degree at the centre of a box by the integral of the
+/// gradient's remainder along a ray. The remainder grows at least quadratically, so the integral is at most a third of
+/// it at the end of the ray. Between straight curves the plane normal to the shortest d bounds d without cancellation.
+pub(super) fn nearest(
+    pair: &mut Pair,
+    extent: [[f64; 2]; 2],
+    start: (f64, f64),
+    boxes: usize,
+) -> Result<Nearest, ProjectionError> {
+    let band = pair.band;
+    let mut best = Descent::from(pair, start, extent)?;
+    let root = [0, 1].map(|i| match extent[i] {
+        [low, high] if low < high => ROOT,
+        [low, _] => ENDS[usize::from(low > 0.0)],
+    });
+    let mut queue = BinaryHeap::from([Reverse((0, root))]);
+    let mut low = f64::INFINITY;
+    let mut count = 0;
+    while let Some(Reverse((bits, at))) = queue.pop() {
+        let bound = f64::from_bits(bits);
+        if count >= boxes || bound >= best.distance() - WIDTH * best.p.rounding() {
+            low = low.min(bound);
+            break;
+        }
+        let nodes = pair.nodes(at);
+        let side = usize::from(nodes[1].reach() > nodes[0].reach());
+        let halves = nodes.map(|node| node.half);
+        let Some(side) = [side, 1 - side].into_iter().find(|&side| halves[side] > NARROW) else {
+            low = low.min(bound);
+            continue;
+        };
+        for half in pair.trees[side].halves(at[side])? {
+            count += 1;
+            let mut part = at;
+            part[side] = half;
+            let nodes = pair.nodes(part);
+            let outside = |i: usize| {
+                let (centre, half) = (nodes[i].centre, nodes[i].half);
+                centre + half < extent[i][0] || extent[i][1] < centre - half
+            };
+            if outside(0) || outside(1) || band.excludes(nodes) {
+                continue;
+            }
+            let bounds = Bounds::new(nodes[0], nodes[1]);
+            let (offset, least) = bounds.least();
+            if least < best.p.distance {
+                let inside = |i: usize| (nodes[i].centre + offset[i]).clamp(extent[i][0], extent[i][1]);
+                let found = Descent::from(pair, (inside(0), inside(1)), extent)?;
+                if found.distance() < best.distance() && band.contains(found.at) {
+                    best = found;
+                }
+            }
+            let least = bounds.smallest_distance(pair.nodes(part), &best.p.d);
+            queue.push(Reverse((least.max(bound).to_bits(), part)));
+        }
+    }
+    let distance = best.distance();
+    Ok(Nearest { at: best.at, distance: [low.min(distance), distance] })
+}
+
+/// A pair of parameters from which the distance decreases in no direction of the rectangle.
+struct Descent {
+    at: (f64, f64),
+    p: SquaredDistance,
+}
+
+impl Descent {
+    /// Descends by minimizing the Taylor polynomial of second degree of F over the rectangle and a radius of trust.
+    fn from(pair: &Pair, start: (f64, f64), extent: [[f64; 2]; 2]) -> Result<Self, ProjectionError> {
+        let at = |at: (f64, f64)| -> Result<Self, ProjectionError> {
+            let (x, x_bar) = (evaluate(pair.curves[0], at.0)?, evaluate(pair.curves[1], at.1)?);
+            Ok(Self { at, p: SquaredDistance::new(&x, &x_bar) })
+        };
+        let mut current = at(start)?;
+        let mut radius = 2.0;
+        for _ in 0..STEPS {
+            let now = [current.at.0, current.at.1];
+            let low = [0, 1].map(|i| (extent[i][0] - now[i]).max(-radius));
+            let high = [0, 1].map(|i| (extent[i][1] - now[i]).min(radius));
+            let (step, change) = current.p.least_in(low, high);
+            if change >= 0.0 || radius < 1e-16 {
+                break;
+            }
+            let inside = |i: usize| (now[i] + step[i]).clamp(extent[i][0], extent[i][1]);
+            let next = at((inside(0), inside(1)))?;
+            if next.p.distance < current.p.distance {
+                radius *= 2.0;
+                current = next;
+            } else {
+                radius = 0.125 * radius.min(step[0].abs().max(step[1].abs()));
+            }
+        }
+        Ok(current)
+    }
+
+    fn distance(&self) -> f64 {
+        self.p.distance
+    }
+}
+
+impl Bounds {
+    /// The minimum of the Taylor polynomial of second degree in the box, and the distance according to it.
+    fn least(&self) -> ([f64; 2], f64) {
+        let p = &self.squared_distance;
+        let (offset, change) = p.least_in(self.half.map(|half| -half), self.half);
+        (offset, (p.distance * p.distance + 2.0 * change).max(0.0).sqrt())
+    }
+
+    /// A lower bound of the distance in the box. `normal` is a vector along the shortest d.
+    fn smallest_distance(&self, [x, y]: [&super::tree::Node; 2], normal: &Vector3<f64>) -> f64 {
+        let p = &self.squared_distance;
+        let [h, k] = self.half;
+        let (_, change) = p.least_in([-h, -k], [h, k]);
+        let remainder = (self.remainder[0] * h + self.remainder[1] * k) * (1.0 + 1.0 / 16.0) / 3.0;
+        let size = p.distance + (x.speed + x.bend * h) * h + (y.speed + y.bend * k) * k + x.sag + y.sag;
+        let square = p.distance * p.distance + 2.0 * (change - remainder) - 4.0 * p.rounding() * size;
+        let by_square = square.max(0.0).sqrt();
+        let length = normal.norm();
+        if length == 0.0 {
+            return by_square;
+        }
+        let along = |v: &Vector3<f64>| normal.dot(v) / length;
+        let by_plane = along(&p.d)
+            - along(&x.geometry.t).abs() * h
+            - along(&y.geometry.t).abs() * k
+            - (x.sag + y.sag) * (1.0 + 1.0 / 16.0)
+            - 2.0 * p.rounding();
+        by_square.max(by_plane)
+    }
+}
+
+impl SquaredDistance {
+    /// The offset from `low` to `high` at which the Taylor polynomial of second degree of F is least, and its change.
+    pub(super) fn least_in(&self, low: [f64; 2], high: [f64; 2]) -> ([f64; 2], f64) {
+        let [g, g_bar] = self.gradient;
+        let (a, b, c) = (self.a, -self.b, -self.a_bar);
+        let change = |[u, v]: [f64; 2]| (g + 0.5 * a * u + b * v) * u + (g_bar + 0.5 * c * v) * v;
+        let mut best = ([0.0; 2], 0.0);
+        let mut consider = |at: [f64; 2]| {
+            let at = [0, 1].map(|i| at[i].clamp(low[i], high[i]));
+            if change(at) < best.1 {
+                best = (at, change(at));
+            }
+        };
+        for [u, v] in [[low[0], low[1]], [low[0], high[1]], [high[0], low[1]], high] {
+            consider([u, v]);
+            // On an edge the polynomial is least at its zero slope or at a corner.
+            if c > 0.0 {
+                consider([u, -(g_bar + b * u) / c]);
+            }
+            if a > 0.0 {
+                consider([-(g + b * v) / a, v]);
+            }
+        }
+        let (u, v) = self.step(super::Held::default());
+        let inside = |u: f64, i: usize| low[i] <= u && u <= high[i];
+        if a > 0.0 && self.det > 0.0 && inside(u, 0) && inside(v, 1) {
+            consider([u, v]);
+        }
+        best
+    }
+}

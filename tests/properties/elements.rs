@@ -1,0 +1,217 @@
+//! Hand-written elements agree, and every error that is put into them is detected with one case a regime.
+//!
+//! The elements and the table of their errors are in `tests/elements`. A compiler that is missing skips its elements; if
+//! BEAMGAP_ADAPTERS is set, it is an error. With BEAMGAP_ELEMENTS=all each error is tried with up to ten cases a regime, and
+//! with as many as ten seeds. The comparison is that of `beamgap verify`, without its search for the cause.
+
+mod conditions;
+mod table;
+
+use crate::program::run;
+use beamgap::check::Order;
+use beamgap::check::external::{
+    AnswerReader, CaseFound, Demands, Judgement, Vector, VectorReader, compare_answers,
+};
+use beamgap::linearization::Quantity;
+use conditions::Condition;
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use table::{Row, rows};
+
+/// The number of cases of a regime from which on an error is detected, whether the cases have what it needs or not.
+const ENOUGH: usize = 10;
+/// The number of regimes.
+const REGIMES: usize = beamgap::check::Regime::ALL.len();
+
+/// The cases of a seed.
+struct Cases {
+    seed: u64,
+    path: PathBuf,
+    vectors: Vec<Vector>,
+    lines: Vec<serde_json::Value>,
+}
+
+impl Cases {
+    fn exported(seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
+        let path = folder.join(format!("{}-{seed}-{cases}.jsonl", families.join("-")));
+        let (seed_text, cases_text) = (seed.to_string(), cases.to_string());
+        let families = families.iter().flat_map(|family| ["--family", family]);
+        let arguments = ["export", "--expected", "none", "--seed", &seed_text, "--cases", &cases_text, "-o"];
+        let arguments: Vec<_> =
+            arguments.into_iter().chain([path.to_str().unwrap()]).chain(families).collect();
+        let output = run(&arguments);
+        assert!(output.status.success(), "{output:?}");
+        let mut reader = VectorReader::new(BufReader::new(File::open(&path).unwrap()), "cases").unwrap();
+        let vectors = std::iter::from_fn(|| reader.next_vector().unwrap()).collect();
+        let lines = BufReader::new(File::open(&path).unwrap()).lines().skip(1);
+        let lines = lines.map(|line| serde_json::from_str(&line.unwrap()).unwrap()).collect();
+        Self { seed, path, vectors, lines }
+    }
+
+    /// The number of cases of each regime.
+    fn of_a_regime(&self) -> usize {
+        self.vectors.len() / REGIMES
+    }
+
+    /// The smallest number of cases a regime that has the condition of an error.
+    fn with(&self, needs: &Condition) -> usize {
+        let first = self.lines.iter().position(|line| needs.holds(line));
+        first.map_or(usize::MAX, |first| first / REGIMES + 1)
+    }
+}
+
+/// What is wrong first in the order of evaluation: the order, the place of the quantity in [`QUANTITIES`].
+type FirstWrong = (Order, usize);
+
+/// The quantities in the order of evaluation.
+const QUANTITIES: [(Quantity, &str); 8] = [
+    (Quantity::Xi, "xi"),
+    (Quantity::XiBar, "xi_bar"),
+    (Quantity::D, "d"),
+    (Quantity::GN, "g_N"),
+    (Quantity::T, "t"),
+    (Quantity::TBar, "t_bar"),
+    (Quantity::GT, "g_T"),
+    (Quantity::GTBar, "g_T_bar"),
+];
+
+/// The answers of a program, compared case by case until one is wrong: the number of this case, and what is wrong there.
+fn first_wrong(program: &Path, error: u32, cases: &Cases) -> Option<(usize, FirstWrong)> {
+    let mut child = Command::new(program)
+        .arg(error.to_string())
+        .stdin(File::open(&cases.path).unwrap())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut reader = AnswerReader::new(BufReader::new(child.stdout.take().unwrap()), "answers").unwrap();
+    let mut found = None;
+    let mut compared = 0;
+    for (number, vector) in cases.vectors.iter().enumerate() {
+        let answers =
+            reader.next_answers().unwrap().unwrap_or_else(|| panic!("error {error}: case {number} expected"));
+        assert_eq!(answers.id, vector.id);
+        let CaseFound::Compared(judged, doubted) =
+            compare_answers(vector, &answers, &Demands::default()).unwrap()
+        else {
+            continue;
+        };
+        compared += 1;
+        assert!(!doubted, "error {error}, case {number}: the references disagree");
+        let wrong = judged.iter().filter(|judged| judged.judgement == Judgement::Wrong);
+        let place = |quantity| QUANTITIES.iter().position(|(known, _)| *known == quantity).unwrap();
+        if let Some(first) =
+            wrong.map(|judged| (judged.comparison.order, place(judged.comparison.quantity))).min()
+        {
+            found = Some((number, first));
+            break;
+        }
+    }
+    assert!(compared > 0, "nothing was compared");
+    // The program may wait for its answers to be read.
+    drop(reader);
+    child.wait().unwrap();
+    found
+}
+
+/// The compiled element.
+fn compiled(style: &str, file: &str, compiler: &[&str], folder: &Path) -> Option<PathBuf> {
+    let is_there = Command::new(compiler[0]).arg("--version").output().is_ok();
+    assert!(is_there || std::env::var_os("BEAMGAP_ADAPTERS").is_none(), "{} is missing", compiler[0]);
+    if !is_there {
+        return None;
+    }
+    let program = folder.join(style);
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/elements").join(file);
+    let output = Command::new(compiler[0])
+        .args(&compiler[1..])
+        .args(["-Wall", "-Wextra", "-Werror"])
+        .arg(source)
+        .arg("-o")
+        .arg(&program)
+        .arg("-lm")
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    Some(program)
+}
+
+/// The exit code of `beamgap verify` for the element with an error.
+fn exit_code(program: &Path, error: u32, cases: &Cases) -> Option<i32> {
+    let command = format!("'{}' {error}", program.display());
+    run(&["verify", cases.path.to_str().unwrap(), "--run", &command, "--no-explanation"]).status.code()
+}
+
+fn detected(style: &str, file: &str, compiler: &[&str]) {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("element-{style}"));
+    std::fs::create_dir_all(&folder).unwrap();
+    let Some(program) = compiled(style, file, compiler, &folder) else { return };
+    let is_full = std::env::var_os("BEAMGAP_ELEMENTS").is_some();
+    let (seeds, counts) = if is_full { (1..=10, ENOUGH) } else { (1..=5, 1) };
+    let all: Vec<_> = seeds.map(|seed| Cases::exported(seed, counts, &["hermite"], &folder)).collect();
+    // A file of more cases begins with the cases of a smaller one, so an error that is detected stays so.
+    let more = Cases::exported(1, counts + 1, &["hermite"], &folder);
+    assert_eq!(more.lines[..all[0].lines.len()], all[0].lines);
+    for cases in &all {
+        assert_eq!(first_wrong(&program, 0, cases), None, "the unmodified element, seed {}", cases.seed);
+    }
+    let mixed = Cases::exported(1, 4, &["hermite", "segment"], &folder);
+    assert_eq!(first_wrong(&program, 0, &mixed), None, "Hermite curves and segments");
+    let rows: Vec<Row> = rows().into_iter().filter(|row| row.style == style).collect();
+    assert!(rows.len() >= 45, "{style}: {} errors", rows.len());
+    let unconditional = rows.iter().find(|row| row.needs.is_empty()).unwrap();
+    assert_eq!(
+        [0, unconditional.number].map(|error| exit_code(&program, error, &all[0])),
+        [Some(0), Some(1)]
+    );
+
+    let (mut green, mut misplaced, mut seen) = (Vec::new(), Vec::new(), BTreeMap::<usize, usize>::new());
+    for row in &rows {
+        let mut first = None;
+        for cases in &all {
+            let found = first_wrong(&program, row.number, cases);
+            let detected_at = found.map_or(usize::MAX, |(number, _)| number / REGIMES + 1);
+            let required_at = cases.with(&row.needs).min(ENOUGH);
+            *seen.entry(detected_at).or_default() += 1;
+            if required_at <= cases.of_a_regime() && detected_at > required_at {
+                green.push(format!(
+                    "{row}, seed {}: required at {required_at} cases a regime, detected at {}",
+                    cases.seed,
+                    if found.is_some() { detected_at.to_string() } else { "none".into() }
+                ));
+            }
+            first = first.into_iter().chain(found.map(|(_, wrong)| wrong)).min();
+        }
+        if let Some((order, quantity)) = first
+            && (order, QUANTITIES[quantity].1) != (row.order, row.quantity.as_str())
+        {
+            misplaced.push(format!("{row}: found {} of {}", order.name(), QUANTITIES[quantity].1));
+        }
+    }
+    if is_full {
+        println!(
+            "{style}: {} errors, {} seeds; cases a regime at detection, and how often: {seen:?}",
+            rows.len(),
+            all.len()
+        );
+    }
+    assert!(green.is_empty(), "not detected:\n{}", green.join("\n"));
+    assert!(misplaced.is_empty(), "first wrong elsewhere:\n{}", misplaced.join("\n"));
+}
+
+#[test]
+fn errors_of_an_element_with_matrices_are_detected() {
+    detected("matrices", "matrices.cpp", &["c++", "-O2", "-std=c++17"]);
+}
+
+#[test]
+fn errors_of_an_element_with_loops_over_components_are_detected() {
+    detected("components", "components.c", &["cc", "-O2", "-std=c99"]);
+}
+
+#[test]
+fn errors_of_an_element_by_sympy_are_detected() {
+    detected("sympy", "sympy.c", &["cc", "-O2", "-std=c99"]);
+}
