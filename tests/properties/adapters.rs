@@ -90,7 +90,8 @@ fn verified(adapter: &Adapter) {
     let text = stdout(&run(&["adapter", adapter.language]));
     let Some(program) = made(adapter, &folder, &text) else { return };
     let told = stdout(&run(&["verify", vectors, "--run", &program]));
-    assert!(told.lines().last().is_some_and(|line| line.starts_with("AGREE: at ")), "{told}");
+    assert!(told.contains("\nAGREE: at "), "{told}");
+    other_family(&folder, &program, adapter.file);
     let [right, wrong] = adapter.term;
     assert_eq!(text.matches(right).count(), 1, "{right}");
     let program = made(adapter, &folder, &text.replace(right, wrong)).unwrap();
@@ -106,6 +107,17 @@ fn verified(adapter: &Adapter) {
     if adapter.language == "cpp" {
         named_in_every_format(vectors, &program, &folder);
     }
+}
+
+/// A program that is given another family says which one it is for.
+fn other_family(folder: &Path, program: &str, file: &str) {
+    let vectors = folder.join("hermite.jsonl");
+    let vectors = vectors.to_str().unwrap();
+    assert!(run(&["export", "--family", "hermite", "--cases", "1", "-o", vectors]).status.success());
+    let output = run(&["verify", vectors, "--run", program]);
+    let told = crate::program::message(&output);
+    assert_eq!(output.status.code(), Some(3), "{told}");
+    assert!(told.contains(&format!("{file} is for the family segment; a case is of")), "{told}");
 }
 
 /// The wrong term stands in what a CI job shows.
@@ -172,6 +184,7 @@ fn the_matlab_program_agrees_until_a_term_is_wrong() {
         ["vectors.jsonl", "answers.jsonl"].map(|name| folder.join(name).display().to_string());
     let families = ["--family", "segment", "--cases", "6", "--expected", "none", "-o", &vectors];
     assert!(run(&[&["export"][..], &families].concat()).status.success());
+    let program = format!("octave-cli --path '{}' --eval adapter", folder.display());
     let told = |text: &str| {
         std::fs::write(folder.join("adapter.m"), text).unwrap();
         let call = format!("adapter('{vectors}', '{answers}')");
@@ -183,6 +196,9 @@ fn the_matlab_program_agrees_until_a_term_is_wrong() {
     };
     let (code, right) = told(&text);
     assert!(code == Some(0) && right.contains("AGREE: at "), "{right}");
+    let output = run(&["verify", &vectors, "--run", &program]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    other_family(&folder, &program, "adapter.m");
     assert_eq!(text.matches("r = -Gt - A1d;").count(), 1);
     let (code, wrong) = told(&text.replace("r = -Gt - A1d;", "r = -Gt;"));
     assert!(code == Some(1) && wrong.contains("In the catalogue: `R: du,xi.d = dropped`\n"), "{wrong}");
@@ -193,4 +209,36 @@ fn the_matlab_program_agrees_until_a_term_is_wrong() {
 fn the_julia_program_agrees_until_a_term_is_wrong() {
     assert!(stdout(&run(&["adapter", "julia"])).starts_with("# Answers"));
     verified(&ADAPTERS[4]);
+}
+
+/// A contact element answers residual and tangent. A wrong term in it is red.
+#[test]
+fn the_contact_element_agrees_until_a_term_is_wrong() {
+    let folder = folder("contact");
+    let [vectors, element, contact] =
+        ["vectors.jsonl", "adapter.py", "contact.py"].map(|name| folder.join(name).display().to_string());
+    let is_there = Command::new("python3").arg("--version").output().is_ok();
+    if !is_there {
+        return;
+    }
+    assert!(run(&["export", "--family", "segment", "--cases", "4", "-o", &vectors]).status.success());
+    std::fs::write(&element, stdout(&run(&["adapter", "python"]))).unwrap();
+    let text = stdout(&run(&["adapter", "python", "--contact"]));
+    let verified = |text: &str| {
+        std::fs::write(&contact, text).unwrap();
+        let output = run(&["verify", &vectors, "--no-explanation", "--run", &format!("python3 '{contact}'")]);
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let (code, told) = verified(&text);
+    assert!(code == Some(0) && told.contains("for residual and tangent, "), "{told}");
+    for (right, wrong) in [
+        ("STIFFNESS * gap * g for g", "STIFFNESS * g for g"),
+        ("+ gap * hessian[", "+ 0 * hessian["),
+        ("if gap >= 0:", "if False:"),
+    ] {
+        assert_eq!(text.matches(right).count(), 1, "{right}");
+        let (code, told) = verified(&text.replace(right, wrong));
+        assert_eq!(code, Some(1), "{right}: {told}");
+    }
+    assert_eq!(run(&["adapter", "cpp", "--contact"]).status.code(), Some(2));
 }

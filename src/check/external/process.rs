@@ -13,13 +13,15 @@ pub use error::{InputState, ProcessError};
 use pipes::{Feed, Feeding, Told, feed, listen, overhear};
 use std::io::BufRead;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// The maximum time that a program may take to end after its last answer.
 const GRACE: Duration = Duration::from_secs(5);
-/// The same time after an answer that is cut off, so that the exit status is known.
+/// The maximum time until a case that was sent is known.
+const AT_ONCE: Duration = Duration::from_secs(2);
+/// The maximum time for the end of a program after an answer that is cut off, so that the exit status is known.
 const LAST_WORDS: Duration = Duration::from_secs(1);
 
 /// The settings of the run of a program.
@@ -142,10 +144,10 @@ impl Runner {
                 Ok(Told::Answers(answers)) => {
                     answered += 1;
                     let (matching, _) = matching.as_mut().expect("the head comes before the answers");
-                    // Each case is announced before it is written, so a case that is not there was not sent.
-                    let next = || match sent.try_recv() {
+                    // Each case is announced before it is written, so a case that does not come at once was not sent.
+                    let next = || match sent.recv_timeout(self.time_out.min(AT_ONCE)) {
                         Ok(vector) => vector.map(Some).map_err(|error| Some(ProcessError::from(error))),
-                        Err(TryRecvError::Disconnected | TryRecvError::Empty) => Ok(None),
+                        Err(_) => Ok(None),
                     };
                     let taken = matching.take(*answers, OptionalError::wrap(next));
                     progress(matching.report());

@@ -57,6 +57,44 @@ fn a_program_is_run_and_its_exit_status_time_and_words_are_told() {
     }
 }
 
+/// The first fault in time is the message; what follows from it is not.
+#[test]
+fn the_first_fault_is_the_message() {
+    let path = exported("first.jsonl", &["--family", "segment", "--cases", "3"]);
+    let vectors = path.to_str().unwrap();
+    let right = scratch("first-right.jsonl", "");
+    let right = right.to_str().unwrap();
+    assert!(run(&["evaluate", vectors, "-o", right]).status.success());
+    // The program reads its input, answers five cases, prints this, goes on, and fails in the end.
+    let program = |name: &str, line: &str, end: &str| {
+        let text = format!("sed -n 1,6p '{right}'\n{line}\nsed 1,6d '{right}'\n{end}\n");
+        format!("sh '{}'", scratch(&format!("first-{name}.sh"), &text).display())
+    };
+    let fails = "sleep 2\necho BrokenPipeError >&2\nexit 1";
+    let unknown = "echo '{\"id\":\"abc\",\"d\":1}'";
+    let of_cases = format!("7: the id of a case of {vectors} expected, found \"abc\"");
+    for (name, line, expected) in [
+        ("banner", "echo 'Newton 3 iterations'", "7:1: a number expected, found \"Newton\""),
+        ("stars", "echo '{\"id\":\"5\",\"d\":****}'", "7:15: a number expected, found asterisks"),
+        ("key", "echo '{\"id\":\"5\",\"distance\":1}'", "7:22: one of x, x_bar,"),
+        ("cut", "echo '{\"id\":\"5\",\"d\":{\"va'", "7:18: a closing quote expected, found none"),
+        ("unknown", unknown, of_cases.as_str()),
+    ] {
+        let start = std::time::Instant::now();
+        let output = run(&["verify", vectors, "--run", &program(name, line, fails)]);
+        let told = message(&output);
+        assert_eq!(output.status.code(), Some(3), "{told}");
+        assert!(told.contains(expected), "{name}: {told}");
+        assert!(!told.contains("exit status") && !told.contains("BrokenPipe"), "{name}: {told}");
+        assert!(start.elapsed().as_secs() < 20, "{name}");
+    }
+    // A last line that is cut off follows from the end of the program.
+    let text = format!("sed -n 1,6p '{right}'\nprintf '{{\"id\":\"5\",\"d\":{{\"va'\necho why >&2\nexit 3\n");
+    let program = format!("sh '{}'", scratch("first-end.sh", &text).display());
+    let told = message(&run(&["verify", vectors, "--run", &program]));
+    assert!(told.contains("exit status: 3, after 5 answers\nIts standard error ends:\nwhy"), "{told}");
+}
+
 /// A program that does not answer in time is told what it did with its input.
 #[test]
 fn a_time_out_says_what_the_program_did_with_its_input() {
