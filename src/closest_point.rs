@@ -255,7 +255,10 @@ fn assemble(
     }
     inside.open = open;
     for zero in inside.zeros {
-        add(&mut points, ends::at_end(pair, &zero).unwrap_or(zero));
+        let zero = ends::at_end(pair, &zero).unwrap_or(zero);
+        if !zero.leads_inward() {
+            add(&mut points, zero);
+        }
     }
     for region in &inside.open {
         unresolved.push(region.unresolved(pair, boxes)?);
@@ -301,8 +304,11 @@ impl ClosestPoints {
         let nearest = self.minima.iter().find(|point| point.is_interior());
         let limit = nearest.map_or(f64::INFINITY, |point| point.distance);
         for region in &self.unresolved {
+            let is_near = region.point.is_interior() && region.point.distance <= limit;
+            // Near a tangent without length, rounding decides about the eigenvalue, although no continuum is there.
+            let is_still = matches!(region.continuum, Continuum::ZeroTangent { .. });
             if let (Some(Degeneracy::Singular { conditioning }), true) =
-                (region.point.degeneracy(), region.point.is_interior() && region.point.distance <= limit)
+                (region.point.degeneracy(), is_near && !is_still)
             {
                 return Err(ProjectionError::Singular { conditioning });
             }

@@ -112,15 +112,22 @@ impl Rim {
 
 /// The point with more parameters held that equals a stationary point up to rounding, if there is one.
 pub(super) fn at_end(pair: &Pair, zero: &ClosestPoint) -> Option<ClosestPoint> {
-    const NEAR: f64 = 1.0 - 1e-7;
+    const NEAR: f64 = 1e-7;
     let now = zero.held();
-    let near = Held { xi: zero.xi.abs() > NEAR, xi_bar: zero.xi_bar.abs() > NEAR };
+    let [error, error_bar] = zero.uncertainty;
+    let near = Held {
+        xi: zero.xi.abs() > 1.0 - NEAR.max(error),
+        xi_bar: zero.xi_bar.abs() > 1.0 - NEAR.max(error_bar),
+    };
     let candidates = [near, Held { xi_bar: now.xi_bar, ..near }, Held { xi: now.xi, ..near }];
     candidates.into_iter().filter(|&held| held != now).find_map(|held| {
         let point = pair.refine((zero.xi, zero.xi_bar), held).ok()?;
-        let close = (point.xi - zero.xi).abs().max((point.xi_bar - zero.xi_bar).abs()) < 1e-6;
+        let close = (point.xi - zero.xi).abs() < (10.0 * NEAR).max(error)
+            && (point.xi_bar - zero.xi_bar).abs() < (10.0 * NEAR).max(error_bar);
         let strict = |end: Option<End>| end.is_some_and(|end| end.strict);
-        let weak = (now.xi || !strict(point.end)) && (now.xi_bar || !strict(point.end_bar));
+        // At an end with a tangent of no length the gradient vanishes, although the end is strictly held.
+        let weak = (now.xi || !strict(point.end) || zero.xi.abs() >= 1.0)
+            && (now.xi_bar || !strict(point.end_bar) || zero.xi_bar.abs() >= 1.0);
         (close && weak).then_some(point)
     })
 }

@@ -90,7 +90,9 @@ fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoi
     if let Some((i, _, at, _)) = free().find(|&(_, _, at, step)| at.abs() >= 1.0 && leaves(at, step)) {
         return Err(ProjectionError::AtEnd { which: [Which::Beam, Which::Bar][i], side: Side::nearest(at) });
     }
-    if free().any(|(_, _, at, step)| step.is_nan() || step.abs() >= SMALL || leaves(at, step)) {
+    let is_still =
+        (!held.xi && p.is_near_standstill(0, step)) || (!held.xi_bar && p.is_near_standstill(1, step_bar));
+    if is_still || free().any(|(_, _, at, step)| step.is_nan() || step.abs() >= SMALL || leaves(at, step)) {
         return Err(ProjectionError::NotConverged { residual: point.residual });
     }
     if !free().all(|(i, ..)| p.explains_gradient(i, SMALL)) {

@@ -14,6 +14,8 @@ pub(super) const WEAK: f64 = 9e-13;
 const CLEAR: f64 = 1e-3;
 /// From this relative error of these gradients on, a point is ill-conditioned.
 const TOO_LARGE: f64 = 1e-6;
+/// Where rounding moves a parameter farther than this, Newton's method ends with steps of this size.
+const SETTLED: f64 = 1e-7;
 /// The parameters of a minimum of fourth order are accurate to the fourth root of the rounding of d².
 const FOURTH_ORDER: f64 = 1.7e-4;
 
@@ -38,11 +40,12 @@ pub struct ClosestPoint {
     pub residual: f64,
     /// The smallest eigenvalue of the Hessian of d²/2 for unit tangents, over the free parameters.
     ///
-    /// It is 1 - |cos θ| for straight beams at the angle θ, and infinite if no parameter is free.
+    /// It is 1 - |cos θ| for straight beams at the angle θ, infinite if no parameter is free, and zero if the tangent of
+    /// a free parameter has no length.
     pub conditioning: f64,
     degeneracy: Option<Degeneracy>,
     /// The possible errors of xi and xi_bar, if they exceed a few digits.
-    uncertainty: [f64; 2],
+    pub(super) uncertainty: [f64; 2],
 }
 
 /// The kind of a stationary point of the distance.
@@ -64,6 +67,8 @@ pub struct End {
     /// Whether the multiplier is clearly not zero. If it is not, only one-sided derivatives exist.
     pub strict: bool,
     /// The cosine of the angle between d and the tangent, positive where leaving the end would increase the distance.
+    ///
+    /// If the tangent has no length, the first derivative that does not vanish takes its place.
     pub multiplier: f64,
 }
 
@@ -99,7 +104,7 @@ pub enum Degeneracy {
         /// The scaled eigenvalue of the Hessian that is smallest in size.
         conditioning: f64,
     },
-    /// A parameter is about to leave its end: only one-sided derivatives exist.
+    /// A parameter is about to leave its end, or is at an end without being held: only one-sided derivatives exist.
     WeakEnd {
         /// The scaled multiplier.
         multiplier: f64,
@@ -125,9 +130,11 @@ impl ClosestPoint {
         let still = [p.stands_still(0), p.stands_still(1)];
         let degeneracy = if still[0] || still[1] {
             Some(Degeneracy::ZeroTangent { which: if still[0] { Which::Beam } else { Which::Bar } })
-        } else if p.rounds_to_zero(smallest) {
+        } else if p.rounds_to_zero(smallest, held) {
             Some(Degeneracy::Singular { conditioning: smallest })
         } else if let Some(end) = [end, end_bar].into_iter().flatten().find(|end| !end.strict) {
+            Some(Degeneracy::WeakEnd { multiplier: end.multiplier })
+        } else if let Some(end) = released(p, 0, held.xi, xi).or(released(p, 1, held.xi_bar, xi_bar)) {
             Some(Degeneracy::WeakEnd { multiplier: end.multiplier })
         } else if p.is_crossing() {
             Some(Degeneracy::Crossing)
@@ -136,7 +143,12 @@ impl ClosestPoint {
             (gradient_error > TOO_LARGE)
                 .then_some(Degeneracy::IllConditioned { conditioning: smallest, gradient_error })
         };
-        let uncertainty = if smallest < CLEAR {
+        let uncertainty = if p.is_unlike() {
+            let of = |i: usize, held: bool| {
+                if held { 0.0 } else { 4.0 * p.uncertainty(i, smallest.min(1.0)) + SETTLED }
+            };
+            [of(0, held.xi), of(1, held.xi_bar)]
+        } else if smallest < CLEAR {
             [0, 1].map(|i| p.uncertainty(i, smallest).min(FOURTH_ORDER))
         } else {
             [0.0; 2]
@@ -173,6 +185,11 @@ impl ClosestPoint {
         self.held() == other.held() && near(0, self.xi - other.xi) && near(1, self.xi_bar - other.xi_bar)
     }
 
+    /// Whether the distance decreases from an end into a beam.
+    pub(super) fn leads_inward(&self) -> bool {
+        [self.end, self.end_bar].into_iter().flatten().any(End::leads_inward)
+    }
+
     /// Whether every held parameter is strictly held.
     pub fn is_strict(&self) -> bool {
         [self.end, self.end_bar].into_iter().flatten().all(|end| end.strict)
@@ -185,10 +202,24 @@ impl ClosestPoint {
 }
 
 impl End {
+    /// Whether the distance clearly decreases from the end into the beam.
+    fn leads_inward(self) -> bool {
+        self.strict && self.multiplier < 0.0
+    }
+
     fn new(p: &SquaredDistance, i: usize, at: f64) -> Self {
         let side = Side::nearest(at);
+        if p.stands_still(i) {
+            let multiplier = p.cosine_into(i, side.parameter());
+            return Self { side, strict: multiplier.abs() > WEAK, multiplier };
+        }
         Self { side, strict: !p.is_weak(i), multiplier: 0.0 - side.parameter() * p.cosine(i) }
     }
+}
+
+/// The end at which a parameter is that is not held. It may leave the end in one direction only.
+fn released(p: &SquaredDistance, i: usize, held: bool, at: f64) -> Option<End> {
+    (!held && at.abs() >= 1.0).then(|| End::new(p, i, at))
 }
 
 impl Side {
@@ -210,8 +241,7 @@ impl Kind {
     /// The kind of a stationary point: the sign of the Hessian over the parameters that are not strictly held.
     fn new(p: &SquaredDistance, end: Option<End>, end_bar: Option<End>) -> Self {
         let strict = |end: Option<End>| end.is_some_and(|end| end.strict);
-        let inward = |end: Option<End>| end.is_some_and(|end| end.strict && end.multiplier < 0.0);
-        if inward(end) || inward(end_bar) {
+        if [end, end_bar].into_iter().flatten().any(End::leads_inward) {
             return Self::Saddle;
         }
         let held = Held { xi: strict(end), xi_bar: strict(end_bar) };

@@ -83,7 +83,7 @@ impl SquaredDistance {
 
     /// The smallest eigenvalue of the Hessian for unit tangents, over the parameters that are not held.
     ///
-    /// It is infinite if both are held and not a number if a tangent has no length.
+    /// It is infinite if both are held, and zero if a tangent that counts has no length.
     pub fn conditioning(&self, held: Held) -> f64 {
         self.eigenvalues(held)[0]
     }
@@ -101,9 +101,9 @@ impl SquaredDistance {
         let (first, second) = (self.a / t2, -self.a_bar / t_bar2);
         match (held.xi, held.xi_bar) {
             (true, true) => [f64::INFINITY; 2],
-            (true, false) => [second; 2],
-            (false, true) => [first; 2],
-            (false, false) => {
+            (true, false) if second.is_finite() => [second; 2],
+            (false, true) if first.is_finite() => [first; 2],
+            (false, false) if first.is_finite() && second.is_finite() => {
                 let root = ((first - second).powi(2) + 4.0 * (self.b / t2) * (self.b / t_bar2)).sqrt();
                 let (trace, det) = (first + second, self.det / t2 / t_bar2);
                 let large = 0.5 * (trace + root.copysign(trace));
@@ -111,6 +111,7 @@ impl SquaredDistance {
                 let small = if large.abs() > 0.5 { det / large } else { trace - large };
                 if trace < 0.0 { [large, small] } else { [small, large] }
             }
+            _ => [0.0; 2],
         }
     }
 
@@ -126,16 +127,20 @@ impl SquaredDistance {
         self.squares[i] + self.bends[i]
     }
 
-    /// Whether a scaled eigenvalue of this size may be zero up to the rounding of d.
+    /// Whether a scaled eigenvalue of this size, over the parameters that are not held, may be zero up to the rounding of
+    /// d.
     ///
     /// The rounding of d contributes to the scaled Hessian its error times the curvature, which is ‖t,xi‖ / t² at most.
-    pub(super) fn rounds_to_zero(&self, eigenvalue: f64) -> bool {
+    pub(super) fn rounds_to_zero(&self, eigenvalue: f64, held: Held) -> bool {
         let [t2, t_bar2] = self.squares;
         let [bend, bend_bar] = self.bends;
         // 2 u v <= u² + v² decides without a root unless both sides are close.
         let high = (self.size2 + bend) * t_bar2 + (self.size2 + bend_bar) * t2;
-        (eigenvalue - SINGULAR) * (t2 * t_bar2) <= 8.0 * ROUNDING * high
-            && eigenvalue <= SINGULAR + 16.0 * self.rounding() * (bend.sqrt() / t2 + bend_bar.sqrt() / t_bar2)
+        (eigenvalue - SINGULAR) * (t2 * t_bar2) <= 8.0 * ROUNDING * high && {
+            let curvature = |held: bool, bend: f64, t2: f64| if held { 0.0 } else { bend.sqrt() / t2 };
+            let of_both = curvature(held.xi, bend, t2) + curvature(held.xi_bar, bend_bar, t_bar2);
+            eigenvalue <= SINGULAR + 16.0 * self.rounding() * of_both
+        }
     }
 
     /// Whether tangent `i` has no length, relative to its change along the beam.
@@ -144,6 +149,31 @@ impl SquaredDistance {
         // (u + v)² <= 2 (u² + v²) decides without a root unless both sides are close.
         t2 <= 2.0 * STANDSTILL * STANDSTILL * (bend + twist)
             && t2.sqrt() <= STANDSTILL * (bend.sqrt() + twist.sqrt())
+    }
+
+    /// The cosine between d and the direction of the curve that leads from the end `end` (-1 or 1) of parameter `i` into
+    /// the beam, if the tangent has no length there. The first derivative that does not vanish has this direction.
+    ///
+    /// With ξ = end - end s, F changes by F,ξξ s²/2 - end F,ξξξ s³/6.
+    pub(super) fn cosine_into(&self, i: usize, end: f64) -> f64 {
+        let (bend, twist) = (self.bends[i].sqrt(), self.twists[i].sqrt());
+        let (change, size) = if bend > STANDSTILL * twist {
+            ([self.a, -self.a_bar][i], bend)
+        } else {
+            (-end * [self.third[0], self.third[3]][i], twist)
+        };
+        if self.is_crossing() { 0.0 } else { change / (self.distance * size) }
+    }
+
+    /// Whether parameter `i` is near a zero of its tangent instead of a zero of the cosine between d and its tangent.
+    ///
+    /// There a Newton step of this size changes the tangent by its own length. If the tangent has a zero of second order,
+    /// the steps become small although the cosine does not, until the tangent and its change are both rounding.
+    pub(super) fn is_near_standstill(&self, i: usize, step: f64) -> bool {
+        const LARGE: f64 = 1e-6;
+        let is_double = |bend: f64| self.stands_still(i) && bend < LARGE * LARGE * self.twists[i];
+        ((step * step) * self.bends[i] > 0.01 * self.squares[i] || is_double(self.bends[i]))
+            && self.cosine(i).abs() > LARGE
     }
 
     /// The largest |cos| over the parameters that are not held.
@@ -190,6 +220,13 @@ impl SquaredDistance {
     /// The absolute error of the positions.
     pub(super) fn rounding(&self) -> f64 {
         ROUNDING * self.size2.sqrt()
+    }
+
+    /// Whether a curve is so short, next to the other one or the positions, that rounding moves its parameter far.
+    pub(super) fn is_unlike(&self) -> bool {
+        const RATIO: f64 = 1e5;
+        let own = |i: usize| self.size2_about(i) + self.twists[i];
+        self.size2 > RATIO * RATIO * own(0).min(own(1))
     }
 
     /// The possible error of parameter `i`: the rounding of the gradient divided by an eigenvalue of this size.

@@ -14,6 +14,10 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A bound is a sum of products of the half ulps of operations and of the bounds of inputs, which this factor enlarges.
 /// An operation on bounds loses half an ulp of the bound at most. 2^28 operations in a row lose less than this factor
 /// adds, even in nested roots. The only difference, the distance of a divisor from zero, becomes smaller by it.
+///
+/// A bound may be attained up to this factor. The rounding of a closest point's parameter is known from double-double. If
+/// it has a larger effect than all other rounding, and a linear one, the error of a result is the bound over this factor.
+/// So error / tolerance comes near 1/(1 + 2^-20) = 0.999999046, and stays below 1 by the derivation above.
 const INFLATION: f64 = 1.0 + 1.0 / (1 << 20) as f64;
 
 /// Unit roundoff of `f64`, 2^-53, inflated.

@@ -2,6 +2,7 @@
 //!
 //! `beamgap bounds` runs the same test for 100,000 cases.
 
+use crate::program::{json, run};
 use beamgap::check::{Bounds, Order, Regime, Selection, Side, bounds};
 
 fn measured(seed: u64) -> Bounds {
@@ -35,4 +36,25 @@ fn bounds_do_not_depend_on_threads() {
         pool.install(|| bounds(1, &selection, || ()))
     };
     assert_eq!(of(1), of(2));
+}
+
+/// A case in which the tolerance is attained: the error is 0.99999 of it.
+///
+/// The beams are 1e4 and 3e7 long. The rounding of xi_bar has more effect on the closed form than all other rounding. The
+/// exact variations were computed with 60 digits at the root of d·t_bar = 0, found with 60 digits.
+#[test]
+fn an_error_comes_near_its_bound_where_one_rounding_is_all_of_it() {
+    let case = json(&run(&["check", "--case", "1099512130048", "--format", "json"]));
+    let entries = case["closest_points"][1]["entries"].as_array().unwrap();
+    for (part, exact) in [("delta", 0.890_245_528_622_911_4), ("Delta", 0.782_330_472_645_806_6)] {
+        let is_own = |against: &str| against == "own hyper-dual, chord";
+        let entry = entries.iter().find(|entry| {
+            entry["quantity"] == "d" && entry["part"] == part && is_own(entry["against"].as_str().unwrap())
+        });
+        let of = |key: &str| entry.unwrap()[key].as_f64().unwrap();
+        assert!((of("other") - exact).abs() < 1e-15, "{entry:?}");
+        let share = (of("closed") - exact).abs() / of("bound");
+        assert!(share > 0.9999 && share < 1.0 / (1.0 + f64::exp2(-20.0)), "{share}");
+        assert!(of("difference") / of("tolerance") < 1.0 / (1.0 + f64::exp2(-20.0)), "{entry:?}");
+    }
 }
