@@ -185,6 +185,11 @@ impl ClosestPoint {
         self.held() == other.held() && near(0, self.xi - other.xi) && near(1, self.xi_bar - other.xi_bar)
     }
 
+    /// The point of curves whose lengths were divided by `unit`.
+    pub(super) fn in_unit(self, unit: f64) -> Self {
+        Self { distance: self.distance * unit, ..self }
+    }
+
     /// Whether the distance decreases from an end into a beam.
     pub(super) fn leads_inward(&self) -> bool {
         [self.end, self.end_bar].into_iter().flatten().any(End::leads_inward)

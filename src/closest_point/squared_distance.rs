@@ -36,7 +36,7 @@ pub struct SquaredDistance {
     /// The third derivatives: three times in xi, twice in xi and once in xi_bar, and so on.
     third: [f64; 4],
     /// The sum of the squares of the positions and the tangents.
-    size2: f64,
+    pub(super) size2: f64,
 }
 
 impl SquaredDistance {
