@@ -21,6 +21,7 @@ mod point;
 mod search;
 mod squared_distance;
 mod tree;
+mod unit;
 mod unresolved;
 
 pub use continuum::Continuum;
@@ -219,8 +220,29 @@ pub fn closest_points(
     bar: &dyn Centroid,
     options: &Search,
 ) -> Result<ClosestPoints, ProjectionError> {
+    match search_unscaled([beam, bar], options, unit::is_usual) {
+        Ok(Some(found)) => Ok(found),
+        Ok(None) | Err(ProjectionError::NonFinite) => {
+            let ([beam, bar], unit) = unit::scaled([beam, bar])?;
+            let found = search_unscaled([&beam, &bar], options, |_| true)?;
+            Ok(found.ok_or(ProjectionError::NonFinite)?.in_unit(unit))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// The search in the unit of the curves; nothing if they do not have the size that is required.
+fn search_unscaled(
+    [beam, bar]: [&dyn Centroid; 2],
+    options: &Search,
+    has_size: impl Fn(f64) -> bool,
+) -> Result<Option<ClosestPoints>, ProjectionError> {
     let band = Band { width: options.diagonal };
     let mut pair = Pair { curves: [beam, bar], trees: [Tree::new(beam)?, Tree::new(bar)?], band };
+    let [size, size_bar] = pair.trees.each_ref().map(Tree::size);
+    if !has_size(size.max(size_bar)) {
+        return Ok(None);
+    }
     for (tree, which) in pair.trees.iter().zip([Which::Beam, Which::Bar]) {
         let root = tree.node(ROOT);
         if root.speed == 0.0 && root.turn == 0.0 {
@@ -234,7 +256,7 @@ pub fn closest_points(
         intervals: rim.intervals,
         evaluations: pair.trees.iter().map(Tree::evaluations).sum(),
     };
-    assemble(&mut pair, inside, rim, statistics, options.boxes)
+    assemble(&mut pair, inside, rim, statistics, options.boxes).map(Some)
 }
 
 /// Collects all results, each point once.
@@ -321,6 +343,18 @@ impl ClosestPoints {
             }
             _ => Ok(nearest),
         }
+    }
+
+    /// The results of curves whose lengths were divided by `unit`.
+    fn in_unit(mut self, unit: f64) -> Self {
+        for point in self.minima.iter_mut().chain(&mut self.stationary) {
+            *point = point.in_unit(unit);
+        }
+        for region in &mut self.unresolved {
+            region.point = region.point.in_unit(unit);
+            region.distance = region.distance.map(|distance| distance * unit);
+        }
+        self
     }
 
     /// Whether no region was left open, so that all minima, saddles and maxima are listed.

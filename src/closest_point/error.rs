@@ -8,8 +8,9 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ProjectionError {
-    /// A position, a derivative, a bound or a start is infinite or not a number, or its square is.
-    #[error("a curve, its bound or the start is not finite, or too large to be squared")]
+    /// A position, a derivative, a bound or a start is infinite or not a number, or a length is so large or so small, by
+    /// itself or next to the other curve, that its square has not all digits: beyond about 1e150 or 1e-150.
+    #[error("a curve, its bound or the start is not finite, or too large or too small to be squared")]
     NonFinite,
     /// All points of one curve coincide, so that it has no tangent.
     #[error("the curve of the {which} is a single point")]

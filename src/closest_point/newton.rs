@@ -1,5 +1,6 @@
 //! Newton's method for one stationary point.
 
+use super::unit::{is_usual_square, scaled};
 use super::{Centroid, ClosestPoint, Held, ProjectionError, Side, SquaredDistance};
 use crate::curve::Geometry;
 use crate::number::Which;
@@ -19,7 +20,7 @@ const REACH: f64 = 0.5;
 /// whether the point is a minimum.
 ///
 /// # Errors
-/// [`ProjectionError::NonFinite`] if the start, a curve or a square of its numbers is not finite,
+/// [`ProjectionError::NonFinite`] if the start or a curve is not finite or the curves are of too unlike sizes,
 /// [`ProjectionError::Singular`] if the Hessian becomes singular, or so nearly that the steps have no meaning,
 /// [`ProjectionError::AtEnd`] if the steps lead out of a beam, [`ProjectionError::NotConverged`] if they do not become small.
 pub fn refine(
@@ -31,16 +32,39 @@ pub fn refine(
     if !(start.0.is_finite() && start.1.is_finite()) {
         return Err(ProjectionError::NonFinite);
     }
+    match iterated(beam, bar, start, held, |p| is_usual_square(p.size2)) {
+        Ok(Some(point)) => Ok(point),
+        Ok(None) | Err(ProjectionError::NonFinite) => {
+            let ([beam, bar], unit) = scaled([beam, bar])?;
+            let point = iterated(&beam, &bar, start, held, |_| true)?.ok_or(ProjectionError::NonFinite)?;
+            Ok(point.in_unit(unit))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// Newton's method; nothing if the first iterate does not have the size that is required.
+#[inline(always)]
+fn iterated(
+    beam: &dyn Centroid,
+    bar: &dyn Centroid,
+    start: (f64, f64),
+    held: Held,
+    has_size: impl Fn(&SquaredDistance) -> bool,
+) -> Result<Option<ClosestPoint>, ProjectionError> {
     let place = |held: bool, xi: f64| if held { 1.0_f64.copysign(xi) } else { xi.clamp(-1.0, 1.0) };
     let start = (place(held.xi, start.0), place(held.xi_bar, start.1));
     let cubic = beam.is_cubic() && bar.is_cubic();
     let mut current = Iterate::at(beam, bar, start)?;
+    if !has_size(&current.squared_distance) {
+        return Ok(None);
+    }
     // At rounding level the iterate with the smallest gradient is the best one. Later iterates may be worse.
     let mut best: Option<Iterate> = None;
     let mut previous = f64::INFINITY;
     for _ in 0..STEPS {
         if current.squared_distance.is_stationary(held) {
-            return settled(current.at, &current.squared_distance, held);
+            return settled(current.at, &current.squared_distance, held).map(Some);
         }
         let step = current.squared_distance.step(held);
         if !(step.0.is_finite() && step.1.is_finite()) {
@@ -55,7 +79,7 @@ pub fn refine(
         }
         if size <= 2.0 * f64::EPSILON && best.is_none() {
             // The last digits of the parameters move the points by less than their rounding.
-            return settled(next, &current.squared_distance, held);
+            return settled(next, &current.squared_distance, held).map(Some);
         }
         let at = current.ahead(next, size, held);
         let new = if cubic && current.evaluated && apart(current.at, at) < REACH {
@@ -74,7 +98,7 @@ pub fn refine(
         previous = size;
     }
     let end = best.as_ref().unwrap_or(&current);
-    settled(end.at, &end.squared_distance, held)
+    settled(end.at, &end.squared_distance, held).map(Some)
 }
 
 /// The point where the iteration ended, if the steps have become small.
@@ -90,10 +114,9 @@ fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoi
     if let Some((i, _, at, _)) = free().find(|&(_, _, at, step)| at.abs() >= 1.0 && leaves(at, step)) {
         return Err(ProjectionError::AtEnd { which: [Which::Beam, Which::Bar][i], side: Side::nearest(at) });
     }
-    let is_open = |i: usize, at: f64, step: f64| {
-        step.is_nan() || step.abs() >= SMALL || leaves(at, step) || p.is_near_standstill(i, step)
-    };
-    if free().any(|(i, _, at, step)| is_open(i, at, step)) {
+    let is_still =
+        (!held.xi && p.is_near_standstill(0, step)) || (!held.xi_bar && p.is_near_standstill(1, step_bar));
+    if is_still || free().any(|(_, _, at, step)| step.is_nan() || step.abs() >= SMALL || leaves(at, step)) {
         return Err(ProjectionError::NotConverged { residual: point.residual });
     }
     if !free().all(|(i, ..)| p.explains_gradient(i, SMALL)) {

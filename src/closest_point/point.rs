@@ -14,6 +14,8 @@ pub(super) const WEAK: f64 = 9e-13;
 const CLEAR: f64 = 1e-3;
 /// From this relative error of these gradients on, a point is ill-conditioned.
 const TOO_LARGE: f64 = 1e-6;
+/// Where rounding moves a parameter farther than this, Newton's method ends with steps of this size.
+const SETTLED: f64 = 1e-7;
 /// The parameters of a minimum of fourth order are accurate to the fourth root of the rounding of d².
 const FOURTH_ORDER: f64 = 1.7e-4;
 
@@ -141,8 +143,13 @@ impl ClosestPoint {
             (gradient_error > TOO_LARGE)
                 .then_some(Degeneracy::IllConditioned { conditioning: smallest, gradient_error })
         };
-        let uncertainty = if smallest < CLEAR || p.is_unlike() {
-            [0, 1].map(|i| p.uncertainty(i, smallest).min(FOURTH_ORDER.max(p.uncertainty(i, 0.25))))
+        let uncertainty = if p.is_unlike() {
+            let of = |i: usize, held: bool| {
+                if held { 0.0 } else { 4.0 * p.uncertainty(i, smallest.min(1.0)) + SETTLED }
+            };
+            [of(0, held.xi), of(1, held.xi_bar)]
+        } else if smallest < CLEAR {
+            [0, 1].map(|i| p.uncertainty(i, smallest).min(FOURTH_ORDER))
         } else {
             [0.0; 2]
         };
@@ -176,6 +183,11 @@ impl ClosestPoint {
             difference.abs() < (self.uncertainty[i] + other.uncertainty[i]).max(1e-9)
         };
         self.held() == other.held() && near(0, self.xi - other.xi) && near(1, self.xi_bar - other.xi_bar)
+    }
+
+    /// The point of curves whose lengths were divided by `unit`.
+    pub(super) fn in_unit(self, unit: f64) -> Self {
+        Self { distance: self.distance * unit, ..self }
     }
 
     /// Whether the distance decreases from an end into a beam.

@@ -36,7 +36,7 @@ pub struct SquaredDistance {
     /// The third derivatives: three times in xi, twice in xi and once in xi_bar, and so on.
     third: [f64; 4],
     /// The sum of the squares of the positions and the tangents.
-    size2: f64,
+    pub(super) size2: f64,
 }
 
 impl SquaredDistance {
@@ -168,10 +168,12 @@ impl SquaredDistance {
     /// Whether parameter `i` is near a zero of its tangent instead of a zero of the cosine between d and its tangent.
     ///
     /// There a Newton step of this size changes the tangent by its own length. If the tangent has a zero of second order,
-    /// the steps become small although the cosine does not.
+    /// the steps become small although the cosine does not, until the tangent and its change are both rounding.
     pub(super) fn is_near_standstill(&self, i: usize, step: f64) -> bool {
         const LARGE: f64 = 1e-6;
-        (step * step) * self.bends[i] > 0.01 * self.squares[i] && self.cosine(i).abs() > LARGE
+        let is_double = |bend: f64| self.stands_still(i) && bend < LARGE * LARGE * self.twists[i];
+        ((step * step) * self.bends[i] > 0.01 * self.squares[i] || is_double(self.bends[i]))
+            && self.cosine(i).abs() > LARGE
     }
 
     /// The largest |cos| over the parameters that are not held.
@@ -220,10 +222,11 @@ impl SquaredDistance {
         ROUNDING * self.size2.sqrt()
     }
 
-    /// Whether a tangent is so short, next to the other one or the positions, that rounding moves its parameter far.
+    /// Whether a curve is so short, next to the other one or the positions, that rounding moves its parameter far.
     pub(super) fn is_unlike(&self) -> bool {
         const RATIO: f64 = 1e5;
-        self.size2 > RATIO * RATIO * self.squares[0].min(self.squares[1])
+        let own = |i: usize| self.size2_about(i) + self.twists[i];
+        self.size2 > RATIO * RATIO * own(0).min(own(1))
     }
 
     /// The possible error of parameter `i`: the rounding of the gradient divided by an eigenvalue of this size.

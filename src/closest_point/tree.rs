@@ -70,6 +70,12 @@ impl<'a> Tree<'a> {
         Ok([lower, upper])
     }
 
+    /// The size of the numbers of the curve.
+    pub(super) fn size(&self) -> f64 {
+        let Node { geometry, speed, bend, .. } = self.node(ROOT);
+        geometry.x.amax().max(*speed).max(*bend).max(self.bound)
+    }
+
     /// The number of points at which the curve was evaluated.
     pub(super) fn evaluations(&self) -> usize {
         self.nodes.len()

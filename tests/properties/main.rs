@@ -44,6 +44,7 @@ mod reports;
 mod scalars;
 mod schemas;
 mod shrinking;
+mod standstill;
 mod strategies;
 mod symmetry;
 mod threads;
