@@ -6,7 +6,7 @@
 //! not judged. Where the differences have too large an error estimate, no side is wrong, but the disagreement stands.
 
 use super::serialized::by_name;
-use super::verdict::{Comparison, Order};
+use super::verdict::{Comparison, Order, Verdict};
 use std::collections::BTreeMap;
 
 /// The name of the third oracle in [`Comparison::against`].
@@ -54,6 +54,16 @@ impl Arbitration {
     /// Whether the oracles disagree among themselves.
     pub fn is_untrusted(self) -> bool {
         matches!(self, Self::Ad | Self::Both)
+    }
+
+    /// Arbitrates over a closest point that disagrees; nothing at a point that agrees or is not compared.
+    ///
+    /// Beyond the range of `f64` automatic differentiation overflows, which says nothing about it.
+    pub fn of_mismatch(verdict: &Verdict) -> Option<Self> {
+        match verdict {
+            Verdict::Mismatch(entries) => Self::of(entries),
+            Verdict::Pass(_) | Verdict::Inconclusive(..) => None,
+        }
     }
 
     /// Arbitrates over all entries of a closest point; nothing if all meaningful comparisons agree.

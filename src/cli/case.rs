@@ -72,7 +72,7 @@ pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) 
             }
             Found::Pass(entries) | Found::Mismatch(entries) => text += &numbers(entries, *only_wrong),
         }
-        if let Some(who) = Arbitration::of(compared.entries()) {
+        if let Some(who) = Arbitration::of_mismatch(compared) {
             let _ = writeln!(text, "By differences in double-double: {}", who.words());
         }
     }
@@ -200,7 +200,7 @@ fn at_point(point: Option<&ClosestPoint>, compared: &Found, only_wrong: bool) ->
         Found::Mismatch(entries) => ("disagree", None, entries.as_slice()),
         Found::Inconclusive(reason, entries) => ("not-compared", Some(reason.reason()), entries.as_slice()),
     };
-    let arbitration = Arbitration::of(entries).map(Arbitration::name);
+    let arbitration = Arbitration::of_mismatch(compared).map(Arbitration::name);
     let shown = entries.iter().filter(|entry| !only_wrong || entry.is_wrong());
     let entries: Vec<_> = shown.map(json::compared).collect();
     json!({

@@ -131,7 +131,7 @@ fn outcome_of(points: &Compared) -> Outcome {
     let points_with =
         |wanted: fn(&Found) -> bool| points.iter().filter(|(_, found)| wanted(found)).count() as u64;
     let left = points_with(|found| matches!(found, Found::Inconclusive(..)));
-    let arbitrated = points.iter().filter_map(|(_, found)| Arbitration::of(found.entries()));
+    let arbitrated = points.iter().filter_map(|(_, found)| Arbitration::of_mismatch(found));
     let untrusted = arbitrated.filter(|who| who.is_untrusted()).count();
     let wrong = points_with(|found| matches!(found, Found::Mismatch(_)));
     let verdict = in_words(points.len() as u64 - left, wrong, left, untrusted);

@@ -257,6 +257,52 @@ fn a_closest_point_at_the_origin_is_compared() {
     );
 }
 
+/// Automatic differentiation overflows in these directions. Nothing can be compared, and no one is accused.
+#[test]
+fn directions_beyond_the_range_are_not_compared() {
+    let line = |q: [f64; 6], dq: [f64; 6], linear_dq: [f64; 6]| json!({ "family": "segment", "q": q, "dq": dq, "linear_dq": linear_dq });
+    for huge in [1e200, 1e300, 1e307, 1e308] {
+        for other in [0.0, 1.0, 1e-300, huge] {
+            let along = |size: f64| [size, 0.0, 0.0, -0.5 * size, size, 0.0];
+            let beam = line([-1.0, 0.0, 0.0, 1.0, 0.0, 0.1], [0.3 * huge; 6], along(other));
+            let bar = line([0.0, -1.0, 1.0, 0.0, 1.0, 1.3], along(other), along(huge));
+            let document = json!({ "schema": "beamgap-case/1", "beam": beam, "bar": bar }).to_string();
+            let output = check(&document, &["--format", "json"]);
+            assert_eq!(output.status.code(), Some(4), "{huge:e}, {other:e}");
+            let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+            let point = &found["closest_points"][0];
+            assert_eq!(
+                (&found["verdict"], &point["reason"], &point["arbitration"]),
+                (
+                    &json!("nothing-compared"),
+                    &json!("overflow or underflow: beyond the range of f64"),
+                    &Value::Null
+                )
+            );
+        }
+    }
+}
+
+/// The search leaves the whole square of two parallel beams open. The distance is by hand.
+#[test]
+fn an_open_region_is_shown_with_its_distance() {
+    let line = |q: [f64; 6]| json!({ "family": "segment", "q": q, "dq": [0.5; 6], "linear_dq": [0.25; 6] });
+    let beam = line([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+    let bar = line([0.999, 0.001, 0.0, 10.999, 0.001, 0.0]);
+    let document = json!({ "schema": "beamgap-case/1", "beam": beam, "bar": bar }).to_string();
+    let output = check(&document, &["--format", "json"]);
+    assert_eq!(output.status.code(), Some(4));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let region = &found["open_regions"][0];
+    assert_eq!(region["reason"], "the centroids are parallel");
+    let [low, high] = [0, 1].map(|i| region["smallest_distance"][i].as_f64().unwrap());
+    assert!(low <= 0.001 && low > 0.001 - 1e-11 && (high - 0.001).abs() < 1e-15, "{region}");
+    let text = String::from_utf8(check(&document, &[]).stdout).unwrap();
+    assert!(text.contains("\nopen region: the centroids are parallel\n  xi from -1e0 to 1e0\n"), "{text}");
+    // The document is a case file again.
+    assert_eq!(check(&found.to_string(), &[]).status.code(), Some(4));
+}
+
 /// Reports identify cases by their numbers alone, so a number must always draw the same beams.
 #[test]
 fn a_number_draws_the_case_that_it_always_drew() {

@@ -244,6 +244,42 @@ fn beams_that_meet_end_to_end_on_one_line_have_one_closest_point() {
     assert!(matches!(point.degeneracy(), Some(Degeneracy::WeakEnd { .. })));
 }
 
+/// Neither the reasons nor the digits depend on the unit of length, also where fourth powers of lengths overflow.
+#[test]
+fn continua_are_the_same_in_all_units() {
+    let pairs = [
+        // parallel, collinear, end to end, and across each other
+        ([[0.0; 3], [1.0, 0.0, 0.0]], [[0.5, 0.25, 0.0], [2.5, 0.25, 0.0]]),
+        ([[0.0; 3], [1.0, 0.0, 0.0]], [[0.5, 0.0, 0.0], [2.5, 0.0, 0.0]]),
+        ([[0.0; 3], [1.0, 0.0, 0.0]], [[1.0, 0.0, 0.0], [2.5, 0.0, 0.0]]),
+        ([[0.0; 3], [1.0, 0.0, 0.0]], [[0.5, -1.0, 0.25], [0.5, 1.0, 0.25]]),
+        // a beam of length zero
+        ([[0.0; 3], [1.0, 0.0, 0.0]], [[0.5, 0.0, 0.25], [0.5, 0.0, 0.25]]),
+    ];
+    let pair = Pair::new(Segment::new(), Segment::new());
+    for (ends, ends_bar) in pairs {
+        let found = |exponent: i32| {
+            let factor = 2.0_f64.powi(exponent);
+            let scaled = |ends: [[f64; 3]; 2]| ends.concat().iter().map(|x| x * factor).collect::<Vec<_>>();
+            let q: DofVector<f64, 6, 6> = DofVector::from_slices(&scaled(ends), &scaled(ends_bar)).unwrap();
+            pair.closest_points(&q).map(|mut found| {
+                for point in &mut found.minima {
+                    point.distance /= factor;
+                }
+                for region in &mut found.unresolved {
+                    region.point.distance /= factor;
+                    region.distance = region.distance.map(|distance| distance / factor);
+                }
+                found
+            })
+        };
+        let usual = found(0);
+        for exponent in [-480, -300, -266, -100, 100, 266, 300, 480] {
+            assert_eq!(found(exponent), usual, "2^{exponent}");
+        }
+    }
+}
+
 #[test]
 fn the_kinds_of_continua_have_words() {
     let words = [
@@ -298,4 +334,9 @@ fn a_curve_touches_itself_apart_from_the_diagonal() {
         assert!((one.xi + other.xi).abs() < 1e-14, "{found:?}");
         close(found.interior().unwrap().distance, distance, 1e-14);
     }
+    // This band contains the minimum, in boxes that reach out of it.
+    let width = 2.0 * at + 1e-3;
+    let found = closest_points(&curve, &curve, &Search::default().without_diagonal(width)).unwrap();
+    let listed = || found.minima.iter().chain(&found.stationary);
+    assert!(listed().all(|point| (point.xi - point.xi_bar).abs() >= width), "{found:?}");
 }
