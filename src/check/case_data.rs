@@ -71,7 +71,8 @@ impl CaseData {
     /// The regions that the search for closest points leaves open; none if the search fails.
     pub fn open_regions(&self) -> Vec<Unresolved> {
         let Ok([beam, bar]) = self.beams() else { return Vec::new() };
-        closest_points(&*beam, &*bar, &Search::default()).map_or_else(|_| Vec::new(), |found| found.unresolved)
+        closest_points(&*beam, &*bar, &Search::default())
+            .map_or_else(|_| Vec::new(), |found| found.unresolved)
     }
 
     pub(crate) fn beams(&self) -> Result<[Box<dyn AnyBeam>; 2], TestBeamError> {

@@ -5,8 +5,9 @@ use serde_json::{Value, json};
 
 /// The region for people.
 pub(super) fn described(region: &Unresolved) -> String {
-    let Unresolved { xi: [xi, to], xi_bar: [xi_bar, to_bar], distance: [low, high], point, continuum, .. } =
-        region;
+    let Unresolved {
+        xi: [xi, to], xi_bar: [xi_bar, to_bar], distance: [low, high], point, continuum, ..
+    } = region;
     format!(
         "\nopen region: {continuum}\n  xi from {xi:e} to {to:e}\n  xi_bar from {xi_bar:e} to {to_bar:e}\n  \
          smallest d from {low:e} to {high:e}\n  at xi = {:e}, xi_bar = {:e}\n",

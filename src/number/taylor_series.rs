@@ -116,8 +116,9 @@ impl Div for TaylorSeries {
         let mut quotient = Self::from(0.0);
         quotient.count = count;
         for k in 0..count {
-            let known = (1..=k.min(other.count - 1))
-                .fold(self.coefficients[k], |sum, j| sum - other.coefficients[j] * quotient.coefficients[k - j]);
+            let known = (1..=k.min(other.count - 1)).fold(self.coefficients[k], |sum, j| {
+                sum - other.coefficients[j] * quotient.coefficients[k - j]
+            });
             quotient.coefficients[k] = known / other.coefficients[0];
         }
         quotient
@@ -133,7 +134,8 @@ impl Real for TaylorSeries {
         root.coefficients[0] = self.coefficients[0].sqrt();
         for k in 1..root.count {
             // 2 r₀ rₖ = aₖ - Σ rⱼ rₖ₋ⱼ, 0 < j < k
-            let known = (1..k).fold(self.coefficients[k], |sum, j| sum - root.coefficients[j] * root.coefficients[k - j]);
+            let known = (1..k)
+                .fold(self.coefficients[k], |sum, j| sum - root.coefficients[j] * root.coefficients[k - j]);
             root.coefficients[k] = known / (root.coefficients[0] + root.coefficients[0]);
         }
         root

@@ -110,10 +110,7 @@ pub(super) fn survey(curves: &mut [Pieces; 2]) -> Survey {
         let is_convex = (0..2).all(|i| !free[i] || curvatures[i] == Sign::Positive);
         let both = free == [true; 2];
         let determinant = if both && is_convex { enclosure.determinant() } else { Sign::Unknown };
-        if is_concave
-            || determinant == Sign::Negative
-            || (both && enclosure.excludes_stationary_points())
-        {
+        if is_concave || determinant == Sign::Negative || (both && enclosure.excludes_stationary_points()) {
             for i in (0..2).filter(|&i| free[i]) {
                 queue.extend([LOWER, UPPER].into_iter().filter_map(|end| at_end(at, pieces, i, end)));
             }
@@ -181,7 +178,8 @@ fn settled(curves: &[Pieces; 2], pieces: [&Piece; 2], free: [bool; 2]) -> Settle
         if (0..2).any(|i| free[i] && !moves[i] && is_clear(i) && !at_square(i)) {
             return Settled::Elsewhere;
         }
-        let leads_in = |i: usize| at_square(i) && !free[i] && is_clear(i) && enclosure.gradient[i] * at[i] > 0.0;
+        let leads_in =
+            |i: usize| at_square(i) && !free[i] && is_clear(i) && enclosure.gradient[i] * at[i] > 0.0;
         if (0..2).any(leads_in) {
             return Settled::Elsewhere;
         }
@@ -189,8 +187,9 @@ fn settled(curves: &[Pieces; 2], pieces: [&Piece; 2], free: [bool; 2]) -> Settle
             at,
             error: enclosure.parameter_errors(moves),
             distance: [enclosure.distance(), enclosure.distance_error()],
-            is_weak: (0..2)
-                .any(|i| at_square(i) && enclosure.gradient[i].abs() <= enclosure.rest[i] + enclosure.weak[i]),
+            is_weak: (0..2).any(|i| {
+                at_square(i) && enclosure.gradient[i].abs() <= enclosure.rest[i] + enclosure.weak[i]
+            }),
             within,
         });
     }

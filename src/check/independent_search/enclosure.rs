@@ -36,6 +36,8 @@ pub(super) struct Enclosure {
     /// The largest change of d that is not along t or t', with its rounding.
     sag: f64,
     along: [f64; 2],
+    /// The change of the gradient by an error of one in the position and the tangent.
+    pub(super) reach: [f64; 2],
     /// The components of the gradient that the library takes for zero at an end, which it then calls weakly held.
     pub(super) weak: [f64; 2],
 }
@@ -90,18 +92,19 @@ impl Enclosure {
                     + ROUNDING * reach * fast
             };
         // x,xi·x,xi + d·x,xixi: the terms u, v, u², v², and the remainders.
-        let curvature_change = |p: &Piece, [h, k]: [f64; 2], [tw, wt]: [f64; 2], fast: f64, [dt, dx]: [f64; 2]| {
-            let bend = 2.0 * p.size[1] + 6.0 * p.rest * h;
-            let quick = 3.0 * p.rest * h * h + dt;
-            6.0 * tw.abs() * h
-                + 2.0 * wt * k
-                + 6.0 * p.size[1] * p.size[1] * h * h
-                + 2.0 * ww * k * k
-                + 2.0 * fast * quick
-                + reach * (6.0 * p.rest * h + 2.0 * p.error[2])
-                + bend * (r + s + dx)
-                + ROUNDING * (fast * fast + reach * bend)
-        };
+        let curvature_change =
+            |p: &Piece, [h, k]: [f64; 2], [tw, wt]: [f64; 2], fast: f64, [dt, dx]: [f64; 2]| {
+                let bend = 2.0 * p.size[1] + 6.0 * p.rest * h;
+                let quick = 3.0 * p.rest * h * h + dt;
+                6.0 * tw.abs() * h
+                    + 2.0 * wt * k
+                    + 6.0 * p.size[1] * p.size[1] * h * h
+                    + 2.0 * ww * k * k
+                    + 2.0 * fast * quick
+                    + reach * (6.0 * p.rest * h + 2.0 * p.error[2])
+                    + bend * (r + s + dx)
+                    + ROUNDING * (fast * fast + reach * bend)
+            };
         let dx = dx + dx_bar;
         Self {
             half: [h, k],
@@ -123,6 +126,7 @@ impl Enclosure {
                 curvature_change(other, [k, h], [tw_bar, tw_other], fast_bar, [dt_bar, dx]),
             ],
             sag: sag + ROUNDING * (one.x.norm() + other.x.norm()),
+            reach: [fast + reach, fast_bar + reach],
             weak: [one, other].map(|piece| {
                 // Near a point where the curve stands still, the tangent is small only there.
                 let about = piece.size[0].hypot(2.0 * piece.size[1]);
@@ -185,7 +189,10 @@ impl Enclosure {
         }
         // det H⁻¹ = [[c, -b], [-b, a]]
         let rounding = 1.0 + 0.01;
-        let steps = [(c * g - b * g_bar, h, c.abs() * r + b.abs() * r_bar), (a * g_bar - b * g, k, b.abs() * r + a.abs() * r_bar)];
+        let steps = [
+            (c * g - b * g_bar, h, c.abs() * r + b.abs() * r_bar),
+            (a * g_bar - b * g, k, b.abs() * r + a.abs() * r_bar),
+        ];
         steps.into_iter().any(|(step, half, rest)| step.abs() > rounding * (det.abs() * half + rest))
     }
 

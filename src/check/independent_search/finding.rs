@@ -36,6 +36,8 @@ pub enum SearchFindingKind {
     Unknown,
     /// A minimum is listed twice.
     Twice,
+    /// The listed minima are not in the order of their distances.
+    Order,
     /// The distance of a listed minimum is wrong.
     Distance,
     /// The smallest distance of an open region is wrong.
@@ -46,7 +48,7 @@ by_name!(SearchFindingKind);
 
 impl SearchFindingKind {
     /// All kinds.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::NotListed,
         Self::Nearer,
         Self::NotStationary,
@@ -54,6 +56,7 @@ impl SearchFindingKind {
         Self::HeldInward,
         Self::Unknown,
         Self::Twice,
+        Self::Order,
         Self::Distance,
         Self::RegionDistance,
     ];
@@ -68,6 +71,7 @@ impl SearchFindingKind {
             Self::HeldInward => "held-inward",
             Self::Unknown => "unknown",
             Self::Twice => "twice",
+            Self::Order => "order",
             Self::Distance => "distance",
             Self::RegionDistance => "region-distance",
         }
@@ -80,7 +84,10 @@ impl fmt::Display for SearchFinding {
         write!(f, "xi = {xi:e}, xi_bar = {xi_bar:e}: ")?;
         match kind {
             SearchFindingKind::NotListed => {
-                write!(f, "the independent search finds a minimum, d = {independent:e}; the library does not list it")
+                write!(
+                    f,
+                    "the independent search finds a minimum, d = {independent:e}; the library does not list it"
+                )
             }
             SearchFindingKind::Nearer => write!(
                 f,
@@ -91,16 +98,26 @@ impl fmt::Display for SearchFinding {
                 "the library lists a minimum, but the gradient is {listed:.1e}; rounding explains {independent:.1e}"
             ),
             SearchFindingKind::NotMinimum => {
-                write!(f, "the library lists a minimum, d = {listed:e}; by the independent search it is a saddle or a maximum")
+                write!(
+                    f,
+                    "the library lists a minimum, d = {listed:e}; by the independent search it is a saddle or a maximum"
+                )
             }
             SearchFindingKind::HeldInward => write!(
                 f,
                 "the library lists a minimum with a parameter held at an end, d = {listed:e}; the distance decreases from there"
             ),
             SearchFindingKind::Unknown => {
-                write!(f, "the library lists a minimum, d = {listed:e}; the independent search finds none there")
+                write!(
+                    f,
+                    "the library lists a minimum, d = {listed:e}; the independent search finds none there"
+                )
             }
             SearchFindingKind::Twice => write!(f, "the library lists this minimum twice, d = {listed:e}"),
+            SearchFindingKind::Order => write!(
+                f,
+                "the library lists this minimum, d = {listed:e}, after one that is farther away, d = {independent:e}"
+            ),
             SearchFindingKind::Distance => write!(
                 f,
                 "the library lists a minimum with d = {listed:e}; the independent search has d = {independent:e} there"

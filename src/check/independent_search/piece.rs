@@ -39,7 +39,8 @@ impl Piece {
         let series = position.position_at(TaylorSeries::about(centre, half));
         let value = |k: usize| series.map(|of| of.coefficient(k).value) * factor;
         let error = |k: usize| series.map(|of| of.coefficient(k).bound[0]).norm() * factor;
-        let rest = series.map(|of| of.coefficient(3).value.abs() + of.coefficient(3).bound[1]).norm() * factor;
+        let rest =
+            series.map(|of| of.coefficient(3).value.abs() + of.coefficient(3).bound[1]).norm() * factor;
         let [x, t, w] = [0, 1, 2].map(value);
         let size = [t.norm(), w.norm()];
         Self { centre, half, x, t, w, error: [0, 1, 2].map(error), size, rest, halves: 0 }
@@ -66,7 +67,8 @@ impl<'a> Pieces<'a> {
     /// The largest of its lengths: the position and the tangent in the middle and at the ends.
     pub(super) fn length(&self) -> f64 {
         let lengths = self.pieces.iter().map(|Piece { x, size: [t, _], .. }| x.norm() + t);
-        lengths.fold(0.0, |longest, length| if length > longest || length.is_nan() { length } else { longest })
+        lengths
+            .fold(0.0, |longest, length| if length > longest || length.is_nan() { length } else { longest })
     }
 
     /// Whether x is linear in the parameter, without rounding.

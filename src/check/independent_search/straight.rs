@@ -71,9 +71,9 @@ pub(super) fn closest(
         let d = d0 + a * u - b * v;
         dot(&d, &d)
     };
-    let nearest = candidates.into_iter().min_by(|&p, &q| {
-        square(p).partial_cmp(&square(q)).unwrap_or(std::cmp::Ordering::Equal)
-    })?;
+    let nearest = candidates
+        .into_iter()
+        .min_by(|&p, &q| square(p).partial_cmp(&square(q)).unwrap_or(std::cmp::Ordering::Equal))?;
     let distance = square(nearest).sqrt().value();
     // Side by side: the bar's ends, seen from the beam, cover a part of it with a length.
     let feet = [-one, one].map(|end| (ab * end - da) / aa);
@@ -104,8 +104,8 @@ impl Straight {
 #[cfg(test)]
 mod tests {
     use super::closest;
-    use crate::linearization::ad::Perturbed;
     use crate::curve::Segment;
+    use crate::linearization::ad::Perturbed;
     use crate::number::DoubleDouble;
     use nalgebra::SVector;
 
