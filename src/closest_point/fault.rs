@@ -154,6 +154,31 @@ impl SearchFault {
         Self::RegionsDropped,
     ];
 
+    /// What is wrong, as a sentence about the search.
+    pub fn what(self) -> &'static str {
+        match self {
+            Self::BoundOfFirstDof => {
+                "reads the first dof at every place of the bound of the third derivative"
+            }
+            Self::BoundOfFifth => "takes a fifth of the bound of the third derivative",
+            Self::UniquenessLoosened => {
+                "takes a box for one with at most one stationary point up to ten times the limit"
+            }
+            Self::EndForgotten => "does not search the end xi = 1",
+            Self::CornersForgotten => "does not search the corners",
+            Self::BarStartsFromBeam => "starts Newton's method from xi of the box in both parameters",
+            Self::LastStepLeftOut => "gives parameters that are off by 1e-8",
+            Self::MultiplierIgnored => "lists a corner although the distance decreases from there",
+            Self::SaddlesListed => "lists saddles as minima",
+            Self::ListedTwice => "lists the last minimum twice",
+            Self::OnlyNearest => "lists the nearest minimum alone",
+            Self::OrderReversed => "lists the farthest minimum first",
+            Self::DistanceSquared => "gives the square of the distance",
+            Self::RegionDistance => "gives a distance of an open region that is too large by a thousandth",
+            Self::RegionsDropped => "does not list open regions",
+        }
+    }
+
     /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {

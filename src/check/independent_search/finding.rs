@@ -131,7 +131,7 @@ impl fmt::Display for SearchFinding {
 }
 
 /// The comparison of both searches for one pair of beams.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Searched {
     /// The number of minima that both searches found.
     pub minima: u64,
