@@ -30,6 +30,7 @@ mod progress;
 mod proof;
 mod prove;
 mod report;
+mod searched;
 mod shell;
 mod terminal;
 mod verify;

@@ -15,6 +15,8 @@ mod bounds;
 mod continuum;
 mod ends;
 mod error;
+#[cfg_attr(not(feature = "check"), path = "closest_point/faultless.rs")]
+mod fault;
 mod nearest;
 mod newton;
 mod point;
@@ -26,6 +28,10 @@ mod unresolved;
 
 pub use continuum::Continuum;
 pub use error::ProjectionError;
+#[cfg(feature = "check")]
+pub use fault::SearchFault;
+#[cfg(feature = "check")]
+pub(crate) use fault::{is_injected, with_search_fault};
 pub use newton::refine;
 pub use point::{ClosestPoint, Degeneracy, End, Held, Kind, Side};
 pub use squared_distance::SquaredDistance;
@@ -256,7 +262,8 @@ fn search_unscaled(
         intervals: rim.intervals,
         evaluations: pair.trees.iter().map(Tree::evaluations).sum(),
     };
-    assemble(&mut pair, inside, rim, statistics, options.boxes).map(Some)
+    let found = assemble(&mut pair, inside, rim, statistics, options.boxes)?;
+    Ok(Some(fault::result(found)))
 }
 
 /// Collects all results, each point once.

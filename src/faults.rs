@@ -14,6 +14,7 @@ mod operations;
 mod own;
 mod run;
 mod sampled;
+mod search;
 mod test_points;
 
 pub use check::Check;
@@ -23,3 +24,4 @@ pub use operations::{Lost, Operations, Undetected, all_operations};
 pub use own::{Formula, operations_of, operations_of_curve};
 pub use run::{Detection, Injected, Missed, inject};
 pub use sampled::{Limits, Sampled, sampled};
+pub use search::{SearchDetection, SearchFaults, search_faults};

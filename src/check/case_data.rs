@@ -3,7 +3,7 @@
 use super::compare::{Compared, compare_beams};
 use super::config::{CheckConfig, Oracles};
 use super::evaluation_point::EvaluationPoint;
-use super::independent_search::{Searched, searched};
+use super::independent_search::{Searched, pair_of, searched};
 use super::verdict::Inconclusive;
 use crate::closest_point::{ClosestPoint, Search, Unresolved, closest_points};
 use crate::linearization::{COMPONENTS, Varied};
@@ -57,6 +57,11 @@ impl CaseData {
         let beams = self.beams()?;
         let evaluation = EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.contact, point);
         Ok(evaluation.map(|evaluation| evaluation.plain(variant)))
+    }
+
+    /// The pair of beams, for the search alone, that the drawn case of this number brings, if it brings one.
+    pub fn of_search(seed: u64, number: u64) -> Option<Self> {
+        pair_of(seed, number)
     }
 
     /// Searches for its closest points in two independent ways, and compares what is found.

@@ -21,11 +21,15 @@ mod agreement;
 mod branch;
 mod enclosure;
 mod finding;
+mod pairs;
 mod piece;
 mod region;
 mod straight;
+mod tally;
 
 pub use finding::{SearchFinding, SearchFindingKind, Searched};
+pub(crate) use pairs::pair_of;
+pub use tally::SearchTally;
 
 use crate::closest_point::{ClosestPoints, ProjectionError, Search, closest_points};
 use crate::number::DoubleDouble;

@@ -31,7 +31,10 @@ pub fn run_part(
 ) -> Summary {
     let add = |mut summary: Summary, &number: &u64| {
         let case = Case::draw(seed, number);
-        summary.add(&case, &compare(config, &case));
+        let verdicts = compare(config, &case);
+        summary.add(&case, &verdicts);
+        summary.counts.add(&case, &verdicts);
+        summary.search.add(seed, &case);
         done();
         summary
     };
@@ -62,7 +65,11 @@ mod tests {
         });
         let each = selection(4).numbers().into_iter().map(|number| {
             let case = Case::draw(7, number);
-            Summary::of(&case, &compare(&config, &case))
+            let verdicts = compare(&config, &case);
+            let mut summary = Summary::of(&case, &verdicts);
+            summary.counts.add(&case, &verdicts);
+            summary.search.add(7, &case);
+            summary
         });
         assert_eq!(summary, each.reduce(Summary::merge).unwrap());
         assert_eq!(done.into_inner(), 8);

@@ -2,9 +2,11 @@
 
 use super::arbitration::{Arbitration, DIFFERENCES};
 use super::compare::MATRICES;
+use super::counts::Counts;
 use super::coverage::Coverage;
 use super::diagnosis::Finding;
 use super::draw::Case;
+use super::independent_search::SearchTally;
 use super::regime::Regime;
 use super::serialized::{Name, name, nested, number};
 use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
@@ -137,6 +139,12 @@ pub struct Summary {
     pub mismatches: BTreeMap<u64, Mismatch>,
     /// The results of the differences in double-double.
     pub differences: Differences,
+    /// The comparison of the search for closest points with an independent search.
+    #[serde(default)]
+    pub search: SearchTally,
+    /// What was compared, by blocks of cases, to be held against a record.
+    #[serde(default)]
+    pub counts: Counts,
 }
 
 /// A case that did not agree.
@@ -304,6 +312,8 @@ impl Summary {
         }
         self.mismatches.extend(other.mismatches);
         self.differences.merge(&other.differences);
+        self.search.merge(other.search);
+        self.counts.merge(other.counts);
         self
     }
 

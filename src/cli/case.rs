@@ -5,7 +5,8 @@ use super::human::{error, name};
 use super::json;
 use super::open_regions;
 use super::outcome::Verdict;
-use beamgap::check::{Arbitration, CaseData, Compared, Comparison, Regime, Verdict as Found};
+use super::searched;
+use beamgap::check::{Arbitration, CaseData, Compared, Comparison, Regime, Searched, Verdict as Found};
 use beamgap::closest_point::{ClosestPoint, End};
 use beamgap::pair::Contact;
 use beamgap::report::Table;
@@ -21,6 +22,8 @@ pub(super) struct Shown<'a> {
     pub(super) drawn: Option<(u64, u64, Regime)>,
     /// The comparison.
     pub(super) points: &'a Compared,
+    /// The comparison of the search with the independent search.
+    pub(super) search: &'a Searched,
     /// The verdict.
     pub(super) verdict: &'a Verdict,
     /// Whether numbers that agree are left out.
@@ -39,7 +42,7 @@ pub(super) fn head(case: &CaseData, drawn: Option<(u64, u64, Regime)>) -> String
 }
 
 /// The case for people; the numbers are printed with all digits.
-pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> String {
+pub(super) fn human(Shown { case, drawn, points, search, verdict, only_wrong }: &Shown) -> String {
     let mut text = head(case, *drawn);
     for (title, beam) in ["beam", "bar beam"].into_iter().zip(&case.test_beams) {
         let _ = writeln!(text, "\n{title}\n  {}", beam.family.name());
@@ -79,7 +82,7 @@ pub(super) fn human(Shown { case, drawn, points, verdict, only_wrong }: &Shown) 
     for region in case.open_regions() {
         text += &open_regions::described(&region);
     }
-    text + "\n" + &verdict.words + "\n"
+    text + &searched::in_words(search) + "\n" + &verdict.words + "\n"
 }
 
 /// Prints one number a line.
@@ -160,7 +163,9 @@ fn told(entry: &Comparison) -> &'static str {
 }
 
 /// The case as JSON, of the schema `beamgap-case/1`.
-pub(super) fn json(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -> anyhow::Result<String> {
+pub(super) fn json(
+    Shown { case, drawn, points, search, verdict, only_wrong }: &Shown,
+) -> anyhow::Result<String> {
     let mut document = case_file::object(case);
     let mut add = |name: &str, value: Value| drop(document.insert(name.into(), value));
     if let Some((seed, number, regime)) = drawn {
@@ -170,6 +175,7 @@ pub(super) fn json(Shown { case, drawn, points, verdict, only_wrong }: &Shown) -
     }
     add("version", json!(env!("CARGO_PKG_VERSION")));
     add("verdict", json!(verdict.name));
+    add("search", json!(search));
     let points = points.iter().map(|(point, compared)| at_point(point.as_ref(), compared, *only_wrong));
     add("closest_points", points.collect());
     add("open_regions", case.open_regions().iter().map(open_regions::json).collect());

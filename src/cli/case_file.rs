@@ -15,8 +15,8 @@ use std::path::Path;
 pub(super) const SCHEMA: &str = "beamgap-case/1";
 
 /// The other keys of a document.
-const SHOWN: [&str; 8] =
-    ["schema", "version", "seed", "case", "regime", "verdict", "closest_points", "open_regions"];
+const SHOWN: [&str; 9] =
+    ["schema", "version", "seed", "case", "regime", "verdict", "closest_points", "open_regions", "search"];
 
 /// The case as JSON; `null` for a number that JSON cannot represent.
 pub(super) fn object(case: &CaseData) -> Map<String, Value> {

@@ -10,6 +10,7 @@ use super::human;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
 use super::output::{OutputOptions, Outputs};
 use super::progress::Progress;
+use super::searched;
 use beamgap::check::{
     Arbitration, Case, CaseData, CheckConfig, Compared, Family, Oracles, Regime, Selection, Shard,
     Verdict as Found, run_part,
@@ -61,6 +62,10 @@ pub(crate) struct Check {
     /// Start no case after this time, as 30s or 5m; the result says how many were not reached
     #[arg(long, value_name = "TIME", value_parser = seconds, conflicts_with = "one", allow_hyphen_values = true)]
     time_budget: Option<Duration>,
+    /// Write the counts of compared points to this file, as the record that later runs are held against; the record of
+    /// this program is src/check/counts.json
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["one", "family", "shard", "time_budget", "plant"])]
+    write_counts: Option<PathBuf>,
     #[command(flatten)]
     output: OutputOptions,
     /// How many threads work; the result is the same [default: all cores]
@@ -96,9 +101,13 @@ impl Check {
         };
         let config = CheckConfig { variant: variant(&self.plant)?, oracles };
         let points = case.compare(&config)?;
-        let outcome = outcome_of(&points);
-        let verdict = &outcome.verdict;
-        let shown = case::Shown { case, drawn, points: &points, verdict, only_wrong: self.only_wrong };
+        let search = case.searched()?;
+        let mut outcome = outcome_of(&points);
+        outcome.verdict = outcome.verdict.and_search(searched::of_case(&search));
+        let differs = u64::from(!search.findings.is_empty());
+        outcome.entries.push(searched::entry(u64::from(search.is_compared), differs));
+        let (verdict, only_wrong) = (&outcome.verdict, self.only_wrong);
+        let shown = case::Shown { case, drawn, points: &points, search: &search, verdict, only_wrong };
         outputs.write(&outcome, || case::human(&shown), || case::json(&shown))?;
         Ok(outcome.verdict.exit)
     }
@@ -108,6 +117,9 @@ impl Check {
         let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
         let selection = Selection { regimes, family: self.family, cases: self.cases };
         let mut checked = Checked::new(self.seed, self.plant.clone(), self.oracle, selection, self.shard);
+        if self.write_counts.is_some() {
+            checked.can_be_recorded()?;
+        }
         let config = checked.config()?;
         outputs.begin(&human::head(&checked))?;
         let numbers = checked.selection.part(checked.shard);
@@ -119,6 +131,9 @@ impl Check {
         if std::io::stderr().is_terminal() {
             let cases = count(numbers.len(), "case");
             eprintln!("{cases} in {:.1} s", start.elapsed().as_secs_f64());
+        }
+        if let Some(path) = &self.write_counts {
+            checked.write_counts(path)?;
         }
         let shown = checked.shown()?;
         outputs.write(&shown.outcome, || shown.human(), || shown.json())?;

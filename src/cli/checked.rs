@@ -6,16 +6,19 @@ use super::arguments::{planting, program, variant};
 use super::count::count;
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
-use super::{case_file, disagreements, human, json};
-use anyhow::ensure;
+use super::terminal::folded;
+use super::{case_file, disagreements, human, json, searched};
+use anyhow::{Context, ensure};
 use beamgap::check::{
-    Cell, CheckConfig, LikelyCause, Oracles, Selection, Shard, Shrunk, Summary, Tally, likely_cause,
-    shrink_mismatches,
+    Cell, CheckConfig, Counts, LikelyCause, Moved, Oracles, Regime, Selection, Shard, Shrunk, Summary, Tally,
+    likely_cause, shrink_mismatches,
 };
+use beamgap::report::SEED;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::Path;
 
 /// The schema.
 const SCHEMA: &str = "beamgap-check/2";
@@ -106,11 +109,73 @@ impl Checked {
         let untrusted = found.mismatches.values().filter_map(|mismatch| mismatch.arbitration);
         let untrusted = untrusted.filter(|who| who.is_untrusted()).count();
         let wrong = tallies().map(|tally| tally.mismatches).sum();
-        let mut verdict = super::check::in_words(found.compared(), wrong, left, untrusted);
+        let verdict = super::check::in_words(found.compared(), wrong, left, untrusted);
+        let mut verdict = verdict.and_search(searched::verdict(self));
+        self.hold_against_record(&mut verdict);
         if let (asked, missed @ 1..) = self.asked() {
             let _ = write!(verdict.words, "\nNot reached in time: {missed} of {}.", count(asked, "case"));
         }
         verdict
+    }
+
+    /// The counts that are not those of the record, if this run is one that the record is for.
+    pub(super) fn moved(&self) -> Vec<Moved> {
+        let Self { seed, planted, oracle, selection, shard, found, .. } = self;
+        let is_recorded = *seed == SEED
+            && planted.is_empty()
+            && *oracle == Oracle::Ad
+            && selection.family.is_none()
+            && *shard == Shard::WHOLE
+            && self.asked().1 == 0;
+        let recorded = if is_recorded { Counts::recorded().ok() } else { None };
+        recorded.map_or_else(Vec::new, |recorded| {
+            found.counts.moved(&recorded, &selection.regimes, selection.cases)
+        })
+    }
+
+    /// A run that agrees, but does not compare the points of the record, is not trusted.
+    fn hold_against_record(&self, verdict: &mut Verdict) {
+        let moved = self.moved();
+        let Some(first) = moved.first() else { return };
+        let others = match moved.len() - 1 {
+            0 => String::new(),
+            others => format!(" ({} moved too)", count(others, "other count")),
+        };
+        let words = folded(&format!("{first}{others}."), "", "  ")
+            + &format!("\nIf this is intended, write the record anew:\n{}", searched::recording());
+        if verdict.exit == Exit::Agree {
+            let words = format!(
+                "UNTRUSTED: what is compared is not what the record has.\n{words}\n{}",
+                verdict.words
+            );
+            *verdict = Verdict { exit: Exit::Untrusted, name: "untrusted", words };
+        } else {
+            verdict.words += &format!("\nWhat is compared is not what the record has.\n{words}");
+        }
+    }
+
+    /// Whether the counts of this run can be the record.
+    ///
+    /// # Errors
+    /// If this is no run of the default seed with enough cases of all regimes.
+    pub(super) fn can_be_recorded(&self) -> anyhow::Result<()> {
+        let Self { seed, selection, oracle, .. } = self;
+        let is_whole = selection.regimes.len() == Regime::ALL.len() && selection.cases >= Counts::CASES;
+        ensure!(
+            *seed == SEED && is_whole && *oracle == Oracle::Ad,
+            "--write-counts: seed {SEED:#x} and at least {} cases of all regimes, compared with AD, expected",
+            Counts::CASES
+        );
+        Ok(())
+    }
+
+    /// Writes the counts as the record.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub(super) fn write_counts(&self, path: &Path) -> anyhow::Result<()> {
+        let text = serde_json::to_string_pretty(&self.found.counts)? + "\n";
+        std::fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
     }
 
     /// The verdict with one entry for each order of each quantity.
@@ -127,7 +192,9 @@ impl Checked {
             let source = Some(Source::of_formula(order, quantity));
             Entry { group: order.name().to_owned(), name: quantity.name().to_owned(), state, message, source }
         });
-        Outcome { command: "check", verdict: self.verdict(), entries: entries.collect() }
+        let search = &self.found.search;
+        let search = (search.pairs > 0).then(|| searched::entry(search.pairs, search.differing()));
+        Outcome { command: "check", verdict: self.verdict(), entries: entries.chain(search).collect() }
     }
 
     /// Shrinks the first mismatches.
@@ -136,7 +203,7 @@ impl Checked {
         let shrunk = shrink_mismatches(&variant, self.seed, &self.found, SHOWN);
         let mut outcome = self.outcome();
         let wrong: Vec<u64> = self.found.mismatches.keys().copied().collect();
-        let is_wrong = outcome.verdict.exit == Exit::Disagree;
+        let is_wrong = outcome.verdict.exit == Exit::Disagree && !wrong.is_empty();
         let cause = is_wrong.then(|| likely_cause(&variant, self.seed, &wrong)).flatten();
         if let Some(cause) = &cause {
             let _ = write!(outcome.verdict.words, "\n{}", disagreements::likely(cause));
@@ -227,6 +294,8 @@ impl Shown {
             verdict: &'static str,
             compared: u64,
             not_reached: u64,
+            /// The counts that are not those of the record.
+            moved: Vec<Moved>,
             /// The command that repeats a mismatch, without the number of the case.
             repeat: String,
             likely_cause: Option<&'a LikelyCause>,
@@ -238,6 +307,7 @@ impl Shown {
             verdict: outcome.verdict.name,
             compared: checked.found.compared(),
             not_reached: checked.asked().1,
+            moved: checked.moved(),
             repeat: format!("{} check --seed {:#x}{} --case", program(), checked.seed, checked.options()),
             likely_cause: cause.as_ref(),
             shrunk: shrunk.iter().map(|shrunk| self.of_shrunk(shrunk)).collect(),

@@ -9,8 +9,9 @@ use super::progress::Progress;
 use super::terminal;
 use beamgap::check::Regime;
 use beamgap::check::external::equation_of;
+use beamgap::closest_point::SearchFault;
 use beamgap::equations::named;
-use beamgap::faults::{Check, all_operations, inject, limits, sampled};
+use beamgap::faults::{Check, all_operations, inject, limits, sampled, search_faults};
 use beamgap::report::{self, Environment, Faults, Record};
 use beamgap::variant::{Rewrite, catalogue, catalogue_in_parts};
 use clap::{Args, value_parser};
@@ -98,8 +99,10 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     let operations = if named.is_empty() { all_operations(seed) } else { Vec::new() };
     progress.now("injecting faults into single operations in f64");
     let (limits, sampled) = (limits(seed, &regimes), sampled(seed, &regimes));
+    progress.now("injecting faults into the search for closest points");
+    let search = search_faults(seed, &regimes);
     progress.end();
-    Faults::new(found, operations, sampled, limits, seed, Environment::here(command))
+    Faults::new(found, operations, sampled, limits, search, seed, Environment::here(command))
 }
 
 /// The outcome of a record, with one entry for each formula of the closed form, and one for each code in whose single
@@ -145,10 +148,23 @@ fn outcome(record: &Faults) -> Outcome {
             source: None,
         }
     });
+    let of_search = record.search.iter().map(|of| {
+        let missed: Vec<_> = of.missed.iter().map(|fault| fault.name()).collect();
+        let message = match (missed.is_empty(), of.rejected) {
+            (true, 0) => format!("all {} faults are detected", of.detected.len()),
+            (true, rejected) => format!("the unmodified search is rejected at {}", counted(rejected, "pair")),
+            _ => format!("not detected: {}", missed.join(", ")),
+        };
+        let wrong = missed.len() as u64 + of.rejected;
+        let (group, name) = ("search".into(), of.regime.name().to_owned());
+        let source = Some(Source { file: "src/closest_point.rs".to_owned(), line: 1 });
+        Entry { group, name, state: State::of(SearchFault::ALL.len() as u64, wrong), message, source }
+    });
     let (exit, name) =
         if record.holds { (Exit::Agree, "detected") } else { (Exit::Untrusted, "not-detected") };
     let verdict = Verdict::new(exit, name, words(record));
-    Outcome { command: "faults", verdict, entries: of_formulas.chain(of_operations).collect() }
+    let entries = of_formulas.chain(of_operations).chain(of_search).collect();
+    Outcome { command: "faults", verdict, entries }
 }
 
 /// The formula that contains a fault: its name up to the colon.
@@ -164,14 +180,21 @@ fn number_of(formula: &str) -> Option<u8> {
 fn words(record: &Faults) -> String {
     let faults = record.terms.faults();
     if !record.holds {
-        return "NOT DETECTED: the check misses a fault, rejects an equivalent formula, or does not cover\n\
-                an operation."
+        return "NOT DETECTED: the check misses a fault, rejects an equivalent formula or the search, or does\n\
+                not cover an operation."
             .into();
     }
     let rewrites = Rewrite::ALL.len();
-    let of_terms = format!(
+    let mut of_terms = format!(
         "DETECTED: all {faults} faults of terms; none of {rewrites} equivalent formulas is rejected."
     );
+    if !record.search.is_empty() {
+        let _ = write!(
+            of_terms,
+            "\nAll {} of the search are detected.",
+            counted(SearchFault::ALL.len(), "fault")
+        );
+    }
     let count: usize = record.operations.iter().map(|row| row.faults).sum();
     if count == 0 {
         return of_terms;

@@ -4,6 +4,7 @@ use super::arguments::{planted, program};
 use super::checked::{Checked, Shown};
 use super::count::count;
 use super::disagreements;
+use super::searched;
 use beamgap::check::{Cell, Comparison, Differences, Family, Inconclusive, NotCompared, Order, Shard};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
@@ -31,6 +32,7 @@ pub(super) fn document(shown: &Shown) -> String {
     add(&coverage(checked), families(checked));
     add("Not compared", not_compared(checked));
     add("Differences in double-double", differences(checked));
+    add("Closest points: the search, and an independent search", searched::table(checked));
     add("Mismatches", disagreements::listed(checked));
     add("Shrunk mismatches, as a test and as a command", disagreements::made_small(shown));
     text + "\n" + &shown.outcome.verdict.words + "\n"

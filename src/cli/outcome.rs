@@ -141,6 +141,22 @@ impl Source {
     }
 }
 
+impl Verdict {
+    /// This verdict and that on the search for closest points, if it differs from the independent search.
+    pub(super) fn and_search(mut self, differs: Option<String>) -> Self {
+        match (differs, self.exit) {
+            (None, _) => self,
+            (Some(words), Exit::Agree | Exit::Nothing) => {
+                Self { exit: Exit::Disagree, name: "disagree", words: format!("{words}\n{}", self.words) }
+            }
+            (Some(words), _) => {
+                self.words = format!("{}\n{words}", self.words);
+                self
+            }
+        }
+    }
+}
+
 impl Outcome {
     /// The entries in which something differs.
     pub(super) fn wrong(&self) -> impl Iterator<Item = &Entry> {

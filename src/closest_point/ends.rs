@@ -4,7 +4,7 @@ use super::bounds::{Bounds, INFLATION, NEXT_DOOR};
 use super::search::{CERTAIN, Pair, UNIQUE};
 use super::tree::{ENDS, ROOT};
 use super::unresolved::{Region, gather};
-use super::{ClosestPoint, End, Held, Kind, ProjectionError, Search, SquaredDistance};
+use super::{ClosestPoint, End, Held, Kind, ProjectionError, Search, SquaredDistance, fault};
 
 /// The results for the edges and corners.
 #[derive(Default)]
@@ -19,11 +19,13 @@ pub(super) fn rim(pair: &mut Pair, search: &Search) -> Result<Rim, ProjectionErr
     let mut rim = Rim::default();
     for free in [1, 0] {
         for end in ENDS {
-            edge(pair, search, free, end, &mut rim)?;
+            if !fault::skips_edge(free, end) {
+                edge(pair, search, free, end, &mut rim)?;
+            }
         }
     }
     let both = Held { xi: true, xi_bar: true };
-    for end in ENDS {
+    for end in ENDS.into_iter().filter(|_| !fault::skips_corners()) {
         for end_bar in ENDS {
             let [x, y] = pair.nodes([end, end_bar]);
             let at = (x.centre, y.centre);
@@ -67,7 +69,7 @@ fn edge(
         {
             continue;
         }
-        let contraction = bounds.contraction_along(free);
+        let contraction = fault::contraction(bounds.contraction_along(free));
         if contraction < UNIQUE {
             let within = |xi: f64, factor: f64| (xi - interval.centre).abs() <= factor * interval.half;
             if zeros.iter().any(|&zero| within(zero, INFLATION)) {
@@ -103,6 +105,7 @@ impl Rim {
     ///
     /// If it points inward, however slightly, the zero is inside the square and is found there.
     fn accept(&mut self, point: ClosestPoint) {
+        let point = fault::of_edge(point);
         let outward = [point.end, point.end_bar].into_iter().flatten().all(|end| end.multiplier >= 0.0);
         if outward && point.kind == Kind::Minimum {
             self.minima.push(point);

@@ -3,7 +3,7 @@
 use super::bounds::{Bounds, INFLATION, NEXT_DOOR};
 use super::tree::{Node, ROOT, Tree};
 use super::unresolved::{Region, gather};
-use super::{Centroid, ClosestPoint, Degeneracy, Held, ProjectionError, Search, refine};
+use super::{Centroid, ClosestPoint, Degeneracy, Held, ProjectionError, Search, fault, refine};
 
 /// Below this Lipschitz constant Newton's method finds the zero of a box, if it has one. Below 1 it has at most one.
 pub(super) const CERTAIN: f64 = 0.25;
@@ -80,7 +80,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
             open.push(Region::new([x, y], bounds.squared_distance.distance));
             continue;
         }
-        let contraction = bounds.contraction();
+        let contraction = fault::contraction(bounds.contraction());
         if contraction < UNIQUE {
             let within = |point: &ClosestPoint, factor: f64| {
                 (point.xi - x.centre).abs() <= factor * x.half
@@ -89,7 +89,7 @@ pub(super) fn inside(pair: &mut Pair, search: &Search) -> Result<Inside, Project
             if zeros.iter().any(|zero| within(zero, INFLATION)) {
                 continue;
             }
-            match pair.refine((x.centre, y.centre), Held::default()) {
+            match pair.refine(fault::start((x.centre, y.centre)), Held::default()) {
                 Err(ProjectionError::NonFinite) => return Err(ProjectionError::NonFinite),
                 Ok(zero) if within(&zero, INFLATION) => {
                     if !zeros.iter().any(|known| within(known, NEXT_DOOR)) {

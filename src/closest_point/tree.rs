@@ -1,6 +1,6 @@
 //! The intervals of one curve, halved on demand, each with the curve at its centre and bounds over its width.
 
-use super::{Centroid, ProjectionError};
+use super::{Centroid, ProjectionError, fault};
 use crate::curve::Geometry;
 use nalgebra::Vector3;
 
@@ -43,7 +43,7 @@ pub(super) const ENDS: [u32; 2] = [1, 2];
 
 impl<'a> Tree<'a> {
     pub(super) fn new(curve: &'a dyn Centroid) -> Result<Self, ProjectionError> {
-        let bound = curve.third_derivative_bound();
+        let bound = fault::bound(curve.third_derivative_bound());
         if !(bound >= 0.0 && bound.is_finite()) {
             return Err(ProjectionError::NonFinite);
         }

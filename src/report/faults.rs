@@ -2,7 +2,7 @@
 
 use super::{Environment, Record};
 use crate::check::Regime;
-use crate::faults::{Injected, Limit, Operations, Sampled};
+use crate::faults::{Injected, Limit, Operations, Sampled, SearchFaults};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -25,6 +25,9 @@ pub struct Faults {
     pub sampled: Vec<Sampled>,
     /// The detection limits of each term, by regime.
     pub limits: BTreeMap<String, BTreeMap<Regime, Limit>>,
+    /// Faults of the search for closest points, by regime.
+    #[serde(default)]
+    pub search: Vec<SearchFaults>,
 }
 
 impl Record for Faults {
@@ -42,11 +45,14 @@ impl Faults {
         operations: Vec<Operations>,
         sampled: Vec<Sampled>,
         limits: BTreeMap<String, BTreeMap<Regime, Limit>>,
+        search: Vec<SearchFaults>,
         seed: u64,
         environment: Environment,
     ) -> Self {
-        let holds = terms.holds() && operations.iter().all(Operations::is_whole);
+        let holds = terms.holds()
+            && operations.iter().all(Operations::is_whole)
+            && search.iter().all(SearchFaults::holds);
         let schema = Self::SCHEMA.to_owned();
-        Self { schema, environment, seed, holds, terms, operations, sampled, limits }
+        Self { schema, environment, seed, holds, terms, operations, sampled, limits, search }
     }
 }

@@ -4,7 +4,8 @@ use super::faults::Faults;
 use super::number::{count, error};
 use super::page::{Block, Page};
 use crate::check::Regime;
-use crate::faults::{Check, Detection, Limit, Operations, Sampled, Undetected};
+use crate::closest_point::SearchFault;
+use crate::faults::{Check, Detection, Limit, Operations, Sampled, SearchDetection, Undetected};
 use crate::linearization::Quantity;
 use crate::variant::{Kind, Rewrite};
 use std::collections::{BTreeMap, BTreeSet};
@@ -44,6 +45,7 @@ impl Faults {
         ]);
         blocks.extend(self.missed());
         blocks.extend(self.single_operations());
+        blocks.extend(self.faults_of_search());
         blocks.extend(self.detection_limits());
         blocks.extend([
             Block::heading("How it was made"),
@@ -172,6 +174,43 @@ impl Faults {
                     ),
                     sampled,
                 ],
+            ),
+        ]
+    }
+
+    /// The faults of the search for closest points, each with the number of cases after which it is detected.
+    fn faults_of_search(&self) -> Vec<Block> {
+        if self.search.is_empty() {
+            return Vec::new();
+        }
+        let row = |fault: SearchFault| {
+            let after = self.search.iter().map(|of| match of.detected.get(&fault) {
+                Some(SearchDetection { after, .. }) => count(*after),
+                None => "NOT DETECTED".to_owned(),
+            });
+            std::iter::once(fault.name().to_owned()).chain(after).collect()
+        };
+        let regimes = self.search.iter().map(|of| format!("#{}", of.regime.name()));
+        let head: Vec<String> = std::iter::once("fault".to_owned()).chain(regimes).collect();
+        let what = SearchFault::ALL.map(|fault| vec![fault.name().to_owned(), fault.what().to_owned()]);
+        let (missed, rejected) = self
+            .search
+            .iter()
+            .fold((0, 0), |(missed, rejected), of| (missed + of.missed.len(), rejected + of.rejected));
+        vec![
+            Block::heading("Faults of the search"),
+            Block::text(&format!(
+                "{} faults are injected into the search for closest points, one at a time. The search is compared with an independent \
+                 search. {} faults are missed in some regime, and the unmodified search is rejected at {} pairs of beams. The table \
+                 shows after how many cases of the regime each fault is detected.",
+                count(SearchFault::ALL.len() as u64),
+                count(missed as u64),
+                count(rejected)
+            )),
+            Block::table(&head, SearchFault::ALL.map(row).to_vec()),
+            Block::details(
+                "What each fault of the search is",
+                vec![Block::table(&["fault", "the search"], what.to_vec())],
             ),
         ]
     }

@@ -2,7 +2,7 @@
 
 use super::exact::{Exact, ExactBeam};
 use super::padded::{FEW_DOFS, Padded, PaddedBeam};
-use crate::closest_point::Centroid;
+use crate::closest_point::{Centroid, SearchFault, is_injected};
 use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::PartialVariations;
@@ -131,6 +131,9 @@ impl<C: Curve<N>, const N: usize> Centroid for Drawn<C, N> {
     }
 
     fn third_derivative_bound(&self) -> f64 {
+        if is_injected(SearchFault::BoundOfFirstDof) {
+            return self.curve.third_derivative_bound(&SVector::repeat(self.q[0]));
+        }
         self.curve.third_derivative_bound(&self.q)
     }
 

@@ -286,7 +286,8 @@ fn directions_beyond_the_range_are_not_compared() {
 /// The search leaves the whole square of two parallel beams open. The distance is by hand.
 #[test]
 fn an_open_region_is_shown_with_its_distance() {
-    let line = |q: [f64; 6]| json!({ "family": "segment", "q": q, "dq": [0.5; 6], "linear_dq": [0.25; 6] });
+    let line =
+        |q: [f64; 6]| json!({ "family": "segment", "q": q, "dq": vec![0.5; 6], "linear_dq": vec![0.25; 6] });
     let beam = line([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
     let bar = line([0.999, 0.001, 0.0, 10.999, 0.001, 0.0]);
     let document = json!({ "schema": "beamgap-case/1", "beam": beam, "bar": bar }).to_string();

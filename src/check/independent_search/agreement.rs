@@ -13,8 +13,10 @@ const PARAMETER: f64 = 1e-12;
 const OF_REGION: f64 = 1e-12;
 /// The distance, in the parameters, at which a minimum belongs to an open region or box.
 const NEAR: f64 = 1e-6;
+/// The number of open regions of a pair of beams that are compared. A badly scaled pair may have hundreds.
+const REGIONS: usize = 4;
 /// The number of open boxes from which descents start.
-const STARTS: usize = 16;
+const STARTS: usize = 8;
 
 /// What is said of a point.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +41,7 @@ fn contains(within: [[f64; 2]; 2], at: [f64; 2], margin: f64) -> bool {
 }
 
 impl IndependentSearch<'_> {
-    /// Whether the point is a local minimum of the square, by itself.
+    /// Why the point is no local minimum of the square, if it is none.
     pub(crate) fn judged(&self, claim: &Claim) -> Option<SearchFinding> {
         let Claim { at, held, distance } = *claim;
         let here = self.at(at);
@@ -47,7 +49,9 @@ impl IndependentSearch<'_> {
         let length = distance.unwrap_or(here.distance() / unit);
         let finding = |kind, listed, independent| Some(SearchFinding { kind, at, listed, independent });
         for i in 0..2 {
-            let rest = CAREFUL * here.rest[i];
+            // A curve as a sum of shape functions rounds by its largest length.
+            let of_sums = f64::EPSILON * self.scale * here.reach[i];
+            let rest = CAREFUL * (here.rest[i] + of_sums);
             let gradient = here.gradient[i];
             let size = self.curves[i].at(at[i]).size[0];
             match held[i] {
@@ -80,7 +84,7 @@ impl IndependentSearch<'_> {
     }
 
     /// Compares the library's result.
-    pub(super) fn compared(&mut self, found: &ClosestPoints) -> Searched {
+    pub(crate) fn compared(&mut self, found: &ClosestPoints) -> Searched {
         let mut findings = Vec::new();
         let mut wrong = Vec::new();
         let mut met = vec![false; self.survey.minima.len()];
@@ -107,6 +111,11 @@ impl IndependentSearch<'_> {
             }
             listed.push(claim.at);
         }
+        for pair in found.minima.windows(2).filter(|pair| pair[0].distance > pair[1].distance) {
+            let (listed, independent) = (pair[1].distance, pair[0].distance);
+            let at = [pair[1].xi, pair[1].xi_bar];
+            findings.push(SearchFinding { kind: SearchFindingKind::Order, at, listed, independent });
+        }
         let regions: Vec<_> = found.unresolved.iter().map(|region| [region.xi, region.xi_bar]).collect();
         let is_covered = |at: [f64; 2]| regions.iter().any(|&region| contains(region, at, NEAR));
         for (minimum, is_met) in self.survey.minima.iter().zip(&met) {
@@ -115,16 +124,17 @@ impl IndependentSearch<'_> {
                 findings.push(self.not_listed(minimum.at, minimum.distance[0]));
             }
         }
-        for region in &found.unresolved {
+        for region in found.unresolved.iter().take(REGIONS) {
             findings.extend(self.of_region(region));
         }
         let distances = found.minima.iter().map(|point| point.distance);
         let nearest = distances.chain(found.unresolved.iter().map(|region| region.point.distance));
         let nearest = nearest.fold(f64::INFINITY, f64::min) * self.factor;
+        listed.extend(&wrong);
         findings.extend(self.nearer(nearest, &listed, &is_covered));
         Searched {
             minima: met.iter().filter(|is_met| **is_met).count() as u64,
-            regions: regions.len() as u64,
+            regions: regions.len().min(REGIONS) as u64,
             is_compared: true,
             is_certain: self.survey.open.is_empty(),
             findings,

@@ -36,6 +36,8 @@ pub(super) struct Enclosure {
     /// The largest change of d that is not along t or t', with its rounding.
     sag: f64,
     along: [f64; 2],
+    /// The change of the gradient by an error of one in the position and the tangent.
+    pub(super) reach: [f64; 2],
     /// The components of the gradient that the library takes for zero at an end, which it then calls weakly held.
     pub(super) weak: [f64; 2],
 }
@@ -124,6 +126,7 @@ impl Enclosure {
                 curvature_change(other, [k, h], [tw_bar, tw_other], fast_bar, [dt_bar, dx]),
             ],
             sag: sag + ROUNDING * (one.x.norm() + other.x.norm()),
+            reach: [fast + reach, fast_bar + reach],
             weak: [one, other].map(|piece| {
                 // Near a point where the curve stands still, the tangent is small only there.
                 let about = piece.size[0].hypot(2.0 * piece.size[1]);

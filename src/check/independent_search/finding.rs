@@ -36,6 +36,8 @@ pub enum SearchFindingKind {
     Unknown,
     /// A minimum is listed twice.
     Twice,
+    /// The listed minima are not in the order of their distances.
+    Order,
     /// The distance of a listed minimum is wrong.
     Distance,
     /// The smallest distance of an open region is wrong.
@@ -46,7 +48,7 @@ by_name!(SearchFindingKind);
 
 impl SearchFindingKind {
     /// All kinds.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::NotListed,
         Self::Nearer,
         Self::NotStationary,
@@ -54,6 +56,7 @@ impl SearchFindingKind {
         Self::HeldInward,
         Self::Unknown,
         Self::Twice,
+        Self::Order,
         Self::Distance,
         Self::RegionDistance,
     ];
@@ -68,6 +71,7 @@ impl SearchFindingKind {
             Self::HeldInward => "held-inward",
             Self::Unknown => "unknown",
             Self::Twice => "twice",
+            Self::Order => "order",
             Self::Distance => "distance",
             Self::RegionDistance => "region-distance",
         }
@@ -110,6 +114,10 @@ impl fmt::Display for SearchFinding {
                 )
             }
             SearchFindingKind::Twice => write!(f, "the library lists this minimum twice, d = {listed:e}"),
+            SearchFindingKind::Order => write!(
+                f,
+                "the library lists this minimum, d = {listed:e}, after one that is farther away, d = {independent:e}"
+            ),
             SearchFindingKind::Distance => write!(
                 f,
                 "the library lists a minimum with d = {listed:e}; the independent search has d = {independent:e} there"
@@ -123,7 +131,7 @@ impl fmt::Display for SearchFinding {
 }
 
 /// The comparison of both searches for one pair of beams.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Searched {
     /// The number of minima that both searches found.
     pub minima: u64,

@@ -8,9 +8,9 @@ use crate::number::DoubleDouble;
 use std::collections::BinaryHeap;
 
 /// The largest number of boxes.
-const BOXES: usize = 2000;
+const BOXES: usize = 800;
 /// The largest number of steps of a descent.
-const STEPS: usize = 200;
+const STEPS: usize = 50;
 /// The number of descents.
 const DESCENTS: usize = 4;
 
@@ -19,7 +19,7 @@ const DESCENTS: usize = 4;
 pub(super) struct Reached {
     pub(super) at: [f64; 2],
     pub(super) distance: f64,
-    /// Whether F is convex there in the parameters that are not held, so that it is a minimum, beyond rounding.
+    /// Whether the gradient vanishes there up to rounding and F is convex, in the parameters that are not held.
     pub(super) is_clear: bool,
 }
 
@@ -69,13 +69,13 @@ impl IndependentSearch<'_> {
             let mut is_moved = false;
             for step in steps {
                 let mut part = 1.0;
-                while part > 1e-6 && !is_moved {
+                while part > 1e-3 && !is_moved {
                     let next = clamped([0, 1].map(|i| at[i] + part * step[i]));
                     let there = self.at(next);
                     if there.distance() < here.distance() {
                         (at, here, is_moved) = (next, there, true);
                     }
-                    part *= 0.25;
+                    part *= 0.125;
                 }
                 if is_moved {
                     break;
@@ -86,7 +86,10 @@ impl IndependentSearch<'_> {
             }
         }
         let moves = here.moves(at, within);
-        let is_clear = here.is_convex(moves) && (0..2).all(|i| moves[i] || here.sign(i) != Sign::Unknown);
+        let is_settled = |i: usize| {
+            if moves[i] { here.gradient[i].abs() <= here.rest[i] } else { here.sign(i) != Sign::Unknown }
+        };
+        let is_clear = here.is_convex(moves) && (0..2).all(is_settled);
         Reached { at, distance: here.distance(), is_clear }
     }
 
