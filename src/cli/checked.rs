@@ -148,7 +148,7 @@ impl Checked {
                 "UNTRUSTED: what is compared is not what the record has.\n{words}\n{}",
                 verdict.words
             );
-            *verdict = Verdict { exit: Exit::Untrusted, name: "untrusted", words };
+            *verdict = Verdict::new(Exit::Untrusted, "untrusted", words);
         } else {
             verdict.words += &format!("\nWhat is compared is not what the record has.\n{words}");
         }

@@ -147,7 +147,7 @@ impl Verdict {
         match (differs, self.exit) {
             (None, _) => self,
             (Some(words), Exit::Agree | Exit::Nothing) => {
-                Self { exit: Exit::Disagree, name: "disagree", words: format!("{words}\n{}", self.words) }
+                Self::new(Exit::Disagree, "disagree", format!("{words}\n{}", self.words))
             }
             (Some(words), _) => {
                 self.words = format!("{}\n{words}", self.words);
