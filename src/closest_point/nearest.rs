@@ -62,6 +62,11 @@ pub(super) fn nearest(
             let mut part = at;
             part[side] = half;
             let nodes = pair.nodes(part);
+            // The part of the box in the rectangle, relative to the centre of the box.
+            let within = [0, 1].map(|i| {
+                let (centre, half) = (nodes[i].centre, nodes[i].half);
+                extent[i].map(|end| (end - centre).clamp(-half, half))
+            });
             let outside = |i: usize| {
                 let (centre, half) = (nodes[i].centre, nodes[i].half);
                 centre + half < extent[i][0] || extent[i][1] < centre - half
@@ -78,7 +83,7 @@ pub(super) fn nearest(
                     best = found;
                 }
             }
-            let least = bounds.smallest_distance(pair.nodes(part), &best.p.d);
+            let least = bounds.smallest_distance(pair.nodes(part), within, &best.p.d);
             queue.push(Reverse((least.max(bound).to_bits(), part)));
         }
     }
@@ -134,11 +139,16 @@ impl Bounds {
         (offset, (p.distance * p.distance + 2.0 * change).max(0.0).sqrt())
     }
 
-    /// A lower bound of the distance in the box. `normal` is a vector along the shortest d.
-    fn smallest_distance(&self, [x, y]: [&super::tree::Node; 2], normal: &Vector3<f64>) -> f64 {
+    /// A lower bound of the distance in the part `within` the box. `normal` is a vector along the shortest d.
+    fn smallest_distance(
+        &self,
+        [x, y]: [&super::tree::Node; 2],
+        within: [[f64; 2]; 2],
+        normal: &Vector3<f64>,
+    ) -> f64 {
         let p = &self.squared_distance;
         let [h, k] = self.half;
-        let (_, change) = p.least_in([-h, -k], [h, k]);
+        let (_, change) = p.least_in(within.map(|[low, _]| low), within.map(|[_, high]| high));
         let remainder = (self.remainder[0] * h + self.remainder[1] * k) * (1.0 + 1.0 / 16.0) / 3.0;
         let size = p.distance + (x.speed + x.bend * h) * h + (y.speed + y.bend * k) * k + x.sag + y.sag;
         let square = p.distance * p.distance + 2.0 * (change - remainder) - 4.0 * p.rounding() * size;
@@ -148,11 +158,11 @@ impl Bounds {
             return by_square;
         }
         let along = |v: &Vector3<f64>| normal.dot(v) / length;
-        let by_plane = along(&p.d)
-            - along(&x.geometry.t).abs() * h
-            - along(&y.geometry.t).abs() * k
-            - (x.sag + y.sag) * (1.0 + 1.0 / 16.0)
-            - 2.0 * p.rounding();
+        let least = |slope: f64, [low, high]: [f64; 2]| (slope * low).min(slope * high);
+        let by_plane =
+            along(&p.d) + least(along(&x.geometry.t), within[0]) + least(-along(&y.geometry.t), within[1])
+                - (x.sag + y.sag) * (1.0 + 1.0 / 16.0)
+                - 2.0 * p.rounding();
         by_square.max(by_plane)
     }
 }

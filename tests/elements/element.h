@@ -100,7 +100,8 @@ int main(int count, char **arguments) {
     static Quantity gap;
     if (count > 1) error = atoi(arguments[1]);
     if (!fgets(line, sizeof line, stdin)) return 1; /* the head of the cases */
-    printf("{\"schema\":\"beamgap-answers/1\",\"program\":\"" ELEMENT "\"}\n");
+    printf("{\"schema\":\"beamgap-answers/1\",\"program\":\"" ELEMENT "\","
+           "\"only\":[\"d\",\"t\",\"t_bar\",\"xi\",\"xi_bar\",\"g_N\",\"g_T\",\"g_T_bar\"]}\n");
     while (fgets(line, sizeof line, stdin)) {
         const char *id = after(line, "\"id\":\"");
         if (!id) return 1;

@@ -38,13 +38,16 @@ fn bounds_do_not_depend_on_threads() {
     assert_eq!(of(1), of(2));
 }
 
+/// A drawn badly-scaled case.
+const ROUNDING_OF_XI_BAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/rounding_of_xi_bar.json");
+
 /// A case in which the tolerance is attained: the error is 0.99999 of it.
 ///
 /// The beams are 1e4 and 3e7 long. The rounding of xi_bar has more effect on the closed form than all other rounding. The
 /// exact variations were computed with 60 digits at the root of d·t_bar = 0, found with 60 digits.
 #[test]
 fn an_error_comes_near_its_bound_where_one_rounding_is_all_of_it() {
-    let case = json(&run(&["check", "--case", "1099512130048", "--format", "json"]));
+    let case = json(&run(&["check", "--case-file", ROUNDING_OF_XI_BAR, "--format", "json"]));
     let entries = case["closest_points"][1]["entries"].as_array().unwrap();
     for (part, exact) in [("delta", 0.890_245_528_622_911_4), ("Delta", 0.782_330_472_645_806_6)] {
         let is_own = |against: &str| against == "own hyper-dual, chord";

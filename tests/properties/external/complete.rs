@@ -36,6 +36,17 @@ fn first_line(text: &str) -> &str {
     text.lines().next().unwrap_or_default()
 }
 
+/// The answers with another digit in front of their first `count` values.
+fn spoiled(text: &str, count: usize) -> String {
+    let (first, rest) = text.split_once("\"value\":").unwrap();
+    let spoil = |(i, after): (usize, &str)| {
+        let (sign, number) = after.strip_prefix('-').map_or(("", after), |number| ("-", number));
+        let digit = if i < count { "1" } else { "" };
+        format!("\"value\":{sign}{digit}{number}")
+    };
+    std::iter::once(first.to_owned()).chain(rest.split("\"value\":").enumerate().map(spoil)).collect()
+}
+
 #[test]
 fn a_case_without_an_answer_is_red_unless_it_is_allowed() {
     let (vectors, text) = answered("cut", &[]);
@@ -55,7 +66,7 @@ fn a_case_without_an_answer_is_red_unless_it_is_allowed() {
         "INCOMPLETE: no answer to 3 of 40 cases: the first is 4; 1 of them have an answer without a number.";
     assert!(code == Some(4) && verdict.starts_with(expected), "{verdict}");
     // A wrong number counts more than a missing one.
-    let wrong = some.replacen("\"value\":", "\"value\":1", 1);
+    let wrong = spoiled(&some, 1);
     let (code, verdict) = told(&vectors, "cut", &wrong, &[]);
     assert!(code == Some(1) && verdict.contains("\nNot answered: 23 of 40 cases"), "{verdict}");
 }
@@ -297,7 +308,7 @@ fn cases_without_a_reference_are_three_messages_and_a_warning() {
         assert!(output.status.success() && shown.contains(sign), "{shown}");
     }
     // A wrong program is red, with other cases and without.
-    let wrong = text.replace("\"value\":", "\"value\":1");
+    let wrong = spoiled(&text, usize::MAX);
     assert_eq!(told(path, "left-out", &wrong, &[]).0, Some(1));
     let alone = scratch("left-out-alone.jsonl", &write(&lines[..4]));
     let (few, alone) = (wrong.lines().take(4).map(|l| l.to_owned() + "\n").collect::<String>(), alone);
