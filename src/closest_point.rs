@@ -43,6 +43,7 @@ use ends::Rim;
 use nalgebra::SVector;
 use search::{Band, Inside, Pair};
 use tree::{ROOT, Tree};
+use unresolved::{Region, gather};
 
 /// A curve with fixed degrees of freedom, as the search uses it.
 pub trait Centroid {
@@ -282,7 +283,10 @@ fn assemble(
             open.push(region);
         }
     }
-    inside.open = open;
+    // The open region of an edge may extend beyond the region inside that touches it.
+    let beyond = |region: &&Region| open.iter().any(|known| known.touches(region) && !known.covers(region));
+    let beyond: Vec<Region> = rim.open.iter().filter(beyond).copied().collect();
+    inside.open = if beyond.is_empty() { open } else { gather([open, beyond].concat()) };
     for zero in inside.zeros {
         let zero = ends::at_end(pair, &zero).unwrap_or(zero);
         if !zero.leads_inward() {

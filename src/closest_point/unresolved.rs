@@ -40,6 +40,11 @@ impl Region {
         self.extent.iter().zip(&other.extent).all(|(mine, other)| mine[0] <= other[1] && other[0] <= mine[1])
     }
 
+    /// Whether the other region lies in this one.
+    pub(super) fn covers(&self, other: &Self) -> bool {
+        self.extent.iter().zip(&other.extent).all(|(mine, other)| mine[0] <= other[0] && other[1] <= mine[1])
+    }
+
     /// Whether a pair of parameters lies in the region.
     pub(super) fn contains(&self, xi: f64, xi_bar: f64) -> bool {
         self.extent.iter().zip([xi, xi_bar]).all(|(mine, at)| mine[0] <= at && at <= mine[1])

@@ -5,7 +5,7 @@ use super::branch::Minimum;
 use super::enclosure::Sign;
 use super::finding::{SearchFinding, SearchFindingKind, Searched};
 use crate::check::candidate::CAREFUL;
-use crate::closest_point::{ClosestPoint, ClosestPoints, End, Unresolved};
+use crate::closest_point::{ClosestPoint, ClosestPoints, Degeneracy, End, Unresolved};
 
 /// The accuracy that is required of the parameters of a listed minimum, beside the rounding of the gradient.
 const PARAMETER: f64 = 1e-12;
@@ -27,12 +27,20 @@ pub(crate) struct Claim {
     pub(crate) held: [Option<bool>; 2],
     /// The distance, if it is given.
     pub(crate) distance: Option<f64>,
+    /// Whether it is said that rounding leaves the derivatives of the parameters undecided.
+    pub(crate) is_uncertain: bool,
 }
 
 impl From<&ClosestPoint> for Claim {
     fn from(point: &ClosestPoint) -> Self {
         let held = [point.end, point.end_bar].map(|end| end.map(|End { strict, .. }| strict));
-        Self { at: [point.xi, point.xi_bar], held, distance: Some(point.distance) }
+        let is_uncertain = matches!(
+            point.degeneracy(),
+            Some(
+                Degeneracy::IllConditioned { .. } | Degeneracy::Singular { .. } | Degeneracy::WeakEnd { .. }
+            )
+        );
+        Self { at: [point.xi, point.xi_bar], held, distance: Some(point.distance), is_uncertain }
     }
 }
 
@@ -43,7 +51,7 @@ fn contains(within: [[f64; 2]; 2], at: [f64; 2], margin: f64) -> bool {
 impl IndependentSearch<'_> {
     /// Why the point is no local minimum of the square, if it is none.
     pub(crate) fn judged(&self, claim: &Claim) -> Option<SearchFinding> {
-        let Claim { at, held, distance } = *claim;
+        let Claim { at, held, distance, is_uncertain } = *claim;
         let here = self.at(at);
         let unit = self.factor;
         let length = distance.unwrap_or(here.distance() / unit);
@@ -61,6 +69,7 @@ impl IndependentSearch<'_> {
                         return finding(SearchFindingKind::HeldInward, length, here.distance() / unit);
                     }
                 }
+                _ if is_uncertain => {}
                 _ => {
                     let slope = here.hessian[2 * i].abs() + here.hessian[1].abs();
                     let explained = rest + PARAMETER * slope;
@@ -77,7 +86,8 @@ impl IndependentSearch<'_> {
             return finding(SearchFindingKind::NotMinimum, length, here.distance() / unit);
         }
         let apart = distance.map_or(0.0, |distance| (distance * unit - here.distance()).abs());
-        if apart > CAREFUL * here.distance_error() {
+        let of_sums = f64::EPSILON * self.scale;
+        if apart > CAREFUL * (here.distance_error() + of_sums) {
             return finding(SearchFindingKind::Distance, length, here.distance() / unit);
         }
         None
@@ -128,7 +138,7 @@ impl IndependentSearch<'_> {
             findings.extend(self.of_region(region));
         }
         let distances = found.minima.iter().map(|point| point.distance);
-        let nearest = distances.chain(found.unresolved.iter().map(|region| region.point.distance));
+        let nearest = distances.chain(found.unresolved.iter().map(|region| region.distance[0]));
         let nearest = nearest.fold(f64::INFINITY, f64::min) * self.factor;
         listed.extend(&wrong);
         findings.extend(self.nearer(nearest, &listed, &is_covered));
@@ -169,7 +179,8 @@ impl IndependentSearch<'_> {
             return finding(SearchFindingKind::Distance, at, here.distance() / unit);
         }
         let smallest = self.smallest([region.xi, region.xi_bar], at);
-        if listed > smallest.high + tolerance {
+        // An interval may be given in the place of the smallest distance.
+        if region.distance[0] * unit > smallest.high + tolerance {
             return finding(SearchFindingKind::RegionDistance, smallest.at, smallest.high / unit);
         }
         if listed < smallest.low - tolerance {
