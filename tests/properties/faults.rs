@@ -89,7 +89,7 @@ fn committed_faults_are_detected_by_the_gate_alone() {
 #[test]
 fn a_planted_fault_is_shrunk_and_attributed_to_the_closed_form() {
     let fault = ["--plant", "Dd|d|: d.turned = sign"];
-    let few = ["--cases", "100", "--regime", "generic", "--family", "hermite"];
+    let few = ["--cases", "200", "--regime", "generic", "--family", "hermite"];
     let output = run(&[&["check", "--format", "json"], &few[..], &fault].concat());
     assert_eq!(output.status.code(), Some(1));
     let told = json(&output);

@@ -77,7 +77,7 @@ fn the_first_fault_is_the_message() {
         ("banner", "echo 'Newton 3 iterations'", "7:1: a number expected, found \"Newton\""),
         ("stars", "echo '{\"id\":\"5\",\"d\":****}'", "7:15: a number expected, found asterisks"),
         ("key", "echo '{\"id\":\"5\",\"distance\":1}'", "7:22: one of x, x_bar,"),
-        ("cut", "echo '{\"id\":\"5\",\"d\":{\"va'", "7:18: a closing quote expected, found none"),
+        ("cut", "echo '{\"id\":\"5\",\"d\":{\"va'", "7:16: a closing quote expected, found none"),
         ("unknown", unknown, of_cases.as_str()),
     ] {
         let start = std::time::Instant::now();
