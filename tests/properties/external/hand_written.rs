@@ -23,7 +23,7 @@ fn add(line: &mut Value, quantity: &str, factor: f64, [one, two]: [&[f64]; 2]) {
 
 /// The explanation of gradients and Hessians that are changed, and printed with `digits` digits.
 fn explained(digits: Option<u8>, change: impl Fn(&mut Value)) -> Explanation {
-    let all = vectors(&drawing(&[Family::Hermite], &[Regime::Generic, Regime::NearEnd], 8));
+    let all = vectors(&drawing(&[Family::Hermite], &[Regime::Generic, Regime::NearEnd], 16));
     let text = changed(&answers(&Evaluator::default(), &all), |line| {
         if !line["d"].is_object() {
             return;
@@ -88,7 +88,7 @@ fn a_product_without_its_transpose_is_named() {
             add(line, "d", transposed * factor, [&g_bar, &g]);
         };
         let found = explained(digits, |line| change(line, 0.0, -1.0));
-        assert_eq!(names(&found), ["H_d: b g_bar g' = dropped"], "{found:?}");
+        assert_eq!(names(&found), ["H_d: b g_bar g' = dropped"], "{digits:?} {found:?}");
         assert!((found.causes[0].coefficient.unwrap() + 1.0).abs() < 1e-3);
         // The same product twice, instead of the product and its transpose.
         let found = explained(digits, |line| change(line, 1.0, -1.0));
