@@ -116,7 +116,7 @@ impl IndependentSearch<'_> {
                     findings.push(of(SearchFindingKind::Twice));
                 }
                 Some(i) => met[i] = true,
-                None if self.is_open(claim.at) || self.is_almost(point) => {}
+                None if self.is_open(claim.at) || self.is_almost(point) || claim.is_uncertain => {}
                 None => findings.push(of(SearchFindingKind::Unknown)),
             }
             listed.push(claim.at);

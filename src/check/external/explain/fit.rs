@@ -72,7 +72,9 @@ impl Fit {
     /// Whether rounding explains the deviation that remains of `before`, and it is no larger. In few digits a free factor can be fitted to other
     /// errors, so it has to explain nearly all.
     pub(super) fn explains(&self, before: f64) -> bool {
-        self.over <= 1.0 && self.worst <= before && (!self.change.has_free_factor() || self.worst <= CLOSE * before)
+        self.over <= 1.0
+            && self.worst <= before
+            && (!self.change.has_free_factor() || self.worst <= CLOSE * before)
     }
 
     /// Whether only a small part of the deviation remains: the answers have few digits that were not stated.
