@@ -150,7 +150,7 @@ impl Checked {
             );
             *verdict = Verdict::new(Exit::Untrusted, "untrusted", words);
         } else {
-            verdict.words += &format!("\nWhat is compared is not what the record has.\n{words}");
+            let _ = write!(verdict.words, "\nWhat is compared is not what the record has.\n{words}");
         }
     }
 

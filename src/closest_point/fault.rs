@@ -77,7 +77,9 @@ pub(super) fn result(mut found: ClosestPoints) -> ClosestPoints {
         }
         SearchFault::SaddlesListed => {
             minima.extend(stationary.iter().filter(|point| point.kind == Kind::Saddle));
-            minima.iter_mut().for_each(|point| point.kind = Kind::Minimum);
+            for point in minima.iter_mut() {
+                point.kind = Kind::Minimum;
+            }
             minima.sort_by(|p, q| p.distance.total_cmp(&q.distance));
         }
         SearchFault::ListedTwice => minima.extend(minima.last().copied()),
@@ -187,7 +189,7 @@ impl SearchFault {
             Self::UniquenessLoosened => "uniqueness-loosened",
             Self::EndForgotten => "end-forgotten",
             Self::CornersForgotten => "corners-forgotten",
-            Self::BarStartsFromBeam => "bar-starts-from-beam",
+            Self::BarStartsFromBeam => "bar-start-of-beam",
             Self::LastStepLeftOut => "last-step-left-out",
             Self::MultiplierIgnored => "multiplier-ignored",
             Self::SaddlesListed => "saddles-listed",

@@ -59,7 +59,7 @@ pub(super) fn scaled(curves: [&dyn Centroid; 2]) -> Result<([Scaled<'_>; 2], f64
     if (one - other).abs() > RATIO || one.max(other).abs() > LARGEST {
         return Err(ProjectionError::NonFinite);
     }
-    let unit = f64::exp2(f64::from((one + other) / 2));
+    let unit = f64::exp2(f64::from(i32::midpoint(one, other)));
     Ok((curves.map(|curve| Scaled { curve, factor: 1.0 / unit }), unit))
 }
 

@@ -14,7 +14,7 @@ const FEW_DECIMALS: i32 = 12;
 /// The number of digits that single precision keeps.
 const SINGLE: u8 = 6;
 /// The rounding of single precision over that of double precision.
-const COARSER: f64 = (1_u64 << 29) as f64;
+const COARSER: f64 = 536_870_912.0;
 /// The number of numbers that are needed to tell.
 const NUMBERS: usize = 30;
 
@@ -230,6 +230,9 @@ mod tests {
             assert_eq!(numbers(&|x| format!("{x:.digits$e}")), Some((n, FewKind::Significant)));
         }
         assert_eq!(numbers(&|x| format!("{x:e}")), None);
-        assert!(matches!(numbers(&|x| f64::from(x as f32).to_string()), Some((6, FewKind::Single(_)))));
+        assert!(matches!(
+            numbers(&|x| f64::from(x.to_string().parse::<f32>().unwrap()).to_string()),
+            Some((6, FewKind::Single(_)))
+        ));
     }
 }

@@ -63,7 +63,7 @@ impl IndependentSearch<'_> {
             let gradient = here.gradient[i];
             let size = self.curves[i].at(at[i]).size[0];
             match held[i] {
-                Some(strict) if at[i].abs() == 1.0 => {
+                Some(strict) if at[i].abs() >= 1.0 => {
                     let weak = if strict { 0.0 } else { here.weak[i] };
                     if gradient * at[i] > rest + weak {
                         return finding(SearchFindingKind::HeldInward, length, here.distance() / unit);

@@ -31,7 +31,7 @@ pub(super) struct Pieces<'a> {
     position: &'a dyn PositionAt<TaylorSeries>,
     /// A power of two.
     factor: f64,
-    pieces: Vec<Piece>,
+    all: Vec<Piece>,
 }
 
 impl Piece {
@@ -60,13 +60,13 @@ impl Piece {
 impl<'a> Pieces<'a> {
     /// The curve, with its lengths multiplied by a power of two.
     pub(super) fn new(position: &'a dyn PositionAt<TaylorSeries>, factor: f64) -> Self {
-        let pieces = [[0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]].map(|at| Piece::new(position, factor, at));
-        Self { position, factor, pieces: pieces.into() }
+        let all = [[0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]].map(|at| Piece::new(position, factor, at));
+        Self { position, factor, all: all.into() }
     }
 
     /// The largest of its lengths: the position and the tangent in the middle and at the ends.
     pub(super) fn length(&self) -> f64 {
-        let lengths = self.pieces.iter().map(|Piece { x, size: [t, _], .. }| x.norm() + t);
+        let lengths = self.all.iter().map(|Piece { x, size: [t, _], .. }| x.norm() + t);
         lengths
             .fold(0.0, |longest, length| if length > longest || length.is_nan() { length } else { longest })
     }
@@ -77,7 +77,7 @@ impl<'a> Pieces<'a> {
     }
 
     pub(super) fn piece(&self, index: u32) -> &Piece {
-        &self.pieces[index as usize]
+        &self.all[index as usize]
     }
 
     /// The curve at one parameter.
@@ -87,15 +87,15 @@ impl<'a> Pieces<'a> {
 
     /// The two halves of a piece.
     pub(super) fn halves(&mut self, index: u32) -> [u32; 2] {
-        let Piece { centre, half, halves, .. } = self.pieces[index as usize];
+        let Piece { centre, half, halves, .. } = self.all[index as usize];
         if halves > 0 {
             return [halves, halves + 1];
         }
-        let first = u32::try_from(self.pieces.len()).unwrap_or(u32::MAX - 1);
+        let first = u32::try_from(self.all.len()).unwrap_or(u32::MAX - 1);
         for side in [-0.5, 0.5] {
-            self.pieces.push(Piece::new(self.position, self.factor, [centre + side * half, 0.5 * half]));
+            self.all.push(Piece::new(self.position, self.factor, [centre + side * half, 0.5 * half]));
         }
-        self.pieces[index as usize].halves = first;
+        self.all[index as usize].halves = first;
         [first, first + 1]
     }
 }
@@ -104,6 +104,7 @@ impl<'a> Pieces<'a> {
 mod tests {
     use super::{LOWER, Pieces, UPPER, WHOLE};
     use crate::check::Case;
+    use crate::number::DoubleDouble;
 
     #[test]
     fn a_piece_contains_the_curve_over_its_interval() {
@@ -118,7 +119,7 @@ mod tests {
                 let piece = pieces.piece(index);
                 for i in -4..=4 {
                     let u = f64::from(i) / 4.0 * piece.half;
-                    let exact = beam.geometry_precise((piece.centre + u).into()).x.map(|c| c.value());
+                    let exact = beam.geometry_precise((piece.centre + u).into()).x.map(DoubleDouble::value);
                     let polynomial = piece.x + piece.t * u + piece.w * (u * u);
                     let off = (exact - polynomial).norm();
                     let [x, t, w] = piece.error;

@@ -137,7 +137,7 @@ impl IndependentSearch<'_> {
                 let pieces = [0, 1].map(|i| self.curves[i].piece(part[i]));
                 let meets = |i: usize| meets(pieces[i], within[i]);
                 let bound = Enclosure::new(pieces[0], pieces[1]).least_distance();
-                if meets(0) && meets(1) && !(bound >= high) {
+                if meets(0) && meets(1) && (bound < high || bound.is_nan()) {
                     heap.push(Bounded {
                         least: if bound.is_nan() { 0.0 } else { bound.max(least) },
                         at: part,

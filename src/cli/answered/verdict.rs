@@ -69,7 +69,7 @@ fn incomplete(report: &Report) -> Verdict {
         )
     };
     let rest = lines(&[
-        second.map(capital),
+        second.map(|text| capital(&text)),
         partly(report),
         Some(format!("Of what is answered: {}", lowered(&kept))),
         Some(hint),
@@ -149,7 +149,7 @@ fn denied(report: &Report) -> Option<String> {
 }
 
 fn lines(parts: &[Option<String>]) -> String {
-    parts.iter().flatten().map(|line| format!("\n{line}")).collect()
+    parts.iter().flatten().flat_map(|line| ["\n", line]).collect()
 }
 
 fn lowered(text: &str) -> String {
@@ -157,7 +157,7 @@ fn lowered(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
-fn capital(text: String) -> String {
+fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

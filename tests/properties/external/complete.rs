@@ -191,7 +191,7 @@ fn gaps_are_open_and_closed_in_every_regime() {
             let all = vectors(&drawing(families, &[regime], 22));
             let is_closed = |vector: &&Vector| {
                 let line: Value = serde_json::from_str(
-                    &answers(&Evaluator::default(), &[(*vector).clone()]).lines().nth(1).unwrap(),
+                    answers(&Evaluator::default(), &[(*vector).clone()]).lines().nth(1).unwrap(),
                 )
                 .unwrap();
                 line["g_N"]["value"].as_f64().is_some_and(|gap| gap < 0.0)
@@ -230,7 +230,7 @@ fn a_variation_of_a_held_parameter_is_wrong() {
     let all = vectors(&drawing(&[Family::Segment], &[Regime::NearEnd, Regime::Generic], 40));
     let held: Vec<&str> = all
         .iter()
-        .filter(|vector| vector.point.is_some_and(|(xi, _)| xi.abs() == 1.0))
+        .filter(|vector| vector.point.is_some_and(|(xi, _)| xi.abs() >= 1.0))
         .map(|vector| vector.id.as_str())
         .collect();
     assert!(held.len() > 3, "{held:?}");
@@ -289,7 +289,8 @@ fn cases_without_a_reference_are_three_messages_and_a_warning() {
     lines[2]["bar"]["q"] = [0, 1, 0, 1, 1, 0].map(f64::from).to_vec().into();
     lines[2].as_object_mut().unwrap().remove("point");
     lines[3]["beam"]["q"] = [1, 2, 3, 1, 2, 3].map(f64::from).to_vec().into();
-    let write = |lines: &[Value]| lines.iter().map(|line| format!("{line}\n")).collect::<String>();
+    let write =
+        |lines: &[Value]| lines.iter().flat_map(|line| [line.to_string(), "\n".into()]).collect::<String>();
     let path = scratch("left-out-cases.jsonl", &write(&lines));
     let path = path.to_str().unwrap();
     let answers = scratch("left-out-answers.jsonl", &text);
