@@ -32,39 +32,46 @@ pub fn refine(
     if !(start.0.is_finite() && start.1.is_finite()) {
         return Err(ProjectionError::NonFinite);
     }
-    match iterated(beam, bar, start, held, |p| is_usual_square(p.size2)) {
-        Ok(Some(point)) => Ok(point),
-        Ok(None) | Err(ProjectionError::NonFinite) => {
-            let ([beam, bar], unit) = scaled([beam, bar])?;
-            let point = iterated(&beam, &bar, start, held, |_| true)?.ok_or(ProjectionError::NonFinite)?;
-            Ok(point.in_unit(unit))
-        }
-        Err(error) => Err(error),
-    }
-}
-
-/// Newton's method; nothing if the first iterate does not have the size that is required.
-#[inline(always)]
-fn iterated(
-    beam: &dyn Centroid,
-    bar: &dyn Centroid,
-    start: (f64, f64),
-    held: Held,
-    has_size: impl Fn(&SquaredDistance) -> bool,
-) -> Result<Option<ClosestPoint>, ProjectionError> {
     let place = |held: bool, xi: f64| if held { 1.0_f64.copysign(xi) } else { xi.clamp(-1.0, 1.0) };
     let start = (place(held.xi, start.0), place(held.xi_bar, start.1));
-    let cubic = beam.is_cubic() && bar.is_cubic();
-    let mut current = Iterate::at(beam, bar, start)?;
-    if !has_size(&current.squared_distance) {
-        return Ok(None);
+    let found = match Iterate::at(beam, bar, start) {
+        Ok(first) if is_usual_square(first.squared_distance.size2) => iterated([beam, bar], first, held),
+        Ok(_) => Err(ProjectionError::NonFinite),
+        Err(error) => Err(error),
+    };
+    if let Err(ProjectionError::NonFinite) = found {
+        return refined_in_unit([beam, bar], start, held);
     }
+    found
+}
+
+/// Newton's method in another unit of length.
+#[cold]
+#[inline(never)]
+fn refined_in_unit(
+    curves: [&dyn Centroid; 2],
+    start: (f64, f64),
+    held: Held,
+) -> Result<ClosestPoint, ProjectionError> {
+    let ([beam, bar], unit) = scaled(curves)?;
+    let first = Iterate::at(&beam, &bar, start)?;
+    Ok(iterated([&beam, &bar], first, held)?.in_unit(unit))
+}
+
+/// Newton's method from the first iterate.
+#[inline]
+fn iterated(
+    [beam, bar]: [&dyn Centroid; 2],
+    mut current: Iterate,
+    held: Held,
+) -> Result<ClosestPoint, ProjectionError> {
+    let cubic = beam.is_cubic() && bar.is_cubic();
     // At rounding level the iterate with the smallest gradient is the best one. Later iterates may be worse.
     let mut best: Option<Iterate> = None;
     let mut previous = f64::INFINITY;
     for _ in 0..STEPS {
         if current.squared_distance.is_stationary(held) {
-            return settled(current.at, &current.squared_distance, held).map(Some);
+            return settled(current.at, &current.squared_distance, held);
         }
         let step = current.squared_distance.step(held);
         if !(step.0.is_finite() && step.1.is_finite()) {
@@ -79,7 +86,7 @@ fn iterated(
         }
         if size <= 2.0 * f64::EPSILON && best.is_none() {
             // The last digits of the parameters move the points by less than their rounding.
-            return settled(next, &current.squared_distance, held).map(Some);
+            return settled(next, &current.squared_distance, held);
         }
         let at = current.ahead(next, size, held);
         let new = if cubic && current.evaluated && apart(current.at, at) < REACH {
@@ -98,7 +105,7 @@ fn iterated(
         previous = size;
     }
     let end = best.as_ref().unwrap_or(&current);
-    settled(end.at, &end.squared_distance, held).map(Some)
+    settled(end.at, &end.squared_distance, held)
 }
 
 /// The point where the iteration ended, if the steps have become small.

@@ -171,9 +171,9 @@ impl SquaredDistance {
     /// the steps become small although the cosine does not, until the tangent and its change are both rounding.
     pub(super) fn is_near_standstill(&self, i: usize, step: f64) -> bool {
         const LARGE: f64 = 1e-6;
-        let is_double = |bend: f64| self.stands_still(i) && bend < LARGE * LARGE * self.twists[i];
-        ((step * step) * self.bends[i] > 0.01 * self.squares[i] || is_double(self.bends[i]))
-            && self.cosine(i).abs() > LARGE
+        let bend = self.bends[i];
+        let is_double = || bend < LARGE * LARGE * self.twists[i] && self.stands_still(i);
+        ((step * step) * bend > 0.01 * self.squares[i] || is_double()) && self.cosine(i).abs() > LARGE
     }
 
     /// The largest |cos| over the parameters that are not held.

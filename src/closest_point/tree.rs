@@ -88,6 +88,7 @@ impl<'a> Tree<'a> {
     }
 
     /// An interval that is not part of the tree.
+    #[inline(always)]
     pub(super) fn node_over(&self, centre: f64, half: f64) -> Result<Node, ProjectionError> {
         let geometry = evaluate(self.curve, centre)?;
         let (speed, bend) = (geometry.t.norm(), geometry.t_xi.norm());
