@@ -4,12 +4,14 @@
 //! [`catalogue`] and pass for each [`Rewrite`].
 
 mod catalogue;
+mod doors;
 mod fault;
 mod invariance;
 mod kernel;
 mod layouts;
 mod planted;
 mod point;
+mod read;
 mod rewrite;
 mod rewrites;
 
@@ -19,10 +21,12 @@ pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
 pub(crate) use invariance::by_invariance;
-pub(crate) use kernel::{Contracted, Layouts, every_layout, fast_kernel, kernel};
+pub(crate) use doors::{Door, kernel_doors, routes};
+pub(crate) use kernel::{Layouts, every_layout, in_blocks, kernel};
 pub(crate) use layouts::Second;
 pub(crate) use planted::Step;
 pub(crate) use point::{CONTACT, Point};
+pub(crate) use read::Contracted;
 
 use crate::linearization::closed_form::{Formulation, Matrices, PartialVariations, variations_in};
 use crate::linearization::{Linearization, Quantities, Varied};

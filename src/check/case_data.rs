@@ -1,6 +1,6 @@
 //! A case without the seed and the number that drew it: all its numbers.
 
-use super::compare::{Compared, compare_beams};
+use super::compare::{Compared, Costly, compare_beams};
 use super::config::{CheckConfig, Oracles};
 use super::evaluation_point::EvaluationPoint;
 use super::independent_search::{Searched, pair_of, searched};
@@ -38,8 +38,8 @@ impl CaseData {
     /// If the numbers define no beam.
     pub fn compare(&self, config: &CheckConfig) -> Result<Compared, TestBeamError> {
         let beams = self.beams()?;
-        let asked = config.oracles == Oracles::All;
-        Ok(compare_beams(config, asked, beams.each_ref().map(|beam| &**beam), &self.contact))
+        let costly = Costly { differences: config.oracles == Oracles::All, routes: true };
+        Ok(compare_beams(config, costly, beams.each_ref().map(|beam| &**beam), &self.contact))
     }
 
     /// The closed form at one of its closest points: all components with their variations, in the order of

@@ -1,8 +1,10 @@
 //! One case through both linearizations, entry by entry.
 
+mod doors;
+
 use super::arbitration::DIFFERENCES;
 use super::config::{CheckConfig, Oracles};
-use super::draw::Case;
+use super::draw::{Case, place_in_regime};
 use super::evaluation_point::EvaluationPoint;
 use super::oracle::differences;
 use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
@@ -12,7 +14,7 @@ use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{RunningError, TermScale};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, RunningError2};
-use crate::variant::{Contracted, SCALAR_COMPONENTS, SCALARS, Variant};
+use crate::variant::{SCALAR_COMPONENTS, SCALARS, Variant};
 use num_dual::HyperDual64;
 
 /// The routes of automatic differentiation.
@@ -27,13 +29,33 @@ pub type Compared = Vec<(Option<ClosestPoint>, Verdict)>;
 
 /// Compares a case with the oracles at each of its closest points.
 pub fn compare(config: &CheckConfig, case: &Case) -> Compared {
-    compare_beams(config, config.oracles.asks_differences(case.number), case.beams(), &case.contact)
+    compare_beams(config, Costly::of_case(config, case.number), case.beams(), &case.contact)
 }
 
-/// Compares two beams with the oracles. The differences are always included if `asked`.
+/// What takes long and is computed for a sample of the cases.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Costly {
+    /// The differences in double-double.
+    pub(super) differences: bool,
+    /// The functions for any curve and all routes of automatic differentiation.
+    pub(super) routes: bool,
+}
+
+/// All routes are compared in one of this many cases of each regime. It has no factor in common with the 121 pairs of
+/// families, so all pairs are reached.
+const ROUTES_EVERY: u64 = 8;
+
+impl Costly {
+    fn of_case(config: &CheckConfig, number: u64) -> Self {
+        let routes = place_in_regime(number).is_multiple_of(ROUTES_EVERY);
+        Self { differences: config.oracles.asks_differences(number), routes }
+    }
+}
+
+/// Compares two beams with the oracles.
 pub(super) fn compare_beams(
     config: &CheckConfig,
-    asked: bool,
+    costly: Costly,
     [beam, bar]: [&dyn AnyBeam; 2],
     contact: &Contact,
 ) -> Compared {
@@ -45,7 +67,7 @@ pub(super) fn compare_beams(
         Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
     let at_point = |point: &ClosestPoint| match EvaluationPoint::new([beam, bar], contact, point) {
-        Ok(evaluation) => verdict(config, asked, &evaluation),
+        Ok(evaluation) => verdict(config, costly, &evaluation),
         Err(reason) => Verdict::Inconclusive(reason, Vec::new()),
     };
     let mut verdicts: Vec<_> = found.minima.iter().map(|point| (Some(*point), at_point(point))).collect();
@@ -55,7 +77,7 @@ pub(super) fn compare_beams(
     verdicts
 }
 
-fn verdict(config: &CheckConfig, asked: bool, evaluation: &EvaluationPoint) -> Verdict {
+fn verdict(config: &CheckConfig, costly: Costly, evaluation: &EvaluationPoint) -> Verdict {
     let (closed, references) = (Closed::new(&config.variant, evaluation), References::new(evaluation));
     let mut entries = closed.compared_with(&references);
     if closed.is_out_of_range() || references.is_out_of_range() {
@@ -64,9 +86,12 @@ fn verdict(config: &CheckConfig, asked: bool, evaluation: &EvaluationPoint) -> V
     // Faults are injected into the formulas that the kernel is compared with.
     if config.variant == Variant::Unmodified {
         entries.extend(closed.kernel(evaluation));
+        if costly.routes {
+            entries.extend(closed.routes(evaluation, &references));
+        }
     }
     let unclear = config.oracles != Oracles::Ad && !is_decided(entries.iter());
-    if is_apart(&entries) || unclear || asked {
+    if is_apart(&entries) || unclear || costly.differences {
         by_differences(evaluation, &mut entries);
     }
     judged(entries)
@@ -224,19 +249,6 @@ impl Closed {
     /// Gradient and Hessian of a scalar, contracted with the directions, against the variations.
     fn matrix(&self, scalar: usize) -> [Comparison; 3] {
         [1, 2, 3].map(|k| self.contracted(MATRICES, [scalar, k], self.matrices[scalar][k - 1]))
-    }
-
-    /// The numbers of each layout of the kernel, contracted with the directions, against the variations.
-    fn kernel(&self, evaluation: &EvaluationPoint) -> Vec<Comparison> {
-        let of_layout =
-            |(layout, numbers, bounds): (&'static str, Contracted<f64>, Contracted<RunningError>)| {
-                let each = (0..SCALARS).flat_map(|scalar| (0..4).map(move |k| [scalar, k]));
-                each.filter_map(move |[scalar, k]| {
-                    let (value, bound) = (numbers[scalar][k]?, bounds[scalar][k]?.bound);
-                    Some(self.contracted(layout, [scalar, k], RunningError { value, bound }))
-                })
-            };
-        evaluation.kernel().into_iter().flat_map(of_layout).collect()
     }
 
     /// A contracted part of a scalar, against the variation.

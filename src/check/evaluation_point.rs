@@ -15,7 +15,9 @@ use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{DoubleDouble, Faulty, RunningError, TermScale};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
-use crate::variant::{Contracted, SCALARS, Step, Variant, contracted, every_layout, fast_kernel, terms};
+use crate::variant::{
+    Contracted, Door, SCALARS, Step, Variant, contracted, in_blocks, kernel_doors, routes, terms,
+};
 pub(super) use dense::Dense;
 use refined::Refined;
 use std::sync::OnceLock;
@@ -219,22 +221,21 @@ impl<'a> EvaluationPoint<'a> {
         matrices
     }
 
-    /// The kernel in all its layouts, each with bounds on the errors of its numbers; empty if a curve has no shape functions.
+    /// The functions of the kernel, and the kernel's numbers with bounds on their errors; nothing if a curve has no shape
+    /// functions.
     ///
     /// The kernel chooses the formulation itself, so this only applies to evaluations in the chosen formulation.
-    pub(super) fn kernel(&self) -> Vec<(&'static str, Contracted<f64>, Contracted<RunningError>)> {
+    pub(super) fn kernel(&self) -> Option<(Vec<Door>, Contracted<RunningError>)> {
         let beams = self.padded(Step::Now);
-        let bounds = every_layout(beams, self.sharp(), self.form, self.contact);
+        let bounds = in_blocks(beams, self.sharp(), self.form, self.contact)?;
         let beams = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
-        let of = |(name, numbers): (&'static str, Contracted<f64>)| {
-            // Other layouts contain the same numbers, summed in another order.
-            let same = |(of, _): &&(&str, Contracted<RunningError>)| {
-                name.rsplit(' ').next() == of.rsplit(' ').next()
-            };
-            let (_, bounds) = bounds.iter().find(same).or(bounds.first())?;
-            Some((name, numbers, *bounds))
-        };
-        fast_kernel(&beams, &self.point, *self.contact).into_iter().filter_map(of).collect()
+        let dofs = self.beams.map(AnyBeam::dofs);
+        Some((kernel_doors(&beams, dofs, &self.point, *self.contact), bounds))
+    }
+
+    /// The functions for any curve: of the closed form, and of automatic differentiation.
+    pub(super) fn routes(&self) -> [Vec<Door>; 2] {
+        routes(self.partial_variations(Step::Now), &self.point, *self.contact)
     }
 
     fn unmodified(&self) -> &Unmodified {

@@ -8,7 +8,7 @@ mod pair;
 mod placed;
 mod shrink;
 
-use super::compare::compare_beams;
+use super::compare::{Costly, compare_beams};
 use super::config::CheckConfig;
 use super::diagnosis::Finding;
 use super::regime::Regime;
@@ -92,7 +92,8 @@ where
         let regime = Regime::ALL[usize::try_from(number % regimes).unwrap_or(0)];
         (regime, Pair::draw(curve, beams, (regime, number / regimes), &mut rng))
     };
-    let compared = |pair: &Pair| compare_beams(&CheckConfig::default(), false, pair.beams(), &pair.contact);
+    let costly = Costly { differences: false, routes: true };
+    let compared = |pair: &Pair| compare_beams(&CheckConfig::default(), costly, pair.beams(), &pair.contact);
     let of_case = |number: u64| {
         let compared = compared(&drawn(number).1);
         let mut found = OwnCurve::default();

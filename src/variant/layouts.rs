@@ -1,31 +1,20 @@
-//! The layouts that the kernel writes, which can be read and contracted with two directions.
+//! The layouts that the kernel writes, in one type.
 
+use super::read::Read;
 use crate::linearization::Derivatives;
-use crate::linearization::closed_form::kernel::{Full, Gradient, Packed, Target};
+use crate::linearization::closed_form::kernel::{Full, Packed, Target};
 use crate::number::Real;
-use crate::pair::DofVector;
-use crate::test_beam::DOFS;
-
-/// The dofs of both beams.
-pub(super) const BOTH: usize = 2 * DOFS;
-/// The entries of a triangle of the Hessian.
-const HALF: usize = BOTH * (BOTH + 1) / 2;
-
-/// Memory of the kernel that can be read.
-pub(crate) trait Memory<T: Real>: Target<T, DOFS, DOFS> {
-    fn contracted(&self, directions: &[DofVector<T, DOFS, DOFS>; 2]) -> [Option<T>; 4];
-}
 
 /// Memory in any layout with a Hessian. One instance of the kernel, a large function, writes them all.
 ///
-/// `S` is 2 `D`, and `H` is `S` (`S` + 1)/2.
-pub(crate) enum Second<T, const D: usize = DOFS, const S: usize = BOTH, const H: usize = HALF> {
-    Blocks(Box<Derivatives<T, D, D>>),
+/// `S` is `N` + `M`, and `H` is `S` (`S` + 1)/2.
+pub(crate) enum Second<T, const N: usize, const M: usize, const S: usize, const H: usize> {
+    Blocks(Box<Derivatives<T, N, M>>),
     Full(Box<Full<T, S>>),
     Packed(Box<Packed<T, S, H>>),
 }
 
-impl<T: Real, const D: usize, const S: usize, const H: usize> Second<T, D, S, H> {
+impl<T: Real, const N: usize, const M: usize, const S: usize, const H: usize> Second<T, N, M, S, H> {
     /// In all layouts.
     pub(crate) const ALL: [fn() -> Self; 3] = [
         || Self::Blocks(Box::new(Derivatives::zero())),
@@ -33,24 +22,32 @@ impl<T: Real, const D: usize, const S: usize, const H: usize> Second<T, D, S, H>
         || Self::Packed(Box::new(Packed::zeros())),
     ];
 
-    fn memory(&mut self) -> &mut dyn Rows<T, D> {
+    fn memory(&mut self) -> &mut dyn Rows<T, N, M> {
         match self {
             Self::Blocks(of) => &mut **of,
             Self::Full(of) => &mut **of,
             Self::Packed(of) => &mut **of,
         }
     }
+
+    fn read(&self) -> &dyn Read<T> {
+        match self {
+            Self::Blocks(of) => &**of,
+            Self::Full(of) => &**of,
+            Self::Packed(of) => &**of,
+        }
+    }
 }
 
-/// A layout, as [`Target`] defines it, without its size.
-trait Rows<T, const D: usize> {
+/// A layout, as [`Target`] defines it, as a trait object.
+trait Rows<T, const N: usize, const M: usize> {
     fn value(&mut self) -> &mut T;
     fn gradient(&mut self) -> (&mut [T], &mut [T]);
     fn row(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
     fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]);
 }
 
-impl<T, W: Target<T, D, D>, const D: usize> Rows<T, D> for W {
+impl<T, W: Target<T, N, M>, const N: usize, const M: usize> Rows<T, N, M> for W {
     fn value(&mut self) -> &mut T {
         Target::value(self)
     }
@@ -68,7 +65,9 @@ impl<T, W: Target<T, D, D>, const D: usize> Rows<T, D> for W {
     }
 }
 
-impl<T: Real, const D: usize, const S: usize, const H: usize> Target<T, D, D> for Second<T, D, S, H> {
+impl<T: Real, const N: usize, const M: usize, const S: usize, const H: usize> Target<T, N, M>
+    for Second<T, N, M, S, H>
+{
     const SECOND: bool = true;
 
     #[inline(never)]
@@ -92,46 +91,18 @@ impl<T: Real, const D: usize, const S: usize, const H: usize> Target<T, D, D> fo
     }
 }
 
-impl<T: Real> Memory<T> for Second<T> {
-    fn contracted(&self, directions: &[DofVector<T, DOFS, DOFS>; 2]) -> [Option<T>; 4] {
-        match self {
-            Self::Blocks(of) => {
-                let hessian = |i, j| of.hessian.entry(i, j);
-                along(of.value, &|i| of.gradient.entry(i), Some(&hessian), directions)
-            }
-            Self::Full(of) => {
-                let hessian = |i: usize, j: usize| of.hessian[i][j];
-                along(of.value, &|i| of.gradient[i], Some(&hessian), directions)
-            }
-            Self::Packed(of) => {
-                let hessian = |i, j| of.entry(i, j);
-                along(of.value, &|i| of.gradient[i], Some(&hessian), directions)
-            }
-        }
+impl<T: Real, const N: usize, const M: usize, const S: usize, const H: usize> Read<T>
+    for Second<T, N, M, S, H>
+{
+    fn value(&self) -> T {
+        self.read().value()
     }
-}
 
-impl<T: Real> Memory<T> for Gradient<T, BOTH> {
-    fn contracted(&self, directions: &[DofVector<T, DOFS, DOFS>; 2]) -> [Option<T>; 4] {
-        along(self.value, &|i| self.gradient[i], None, directions)
+    fn first(&self, i: usize) -> T {
+        self.read().first(i)
     }
-}
 
-/// Along the directions. Every layout uses the same sums, so that one bound on their rounding applies to all.
-fn along<T: Real>(
-    value: T,
-    gradient: &dyn Fn(usize) -> T,
-    hessian: Option<&dyn Fn(usize, usize) -> T>,
-    [dq, linear_dq]: &[DofVector<T, DOFS, DOFS>; 2],
-) -> [Option<T>; 4] {
-    let sum = |of: &dyn Fn(usize) -> T| (0..BOTH).fold(T::zero(), |sum, i| sum + of(i));
-    let second = |hessian: &dyn Fn(usize, usize) -> T| {
-        sum(&|i| dq.entry(i) * sum(&|j| hessian(i, j) * linear_dq.entry(j)))
-    };
-    [
-        Some(value),
-        Some(sum(&|i| gradient(i) * dq.entry(i))),
-        Some(sum(&|i| gradient(i) * linear_dq.entry(i))),
-        hessian.map(second),
-    ]
+    fn second(&self, i: usize, j: usize) -> Option<T> {
+        self.read().second(i, j)
+    }
 }

@@ -22,7 +22,7 @@ use rand_chacha::ChaCha8Rng;
 const D: usize = 6;
 type Scalar = Faulty<Traced>;
 type Beam = PaddedBeam<Scalar, D>;
-type Memory = Second<Scalar, D, { 2 * D }, { D * (2 * D + 1) }>;
+type Memory = Second<Scalar, D, D, { 2 * D }, { D * (2 * D + 1) }>;
 
 /// Two beams in a formulation, with the values that can replace theirs.
 pub(super) struct Place {

@@ -1,0 +1,70 @@
+//! The library's public functions against the formulas that were compared with the references.
+
+use super::{Closed, References};
+use crate::check::evaluation_point::EvaluationPoint;
+use crate::check::verdict::{Comparison, Order};
+use crate::linearization::{Quantity, Varied};
+use crate::variant::{Door, SCALAR_COMPONENTS};
+
+/// The order of each part.
+const ORDERS: [Order; 4] = [Order::Value, Order::First, Order::First, Order::Second];
+
+impl Closed {
+    /// Each function of the kernel, against the variations.
+    pub(super) fn kernel(&self, evaluation: &EvaluationPoint) -> Vec<Comparison> {
+        let Some((doors, bounds)) = evaluation.kernel() else { return Vec::new() };
+        // All functions compute the same numbers, summed in another order. g_N has the derivatives of d.
+        let bound = |[i, k]: [usize; 2]| {
+            let scalar = SCALAR_COMPONENTS.iter().position(|&component| component == i).unwrap_or(0);
+            bounds[scalar][k].map_or(0.0, |number| number.bound)
+        };
+        self.doors(&doors, Some(Order::Matrix), |of| self.bounds[of[0]].parts()[of[1]].bound[0] + bound(of))
+    }
+
+    /// The functions for any curve, against the variations, and the other routes of automatic differentiation.
+    pub(super) fn routes(&self, evaluation: &EvaluationPoint, references: &References) -> Vec<Comparison> {
+        let [closed, differentiated] = evaluation.routes();
+        let bound = |[i, k]: [usize; 2]| self.bounds[i].parts()[k].bound;
+        let matrix = |[i, k]: [usize; 2]| {
+            let scalar = SCALAR_COMPONENTS.iter().position(|&component| component == i);
+            scalar.filter(|_| k > 0).map_or(0.0, |scalar| self.matrices[scalar][k - 1].bound)
+        };
+        // The same formulas at the same numbers: the rounding of both sides.
+        let near = |of| 2.0 * bound(of)[0] + matrix(of);
+        // Like num-dual's routes, they solve for the closest point in `f64` again.
+        let far = |of: [usize; 2]| bound(of)[1] + references.chord[of[0]].parts()[of[1]].bound[1];
+        let mut entries = self.doors(&closed, Some(Order::Matrix), near);
+        entries.extend(self.doors(&differentiated, None, far));
+        entries
+    }
+
+    /// The answers of some functions. The order is that of the part, unless one is given.
+    fn doors(
+        &self,
+        doors: &[Door],
+        order: Option<Order>,
+        tolerance: impl Fn([usize; 2]) -> f64,
+    ) -> Vec<Comparison> {
+        let mut entries = Vec::new();
+        for Door { name, answers } in doors {
+            for (i, parts) in answers {
+                for (k, other) in parts.iter().enumerate() {
+                    let Some(other) = *other else { continue };
+                    entries.push(Comparison {
+                        quantity: Quantity::of_component(*i),
+                        axis: Quantity::axis_of_component(*i),
+                        order: order.unwrap_or(ORDERS[k]),
+                        part: Varied::<f64>::PARTS[k],
+                        against: name,
+                        closed: self.plain[*i].parts()[k],
+                        other,
+                        scale: self.scales[*i].parts()[k].scale,
+                        bound: self.bounds[*i].parts()[k].bound[0],
+                        tolerance: tolerance([*i, k]),
+                    });
+                }
+            }
+        }
+        entries
+    }
+}

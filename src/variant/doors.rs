@@ -1,0 +1,128 @@
+//! The library's public functions at a closest point, called as a user calls them: with the beams' own numbers of dofs,
+//! in each layout, in lanes, and by each route of automatic differentiation.
+//!
+//! The kernel is compiled for numbers of dofs. The beams of the families are put in as tabulated curves with the numbers
+//! of dofs that they have; a beam of 12 dofs is also put in with 15, which no family has. The layouts and the lanes are
+//! compiled for three pairs of numbers that reach every branch: the beam with fewer, as many and more dofs; rows of
+//! even and odd lengths; up to four control vectors, and more.
+
+mod expansion;
+mod linearized;
+mod routes;
+mod tabulated;
+
+use crate::closest_point::ClosestPoint;
+use crate::pair::Contact;
+use crate::test_beam::PaddedBeam;
+use linearized::{batches, layouts, linearized};
+use tabulated::{Beam, Beams};
+
+pub(crate) use routes::routes;
+
+/// Components of the quantities, each with value, first variations and second variation, as far as they are computed.
+pub(crate) type Answers = Vec<(usize, [Option<f64>; 4])>;
+
+/// A public function with what it returns.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Door {
+    pub(crate) name: &'static str,
+    pub(crate) answers: Answers,
+}
+
+impl Door {
+    fn new(name: &'static str, answers: Answers) -> Self {
+        Self { name, answers }
+    }
+}
+
+/// The functions for each pair of numbers of dofs.
+macro_rules! for_dofs {
+    ($beams:expr; $([$n:literal, $m:literal])*) => {
+        match $beams.beams.each_ref().map(Beam::dofs) {
+            $([$n, $m] => linearized::<{ $n / 3 }, { $m / 3 }, $n, $m>(
+                [
+                    concat!("linearize, ", $n, " + ", $m, " dofs"),
+                    concat!("linearize_into, ", $n, " + ", $m, " dofs"),
+                    concat!("write_d, ", $n, " + ", $m, " dofs"),
+                ],
+                $beams,
+            ),)*
+            _ => Vec::new(),
+        }
+    };
+}
+
+/// The functions for each pair of numbers of dofs, in every layout and in lanes.
+macro_rules! in_layouts {
+    ($beams:expr; $([$n:literal, $m:literal])*) => {
+        match $beams.beams.each_ref().map(Beam::dofs) {
+            $([$n, $m] => {
+                let mut all = layouts::<
+                    { $n / 3 },
+                    { $m / 3 },
+                    $n,
+                    $m,
+                    { $n + $m },
+                    { ($n + $m) * ($n + $m + 1) / 2 },
+                >(
+                    [
+                        concat!("write_all_with_slips, blocks of ", $n, " + ", $m),
+                        concat!("write_all_with_slips, full, ", $n, " + ", $m),
+                        concat!("write_all_with_slips, packed, ", $n, " + ", $m),
+                        concat!("write_all_with_slips, gradients, ", $n, " + ", $m),
+                        concat!("write_all, gradients, ", $n, " + ", $m),
+                        concat!("write_d, full, ", $n, " + ", $m),
+                        concat!("write_d, packed, ", $n, " + ", $m),
+                    ],
+                    $beams,
+                );
+                all.extend(batches::<{ $n / 3 }, { $m / 3 }, $n, $m>(
+                    [
+                        concat!("write_d_batch of 4, ", $n, " + ", $m),
+                        concat!("write_d_batch of 5, ", $n, " + ", $m),
+                        concat!("write_d_batch of 6, ", $n, " + ", $m),
+                        concat!("write_d_batch of 7, ", $n, " + ", $m),
+                    ],
+                    $beams,
+                ));
+                all
+            })*
+            _ => Vec::new(),
+        }
+    };
+}
+
+fn of_dofs(beams: &Beams<'_>) -> Vec<Door> {
+    for_dofs!(beams;
+        [6, 6] [6, 9] [6, 12] [6, 18]
+        [9, 6] [9, 9] [9, 12] [9, 18]
+        [12, 6] [12, 9] [12, 12] [12, 18]
+        [18, 6] [18, 9] [18, 12] [18, 18]
+        [15, 12] [12, 15]
+    )
+}
+
+/// The kernel's functions, with the machine's vector units; none if a curve has no shape functions.
+pub(crate) fn kernel_doors(
+    padded: &[PaddedBeam<f64>; 2],
+    dofs: [usize; 2],
+    point: &ClosestPoint,
+    contact: Contact,
+) -> Vec<Door> {
+    let [padded, padded_bar] = padded;
+    let (Some(beam), Some(bar)) =
+        (Beam::new(padded, dofs[0], point.xi), Beam::new(padded_bar, dofs[1], point.xi_bar))
+    else {
+        return Vec::new();
+    };
+    let [more, more_bar] = [&beam, &bar].map(Beam::with_one_more);
+    let of = |beams: [Beam; 2]| Beams { beams, point, contact };
+    let own = of([beam.clone(), bar.clone()]);
+    let mut doors = of_dofs(&own);
+    doors.extend(in_layouts!(&own; [6, 9] [12, 12] [18, 12]));
+    if dofs == [12, 12] {
+        doors.extend(of_dofs(&of([more, bar])));
+        doors.extend(of_dofs(&of([beam, more_bar])));
+    }
+    doors
+}

@@ -1,0 +1,158 @@
+//! The functions that write gradients and Hessians, at the numbers of dofs that the beams have.
+
+use super::tabulated::{AtPoint, Beams, Image};
+use super::{Answers, Door};
+use crate::closest_point::ClosestPoint;
+use crate::linearization::closed_form::kernel::{
+    Gradient, Targets, write_all, write_all_with_slips, write_d, write_d_batch,
+};
+use crate::linearization::{Derivatives, Linearization};
+use crate::number::Lanes;
+use crate::pair::DofVector;
+use crate::variant::layouts::Second;
+use crate::variant::read::{Directions, Read, along};
+use crate::variant::{SCALAR_COMPONENTS, SCALARS};
+use nalgebra::{SMatrix, SVector};
+
+/// The component g_N.
+const G_N: usize = 20;
+/// The component d.
+const D: usize = 15;
+
+/// `linearize`, `linearize_into` and `write_d`, for the given names.
+pub(super) fn linearized<const P: usize, const R: usize, const N: usize, const M: usize>(
+    [linearize, linearize_into, d_alone]: [&'static str; 3],
+    beams: &Beams<'_>,
+) -> Vec<Door> {
+    let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
+    let mut into = nowhere();
+    pair.linearize_into(&q, beams.point, &mut into);
+    let mut d = unwritten();
+    write_d(&pair, &q, beams.point, &mut d);
+    vec![
+        Door::new(linearize, every_scalar(&pair.linearize(&q, beams.point), &directions)),
+        Door::new(linearize_into, every_scalar(&into, &directions)),
+        Door::new(d_alone, vec![(D, along(&d, &directions))]),
+    ]
+}
+
+/// A linearization of numbers that are not numbers, to be overwritten.
+fn nowhere<const N: usize, const M: usize>() -> Linearization<f64, N, M> {
+    let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = [unwritten(); SCALARS];
+    Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii: f64::NAN }
+}
+
+fn unwritten<const N: usize, const M: usize>() -> Derivatives<f64, N, M> {
+    let mut unwritten = Derivatives::zero();
+    unwritten.value = f64::NAN;
+    unwritten.gradient = DofVector { beam: SVector::repeat(f64::NAN), bar: SVector::repeat(f64::NAN) };
+    let blocks = &mut unwritten.hessian;
+    (blocks.beam, blocks.bar) = (SMatrix::repeat(f64::NAN), SMatrix::repeat(f64::NAN));
+    blocks.mixed = SMatrix::repeat(f64::NAN);
+    unwritten
+}
+
+/// All scalars of a linearization.
+pub(super) fn every_scalar<const N: usize, const M: usize>(
+    of: &Linearization<f64, N, M>,
+    directions: &Directions<f64>,
+) -> Answers {
+    let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, .. } = of;
+    let scalars: [&dyn Read<f64>; SCALARS] = [d, t, t_bar, xi, xi_bar, g_t, g_t_bar];
+    let g_n = (G_N, along(&of.g_n(), directions));
+    let all = SCALAR_COMPONENTS.into_iter().zip(scalars);
+    all.map(|(i, scalar)| (i, along(scalar, directions))).chain([g_n]).collect()
+}
+
+/// Every layout, without slips, without Hessians, without other quantities than d, and in lanes.
+///
+/// `S` is `N` + `M`, and `H` is `S` (`S` + 1)/2.
+pub(super) fn layouts<
+    const P: usize,
+    const R: usize,
+    const N: usize,
+    const M: usize,
+    const S: usize,
+    const H: usize,
+>(
+    [blocks, full, packed, gradient, no_slips, full_d, packed_d]: [&'static str; 7],
+    beams: &Beams<'_>,
+) -> Vec<Door> {
+    let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
+    let with_slips = |memory: fn() -> Second<f64, N, M, S, H>| {
+        let mut all = std::array::from_fn(|_| memory());
+        let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = &mut all;
+        let to = &mut Targets { d, xi, xi_bar, t, t_bar };
+        write_all_with_slips(&pair, &q, beams.point, to, [g_t, g_t_bar]);
+        read(&all, &directions)
+    };
+    let d_alone = |memory: fn() -> Second<f64, N, M, S, H>| {
+        let mut d = memory();
+        write_d(&pair, &q, beams.point, &mut d);
+        vec![(D, along(&d, &directions))]
+    };
+    let mut gradients: [Gradient<f64, S>; SCALARS] = std::array::from_fn(|_| Gradient::zeros());
+    let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = &mut gradients;
+    write_all_with_slips(&pair, &q, beams.point, &mut Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar]);
+    let mut first: [Gradient<f64, S>; 5] = std::array::from_fn(|_| Gradient::zeros());
+    let [d, t, t_bar, xi, xi_bar] = &mut first;
+    write_all(&pair, &q, beams.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    let [in_blocks, in_full, in_packed] = Second::ALL;
+    vec![
+        Door::new(blocks, with_slips(in_blocks)),
+        Door::new(full, with_slips(in_full)),
+        Door::new(packed, with_slips(in_packed)),
+        Door::new(gradient, read(&gradients, &directions)),
+        Door::new(no_slips, read(&first, &directions)),
+        Door::new(full_d, d_alone(in_full)),
+        Door::new(packed_d, d_alone(in_packed)),
+    ]
+}
+
+/// The first scalars.
+fn read<T: Read<f64>>(all: &[T], directions: &Directions<f64>) -> Answers {
+    SCALAR_COMPONENTS.into_iter().zip(all).map(|(i, memory)| (i, along(memory, directions))).collect()
+}
+
+/// Images of the pair: no two lanes of four are alike in their parameters, and the normal's sign alternates.
+const IMAGES: [Image; 7] = [
+    Image { reversed: [false, false], unit: 1.0, mirrored: None },
+    Image { reversed: [true, true], unit: 2.0, mirrored: Some(0) },
+    Image { reversed: [true, false], unit: 0.5, mirrored: None },
+    Image { reversed: [false, true], unit: 4.0, mirrored: Some(1) },
+    Image { reversed: [true, false], unit: 2.0, mirrored: Some(2) },
+    Image { reversed: [false, false], unit: 0.25, mirrored: Some(0) },
+    Image { reversed: [true, true], unit: 1.0, mirrored: None },
+];
+
+/// Batches of four to seven images of the pair: one answer for each of their lanes.
+pub(super) fn batches<const P: usize, const R: usize, const N: usize, const M: usize>(
+    names: [&'static str; 4],
+    beams: &Beams<'_>,
+) -> Vec<Door> {
+    let pair = beams.pair::<P, R, N, M>();
+    let [q, dq, linear_dq] = [0, 1, 2].map(|i| beams.vector::<N, M>(i));
+    let points: [ClosestPoint; 7] = IMAGES.map(|image| image.point(beams.point));
+    let images = IMAGES.map(|image| image.vector(&q));
+    let all: [AtPoint<'_, P, R, N, M>; 7] =
+        std::array::from_fn(|i| AtPoint { pair: &pair, q: &images[i], point: &points[i] });
+    let in_lanes = |v: &DofVector<f64, N, M>, group: &[Image]| -> Vec<Lanes> {
+        let of_lanes: Vec<_> = group.iter().map(|image| image.vector(v)).collect();
+        let lane = |i: usize, lane: usize| of_lanes.get(lane).map_or(0.0, |v| v.entry(i));
+        (0..N + M).map(|i| Lanes([0, 1, 2, 3].map(|k| lane(i, k)))).collect()
+    };
+    let of_batch = |(count, name): (usize, &'static str)| {
+        let mut to = [Derivatives::<Lanes, N, M>::zero(); 2];
+        let written = write_d_batch(&all[..count], &mut to);
+        let groups = IMAGES[..count.min(written)].chunks(4).zip(&to);
+        let answers = groups.flat_map(|(group, d)| {
+            let numbers = along(d, &[&dq, &linear_dq].map(|v| in_lanes(v, group)));
+            let of_lane = move |(lane, image): (usize, &Image)| {
+                (D, numbers.map(|number| number.map(|number| number.0[lane] / image.unit)))
+            };
+            group.iter().enumerate().map(of_lane).collect::<Vec<_>>()
+        });
+        Door::new(name, answers.collect())
+    };
+    (4..8).zip(names).map(of_batch).collect()
+}
