@@ -20,8 +20,8 @@ pub(crate) use catalogue::{classes, terms};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
-pub(crate) use invariance::by_invariance;
 pub(crate) use doors::{Door, kernel_doors, routes};
+pub(crate) use invariance::by_invariance;
 pub(crate) use kernel::{Layouts, every_layout, in_blocks, kernel};
 pub(crate) use layouts::Second;
 pub(crate) use planted::Step;

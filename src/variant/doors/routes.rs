@@ -44,8 +44,7 @@ pub(crate) fn routes(
     point: &ClosestPoint,
     contact: Contact,
 ) -> [Vec<Door>; 2] {
-    let (curve, curve_bar) =
-        (Expansion { at: point.xi, of: beam }, Expansion { at: point.xi_bar, of: bar });
+    let (curve, curve_bar) = (Expansion { at: point.xi, of: beam }, Expansion { at: point.xi_bar, of: bar });
     let pair = Pair { curve, curve_bar, contact };
     let q = DofVector::zeros();
     let [dq, linear_dq] = DIRECTIONS.map(|[a, b, a_bar, b_bar]| DofVector::<f64, 2, 2> {

@@ -154,7 +154,10 @@ impl Image {
     pub(super) fn point(self, point: &ClosestPoint) -> ClosestPoint {
         let [reversed, reversed_bar] = self.reversed;
         let turned = |end: Option<End>| {
-            end.map(|end| End { side: if end.side == Side::Upper { Side::Lower } else { Side::Upper }, ..end })
+            end.map(|end| End {
+                side: if end.side == Side::Upper { Side::Lower } else { Side::Upper },
+                ..end
+            })
         };
         let mut image = *point;
         image.distance *= self.unit;

@@ -30,6 +30,49 @@ impl Avx2Arithmetic {
     fn splat(self, factor: f64) -> f64x4<Avx2> {
         f64x4::splat(self.0, factor)
     }
+
+    /// [`Arithmetic::set_from`].
+    #[inline(always)]
+    fn set_sum<const L: usize, const G: usize, const J: usize, const K: usize>(
+        self,
+        to: &mut [f64],
+        from: [(f64, &[f64]); G],
+        spread: [(&Dofs<f64, L>, [f64x4<Avx2>; 3]); J],
+        sum: [(f64, &Dofs<f64, L>); K],
+    ) {
+        let reach = reach::<f64, L, G>(to, &from);
+        let whole = reach - reach % 4;
+        for at in (0..whole).step_by(4) {
+            let mut total = self.splat(0.0);
+            for (n, (factor, v)) in from.iter().enumerate() {
+                let (factor, four) = (self.splat(*factor), self.load(v, at));
+                total = if n == 0 { factor * four } else { factor.mul_add(four, total) };
+            }
+            for (j, (shapes, tile)) in spread.iter().enumerate() {
+                let (four, v) = (self.load(&shapes[..], at), tile[at % 3]);
+                total = if G + j == 0 { four * v } else { four.mul_add(v, total) };
+            }
+            for (k, (factor, v)) in sum.iter().enumerate() {
+                let (factor, four) = (self.splat(*factor), self.load(&v[..], at));
+                total = if G + J + k == 0 { factor * four } else { factor.mul_add(four, total) };
+            }
+            to[at..at + 4].copy_from_slice(&*total);
+        }
+        // One by one: a group of four that overlaps the group before it would wait for the store of that group.
+        for at in whole..reach {
+            let mut total = 0.0;
+            for (factor, v) in &from {
+                total = factor.mul_add(v[at], total);
+            }
+            for (shapes, tile) in &spread {
+                total = shapes[at].mul_add(tile[whole % 3][at - whole], total);
+            }
+            for (factor, v) in &sum {
+                total = factor.mul_add(v[at], total);
+            }
+            to[at] = total;
+        }
+    }
 }
 
 impl Arithmetic<f64> for Avx2Arithmetic {
@@ -158,7 +201,8 @@ impl Arithmetic<f64> for Avx2Arithmetic {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn set_from<const L: usize, const G: usize, const J: usize, const K: usize>(
         self,
         to: &mut [f64],
@@ -166,37 +210,14 @@ impl Arithmetic<f64> for Avx2Arithmetic {
         spread: [(&Dofs<f64, L>, [f64x4<Avx2>; 3]); J],
         sum: [(f64, &Dofs<f64, L>); K],
     ) {
-        let reach = reach::<f64, L, G>(to, &from);
-        let whole = reach - reach % 4;
-        for at in (0..whole).step_by(4) {
-            let mut total = self.splat(0.0);
-            for (n, (factor, v)) in from.iter().enumerate() {
-                let (factor, four) = (self.splat(*factor), self.load(v, at));
-                total = if n == 0 { factor * four } else { factor.mul_add(four, total) };
-            }
-            for (j, (shapes, tile)) in spread.iter().enumerate() {
-                let (four, v) = (self.load(&shapes[..], at), tile[at % 3]);
-                total = if G + j == 0 { four * v } else { four.mul_add(v, total) };
-            }
-            for (k, (factor, v)) in sum.iter().enumerate() {
-                let (factor, four) = (self.splat(*factor), self.load(&v[..], at));
-                total = if G + J + k == 0 { factor * four } else { factor.mul_add(four, total) };
-            }
-            to[at..at + 4].copy_from_slice(&*total);
-        }
-        // One by one: a group of four that overlaps the group before it would wait for the store of that group.
-        for at in whole..reach {
-            let mut total = 0.0;
-            for (factor, v) in &from {
-                total = factor.mul_add(v[at], total);
-            }
-            for (shapes, tile) in &spread {
-                total = shapes[at].mul_add(tile[whole % 3][at - whole], total);
-            }
-            for (factor, v) in &sum {
-                total = factor.mul_add(v[at], total);
-            }
-            to[at] = total;
+        // Where speed does not matter all calls share one instance, and the kernel is compiled in a third of the time.
+        if cfg!(debug_assertions) {
+            self.0.vectorize(
+                #[inline(always)]
+                || self.set_sum(to, from, spread, sum),
+            );
+        } else {
+            self.set_sum(to, from, spread, sum);
         }
     }
 }
