@@ -1,27 +1,37 @@
 //! Tests of which oracles are used, and of the resulting verdict.
 
-use super::{ROUTES, compare, judged};
+use super::{MATRICES, ROUTES, compare, judged};
 use crate::check::arbitration::DIFFERENCES;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::{
-    Case, CaseData, CheckConfig, Compared, Comparison, Inconclusive, Oracles, Order, TestBeam, Verdict,
+    Case, CaseData, CheckConfig, Compared, Comparison, Inconclusive, Oracles, Order, Regime, Selection,
+    TestBeam, Verdict,
 };
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Label, Which};
 use crate::pair::Contact;
-use crate::test_beam::Family;
+use crate::test_beam::{AnyBeam, Family};
 use crate::variant::{Fault, Kind, SCALARS, Variant};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The entries of a pass without the differences: each component by three routes and by symmetry, each matrix.
 const ENTRIES: usize = COMPONENTS * (4 * ROUTES.len() + 1) + SCALARS * 3;
 
-/// The entries of the kernel: value and three parts of seven scalars in three layouts, three parts in gradients, and d
-/// alone, for one pair and in lanes.
-const KERNEL: usize = 3 * 7 * 4 + 7 * 3 + 2 * 4;
+/// The library's functions that are compared in a case, each with its number of entries.
+fn functions(entries: &[Comparison]) -> BTreeMap<&'static str, usize> {
+    let mut functions = BTreeMap::new();
+    let known = [MATRICES, DIFFERENCES, "itself, directions exchanged"];
+    for entry in
+        entries.iter().filter(|entry| !ROUTES.contains(&entry.against) && !known.contains(&entry.against))
+    {
+        *functions.entry(entry.against).or_default() += 1;
+    }
+    functions
+}
 
-/// The number of these entries in a case.
-fn of_kernel(seed: u64, number: u64) -> usize {
-    if Case::draw(seed, number).families.into_iter().all(Family::is_linear) { KERNEL } else { 0 }
+/// The number of their entries.
+fn of_functions(entries: &[Comparison]) -> usize {
+    functions(entries).into_values().sum()
 }
 
 fn asked(entries: &[Comparison]) -> usize {
@@ -46,18 +56,15 @@ fn segment(ends: [f64; 6]) -> TestBeam {
 
 #[test]
 fn every_number_is_compared_with_every_route() {
-    assert_eq!([0, 45, 72].map(|number| of_kernel(7, number) > 0), [true, true, false]);
     for number in [0, 45, 72] {
         for (_, verdict) in found(Oracles::Ad, 7, number) {
             let Verdict::Pass(entries) = verdict else { panic!("{number}: {verdict:?}") };
-            assert_eq!((entries.len(), asked(&entries)), (ENTRIES + of_kernel(7, number), 0));
+            assert_eq!((entries.len(), asked(&entries)), (ENTRIES + of_functions(&entries), 0));
             for route in ROUTES {
                 assert_eq!(entries.iter().filter(|entry| entry.against == route).count(), 4 * COMPONENTS);
             }
-            let matrices = 3 * SCALARS + of_kernel(7, number);
-            for (order, count) in [(Order::Symmetry, COMPONENTS), (Order::Matrix, matrices)] {
-                assert_eq!(entries.iter().filter(|entry| entry.order == order).count(), count);
-            }
+            assert_eq!(entries.iter().filter(|entry| entry.order == Order::Symmetry).count(), COMPONENTS);
+            assert_eq!(entries.iter().filter(|entry| entry.against == MATRICES).count(), 3 * SCALARS);
         }
     }
 }
@@ -95,7 +102,7 @@ fn differences_are_asked_in_every_case_only_if_all_are_wanted() {
         assert!(matches!(verdict, Verdict::Pass(_)));
         assert_eq!(
             (verdict.entries().len(), asked(verdict.entries())),
-            (ENTRIES + of_kernel(7, 0) + 4 * COMPONENTS, 4 * COMPONENTS)
+            (ENTRIES + of_functions(verdict.entries()) + 4 * COMPONENTS, 4 * COMPONENTS)
         );
     }
     // The ninth case of a regime is in no sample.
@@ -171,4 +178,50 @@ fn a_verdict_needs_every_number_and_one_mismatch() {
     assert!(matches!(unknown, Verdict::Inconclusive(Inconclusive::NotMeaningful, _)));
     let far_but_unknown = with(&|entry| (entry.closed, entry.tolerance) = (1e10, 1e9));
     assert!(matches!(far_but_unknown, Verdict::Inconclusive(Inconclusive::NotMeaningful, _)));
+}
+
+/// The functions of the first cases of two regimes: all pairs of families.
+#[test]
+fn every_function_of_the_library_is_compared() {
+    let selection = Selection { regimes: vec![Regime::Generic, Regime::NearEnd], family: None, cases: 121 };
+    let cases = selection.numbers().into_iter().map(|number| Case::draw(7, number));
+    let (mut all, mut dofs) = (BTreeMap::new(), BTreeSet::new());
+    for case in cases {
+        let [beam, bar] = case.beams().map(AnyBeam::dofs);
+        let is_linear = case.families.into_iter().all(Family::is_linear);
+        for (_, verdict) in compare(&CheckConfig::default(), &case) {
+            let of_case = functions(verdict.entries());
+            let own = |function: &str| of_case.get(&*format!("{function}, {beam} + {bar} dofs")).copied();
+            if is_linear && !verdict.entries().is_empty() {
+                // Value, both first variations and the second of seven scalars and of g_N.
+                assert_eq!(
+                    [own("linearize"), own("linearize_into"), own("write_d")],
+                    [Some(32), Some(32), Some(4)]
+                );
+                dofs.insert([beam, bar]);
+            }
+            all.extend(of_case);
+        }
+    }
+    assert_eq!(dofs.len(), 16, "each pair of numbers of dofs that the families have: {dofs:?}");
+    let count = |start: &str| all.keys().filter(|function| function.starts_with(start)).count();
+    // Two pairs with 15 dofs, which no family has.
+    assert_eq!((count("linearize, "), count("linearize, 15"), count("linearize, 12 + 15")), (19, 1, 1));
+    // Three pairs in every layout, and in batches.
+    let starts = ["write_all_with_slips", "write_all, ", "write_d, full", "write_d, packed", "write_d_batch"];
+    assert_eq!(starts.map(count), [12, 3, 3, 3, 12]);
+    let any = [("closed_form::vary", 92), ("linearize, by matrices", 32), ("expand_d_by_orders", 4)];
+    let routes = ["ad::vary, Newton", "ad::vary, stationary", "ad::vary, chord"].map(|route| (route, 92));
+    let sweeps = ["sweep", "vector_dual", "rows", "orders"].map(|by| (by, 32));
+    for (function, entries) in any.into_iter().chain(routes) {
+        assert_eq!(all[function], entries, "{function}");
+    }
+    for (by, entries) in sweeps {
+        assert_eq!(all[&*format!("expand_by_{by}")], entries, "{by}");
+    }
+    // Four scalars of d in each lane.
+    assert_eq!(
+        [4, 5, 6, 7].map(|pairs| all[&*format!("write_d_batch of {pairs}, 12 + 12")]),
+        [16, 20, 24, 28]
+    );
 }
