@@ -73,6 +73,7 @@ pub(crate) use compare::{Closed, References, judged};
 pub use compare::{Compared, compare};
 pub use config::{CheckConfig, Oracles};
 pub use counts::{Count, Counts, Moved};
+pub(crate) use coverage::geometry;
 pub use coverage::{Coverage, Symmetry};
 pub use diagnosis::{Diagnosis, Finding, look_at};
 pub use distribution::Quantiles;

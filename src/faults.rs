@@ -15,6 +15,7 @@ mod own;
 mod run;
 mod sampled;
 mod search;
+mod sides;
 mod test_points;
 
 pub use check::Check;
@@ -25,3 +26,4 @@ pub use own::{Formula, operations_of, operations_of_curve};
 pub use run::{Detection, Injected, Missed, inject};
 pub use sampled::{Limits, Sampled, sampled};
 pub use search::{SearchDetection, SearchFaults, search_faults};
+pub use sides::{OneSided, one_sided};
