@@ -9,6 +9,7 @@
 mod check;
 mod differences;
 mod exact;
+mod gate;
 mod limit;
 mod operations;
 mod own;
@@ -20,6 +21,7 @@ mod test_points;
 
 pub use check::Check;
 pub use differences::Rule;
+pub use gate::{Compared, Gate, gate};
 pub use limit::{Limit, limits};
 pub use operations::{Lost, Operations, Undetected, all_operations};
 pub use own::{Formula, operations_of, operations_of_curve};

@@ -80,7 +80,7 @@ impl Arbitration {
         if !entries.iter().any(|entry| entry.is_wrong()) {
             return None;
         }
-        if matches!(entries[0].order, Order::Symmetry | Order::Matrix) {
+        if matches!(entries[0].order, Order::Symmetry | Order::Matrix | Order::Function) {
             return Some(Self::ClosedForm);
         }
         let (differences, ad): (Vec<&Comparison>, Vec<&Comparison>) =

@@ -47,8 +47,25 @@ const ROUTES_EVERY: u64 = 8;
 
 impl Costly {
     fn of_case(config: &CheckConfig, number: u64) -> Self {
-        let routes = place_in_regime(number).is_multiple_of(ROUTES_EVERY);
-        Self { differences: config.oracles.asks_differences(number), routes }
+        let differences = config.oracles.asks_differences(number);
+        Self { differences, routes: compares_routes(number) }
+    }
+}
+
+/// Whether all routes are compared in the case of this number.
+pub(crate) fn compares_routes(number: u64) -> bool {
+    place_in_regime(number).is_multiple_of(ROUTES_EVERY)
+}
+
+impl Comparison {
+    /// Whether the reference is one of the routes that every case is compared with.
+    pub(crate) fn is_by_main_route(&self) -> bool {
+        ROUTES.contains(&self.against)
+    }
+
+    /// Whether the reference is the differences in double-double.
+    pub(crate) fn is_by_differences(&self) -> bool {
+        self.against == DIFFERENCES
     }
 }
 

@@ -1,6 +1,5 @@
 //! The identity of a mismatch: the first wrong number in the order in which numbers are computed.
 
-use super::compare::MATRICES;
 use super::verdict::{Comparison, Order, Verdict};
 use crate::closest_point::{ClosestPoint, Held};
 use crate::linearization::Quantity;
@@ -53,14 +52,20 @@ impl Finding {
         let mut against: Vec<_> = entries.iter().filter(same).map(|entry| entry.against).collect();
         against.sort_unstable();
         against.dedup();
-        // Curves with and without shape functions have one diagnosis if matrices and kernel differ in the same way.
-        if against.contains(&MATRICES) {
-            against = vec![MATRICES];
-        }
         let Comparison { order, quantity, part, .. } = entry;
         let diagnosis = Diagnosis { order, quantity, part, against, held: point.held() };
         let is_clear = entries.iter().all(Comparison::is_meaningful);
         Some(Self { diagnosis, minimum, point, entry, is_clear })
+    }
+}
+
+/// The layer of the library that is wrong if the first wrong number is of this order, in words.
+pub fn layer(order: Order) -> &'static str {
+    match order {
+        Order::Value => "the curves or the definitions: values are wrong",
+        Order::First | Order::Second | Order::Symmetry => "the equations: all values agree",
+        Order::Matrix => "the matrices: all equations agree",
+        Order::Function => "this function or the kernel: all equations and matrices agree",
     }
 }
 
@@ -81,6 +86,7 @@ pub fn look_at(order: Order, quantity: Quantity) -> &'static str {
         (Order::Second, _) => "eq. (26), (27) and (30)-(32)",
         (Order::Symmetry, _) => "terms with delta and Delta exchanged",
         (Order::Matrix, _) => "the step from variations to matrices",
+        (Order::Function, _) => "the function itself: equations and matrices agree",
         (Order::Value, _) => "its definition",
     }
 }

@@ -30,7 +30,6 @@ pub use compare::{CaseFound, Demands, Judged, Judgement, compare_answers};
 pub use conventions::{Conventions, Dofs, Length, Penalty, Range};
 pub use diagnose::{OtherConventions, other_conventions};
 pub use error::{ExternalError, Place};
-pub(in crate::check) use evaluate::reference;
 pub use evaluate::{Evaluator, Formulas};
 pub use explain::{
     Cause, ExplainedFault, Explanation, Naming, Programs, RunnerUp, equation_of, explain, explained_faults,

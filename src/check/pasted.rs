@@ -1,7 +1,6 @@
 //! A case as the source of a Rust test, to be pasted into the tests of a user of the library.
 
 use super::CaseData;
-use super::compare::MATRICES;
 use super::verdict::{Comparison, Order};
 use crate::linearization::{Quantity, Varied};
 use crate::pair::Contact;
@@ -17,16 +16,15 @@ pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison, number: 
     curves.dedup();
     let curves = if let [one] = curves[..] { one.into() } else { format!("{{{}}}", curves.join(", ")) };
     // Other layouts contain the numbers of `linearize`; lanes compute them in another order.
-    let layout = match (entry.order, entry.against) {
-        (Order::Matrix, MATRICES | D_ALONE) => String::new(),
-        (Order::Matrix, layout) => {
-            format!("    // Found in \"{layout}\": this test compares what `linearize` returns.\n")
+    let layout = match entry.order {
+        Order::Function => {
+            format!("    // Found in \"{}\": this test compares what `linearize` returns.\n", entry.against)
         }
         _ => String::new(),
     };
     let side = match entry.order {
         Order::Value | Order::First | Order::Second => "{ad, closed_form}",
-        Order::Symmetry | Order::Matrix => "closed_form",
+        Order::Symmetry | Order::Matrix | Order::Function => "closed_form",
     };
     let vectors = |of: fn(&TestBeam) -> &Vec<f64>| {
         format!(
@@ -68,29 +66,23 @@ fn {name}{of_case}() {{
     )
 }
 
-/// The kernel where it computes d without the other quantities.
-const D_ALONE: &str = "kernel, d alone";
-
 /// The reference of the number, as an expression.
 fn other(entry: &Comparison) -> String {
     let route = match (entry.order, entry.against) {
         (Order::Symmetry, _) => {
             return format!("closed_form::vary(&pair, &q, point, &linear_dq, &dq).{}", field(entry));
         }
-        (Order::Matrix, _) => {
+        (Order::Matrix | Order::Function, _) => {
             let contracted = match entry.part {
                 "value" => "value",
                 "delta" => "gradient.along(&dq)",
                 "Delta" => "gradient.along(&linear_dq)",
                 _ => "hessian.along(&dq, &linear_dq)",
             };
-            if entry.against == D_ALONE {
-                return format!(
-                    "{{\n        let mut d = beamgap::linearization::Derivatives::zero();\n        \
-                     closed_form::kernel::write_d(&pair, &q, point, &mut d);\n        d.{contracted}\n    }}"
-                );
-            }
-            let scalar = quantity(entry.quantity);
+            let scalar = match entry.quantity {
+                Quantity::GN => "g_n()".to_owned(),
+                quantity => self::quantity(quantity),
+            };
             return format!("pair.linearize(&q, point).{scalar}.{contracted}");
         }
         (_, "hyper-dual, stationary") => "ad::Route::Stationary",
@@ -121,6 +113,7 @@ fn name(entry: &Comparison) -> String {
     let order = match entry.order {
         Order::Symmetry => "symmetry_of_",
         Order::Matrix => "matrix_of_",
+        Order::Function => "function_of_",
         _ => "",
     };
     format!("{order}{}", field(entry).replace('.', "_"))

@@ -1,7 +1,6 @@
 //! The result of a run of the check, independent of the order of the cases.
 
 use super::arbitration::{Arbitration, DIFFERENCES};
-use super::compare::MATRICES;
 use super::counts::Counts;
 use super::coverage::Coverage;
 use super::diagnosis::Finding;
@@ -173,10 +172,10 @@ pub struct MismatchKind {
 impl MismatchKind {
     /// The kind of a mismatch whose first wrong number is this one.
     pub fn of(&Comparison { order, quantity, against, .. }: &Comparison) -> Self {
-        // The matrices and the kernel are compared with the equations, the equations with the references.
-        let candidate = match (order, against) {
-            (Order::Matrix, MATRICES) => "matrices",
-            (Order::Matrix, layout) => layout,
+        // The matrices and the functions are compared with the equations, the equations with the references.
+        let candidate = match order {
+            Order::Matrix => "matrices",
+            Order::Function => against,
             _ => "equations",
         };
         Self { candidate, order, quantity }

@@ -18,11 +18,14 @@ pub enum Order {
     Symmetry,
     /// Gradient and Hessian, contracted with the directions, against the variations.
     Matrix,
+    /// What the library's public functions return, contracted with the directions, against the variations.
+    Function,
 }
 
 impl Order {
     /// All orders.
-    pub const ALL: [Self; 5] = [Self::Value, Self::First, Self::Second, Self::Symmetry, Self::Matrix];
+    pub const ALL: [Self; 6] =
+        [Self::Value, Self::First, Self::Second, Self::Symmetry, Self::Matrix, Self::Function];
 
     /// The name, as tables have it.
     pub fn name(self) -> &'static str {
@@ -32,6 +35,7 @@ impl Order {
             Self::Second => "second",
             Self::Symmetry => "symmetry",
             Self::Matrix => "matrix",
+            Self::Function => "function",
         }
     }
 }
@@ -255,7 +259,7 @@ mod tests {
     #[test]
     fn every_order_and_every_reason_has_its_own_words() {
         let names: BTreeSet<_> = Order::ALL.map(Order::name).into();
-        assert_eq!(names, ["value", "first", "second", "symmetry", "matrix"].into());
+        assert_eq!(names, ["value", "first", "second", "symmetry", "matrix", "function"].into());
         assert!(Inconclusive::Crossing.reason().starts_with("crossing"));
         assert!(Inconclusive::WeakEnd.reason().starts_with("kink"));
     }

@@ -7,7 +7,7 @@ use super::human::{error, name, repeat};
 use super::terminal::folded;
 use beamgap::check::external::{Cause, Explanation};
 use beamgap::check::{
-    Case, Comparison, LikelyCause, Mismatch, MismatchKind, Regime, Shrunk, look_at, test_source,
+    Case, Comparison, LikelyCause, Mismatch, MismatchKind, Regime, Shrunk, layer, look_at, test_source,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -52,8 +52,9 @@ pub(super) fn listed(checked: &Checked) -> String {
         let (order_name, name, cases) = (order.name(), quantity.name(), count::count(cases, "case"));
         let _ = write!(
             text,
-            "\n  In {count} of {cases} the first wrong number is {name} ({order_name}) of the {candidate}:\n  \
-             look at {}\n",
+            "\n  In {count} of {cases} the first wrong number is {name} ({order_name}) of: {candidate}\n  \
+             wrong layer: {}\n  look at {}\n",
+            layer(*order),
             look_at(*order, *quantity)
         );
     }
@@ -61,7 +62,7 @@ pub(super) fn listed(checked: &Checked) -> String {
 }
 
 /// The likely cause in a sentence, 80 columns wide.
-pub(super) fn likely(LikelyCause { explanation, is_remedy }: &LikelyCause) -> String {
+pub(super) fn likely(LikelyCause { explanation }: &LikelyCause) -> String {
     let Explanation { causes, runner_up, .. } = explanation;
     let Some(Cause { words, coefficient, .. }) = causes.first() else {
         return "Likely cause: not known. No known error explains the mismatches.".into();
@@ -76,9 +77,7 @@ pub(super) fn likely(LikelyCause { explanation, is_remedy }: &LikelyCause) -> St
     };
     let details: Vec<_> = [others, coefficient, second].into_iter().flatten().collect();
     let details = if details.is_empty() { String::new() } else { format!(" ({})", details.join("; ")) };
-    let remedy =
-        if *is_remedy { "the closed form agrees with automatic differentiation if in it " } else { "" };
-    folded(&format!("Likely cause: {remedy}{words}{details}."), "", "  ")
+    folded(&format!("Likely cause: {words}{details}."), "", "  ")
 }
 
 /// The shrunk mismatches, wider than a terminal because they are copied and pasted.

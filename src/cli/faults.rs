@@ -11,7 +11,9 @@ use beamgap::check::Regime;
 use beamgap::check::external::equation_of;
 use beamgap::closest_point::SearchFault;
 use beamgap::equations::named;
-use beamgap::faults::{Check, all_operations, inject, limits, sampled, search_faults};
+use beamgap::faults::{
+    Check, Gate, OneSided, all_operations, gate, inject, limits, one_sided, sampled, search_faults,
+};
 use beamgap::report::{self, Environment, Faults, Record};
 use beamgap::variant::{Rewrite, catalogue, catalogue_in_parts};
 use clap::{Args, value_parser};
@@ -101,8 +103,25 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     let (limits, sampled) = (limits(seed, &regimes), sampled(seed, &regimes));
     progress.now("injecting faults into the search for closest points");
     let search = search_faults(seed, &regimes);
+    progress.now("injecting faults on one side of each symmetry");
+    let one_sided = Some(one_sided(seed, &regimes));
+    progress.now("examining the gate itself");
+    let gate = gate(seed, &regimes);
     progress.end();
-    Faults::new(found, operations, sampled, limits, search, seed, Environment::here(command))
+    Faults {
+        schema: Faults::SCHEMA.to_owned(),
+        environment: Environment::here(command),
+        seed,
+        holds: false,
+        terms: found,
+        operations,
+        sampled,
+        limits,
+        search,
+        one_sided,
+        gate,
+    }
+    .judged()
 }
 
 /// The outcome of a record, with one entry for each formula of the closed form, and one for each code in whose single
@@ -160,11 +179,44 @@ fn outcome(record: &Faults) -> Outcome {
         let source = Some(Source { file: "src/closest_point.rs".to_owned(), line: 1 });
         Entry { group, name, state: State::of(SearchFault::ALL.len() as u64, wrong), message, source }
     });
+    let of_sides = record.one_sided.iter().map(of_sides);
+    let of_gate = record.gate.iter().map(of_gate);
     let (exit, name) =
         if record.holds { (Exit::Agree, "detected") } else { (Exit::Untrusted, "not-detected") };
     let verdict = Verdict::new(exit, name, words(record));
-    let entries = of_formulas.chain(of_operations).chain(of_search).collect();
+    let entries = of_formulas.chain(of_operations).chain(of_search).chain(of_sides).chain(of_gate).collect();
     Outcome { command: "faults", verdict, entries }
+}
+
+/// The entry of the faults that act on one side only.
+fn of_sides(of: &OneSided) -> Entry {
+    let message = match of.missed.as_slice() {
+        [] => format!("all {} that act at all are detected", counted(of.detected, "fault")),
+        missed => {
+            let missed = missed.iter().map(|(fault, side)| format!("{fault} ({side})"));
+            format!("not detected: {}", missed.collect::<Vec<_>>().join("; "))
+        }
+    };
+    let state = State::of(of.planted as u64, u64::from(!of.holds()));
+    Entry { group: "sides".into(), name: "on one side only".into(), state, message, source: None }
+}
+
+/// The entry of the gate in a regime.
+fn of_gate(of: &Gate) -> Entry {
+    let short = of.counts.iter().filter(|(_, [found, wanted])| found != wanted);
+    let short: Vec<_> =
+        short.map(|(of, [found, wanted])| format!("{found} of {wanted} {}", of.name())).collect();
+    let message = match (short.is_empty(), of.holds()) {
+        (true, true) => "everything is compared, within narrow tolerances".to_owned(),
+        (true, false) => format!(
+            "{} of {} small changes of terms are rejected; the median of the smallest is {:.1e}",
+            of.rejected, of.terms, of.median.0
+        ),
+        (false, _) => format!("compared: {}", short.join(", ")),
+    };
+    let source = Some(Source { file: "src/check/compare.rs".to_owned(), line: 1 });
+    let state = State::of(of.terms as u64, u64::from(!of.holds()));
+    Entry { group: "gate".into(), name: of.regime.name().to_owned(), state, message, source }
 }
 
 /// The formula that contains a fault: its name up to the colon.
@@ -180,8 +232,8 @@ fn number_of(formula: &str) -> Option<u8> {
 fn words(record: &Faults) -> String {
     let faults = record.terms.faults();
     if !record.holds {
-        return "NOT DETECTED: the check misses a fault, rejects an equivalent formula or the search, or does\n\
-                not cover an operation."
+        return "NOT DETECTED: the check misses a fault, rejects an equivalent formula or the search, does\n\
+                not cover an operation, or does not compare everything."
             .into();
     }
     let rewrites = Rewrite::ALL.len();
@@ -194,6 +246,13 @@ fn words(record: &Faults) -> String {
             "\nAll {} of the search are detected.",
             counted(SearchFault::ALL.len(), "fault")
         );
+    }
+    if let Some(of) = &record.one_sided {
+        let count = counted(of.detected, "fault");
+        let _ = write!(of_terms, "\nAll {count} on one side of a symmetry only are detected.");
+    }
+    if !record.gate.is_empty() {
+        of_terms += "\nThe gate compares everything, within narrow tolerances.";
     }
     let count: usize = record.operations.iter().map(|row| row.faults).sum();
     if count == 0 {

@@ -27,7 +27,10 @@ pub(super) fn document(shown: &Shown) -> String {
         "Worst error / scale; the scale is the sum of the absolute values of all terms",
         cells(&checked.found.quantities, &Order::ALL, worst),
     );
-    add("The case with this error", cells(&checked.found.quantities, &Order::ALL, shown_by));
+    // A column for the functions would make the table wider than a terminal.
+    let orders = Order::ALL.map(|order| (order != Order::Function).then_some(order));
+    let orders: Vec<Order> = orders.into_iter().flatten().collect();
+    add("The case with this error", cells(&checked.found.quantities, &orders, shown_by));
     add("Regimes: closest points compared, worst error, worst error / tolerance", regimes(checked));
     add(&coverage(checked), families(checked));
     add("Not compared", not_compared(checked));
@@ -54,7 +57,8 @@ pub(super) fn head(Checked { planted: plant, seed, selection, shard, .. }: &Chec
         "Contact geometry of two beams: closed form and automatic differentiation\n\
          seed {seed:#x}, {regimes}, {} each, {family}\n{part}{}\n\
          first: delta and Delta; second: Delta-delta; symmetry: second, with the\n\
-         directions exchanged; matrix: gradient and Hessian times the directions\n",
+         directions exchanged; matrix: gradient and Hessian times the directions;\n\
+         function: what linearize and all other functions return\n",
         count(selection.cases, "case"),
         planted(plant),
     )

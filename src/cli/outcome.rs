@@ -126,6 +126,7 @@ impl Source {
     pub(super) fn of_formula(order: Order, quantity: Quantity) -> Self {
         let fallback = match order {
             Order::Matrix => "linearization/closed_form/matrices.rs",
+            Order::Function => "linearization/closed_form/kernel.rs",
             _ => "linearization/quantities.rs",
         };
         // A formula of symmetry is that of the second variation.

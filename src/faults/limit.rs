@@ -19,28 +19,32 @@ pub struct Limit(#[serde(with = "short")] pub f64);
 
 /// The detection limits of all terms in these regimes, by the name of the term.
 pub fn limits(seed: u64, regimes: &[Regime]) -> BTreeMap<String, BTreeMap<Regime, Limit>> {
-    let mut labels: Vec<_> = catalogue().into_iter().map(|fault| fault.label).collect();
-    labels.dedup();
     let of_regime = |&regime: &Regime| {
         let points = test_points(seed, regime);
         let samples: Vec<_> =
             points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
-        let unmodified: Vec<_> = samples.iter().map(|sample| sample.compared(&Variant::Unmodified)).collect();
-        let limit = |&label: &Label| {
-            let nudged = Variant::Weighted(label, 1.0 + NUDGE);
-            let pairs = samples.iter().zip(&unmodified);
-            let at = |(sample, unmodified): (&Sample, &Vec<Comparison>)| {
-                smallest(unmodified, &sample.compared(&nudged))
-            };
-            (label.to_string(), regime, Limit(pairs.map(at).fold(f64::INFINITY, f64::min)))
-        };
-        labels.iter().map(limit).collect::<Vec<_>>()
+        let named = |(label, limit, _): (Label, Limit, usize)| (label.to_string(), regime, limit);
+        of_terms(&samples).into_iter().map(named).collect::<Vec<_>>()
     };
     let mut all: BTreeMap<_, BTreeMap<_, _>> = BTreeMap::new();
     for (term, regime, limit) in regimes.par_iter().flat_map_iter(of_regime).collect::<Vec<_>>() {
         all.entry(term).or_default().insert(regime, limit);
     }
     all
+}
+
+/// The detection limit of each term, and the number of the sample with it.
+pub(super) fn of_terms(samples: &[Sample<'_>]) -> Vec<(Label, Limit, usize)> {
+    let mut labels: Vec<_> = catalogue().into_iter().map(|fault| fault.label).collect();
+    labels.dedup();
+    let unmodified: Vec<_> = samples.par_iter().map(|sample| sample.compared(&Variant::Unmodified)).collect();
+    let limit = |&label: &Label| {
+        let nudged = Variant::Weighted(label, 1.0 + NUDGE);
+        let at = |i: usize| (smallest(&unmodified[i], &samples[i].compared(&nudged)), i);
+        let (limit, i) = (0..samples.len()).map(at).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((label, Limit(limit), i))
+    };
+    labels.par_iter().filter_map(limit).collect()
 }
 
 /// The relative error at which some entry exceeds its tolerance.

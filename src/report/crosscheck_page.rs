@@ -125,7 +125,8 @@ impl Crosscheck {
             Block::text(
                 "*Value*: the quantity itself. *First*: its first variations delta and Delta. *Second*: its second variation \
                  Delta-delta. *Symmetry*: Delta-delta against itself with the directions exchanged. *Matrix*: gradient and \
-                 Hessian times the directions, against the variations.",
+                 Hessian times the directions, against the variations. *Function*: what the library's functions return, in each \
+                 layout, in lanes and for each pair of numbers of dofs, against the variations.",
             ),
             table(|cell| error(finite(cell.scaled_error))),
             Block::details("The cases with these errors", vec![table(|cell| cell.case.to_string())]),

@@ -2,7 +2,7 @@
 
 use super::{Environment, Record};
 use crate::check::Regime;
-use crate::faults::{Injected, Limit, Operations, Sampled, SearchFaults};
+use crate::faults::{Gate, Injected, Limit, OneSided, Operations, Sampled, SearchFaults};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -28,6 +28,12 @@ pub struct Faults {
     /// Faults of the search for closest points, by regime.
     #[serde(default)]
     pub search: Vec<SearchFaults>,
+    /// Faults of terms that act on one side of a symmetry only.
+    #[serde(default)]
+    pub one_sided: Option<OneSided>,
+    /// What the gate itself compares, by regime.
+    #[serde(default)]
+    pub gate: Vec<Gate>,
 }
 
 impl Record for Faults {
@@ -39,20 +45,14 @@ impl Record for Faults {
 }
 
 impl Faults {
-    /// The record of a run.
-    pub fn new(
-        terms: Injected,
-        operations: Vec<Operations>,
-        sampled: Vec<Sampled>,
-        limits: BTreeMap<String, BTreeMap<Regime, Limit>>,
-        search: Vec<SearchFaults>,
-        seed: u64,
-        environment: Environment,
-    ) -> Self {
-        let holds = terms.holds()
-            && operations.iter().all(Operations::is_whole)
-            && search.iter().all(SearchFaults::holds);
-        let schema = Self::SCHEMA.to_owned();
-        Self { schema, environment, seed, holds, terms, operations, sampled, limits, search }
+    /// The record, with whether all of it holds.
+    #[must_use]
+    pub fn judged(self) -> Self {
+        let holds = self.terms.holds()
+            && self.operations.iter().all(Operations::is_whole)
+            && self.search.iter().all(SearchFaults::holds)
+            && self.one_sided.iter().all(OneSided::holds)
+            && self.gate.iter().all(Gate::holds);
+        Self { holds, ..self }
     }
 }

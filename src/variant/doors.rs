@@ -92,6 +92,23 @@ macro_rules! in_layouts {
     };
 }
 
+/// The number of numbers that the functions of the kernel return for these numbers of dofs, written down apart from the
+/// functions: values, both first variations and second variations.
+pub(crate) fn kernel_entries(dofs: [usize; 2]) -> usize {
+    // Seven scalars and g_N twice, and d.
+    let each = 2 * 8 * 4 + 4;
+    // Three layouts; gradients with and without slips; d in two layouts; batches of four to seven pairs.
+    let in_layouts = 3 * 7 * 4 + (7 + 5) * 3 + 2 * 4 + (4 + 5 + 6 + 7) * 4;
+    match dofs {
+        [12, 12] => 3 * each + in_layouts,
+        [6, 9] | [18, 12] => each + in_layouts,
+        _ => each,
+    }
+}
+
+/// The same of the functions for any curve and of the routes: all 23 components, or the scalars.
+pub(crate) const ROUTE_ENTRIES: [usize; 2] = [23 * 4 + 8 * 4, 3 * 23 * 4 + 4 * 8 * 4 + 4];
+
 fn of_dofs(beams: &Beams<'_>) -> Vec<Door> {
     for_dofs!(beams;
         [6, 6] [6, 9] [6, 12] [6, 18]

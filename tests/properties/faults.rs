@@ -101,7 +101,6 @@ fn a_planted_fault_is_shrunk_and_attributed_to_the_closed_form() {
     }
     assert_eq!(told["shrunk"][0]["quantity"], "d");
     let cause = &told["likely_cause"];
-    assert_eq!(cause["is_remedy"], false);
     assert_eq!(cause["explanation"]["causes"][0]["name"], "Dd|d|: d.turned = sign", "{cause}");
     assert_eq!(told["planted"], serde_json::json!(["Dd|d|: d.turned = sign"]));
     let repeat = told["repeat"].as_str().unwrap();

@@ -18,7 +18,7 @@ impl Closed {
             let scalar = SCALAR_COMPONENTS.iter().position(|&component| component == i).unwrap_or(0);
             bounds[scalar][k].map_or(0.0, |number| number.bound)
         };
-        self.doors(&doors, Some(Order::Matrix), |of| self.bounds[of[0]].parts()[of[1]].bound[0] + bound(of))
+        self.doors(&doors, Some(Order::Function), |of| self.bounds[of[0]].parts()[of[1]].bound[0] + bound(of))
     }
 
     /// The functions for any curve, against the variations, and the other routes of automatic differentiation.
@@ -33,7 +33,7 @@ impl Closed {
         let near = |of| 2.0 * bound(of)[0] + matrix(of);
         // Like num-dual's routes, they solve for the closest point in `f64` again.
         let far = |of: [usize; 2]| bound(of)[1] + references.chord[of[0]].parts()[of[1]].bound[1];
-        let mut entries = self.doors(&closed, Some(Order::Matrix), near);
+        let mut entries = self.doors(&closed, Some(Order::Function), near);
         entries.extend(self.doors(&differentiated, None, far));
         entries
     }

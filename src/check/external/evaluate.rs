@@ -1,9 +1,7 @@
 //! The answers of the library itself, dense: for comparison by eye, and for tests of the check.
 
 use super::answers::{ANSWERS, AnswerReader, Answers};
-use super::error::Place;
 use super::vectors::{Vector, VectorWriter, key, quoted};
-use crate::check::Answer;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::linearization::closed_form::Formulation;
 use crate::linearization::{COMPONENTS, Quantity};
@@ -119,22 +117,4 @@ impl Evaluator {
         let Some(digits) = self.digits.and_then(|digits| digits.checked_sub(1)) else { return number };
         format!("{number:.digits$e}").parse().unwrap_or(number)
     }
-}
-
-/// The answers of automatic differentiation to a case: values, and variations along the directions.
-pub(in crate::check) fn reference(vector: &Vector) -> Option<Answers> {
-    let components = vector.evaluated(|evaluation| evaluation.chord()).ok()?;
-    let answer = |(i, varied): (usize, &crate::linearization::Varied<crate::test_beam::RunningError2>)| {
-        let [value, delta, linear, second] = varied.parts().map(|number| Some(number.value));
-        let axis = Quantity::axis_of_component(i);
-        Answer { axis, value, variations: [delta, linear, second], ..Answer::of(Quantity::of_component(i)) }
-    };
-    Some(Answers {
-        id: vector.id.clone(),
-        place: Place { file: String::new(), line: 0, column: 0 },
-        declined: false,
-        answers: components.iter().enumerate().map(answer).collect(),
-        residual: None,
-        tangent: None,
-    })
 }
