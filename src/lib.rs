@@ -1,5 +1,7 @@
 #![doc = include_str!("front_page.md")]
 
+mod source_fault;
+
 pub mod closest_point;
 pub mod curve;
 pub mod linearization;

@@ -13,6 +13,7 @@ use crate::linearization::ad::{evaluate, newton, stationary};
 use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
 use crate::number::{RunningError, TermScale};
 use crate::pair::Contact;
+use crate::source_fault::source_fault;
 use crate::test_beam::{AnyBeam, RunningError2};
 use crate::variant::{SCALAR_COMPONENTS, SCALARS, Variant};
 use num_dual::HyperDual64;
@@ -58,11 +59,6 @@ pub(crate) fn compares_routes(number: u64) -> bool {
 }
 
 impl Comparison {
-    /// Whether the reference is one of the routes that every case is compared with.
-    pub(crate) fn is_by_main_route(&self) -> bool {
-        ROUTES.contains(&self.against)
-    }
-
     /// Whether the reference is the differences in double-double.
     pub(crate) fn is_by_differences(&self) -> bool {
         self.against == DIFFERENCES
@@ -87,7 +83,9 @@ pub(super) fn compare_beams(
         Ok(evaluation) => verdict(config, costly, &evaluation),
         Err(reason) => Verdict::Inconclusive(reason, Vec::new()),
     };
-    let mut verdicts: Vec<_> = found.minima.iter().map(|point| (Some(*point), at_point(point))).collect();
+    let compared = source_fault!("only-the-first": 1, found.minima.len());
+    let minima = found.minima.iter().take(compared);
+    let mut verdicts: Vec<_> = minima.map(|point| (Some(*point), at_point(point))).collect();
     if !found.unresolved.is_empty() || verdicts.is_empty() {
         verdicts.push((None, Verdict::Inconclusive(Inconclusive::Unresolved, Vec::new())));
     }
@@ -101,7 +99,7 @@ fn verdict(config: &CheckConfig, costly: Costly, evaluation: &EvaluationPoint) -
         return Verdict::Inconclusive(Inconclusive::OutOfRange, entries);
     }
     // Faults are injected into the formulas that the kernel is compared with.
-    if config.variant == Variant::Unmodified {
+    if config.variant == Variant::Unmodified && !source_fault!("functions-left-out": true, false) {
         entries.extend(closed.kernel(evaluation));
         if costly.routes {
             entries.extend(closed.routes(evaluation, &references));
@@ -241,7 +239,9 @@ impl Closed {
                     });
                 }
             }
-            entries.push(self.symmetry(i));
+            if !source_fault!("symmetry-left-out": true, false) {
+                entries.push(self.symmetry(i));
+            }
         }
         entries.extend((0..SCALARS).flat_map(|i| self.matrix(i)));
         entries

@@ -2,6 +2,7 @@
 
 use super::serialized::{Name, by_name, name, number};
 use crate::linearization::Quantity;
+use crate::source_fault::source_fault;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -95,7 +96,8 @@ impl Comparison {
     /// Whether the two agree. A value that is not a number agrees with none.
     pub fn agrees(&self) -> bool {
         let difference = self.difference();
-        difference == 0.0 || (difference.is_finite() && difference <= self.tolerance)
+        let tolerance = source_fault!("wide-tolerance": 1e6 * self.tolerance, self.tolerance);
+        difference == 0.0 || (difference.is_finite() && difference <= tolerance)
     }
 
     /// Whether the two differ beyond rounding.

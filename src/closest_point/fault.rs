@@ -24,9 +24,18 @@ pub(crate) fn with_search_fault<R>(fault: Option<SearchFault>, run: impl FnOnce(
     run()
 }
 
+/// The fault of this thread, or in a build with faults in the source the chosen one.
+fn injected() -> Option<SearchFault> {
+    #[cfg(beamgap_faults)]
+    let chosen = SearchFault::ALL.into_iter().find(|fault| crate::source_fault::is_chosen(fault.name()));
+    #[cfg(not(beamgap_faults))]
+    let chosen = None;
+    INJECTED.get().or(chosen)
+}
+
 /// Whether this fault is injected.
 pub(crate) fn is_injected(fault: SearchFault) -> bool {
-    INJECTED.get() == Some(fault)
+    injected() == Some(fault)
 }
 
 /// The bound of the third derivative.
@@ -67,7 +76,7 @@ pub(super) fn of_edge(mut point: ClosestPoint) -> ClosestPoint {
 
 /// The whole result.
 pub(super) fn result(mut found: ClosestPoints) -> ClosestPoints {
-    let Some(fault) = INJECTED.get() else { return found };
+    let Some(fault) = injected() else { return found };
     let ClosestPoints { minima, stationary, unresolved, .. } = &mut found;
     match fault {
         SearchFault::LastStepLeftOut => {

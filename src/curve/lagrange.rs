@@ -3,6 +3,7 @@
 use super::shapes::{by_order, control_vectors, count, go, times, times_linear, triangle};
 use super::{Curve, Jet, Shapes};
 use crate::number::Real;
+use crate::source_fault::source_fault;
 use nalgebra::{SVector, Vector3};
 
 /// The polynomial of degree `P` - 1 through `P` equidistant nodes.
@@ -93,7 +94,9 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
             let factor = T::one() / T::from(Self::DENOMINATORS[i]);
             functions[i] = product.map(|derivative| derivative * factor);
         }
-        Shapes::jet(by_order(&functions), q)
+        let shapes = by_order(&functions);
+        let shapes = source_fault!("jet-of-lagrange": [shapes[0], shapes[1], shapes[1], shapes[3]], shapes);
+        Shapes::jet(shapes, q)
     }
 
     /// The sum of the absolute coefficients of x,xixixi as a polynomial in xi; exact up to the cubic.

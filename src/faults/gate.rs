@@ -44,13 +44,11 @@ pub enum Compared {
     Matrices,
     /// What the functions of the library return.
     Functions,
-    /// The other routes of automatic differentiation.
-    Routes,
 }
 
 impl Compared {
     /// All kinds.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 7] = [
         Self::Minima,
         Self::Values,
         Self::First,
@@ -58,7 +56,6 @@ impl Compared {
         Self::Symmetry,
         Self::Matrices,
         Self::Functions,
-        Self::Routes,
     ];
 
     /// The name in tables and records.
@@ -71,7 +68,6 @@ impl Compared {
             Self::Symmetry => "symmetry",
             Self::Matrices => "gradients and Hessians",
             Self::Functions => "functions",
-            Self::Routes => "other routes",
         }
     }
 }
@@ -143,7 +139,7 @@ fn counts(case: &Case) -> Vec<(Compared, [usize; 2])> {
     let mut counts = vec![(Compared::Minima, [at_points.len(), minima])];
     let is_linear = case.families.into_iter().all(Family::is_linear);
     let kernel = if is_linear { kernel_entries([beam, bar].map(AnyBeam::dofs)) } else { 0 };
-    let [closed, routes] = if compares_routes(case.number) { ROUTE_ENTRIES } else { [0; 2] };
+    let routes = if compares_routes(case.number) { ROUTE_ENTRIES } else { 0 };
     for (_, verdict) in at_points {
         let (Verdict::Pass(entries) | Verdict::Mismatch(entries)) = verdict else { continue };
         let mut found = BTreeMap::new();
@@ -151,7 +147,7 @@ fn counts(case: &Case) -> Vec<(Compared, [usize; 2])> {
             *found.entry(kind(entry)).or_insert(0) += 1;
         }
         let each = 3 * COMPONENTS;
-        let wanted = [each, 2 * each, each, COMPONENTS, 3 * SCALARS, kernel + closed, routes];
+        let wanted = [each, 2 * each, each, COMPONENTS, 3 * SCALARS, kernel + routes];
         let kinds = Compared::ALL.into_iter().skip(1).zip(wanted);
         counts.extend(kinds.map(|(of, wanted)| (of, [found.get(&Some(of)).copied().unwrap_or(0), wanted])));
     }
@@ -167,7 +163,6 @@ fn kind(entry: &Comparison) -> Option<Compared> {
         Order::Symmetry => Compared::Symmetry,
         Order::Matrix => Compared::Matrices,
         Order::Function => Compared::Functions,
-        _ if !entry.is_by_main_route() => Compared::Routes,
         Order::Value => Compared::Values,
         Order::First => Compared::First,
         Order::Second => Compared::Second,

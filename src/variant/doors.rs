@@ -107,7 +107,7 @@ pub(crate) fn kernel_entries(dofs: [usize; 2]) -> usize {
 }
 
 /// The same of the functions for any curve and of the routes: all 23 components, or the scalars.
-pub(crate) const ROUTE_ENTRIES: [usize; 2] = [23 * 4 + 8 * 4, 3 * 23 * 4 + 4 * 8 * 4 + 4];
+pub(crate) const ROUTE_ENTRIES: usize = 4 * 23 * 4 + 5 * 8 * 4 + 4;
 
 fn of_dofs(beams: &Beams<'_>) -> Vec<Door> {
     for_dofs!(beams;

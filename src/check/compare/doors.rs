@@ -6,9 +6,6 @@ use crate::check::verdict::{Comparison, Order};
 use crate::linearization::{Quantity, Varied};
 use crate::variant::{Door, SCALAR_COMPONENTS};
 
-/// The order of each part.
-const ORDERS: [Order; 4] = [Order::Value, Order::First, Order::First, Order::Second];
-
 impl Closed {
     /// Each function of the kernel, against the variations.
     pub(super) fn kernel(&self, evaluation: &EvaluationPoint) -> Vec<Comparison> {
@@ -18,10 +15,12 @@ impl Closed {
             let scalar = SCALAR_COMPONENTS.iter().position(|&component| component == i).unwrap_or(0);
             bounds[scalar][k].map_or(0.0, |number| number.bound)
         };
-        self.doors(&doors, Some(Order::Function), |of| self.bounds[of[0]].parts()[of[1]].bound[0] + bound(of))
+        self.doors(&doors, |of| self.bounds[of[0]].parts()[of[1]].bound[0] + bound(of))
     }
 
-    /// The functions for any curve, against the variations, and the other routes of automatic differentiation.
+    /// The functions for any curve, of the closed form and of automatic differentiation, against the variations.
+    ///
+    /// The curves are expansions of what the closed form uses, so these functions are no references.
     pub(super) fn routes(&self, evaluation: &EvaluationPoint, references: &References) -> Vec<Comparison> {
         let [closed, differentiated] = evaluation.routes();
         let bound = |[i, k]: [usize; 2]| self.bounds[i].parts()[k].bound;
@@ -33,18 +32,13 @@ impl Closed {
         let near = |of| 2.0 * bound(of)[0] + matrix(of);
         // Like num-dual's routes, they solve for the closest point in `f64` again.
         let far = |of: [usize; 2]| bound(of)[1] + references.chord[of[0]].parts()[of[1]].bound[1];
-        let mut entries = self.doors(&closed, Some(Order::Function), near);
-        entries.extend(self.doors(&differentiated, None, far));
+        let mut entries = self.doors(&closed, near);
+        entries.extend(self.doors(&differentiated, far));
         entries
     }
 
-    /// The answers of some functions. The order is that of the part, unless one is given.
-    fn doors(
-        &self,
-        doors: &[Door],
-        order: Option<Order>,
-        tolerance: impl Fn([usize; 2]) -> f64,
-    ) -> Vec<Comparison> {
+    /// The answers of some functions.
+    fn doors(&self, doors: &[Door], tolerance: impl Fn([usize; 2]) -> f64) -> Vec<Comparison> {
         let mut entries = Vec::new();
         for Door { name, answers } in doors {
             for (i, parts) in answers {
@@ -53,7 +47,7 @@ impl Closed {
                     entries.push(Comparison {
                         quantity: Quantity::of_component(*i),
                         axis: Quantity::axis_of_component(*i),
-                        order: order.unwrap_or(ORDERS[k]),
+                        order: Order::Function,
                         part: Varied::<f64>::PARTS[k],
                         against: name,
                         closed: self.plain[*i].parts()[k],

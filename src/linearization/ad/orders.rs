@@ -14,6 +14,7 @@ use crate::curve::Curve;
 use crate::linearization::{Derivatives, Quantities};
 use crate::number::{Extends, HyperDualRow, Real};
 use crate::pair::{DofVector, Pair};
+use crate::source_fault::source_fault;
 use nalgebra::SVector;
 
 /// Gradients and Hessians of the quantities that `pick` picks, the second order by the implicit function theorem.
@@ -184,7 +185,7 @@ impl<'a, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> EvaluationPoi
         let xi = HyperDualRow::to_first_order(self.point.xi, 1.0, |_| 0.0);
         let xi_bar = HyperDualRow::to_first_order(self.point.xi_bar, 0.0, |_| 1.0);
         let picked = pick(evaluate(&beam, &bar, (xi, xi_bar), &self.pair.contact));
-        picked.map(|number| [number.eps1, number.eps2[0]])
+        picked.map(|number| [number.eps1, source_fault!("slope-by-orders": number.eps1, number.eps2[0])])
     }
 }
 

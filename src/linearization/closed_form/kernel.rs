@@ -33,9 +33,8 @@ use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::Linearization;
 use crate::linearization::dispatch::return_with_vectors;
 use crate::number::Real;
-#[cfg(feature = "check")]
-use crate::pair::Contact;
-use crate::pair::{DofVector, Pair};
+use crate::pair::{Contact, DofVector, Pair};
+use crate::source_fault::source_fault;
 use arithmetic::{Arithmetic, ScalarArithmetic};
 #[cfg(target_arch = "x86_64")]
 use avx2::Avx2Arithmetic;
@@ -95,7 +94,8 @@ pub fn write_linearization<A: Curve<N>, B: Curve<M>, const N: usize, const M: us
     to: &mut Linearization<f64, N, M>,
 ) {
     let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = to;
-    *radii = pair.contact.radius + pair.contact.radius_bar;
+    let Contact { radius, radius_bar, .. } = pair.contact;
+    *radii = radius + source_fault!("radius-twice": radius, radius_bar);
     write_all_with_slips(pair, q, point, &mut Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar]);
 }
 

@@ -132,10 +132,11 @@ pub(super) fn batches<const P: usize, const R: usize, const N: usize, const M: u
 ) -> Vec<Door> {
     let pair = beams.pair::<P, R, N, M>();
     let [q, dq, linear_dq] = [0, 1, 2].map(|i| beams.vector::<N, M>(i));
-    let points: [ClosestPoint; 7] = IMAGES.map(|image| image.point(beams.point));
-    let images = IMAGES.map(|image| image.vector(&q));
+    let images = IMAGES.map(|image| image.at(beams.point));
+    let points: [ClosestPoint; 7] = images.map(|image| image.point(beams.point));
+    let dofs = images.map(|image| image.vector(&q));
     let all: [AtPoint<'_, P, R, N, M>; 7] =
-        std::array::from_fn(|i| AtPoint { pair: &pair, q: &images[i], point: &points[i] });
+        std::array::from_fn(|i| AtPoint { pair: &pair, q: &dofs[i], point: &points[i] });
     let in_lanes = |v: &DofVector<f64, N, M>, group: &[Image]| -> Vec<Lanes> {
         let of_lanes: Vec<_> = group.iter().map(|image| image.vector(v)).collect();
         let lane = |i: usize, lane: usize| of_lanes.get(lane).map_or(0.0, |v| v.entry(i));
@@ -143,8 +144,8 @@ pub(super) fn batches<const P: usize, const R: usize, const N: usize, const M: u
     };
     let of_batch = |(count, name): (usize, &'static str)| {
         let mut to = [Derivatives::<Lanes, N, M>::zero(); 2];
-        let written = write_d_batch(&all[..count], &mut to);
-        let groups = IMAGES[..count.min(written)].chunks(4).zip(&to);
+        write_d_batch(&all[..count], &mut to);
+        let groups = images[..count].chunks(4).zip(&to);
         let answers = groups.flat_map(|(group, d)| {
             let numbers = along(d, &[&dq, &linear_dq].map(|v| in_lanes(v, group)));
             let of_lane = move |(lane, image): (usize, &Image)| {

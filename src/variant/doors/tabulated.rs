@@ -84,14 +84,14 @@ impl Beam {
         SVector::from_column_slice(&self.vectors[i])
     }
 
-    /// The curve of the beam, and of the beam with its parameter reversed.
+    /// The curve of the beam, and of the beam with its parameter and the order of its control vectors reversed.
     fn curve<const P: usize>(&self) -> Tabulated<P> {
-        let shapes = self.shapes.each_ref().map(|shapes| std::array::from_fn(|a| shapes[a]));
-        let [n, n_xi, n_xixi, n_xixixi] = shapes;
-        let minus = |shapes: [f64; P]| shapes.map(|n| -n);
+        let shapes: [[f64; P]; 4] = self.shapes.each_ref().map(|shapes| std::array::from_fn(|a| shapes[a]));
+        let reversed = |k: usize, sign: f64| std::array::from_fn(|a| sign * shapes[k][P - 1 - a]);
         // At the middle there is no room for the reversed one.
         let other = if self.xi == 0.0 { 1.0 } else { -self.xi };
-        Tabulated { at: [self.xi, other], shapes: [shapes, [n, minus(n_xi), n_xixi, minus(n_xixixi)]] }
+        let others = [reversed(0, 1.0), reversed(1, -1.0), reversed(2, 1.0), reversed(3, -1.0)];
+        Tabulated { at: [self.xi, other], shapes: [shapes, others] }
     }
 }
 
@@ -130,7 +130,7 @@ impl Beams<'_> {
 /// A pair that has the same d as another one, but for its unit of length.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Image {
-    /// Whether xi and xi_bar are reversed.
+    /// Whether xi and xi_bar are reversed, with the order of the control vectors.
     pub(super) reversed: [bool; 2],
     /// The unit of length, a power of two, so that all scaling is exact.
     pub(super) unit: f64,
@@ -139,15 +139,25 @@ pub(super) struct Image {
 }
 
 impl Image {
+    /// The same image, with only those parameters reversed that are not zero.
+    pub(super) fn at(self, point: &ClosestPoint) -> Self {
+        let [reversed, reversed_bar] = self.reversed;
+        Self { reversed: [reversed && point.xi != 0.0, reversed_bar && point.xi_bar != 0.0], ..self }
+    }
+
     /// Dofs, or a direction.
     pub(super) fn vector<const N: usize, const M: usize>(
         self,
         v: &DofVector<f64, N, M>,
     ) -> DofVector<f64, N, M> {
         let sign = |i: usize| if self.mirrored == Some(i % 3) { -self.unit } else { self.unit };
+        let [reversed, reversed_bar] = self.reversed;
+        let from = |i: usize, dofs: usize, reversed: bool| {
+            if reversed { dofs - 3 - i + 2 * (i % 3) } else { i }
+        };
         DofVector {
-            beam: SVector::from_fn(|i, _| sign(i) * v.beam[i]),
-            bar: SVector::from_fn(|i, _| sign(i) * v.bar[i]),
+            beam: SVector::from_fn(|i, _| sign(i) * v.beam[from(i, N, reversed)]),
+            bar: SVector::from_fn(|i, _| sign(i) * v.bar[from(i, M, reversed_bar)]),
         }
     }
 
@@ -161,10 +171,10 @@ impl Image {
         };
         let mut image = *point;
         image.distance *= self.unit;
-        if reversed && point.xi != 0.0 {
+        if reversed {
             (image.xi, image.end) = (-point.xi, turned(point.end));
         }
-        if reversed_bar && point.xi_bar != 0.0 {
+        if reversed_bar {
             (image.xi_bar, image.end_bar) = (-point.xi_bar, turned(point.end_bar));
         }
         image

@@ -1,6 +1,7 @@
 //! Sums of products with the vectors of AVX2, on machines that have it.
 
 use super::arithmetic::{Arithmetic, Dofs, reach};
+use crate::source_fault::source_fault;
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x4, x86::Avx2};
 
@@ -59,7 +60,9 @@ impl Avx2Arithmetic {
             to[at..at + 4].copy_from_slice(&*total);
         }
         // One by one: a group of four that overlaps the group before it would wait for the store of that group.
-        for at in whole..reach {
+        let end = source_fault!("remainder-of-15": if L == 15 { whole } else { reach }, reach);
+        let end = source_fault!("last-of-odd-row": end - end % 2, end);
+        for at in whole..end {
             let mut total = 0.0;
             for (factor, v) in &from {
                 total = factor.mul_add(v[at], total);
@@ -197,7 +200,7 @@ impl Arithmetic<f64> for Avx2Arithmetic {
             f(2);
         }
         if L / 3 > 3 {
-            f(3);
+            f(source_fault!("fourth-vector": 2, 3));
         }
     }
 

@@ -15,6 +15,7 @@ use crate::linearization::Derivatives;
 use crate::linearization::dispatch::{dispatch_simd, return_with_vectors};
 use crate::number::Lanes;
 use crate::pair::{DofVector, Pair};
+use crate::source_fault::source_fault;
 use nalgebra::SVector;
 
 /// A pair at a closest point: the result of a search for contacts.
@@ -77,7 +78,8 @@ fn each_four<E, W>(of: &[E], to: &mut [W], mut write: impl FnMut(&[E], &mut W)) 
     // There is one call, so that the kernel in lanes is compiled once.
     let write: &mut dyn FnMut(&[E], &mut W) = &mut write;
     let count = of.len().min(4 * to.len());
-    for (of, to) in of[..count].chunks(4).zip(to) {
+    let written = source_fault!("rest-of-batch": count / 4 * 4, count);
+    for (of, to) in of[..written].chunks(4).zip(to) {
         write(of, to);
     }
     count
@@ -117,7 +119,10 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
         let [a, b, c, d] = four;
         let q = gather([a.q, b.q, c.q, d.q]);
         let [a, b, c, d] = [a.point, b.point, c.point, d.point];
-        let at = (Lanes([a.xi, b.xi, c.xi, d.xi]), Lanes([a.xi_bar, b.xi_bar, c.xi_bar, d.xi_bar]));
+        let at = (
+            Lanes([a.xi, b.xi, c.xi, source_fault!("parameter-of-lane": c.xi, d.xi)]),
+            Lanes([a.xi_bar, b.xi_bar, c.xi_bar, d.xi_bar]),
+        );
         let pair = four[0].pair;
         let (dofs, dofs_bar) = (pair.curve.jet(&q.beam, at.0).dofs, pair.curve_bar.jet(&q.bar, at.1).dofs);
         if let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar)) {

@@ -8,6 +8,7 @@ use crate::closest_point::Held;
 use crate::linearization::closed_form::formulation::System;
 use crate::linearization::closed_form::{Formulation, Points};
 use crate::number::{Lanes, Real};
+use crate::source_fault::source_fault;
 
 /// A choice between the formulations.
 pub(super) trait Choice<T: Real>: Copy {
@@ -70,7 +71,7 @@ impl Choice<Lanes> for Regular {
                 |x| x.0[lane],
             );
             exceptions |= u8::from(!regular.is_regular()) << lane;
-            sign.0[lane] = sign.0[lane].copysign(squares.c_d.0[lane]);
+            sign.0[lane] = sign.0[lane].copysign(squares.c_d.0[source_fault!("normal-of-lane": 0, lane)]);
         }
         (exceptions != ALL).then(
             #[inline(always)]

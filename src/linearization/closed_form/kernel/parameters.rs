@@ -10,6 +10,7 @@ use super::side::{Side, Spread};
 use super::solution::Solution;
 use super::target::{Swapped, Target};
 use crate::number::Real;
+use crate::source_fault::source_fault;
 
 impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
     /// Writes xi, whose value is `at`, and t.
@@ -71,7 +72,9 @@ impl<T: Real, V: Copy, const N: usize, const M: usize> Frame<'_, T, V, N, M> {
         let (along, along_bar) = parameter.along(f, self);
         // −x d·δᵤu,ξξ and −y d·δᵤū,ξ̄ξ̄
         let bend: Dofs<T, N> = f.dofs([(beam.shapes.n_xixi, f.tile(parameter.bend))], []);
-        let bend_bar: Dofs<T, M> = f.dofs([(bar.shapes.n_xixi, f.tile(parameter.bend_bar))], []);
+        let bent = source_fault!("bend-of-12-and-18": (N, M) != (12, 18), true);
+        let along_bend = if bent { parameter.bend_bar } else { f.times(T::zero(), parameter.bend_bar) };
+        let bend_bar: Dofs<T, M> = f.dofs([(bar.shapes.n_xixi, f.tile(along_bend))], []);
         let (mut rows, mut rows_bar) = (Rows::zeros(), Rows::zeros());
         for i in 0..3 {
             let components = [d[i], u[i], u_bar[i]];

@@ -2,6 +2,7 @@
 
 use crate::linearization::Derivatives;
 use crate::number::Real;
+use crate::source_fault::source_fault;
 
 /// Memory for a quantity with its derivatives in the `N` dofs of the beam and the `M` dofs of the bar beam.
 ///
@@ -95,7 +96,7 @@ impl<T: Real, const N: usize, const M: usize, const S: usize> Target<T, N, M> fo
 
     #[inline(always)]
     fn row_bar(&mut self, a: usize, i: usize) -> (&mut [T], &mut [T]) {
-        self.hessian[N + 3 * a + i].split_at_mut(N)
+        self.hessian[N + 3 * a + i].split_at_mut(source_fault!("full-of-unequal": M, N))
     }
 }
 

@@ -8,6 +8,7 @@ use crate::linearization::BlockHessian;
 use crate::linearization::closed_form::sums::add_product;
 use crate::number::{Real, named, orders};
 use crate::pair::DofVector;
+use crate::source_fault::source_fault;
 use nalgebra::Vector3;
 
 impl<T, U, V, const N: usize, const M: usize> Matrices<'_, T, U, V, N, M>
@@ -128,7 +129,10 @@ where
         )
         .plus(named("alpha_bar: t.t_bar,xi g", x.t.dot(&y.t_xi)), g);
         // β̄ = B₁ᵀt
-        let beta_bar = DofVector::of_bar(named("beta_bar: B1't", b.gradient(1, &x.t)));
+        let beta_bar = DofVector::of_bar(named(
+            "beta_bar: B1't",
+            source_fault!("sign-of-beta": -b.gradient(1, &x.t), b.gradient(1, &x.t)),
+        ));
         [alpha, beta, alpha_bar, beta_bar]
     }
 }

@@ -3,6 +3,7 @@
 use super::FirstOrder;
 use crate::linearization::closed_form::{PartialVariations, Projection};
 use crate::number::{Real, named};
+use crate::source_fault::source_fault;
 use nalgebra::Vector3;
 
 /// (δξ, δξ̄), from the variations `u` at fixed parameters of the beam and of the bar beam.
@@ -50,8 +51,9 @@ pub fn second_xi<T: Real>(
     // Eq. (47), (53), (54): the part of Δδd and Δδt without Δδξ goes to the right-hand side, which the paper does not
     // give: R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
     let rest_d = named("R2: rest of Dd x", *rest_x) - named("R2: rest of Dd x_bar", *rest_x_bar);
-    let r = -(named("R2: dd.Dt", delta.d.dot(&linear.beam.t))
-        + named("R2: Dd.dt", linear.d.dot(&delta.beam.t)))
+    let exchanged = linear.d.dot(&delta.beam.t);
+    let exchanged = source_fault!("sign-in-53": -exchanged, exchanged);
+    let r = -(named("R2: dd.Dt", delta.d.dot(&linear.beam.t)) + named("R2: Dd.dt", exchanged))
         - named("R2: d.rest", d.dot(rest_t));
     let r_bar = -(named("R2_bar: dd.Dt_bar", delta.d.dot(&linear.bar.t))
         + named("R2_bar: Dd.dt_bar", linear.d.dot(&delta.bar.t)))

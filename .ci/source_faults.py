@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Puts faults into the source, one at a time, and tests which command sees each.
+
+The faults are compiled with `--cfg beamgap_faults`, all in one build; the environment variable BEAMGAP_FAULT chooses one.
+It takes ten minutes on two cores, most of them for the build.
+"""
+import os
+import subprocess
+import sys
+
+# The fault, the command that must see it, and words of its output: the wrong layer and a wrong function.
+CHECK = ["check", "--cases", "121"]
+SEARCH = ["check", "--cases", "1000"]
+FAULTS = ["faults", "--regime", "generic"]
+KERNEL = "wrong layer: this function or the kernel"
+EXPECTED = [
+    # The kernel
+    ("last-of-odd-row", CHECK, 1, [KERNEL, "9 + "]),
+    ("fourth-vector", CHECK, 1, [KERNEL, "12"]),
+    ("remainder-of-15", CHECK, 1, [KERNEL, "15 + 12 dofs"]),
+    ("bend-of-12-and-18", CHECK, 1, [KERNEL, "linearize, 12 + 18 dofs"]),
+    ("full-of-unequal", CHECK, 1, [KERNEL, "full"]),
+    ("parameter-of-lane", CHECK, 1, [KERNEL, "write_d_batch"]),
+    ("rest-of-batch", CHECK, 1, [KERNEL, "write_d_batch of"]),
+    ("normal-of-lane", CHECK, 1, [KERNEL, "write_d_batch"]),
+    ("radius-twice", CHECK, 1, [KERNEL, "g_N", "linearize"]),
+    # Equations, matrices, curves, automatic differentiation
+    ("sign-in-53", CHECK, 1, ["wrong layer: the equations", "look at"]),
+    ("sign-of-beta", CHECK, 1, ["wrong layer: the matrices"]),
+    ("jet-of-lagrange", CHECK, 1, ["wrong layer: the equations"]),
+    ("slope-by-orders", CHECK, 1, ["wrong layer: this function", "expand_by_orders"]),
+    # The search
+    ("bound-of-first-dof", SEARCH, 1, ["search"]),
+    ("end-forgotten", SEARCH, 1, ["search"]),
+    ("bar-start-of-beam", SEARCH, 1, ["search"]),
+    ("saddles-listed", SEARCH, 1, ["search"]),
+    ("region-distance", SEARCH, 1, ["search"]),
+    # The gate itself
+    ("wide-tolerance", FAULTS, 5, ["NOT DETECTED"]),
+    ("symmetry-left-out", FAULTS, 5, ["NOT DETECTED"]),
+    ("functions-left-out", FAULTS, 5, ["NOT DETECTED"]),
+    ("only-the-first", FAULTS, 5, ["NOT DETECTED"]),
+]
+
+
+def main():
+    os.chdir(os.path.join(os.path.dirname(__file__), ".."))
+    target = "target/source_faults"
+    flags = {"RUSTFLAGS": "--cfg beamgap_faults", "CARGO_TARGET_DIR": target}
+    subprocess.run(["cargo", "build", "--locked"], env={**os.environ, **flags}, check=True)
+    beamgap = f"{target}/debug/beamgap"
+
+    def run(fault, command):
+        environment = {**os.environ, "BEAMGAP_FAULT": fault, "NO_COLOR": "1"}
+        return subprocess.run([beamgap, *command], env=environment, capture_output=True, text=True)
+
+    unseen = []
+    commands = {tuple(command) for _, command, _, _ in EXPECTED}
+    unseen += [f"none: {' '.join(command)} fails" for command in commands if run("", command).returncode]
+    for fault, command, status, words in EXPECTED:
+        found = run(fault, command)
+        missing = [word for word in words if word not in found.stdout]
+        told = f"{fault}: {' '.join(command)} exits with {found.returncode}"
+        if found.returncode != status or missing:
+            unseen.append(f"{told}, {status} expected; its output lacks {missing}")
+        print(told, flush=True)
+    if unseen:
+        sys.exit("NOT SEEN\n" + "\n".join(unseen))
+    print(f"SEEN: each of {len(EXPECTED)} faults of the source.")
+
+
+if __name__ == "__main__":
+    main()
