@@ -91,3 +91,16 @@ pub(crate) fn compared_with(
         _ => Searched::default(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::searched;
+    use crate::check::Case;
+
+    /// By 40 digits the distance increases from the corner (-1, -1) up to xi = -1 + 3.3e-8, where the tangent has turned.
+    #[test]
+    fn a_minimum_at_an_end_where_the_tangent_turns_soon_is_listed() {
+        let searched = searched(Case::draw(6, 1_099_511_629_643).beams());
+        assert!(searched.is_compared && searched.findings.is_empty(), "{:?}", searched.findings);
+    }
+}

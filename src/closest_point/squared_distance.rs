@@ -205,9 +205,13 @@ impl SquaredDistance {
     }
 
     /// Whether the gradient in parameter `i` is zero within the tolerance of a multiplier.
+    ///
+    /// A change of the parameter by the tolerance changes the gradient by t² + d·t,xi times it. If the tangent is short next
+    /// to its change, t,xi enters with d only: its square would hide the minimum at an end where the tangent turns soon.
     pub(super) fn is_weak(&self, i: usize) -> bool {
-        let t = self.size2_about(i).sqrt();
-        self.gradient[i].abs() <= t * (WEAK * (self.distance + t) + self.rounding())
+        let about = self.size2_about(i).sqrt();
+        let tolerance = WEAK * (self.distance * about + self.squares[i]) + about * self.rounding();
+        self.gradient[i].abs() <= tolerance
     }
 
     /// Whether the Hessian over the parameters that are not held is positive definite.
