@@ -5,8 +5,9 @@
 //! construction. A draw whose d, t or t_bar has no square root in the field is drawn again. Two chord steps in hyper-dual
 //! arithmetic differentiate the orthogonality conditions; they are exact, as the dual parts are nilpotent. Every value,
 //! first and second variation of the closed form must be equal to that of AD. So must gradients and Hessians, contracted
-//! with the same directions. Some draws hold parameters at ends. Every other draw uses the robust
-//! [`Formulation`](crate::linearization::closed_form::Formulation).
+//! with the same directions. Some draws hold parameters at ends, each at both. The draws go
+//! through every [`Formulation`](crate::linearization::closed_form::Formulation): both distances, with both signs of the
+//! normal, and both ways to solve the system.
 //!
 //! # What equality proves
 //! The difference of the two sides is a function of the drawn numbers, rational except for three square roots. If it is

@@ -16,4 +16,4 @@ pub(crate) use draw::Target;
 pub(crate) use exact::ExactBeam;
 pub use family::{Family, Unit};
 pub(crate) use padded::{DOFS, FEW_DOFS, Padded, PaddedBeam, map_padded};
-pub(crate) use stationary::{normal_to_free, robust, stationary};
+pub(crate) use stationary::{normal_to_free, robust, stationary, stationary_at};

@@ -9,6 +9,7 @@ use super::serialized::by_name;
 use crate::closest_point::{ClosestPoint, End, Side};
 use crate::curve::Geometry;
 use crate::pair::Contact;
+use crate::test_beam::Family;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -142,6 +143,18 @@ impl Symmetry {
         }
     }
 
+    /// Whether the quantity can differ from zero, if one of the beams is of this family.
+    pub fn has_sign_with(self, family: Family) -> bool {
+        let is_planar = matches!(family, Family::Segment | Family::Quadratic | Family::Nurbs | Family::Arc);
+        match self {
+            // Arcs and helices have a constant speed.
+            Self::Speed | Self::SpeedBar => !matches!(family, Family::Segment | Family::Arc | Family::Helix),
+            Self::Curvature | Self::CurvatureBar => family != Family::Segment,
+            Self::Torsion | Self::TorsionBar => !is_planar,
+            _ => true,
+        }
+    }
+
     /// Whether the sign is positive; nothing if it is zero to rounding, or if the symmetry does not apply to the point.
     pub fn is_positive(
         self,
@@ -223,12 +236,13 @@ impl Coverage {
         Some(positive.min(negative) as f64 / (positive + negative) as f64)
     }
 
-    /// The sides that no point is on, in words. A symmetry without any point counts as two.
-    pub fn unseen(&self) -> Vec<&'static str> {
+    /// The sides that no point is on, each with its symmetry and in words. A symmetry without any point counts as two.
+    pub fn unseen(&self) -> Vec<(Symmetry, &'static str)> {
         let of = |symmetry: Symmetry| {
             let counts = self.counts.get(&symmetry).copied().unwrap_or_default();
             let [_, sides @ ..] = symmetry.sides();
-            counts.into_iter().zip(sides).filter(|(count, _)| *count == 0).map(|(_, side)| side)
+            let unseen = counts.into_iter().zip(sides).filter(|(count, _)| *count == 0);
+            unseen.map(move |(_, side)| (symmetry, side))
         };
         Symmetry::ALL.into_iter().flat_map(of).collect()
     }

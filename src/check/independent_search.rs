@@ -91,3 +91,23 @@ pub(crate) fn compared_with(
         _ => Searched::default(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::searched;
+    use crate::check::Case;
+
+    /// Ends at which a tangent is short and turns soon. By 40 digits the distance increases in the first case from the corner
+    /// (-1, -1) up to xi = -1 + 3.3e-8. In the second it decreases from (-1, 1), which is no minimum.
+    #[test]
+    fn ends_where_the_tangent_turns_soon_are_listed_if_they_are_minima() {
+        for number in [1_099_511_629_643, 1_099_511_628_339] {
+            let searched = searched(Case::draw(6, number).beams());
+            assert!(
+                searched.is_compared && searched.findings.is_empty(),
+                "{number}: {:?}",
+                searched.findings
+            );
+        }
+    }
+}

@@ -1,13 +1,15 @@
 //! `beamgap export`, `beamgap schema`, `beamgap evaluate`: cases for other programs, and the library's own answers.
 
 use super::arguments::{families, fault, regimes, seed, variant};
+use super::count::count;
 use super::exit::Exit;
 use super::output::distinct;
+use super::terminal::{folded, tell};
 use anyhow::Context;
 use beamgap::check::external::{
     ANSWERS, Drawing, Evaluator, Expected, Formulas, VECTORS, VectorReader, VectorWriter,
 };
-use beamgap::check::{Family, Regime};
+use beamgap::check::{Coverage, Family, Regime};
 use clap::{Args, ValueEnum, value_parser};
 use rayon::prelude::*;
 use std::fs::File;
@@ -27,7 +29,7 @@ pub(crate) struct Export {
     /// Seed of the random pairs, decimal or 0x-hexadecimal
     #[arg(long, default_value = "0x5eed", value_parser = seed)]
     seed: u64,
-    /// How many cases of each regime
+    /// How many cases of each regime; a note on standard error names what so few do not show, such as obtuse crossings
     #[arg(long, value_name = "N", default_value = "11")]
     #[arg(value_parser = value_parser!(u64).range(1..=10_000_000))]
     cases: u64,
@@ -78,18 +80,34 @@ impl Export {
         let writer = VectorWriter { hex: self.hex, expected };
         let mut sink = Sink::open(self.output.as_deref())?;
         sink.line(&writer.head(&drawing))?;
-        let mut start = 0;
+        let (mut start, mut seen) = (0, Coverage::default());
         while start < drawing.count() && !sink.is_closed {
             let end = drawing.count().min(start + AT_ONCE);
             let numbers: Vec<u64> = (start..end).collect();
-            let line = |&number: &u64| writer.line(&drawing.vector(number));
-            let lines: Vec<String> = numbers.par_iter().map(line).collect();
-            lines.iter().try_for_each(|line| sink.line(line))?;
+            let line = |&number: &u64| writer.line_and_sides(&drawing.vector(number));
+            for (line, sides) in numbers.par_iter().map(line).collect::<Vec<_>>() {
+                sink.line(&line)?;
+                seen.merge(&sides);
+            }
             start = end;
         }
+        let is_read = !sink.is_closed;
         sink.finish()?;
+        let unseen = drawing.unseen(&seen);
+        if is_read && !unseen.is_empty() {
+            tell(&words_of_unseen(&drawing, &unseen));
+        }
         Ok(Exit::Agree)
     }
+}
+
+/// The sides of the symmetries that no case shows: a fault that acts there alone is not seen.
+fn words_of_unseen(drawing: &Drawing, unseen: &[&str]) -> String {
+    let (cases, sides) = (count(drawing.count(), "case"), count(unseen.len(), "side"));
+    format!(
+        "Not seen by {cases}: {sides} of the symmetries. More --cases show more.\n{}",
+        folded(&unseen.join(", "), "  ", "  ")
+    )
 }
 
 /// The arguments of `schema`.

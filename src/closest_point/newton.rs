@@ -111,7 +111,7 @@ fn iterated(
 /// The point where the iteration ended, if the steps have become small.
 #[inline]
 fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoint, ProjectionError> {
-    let point = ClosestPoint::new(at, p, held);
+    let mut point = ClosestPoint::new(at, p, held);
     // If the positions have large rounding errors, the slope stays large. Then the next step has to be small, and must
     // not leave the square.
     let (step, step_bar) = p.step(held);
@@ -128,6 +128,10 @@ fn settled(at: (f64, f64), p: &SquaredDistance, held: Held) -> Result<ClosestPoi
     }
     if !free().all(|(i, ..)| p.explains_gradient(i, SMALL)) {
         return Err(ProjectionError::Singular { conditioning: point.conditioning });
+    }
+    // Where the last digit of one parameter changes its gradient much, the other parameter is off by its next step.
+    for (uncertainty, step) in point.uncertainty.iter_mut().zip([step, step_bar]) {
+        *uncertainty = uncertainty.max((2.0 * step.abs()).min(SMALL));
     }
     Ok(point)
 }

@@ -205,9 +205,13 @@ impl SquaredDistance {
     }
 
     /// Whether the gradient in parameter `i` is zero within the tolerance of a multiplier.
+    ///
+    /// A change of the parameter by the tolerance changes the gradient by t² + d·t,xi times it, and the rounding of the
+    /// positions changes it by t times that. If the tangent is short next to its change, t,xi enters with d only: in any
+    /// other product it would hide the minimum at an end where the tangent turns soon.
     pub(super) fn is_weak(&self, i: usize) -> bool {
-        let t = self.size2_about(i).sqrt();
-        self.gradient[i].abs() <= t * (WEAK * (self.distance + t) + self.rounding())
+        let (t, about) = (self.squares[i].sqrt(), self.size2_about(i).sqrt());
+        self.gradient[i].abs() <= WEAK * (self.distance * about + self.squares[i]) + t * self.rounding()
     }
 
     /// Whether the Hessian over the parameters that are not held is positive definite.

@@ -2,10 +2,10 @@
 
 use super::entry::{Entry, entries};
 use super::{Sides, differentiated};
-use crate::closest_point::Held;
+use crate::closest_point::{Held, Side};
 use crate::linearization::closed_form::Formulation;
 use crate::number::{Faulty, PrimeField};
-use crate::test_beam::{Family, map_padded, robust, stationary};
+use crate::test_beam::{ExactBeam, Family, map_padded, robust, stationary_at};
 use crate::variant::{CONTACT, Step, Variant, contracted, every_layout};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -37,17 +37,52 @@ fn held<S: Serializer>(held: &Held, serializer: S) -> Result<S::Ok, S::Error> {
     parameters.end()
 }
 
+/// Whether gradients, Hessians and the kernel are compared in this draw.
+fn has_matrices(number: u64) -> bool {
+    (number / 8).is_multiple_of(MATRICES_EVERY)
+}
+
+/// Two beams at a stationary point, and the formulas that are compared there.
+struct Place {
+    beams: [Box<dyn ExactBeam<PrimeField>>; 2],
+    at: (PrimeField, PrimeField),
+    form: Formulation,
+}
+
+impl Place {
+    /// Eight draws go through all combinations of held parameters, and four such eights through both ends of each. Four
+    /// draws go through all formulations, whose order changes from eight to eight. The sign of the normal is random.
+    fn new(seed: u64, families: [Family; 2], number: u64) -> Self {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        rng.set_stream((number * 256 + families[0] as u64) * 256 + families[1] as u64);
+        let eight = number / 8;
+        // Also among the draws with matrices, which are every eighth eight.
+        let turn = eight + eight / MATRICES_EVERY;
+        let end = |is_held: bool, turn: u64| {
+            is_held.then_some(if turn.is_multiple_of(2) { Side::Upper } else { Side::Lower })
+        };
+        let ends = [end(matches!(number % 8, 5 | 7), turn), end(number % 8 >= 6, turn / 2)];
+        let held = Held { xi: ends[0].is_some(), xi_bar: ends[1].is_some() };
+        let models = families.map(|family| family.model(&mut rng));
+        let (beams, at) = stationary_at(&models, ends, &mut rng);
+        let (paper, robust) = (Formulation::paper(held), robust(&beams, at, held));
+        let (distance, system) = match (number + eight) % 4 {
+            0 => (paper.distance, paper.system),
+            1 => (robust.distance, robust.system),
+            2 => (robust.distance, paper.system),
+            _ => (paper.distance, robust.system),
+        };
+        let form = Formulation { held, distance, system };
+        Self { beams, at, form }
+    }
+}
+
 impl Draw {
     /// Draws, evaluates both sides, and pairs their entries.
     pub fn new(variant: &Variant, seed: u64, families: [Family; 2], number: u64) -> Self {
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        rng.set_stream((number * 256 + families[0] as u64) * 256 + families[1] as u64);
-        // Eight draws go through all combinations of held ends.
-        let held = Held { xi: number % 8 == 5 || number % 8 == 7, xi_bar: number % 8 >= 6 };
-        let models = families.map(|family| family.model(&mut rng));
-        let (beams, at) = stationary(&models, held, &mut rng);
-        let form = if number % 2 == 1 { robust(&beams, at, held) } else { Formulation::paper(held) };
-        let with_matrices = (number / 8).is_multiple_of(MATRICES_EVERY);
+        let Place { beams, at, form } = Place::new(seed, families, number);
+        let held = form.held;
+        let with_matrices = has_matrices(number);
         let beams = [&*beams[0], &*beams[1]];
         let padded = |step: Step| {
             let ([x, y], at) = step.place(beams, at);
@@ -78,3 +113,6 @@ impl Draw {
         self.entries.iter().filter(|entry| !entry.is_equal())
     }
 }
+
+#[cfg(test)]
+mod tests;

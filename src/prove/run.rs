@@ -129,9 +129,10 @@ fn degrees(families: [Family; 2]) -> Degrees {
     let at = (PolynomialDegree::VARIABLE, PolynomialDegree::VARIABLE);
     let mut degrees = Degrees::default();
     let held = Held::default();
-    let robust =
-        Formulation { held, distance: Distance::Normal { reversed: false }, system: System::CrossProducts };
-    for form in [Formulation::paper(held), robust] {
+    let forms = [Distance::Length, Distance::Normal { reversed: false }].into_iter().flat_map(|distance| {
+        [System::Determinants, System::CrossProducts].map(|system| Formulation { held, distance, system })
+    });
+    for form in forms {
         let [beam, bar] = [&*beams[0], &*beams[1]];
         let (partial, partial_bar) = (beam.partial_variations(at.0), bar.partial_variations(at.1));
         let padded = [beam.padded(at.0), bar.padded(at.1)];

@@ -1,29 +1,49 @@
 //! Two beams over the prime field, at a point that is stationary by construction.
 
 use super::{AnyBeam, ExactBeam};
-use crate::closest_point::Held;
+use crate::closest_point::{Held, Side};
 use crate::linearization::closed_form::formulation::{Distance, System, unit_normal};
 use crate::linearization::closed_form::{Formulation, Points};
 use crate::number::{PrimeField, Real};
 use nalgebra::Vector3;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 /// Two beams and the parameters of their stationary point.
 type Stationary = ([Box<dyn ExactBeam<PrimeField>>; 2], (PrimeField, PrimeField));
 
-/// Draws dofs until d, t and t_bar have square roots, and moves the first beam so that the point is stationary.
+/// Draws dofs until d, t and t_bar have square roots, and moves the first beam so that the point is stationary. Held
+/// parameters are at a random end.
 pub(crate) fn stationary(models: &[Box<dyn AnyBeam>; 2], held: Held, rng: &mut ChaCha8Rng) -> Stationary {
+    drawn(models, held, rng, |_, is_lower| if is_lower { Side::Lower } else { Side::Upper })
+}
+
+/// The same with parameters held at these ends.
+pub(crate) fn stationary_at(
+    models: &[Box<dyn AnyBeam>; 2],
+    ends: [Option<Side>; 2],
+    rng: &mut ChaCha8Rng,
+) -> Stationary {
+    let held = Held { xi: ends[0].is_some(), xi_bar: ends[1].is_some() };
+    drawn(models, held, rng, |i, _| ends[i].unwrap_or(Side::Upper))
+}
+
+/// `side` chooses the end of a held parameter from its index and a random number.
+fn drawn(
+    models: &[Box<dyn AnyBeam>; 2],
+    held: Held,
+    rng: &mut ChaCha8Rng,
+    side: impl Fn(usize, bool) -> Side,
+) -> Stationary {
     let random = |rng: &mut ChaCha8Rng| PrimeField::new(rng.random());
     loop {
         let mut beams = models.each_ref().map(|model| model.residues(&mut || random(rng)));
-        let end = |held: bool, rng: &mut ChaCha8Rng| match (held, rng.random()) {
+        let end = |i: usize, held: bool, rng: &mut ChaCha8Rng| match (held, rng.random()) {
             (false, _) => random(rng),
-            (true, false) => PrimeField::one(),
-            (true, true) => -PrimeField::one(),
+            (true, is_lower) => PrimeField::from(side(i, is_lower).parameter()),
         };
-        let at = (end(held.xi, rng), end(held.xi_bar, rng));
+        let at = (end(0, held.xi, rng), end(1, held.xi_bar, rng));
         let (x, x_bar) = (beams[0].geometry(at.0), beams[1].geometry(at.1));
         let (t, t_bar): (Vector3<PrimeField>, Vector3<PrimeField>) = (x.t, x_bar.t);
         let d = normal_to_free(held, &t, &t_bar, &Vector3::from_fn(|_, _| random(rng)));

@@ -48,4 +48,5 @@ mod standstill;
 mod strategies;
 mod symmetry;
 mod threads;
+mod unseen;
 mod values;

@@ -1,7 +1,7 @@
 //! Pairs of beams at a closest point: drawn at random, made stationary, with directions of variation.
 
 use crate::strategies::{arc, helix, parameter, vector, weighted_points};
-use beamgap::closest_point::{ClosestPoint, Held};
+use beamgap::closest_point::{Centroid, ClosestPoint, Held, SquaredDistance};
 use beamgap::curve::{Arc, Curve, Helix, Hermite, Jet, NurbsWeighted, Quadratic, Segment};
 use beamgap::pair::{Contact, DofVector, Pair};
 use nalgebra::{SVector, Vector3};
@@ -109,7 +109,8 @@ pub(crate) fn contacting<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
             let held = Held { xi: held.0, xi_bar: held.1 };
             let point = refined(&pair, &q, at, held)?;
             let lengths = [t.norm(), t_bar.norm(), point.distance];
-            let regular = point.conditioning.abs() > 0.1 && lengths.iter().all(|length| *length > 0.2);
+            let is_clear = least_eigenvalue(&pair, &q, &point) > 0.1;
+            let regular = is_clear && lengths.iter().all(|length| *length > 0.2);
             let (dq, dq_bar, linear_dq, linear_dq_bar) = directions;
             regular.then_some(Contacting {
                 pair,
@@ -120,6 +121,27 @@ pub(crate) fn contacting<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
             })
         },
     )
+}
+
+/// The size of the eigenvalue of least size, for unit tangents.
+///
+/// At a saddle it is not [`ClosestPoint::conditioning`], which is the lowest eigenvalue. At a fold, where a saddle and a
+/// minimum meet, it vanishes.
+pub(crate) fn least_eigenvalue<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
+    pair: &Pair<A, B, N, M>,
+    q: &DofVector<f64, N, M>,
+    point: &ClosestPoint,
+) -> f64 {
+    let low = point.conditioning.abs();
+    if !point.is_interior() {
+        return low;
+    }
+    let (x, x_bar) = pair.centroids(q);
+    let (x, x_bar) = (x.geometry(point.xi), x_bar.geometry(point.xi_bar));
+    let at = SquaredDistance::new(&x, &x_bar);
+    // The product of both eigenvalues.
+    let det = at.determinant() / x.t.norm_squared() / x_bar.t.norm_squared();
+    low.min((det / low).abs())
 }
 
 /// The stationary point near `at`.

@@ -142,6 +142,22 @@ fn a_point_at_an_end_that_is_not_held_has_one_sided_derivatives() {
     assert_eq!(refine(&x, &inside, (0.5, 0.0), Held::default()).unwrap().degeneracy(), None);
 }
 
+/// A tangent that is short next to its change: the distance increases from the end only over 1e-7 of the parameter.
+#[test]
+fn the_end_of_a_beam_that_turns_back_soon_is_a_minimum() {
+    for turn in [1e2, 1e4, 2e7, 1e9] {
+        // x = s - turn s²/2 + .. along the first axis, with s = 1 + xi; the bar leads away from (-1, 0, 0).
+        let x = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, turn, 0.0, 0.0];
+        let q: DofVector<f64, 12, 6> = DofVector::from_slices(&x, &[-1.0, 0.0, 0.0, -2.0, 1.0, 0.5]).unwrap();
+        let pair = Pair::new(Hermite::new(), Segment::new());
+        let found = pair.closest_points(&q).unwrap();
+        let corner = found.minima.iter().find(|point| (point.xi, point.xi_bar) == (-1.0, -1.0));
+        let corner = corner.unwrap_or_else(|| panic!("{turn}: {found:?}"));
+        assert!(corner.is_strict() && corner.degeneracy().is_none(), "{corner:?}");
+        close(corner.distance, 1.0, 1e-15);
+    }
+}
+
 #[test]
 fn conditioning_is_a_number() {
     let x = line([0.0, 0.0, 1.0], [1.0, 0.0, 0.0], -1.0, 1.0);

@@ -139,6 +139,26 @@ fn sides_that_no_point_is_on_are_named() {
     assert_eq!(coverage.unseen().len(), 2 * Symmetry::ALL.len() - seen);
     let [_, sides @ ..] = Symmetry::Side.sides();
     let is_positive = Symmetry::Side.is_positive(&geometry(&case, &point), &point, &case.contact).unwrap();
-    assert!(coverage.unseen().contains(&sides[usize::from(is_positive)]));
-    assert!(!coverage.unseen().contains(&sides[usize::from(!is_positive)]));
+    assert!(coverage.unseen().contains(&(Symmetry::Side, sides[usize::from(is_positive)])));
+    assert!(!coverage.unseen().contains(&(Symmetry::Side, sides[usize::from(!is_positive)])));
+}
+
+/// Among pairs of one family alone, the symmetries that no closest point has are those that the family cannot have.
+#[test]
+fn a_family_has_the_signs_that_its_curves_can_have() {
+    for family in Family::ALL {
+        let mut coverage = Coverage::default();
+        for number in 0..40 {
+            let case = Case::of(0x5eed, number, Regime::Generic, [family; 2]);
+            let [beam, bar] = case.beams();
+            let Ok(found) = closest_points(beam, bar, &Search::default()) else { continue };
+            for point in found.minima.iter().filter(|point| point.degeneracy().is_none()) {
+                coverage.add(&case, point);
+            }
+        }
+        for symmetry in Symmetry::ALL {
+            let (has, of) = (coverage.counts.contains_key(&symmetry), (family.name(), symmetry.name()));
+            assert_eq!(has, symmetry.has_sign_with(family), "{of:?}");
+        }
+    }
 }

@@ -18,7 +18,7 @@ use super::error::Place;
 use crate::check::draw::Case;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::verdict::Inconclusive;
-use crate::check::{CaseData, Regime};
+use crate::check::{CaseData, Coverage, Regime, Symmetry};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
 use crate::test_beam::{AnyBeam, Family};
 use rand::{RngExt, SeedableRng};
@@ -101,6 +101,22 @@ impl Drawing {
         self.cases * self.regimes.len() as u64
     }
 
+    /// The sides of the symmetries that no closest point of the cases is on, in words.
+    ///
+    /// Sides that no number of cases would show are left out: of curves without curvature or torsion, and the open gap if
+    /// all surfaces penetrate.
+    pub fn unseen(&self, seen: &Coverage) -> Vec<&'static str> {
+        let is_possible = |symmetry: Symmetry| {
+            self.families.iter().any(|&family| symmetry.has_sign_with(family))
+                && !(symmetry == Symmetry::Gap && self.penetrating)
+        };
+        seen.unseen()
+            .into_iter()
+            .filter(|(symmetry, _)| is_possible(*symmetry))
+            .map(|(_, side)| side)
+            .collect()
+    }
+
     /// A case, by its number. Regimes alternate, and so do pairs of families within each regime, and open and closed gaps.
     ///
     /// A case whose closest point cannot be compared is drawn again, because it would be left out.
@@ -119,8 +135,10 @@ impl Drawing {
         let (regimes, families) = (self.regimes.len() as u64, self.families.len() as u64);
         let of = |i: u64| usize::try_from(i).unwrap_or(0);
         let regime = self.regimes[of(number % regimes)];
-        let place = number / regimes;
-        let pair = [place / families % families, place % families].map(|i| self.families[of(i)]);
+        let (place, shift) = (number / regimes, number % regimes);
+        // All ordered pairs in turn. Each regime begins with another pair, and beam and bar beam change from case to case.
+        let turn = place + shift;
+        let pair = [families / 2 + turn + turn / families, turn].map(|i| self.families[of(i % families)]);
         let mut vector = Vector {
             id: number.to_string(),
             regime: regime.name().to_owned(),
@@ -130,13 +148,15 @@ impl Drawing {
         };
         if let Ok(point) = vector.closest_point() {
             vector.point = Some((point.xi, point.xi_bar));
-            // Gaps alternate for each pair of families.
+            // Gaps alternate for each pair of families, and from regime to regime.
             let is_closed =
-                self.penetrating || (place + place / families + place / families / families) % 2 == 1;
+                self.penetrating || (shift + place + place / families + place / families / families) % 2 == 1;
             let contact = &mut vector.case.contact;
             if is_closed != (point.distance < contact.radius + contact.radius_bar) || self.penetrating {
-                let radius = if is_closed { 0.625 } else { 0.25 } * point.distance;
-                (contact.radius, contact.radius_bar) = (radius, radius);
+                // The ratio of the radii stays, and so does which beam is thicker.
+                let sum = if is_closed { 1.25 } else { 0.5 } * point.distance;
+                let factor = sum / (contact.radius + contact.radius_bar);
+                (contact.radius, contact.radius_bar) = (contact.radius * factor, contact.radius_bar * factor);
             }
         }
         // The parameters are as exact as those of the check.

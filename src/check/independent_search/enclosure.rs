@@ -130,7 +130,7 @@ impl Enclosure {
             weak: [one, other].map(|piece| {
                 // Near a point where the curve stands still, the tangent is small only there.
                 let about = piece.size[0].hypot(2.0 * piece.size[1]);
-                WEAK * about * (about + d.norm())
+                WEAK * (piece.size[0] * piece.size[0] + about * d.norm())
             }),
             along: if d.norm() > 0.0 {
                 [d.dot(&one.t).abs() * h, d.dot(&other.t).abs() * k].map(|along| along / d.norm())

@@ -86,6 +86,13 @@ fn a_gradient_is_weak_if_it_is_rounding() {
         let limit = 2.0 * (WEAK * (1.5 + 2.0) + ROUNDING * positions);
         assert!(at(0.99 * limit).is_weak(0) && !at(1.01 * limit).is_weak(0), "{far}");
     }
+    // A tangent of length 1 that turns within 1e-8 of the parameter.
+    let at = |slope: f64| {
+        let beam = geometry([slope, 0.0, 1.5], [1.0, 0.0, 0.0], [-1e8, 0.0, 0.0]);
+        SquaredDistance::new(&beam, &geometry([0.0; 3], ACROSS, [0.0; 3]))
+    };
+    let limit = WEAK * 1.5 * 1e8;
+    assert!(at(0.99 * limit).is_weak(0) && !at(1.01 * limit).is_weak(0));
 }
 
 #[test]

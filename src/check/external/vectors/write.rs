@@ -1,10 +1,10 @@
 //! Cases as lines of JSON.
 
 use super::{Drawing, Outcome, VECTORS, Vector, held_name};
-use crate::check::CAREFUL;
 use crate::check::candidate::Sides;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::external::number::hex;
+use crate::check::{CAREFUL, Coverage};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::pair::Contact;
 use crate::test_beam::TestBeam;
@@ -46,6 +46,11 @@ impl VectorWriter {
 
     /// The line of a case, without its end.
     pub fn line(self, vector: &Vector) -> String {
+        self.line_and_sides(vector).0
+    }
+
+    /// The line of a case, and on which side of each symmetry its closest point is.
+    pub fn line_and_sides(self, vector: &Vector) -> (String, Coverage) {
         let (regime, id) = (quoted(&vector.regime), quoted(&vector.id));
         let mut line = format!("{{\"id\":{id},\"regime\":{regime}");
         for (name, beam) in ["beam", "bar"].into_iter().zip(&vector.case.test_beams) {
@@ -55,7 +60,10 @@ impl VectorWriter {
         let contact =
             [("radius", radius), ("radius_bar", radius_bar), ("xi_0", xi_0), ("xi_bar_0", xi_bar_0)];
         let _ = write!(line, ",\"contact\":{}", self.numbers(&contact));
+        let mut sides = Coverage::default();
         let expected = vector.evaluated(|evaluation| {
+            let geometry = evaluation.partial_variations(Step::Now).map(|partial| partial.geometry);
+            sides.add_point(&geometry, &evaluation.point, evaluation.contact);
             let jets = self.jets(&evaluation);
             (jets, self.expected(vector, evaluation))
         });
@@ -73,7 +81,7 @@ impl VectorWriter {
                 }
             }
         }
-        line + "}"
+        (line + "}", sides)
     }
 
     fn beam(self, beam: &TestBeam) -> String {
