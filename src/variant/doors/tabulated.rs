@@ -153,7 +153,7 @@ impl Image {
         let sign = |i: usize| if self.mirrored == Some(i % 3) { -self.unit } else { self.unit };
         let [reversed, reversed_bar] = self.reversed;
         let from = |i: usize, dofs: usize, reversed: bool| {
-            if reversed { dofs - 3 - i + 2 * (i % 3) } else { i }
+            if reversed { dofs - 3 + 2 * (i % 3) - i } else { i }
         };
         DofVector {
             beam: SVector::from_fn(|i, _| sign(i) * v.beam[from(i, N, reversed)]),
