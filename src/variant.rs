@@ -20,7 +20,7 @@ pub(crate) use catalogue::{classes, terms};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
-pub(crate) use doors::{Door, ROUTE_ENTRIES, kernel_doors, kernel_entries, routes};
+pub(crate) use doors::{Door, ROUTE_ENTRIES, kernel_doors, kernel_entries, of_curves, routes};
 pub(crate) use invariance::by_invariance;
 pub(crate) use kernel::{Layouts, every_layout, in_blocks, kernel};
 pub(crate) use layouts::Second;

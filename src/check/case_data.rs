@@ -39,7 +39,9 @@ impl CaseData {
     pub fn compare(&self, config: &CheckConfig) -> Result<Compared, TestBeamError> {
         let beams = self.beams()?;
         let costly = Costly { differences: config.oracles == Oracles::All, routes: true };
-        Ok(compare_beams(config, costly, beams.each_ref().map(|beam| &**beam), &self.contact))
+        Ok(compare_beams(config, costly, beams.each_ref().map(|beam| &**beam), &self.contact, &|_| {
+            Vec::new()
+        }))
     }
 
     /// The closed form at one of its closest points: all components with their variations, in the order of

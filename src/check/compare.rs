@@ -15,7 +15,7 @@ use crate::number::{RunningError, TermScale};
 use crate::pair::Contact;
 use crate::source_fault::source_fault;
 use crate::test_beam::{AnyBeam, RunningError2};
-use crate::variant::{SCALAR_COMPONENTS, SCALARS, Variant};
+use crate::variant::{Door, SCALAR_COMPONENTS, SCALARS, Variant};
 use num_dual::HyperDual64;
 
 /// The routes of automatic differentiation.
@@ -30,7 +30,7 @@ pub type Compared = Vec<(Option<ClosestPoint>, Verdict)>;
 
 /// Compares a case with the oracles at each of its closest points.
 pub fn compare(config: &CheckConfig, case: &Case) -> Compared {
-    compare_beams(config, Costly::of_case(config, case.number), case.beams(), &case.contact)
+    compare_beams(config, Costly::of_case(config, case.number), case.beams(), &case.contact, &|_| Vec::new())
 }
 
 /// What takes long and is computed for a sample of the cases.
@@ -65,12 +65,13 @@ impl Comparison {
     }
 }
 
-/// Compares two beams with the oracles.
+/// Compares two beams with the oracles, and with what the functions of their own curves return at a closest point.
 pub(super) fn compare_beams(
     config: &CheckConfig,
     costly: Costly,
     [beam, bar]: [&dyn AnyBeam; 2],
     contact: &Contact,
+    own: &dyn Fn(&ClosestPoint) -> Vec<Door>,
 ) -> Compared {
     let found = match closest_points(beam, bar, &Search::default()) {
         Ok(found) => found,
@@ -80,7 +81,7 @@ pub(super) fn compare_beams(
         Err(_) => return vec![(None, Verdict::Inconclusive(Inconclusive::SearchFailed, Vec::new()))],
     };
     let at_point = |point: &ClosestPoint| match EvaluationPoint::new([beam, bar], contact, point) {
-        Ok(evaluation) => verdict(config, costly, &evaluation),
+        Ok(evaluation) => verdict(config, costly, &evaluation, own),
         Err(reason) => Verdict::Inconclusive(reason, Vec::new()),
     };
     let compared = source_fault!("only-the-first": 1, found.minima.len());
@@ -92,7 +93,12 @@ pub(super) fn compare_beams(
     verdicts
 }
 
-fn verdict(config: &CheckConfig, costly: Costly, evaluation: &EvaluationPoint) -> Verdict {
+fn verdict(
+    config: &CheckConfig,
+    costly: Costly,
+    evaluation: &EvaluationPoint,
+    own: &dyn Fn(&ClosestPoint) -> Vec<Door>,
+) -> Verdict {
     let (closed, references) = (Closed::new(&config.variant, evaluation), References::new(evaluation));
     let mut entries = closed.compared_with(&references);
     if closed.is_out_of_range() || references.is_out_of_range() {
@@ -101,6 +107,7 @@ fn verdict(config: &CheckConfig, costly: Costly, evaluation: &EvaluationPoint) -
     // Faults are injected into the formulas that the kernel is compared with.
     if config.variant == Variant::Unmodified && !source_fault!("functions-left-out": true, false) {
         entries.extend(closed.kernel(evaluation));
+        entries.extend(closed.own(&own(&evaluation.point), evaluation, &references));
         if costly.routes {
             entries.extend(closed.routes(evaluation, &references));
         }

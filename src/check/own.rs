@@ -93,7 +93,11 @@ where
         (regime, Pair::draw(curve, beams, (regime, number / regimes), &mut rng))
     };
     let costly = Costly { differences: false, routes: true };
-    let compared = |pair: &Pair| compare_beams(&CheckConfig::default(), costly, pair.beams(), &pair.contact);
+    let compared = |pair: &Pair| {
+        compare_beams(&CheckConfig::default(), costly, pair.beams(), &pair.contact, &|point| {
+            pair.functions(point)
+        })
+    };
     let of_case = |number: u64| {
         let compared = compared(&drawn(number).1);
         let mut found = OwnCurve::default();
@@ -192,4 +196,36 @@ fn varied<C: Clone, const N: usize>(curve: &C, beam: &[f64; N], rng: &mut ChaCha
     let mut random = |size: f64| SVector::<f64, N>::from_fn(|_, _| size * rng.random_range(-1.0..1.0));
     let q = SVector::from(*beam) + random(SPREAD * largest);
     Drawn { curve: curve.clone(), q, dq: random(largest), linear_dq: random(largest), points: Vec::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CheckConfig, Costly, Pair, Regime, Verdict, compare_beams, stream};
+    use crate::curve::Bezier;
+    use std::collections::BTreeMap;
+
+    /// No family has 15 dofs.
+    #[test]
+    fn a_curve_is_compared_with_its_own_number_of_dofs() {
+        let beam = [0.0, 0.0, 0.0, 0.5, 0.1, 0.0, 1.0, 0.2, 0.1, 1.5, 0.1, 0.1, 2.0, 0.0, 0.2];
+        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+        for regime in Regime::ALL {
+            // The fourth family is Hermite.
+            let pair = Pair::draw(&Bezier::<5>::new(), &[beam], (regime, 3), &mut stream(regime as u64));
+            let costly = Costly { differences: false, routes: false };
+            let config = CheckConfig::default();
+            let own = |point: &_| pair.functions(point);
+            for (_, verdict) in compare_beams(&config, costly, pair.beams(), &pair.contact, &own) {
+                let Verdict::Pass(entries) = verdict else { continue };
+                for entry in entries.iter().filter(|entry| entry.against.ends_with("of your curve")) {
+                    *counts.entry(entry.against).or_default() += 1;
+                }
+            }
+        }
+        let points = counts["linearize, of your curve"] / 32;
+        assert!(points >= 2, "{counts:?}");
+        let expected = [32, 32, 92, 92].map(|each| each * points);
+        let functions = ["linearize", "linearize_into", "closed_form::vary", "ad::vary"];
+        assert_eq!(functions.map(|name| counts[&*format!("{name}, of your curve")]), expected);
+    }
 }

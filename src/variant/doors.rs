@@ -10,6 +10,7 @@ mod expansion;
 mod linearized;
 mod routes;
 mod tabulated;
+mod typed;
 
 use crate::closest_point::ClosestPoint;
 use crate::pair::Contact;
@@ -18,6 +19,7 @@ use linearized::{batches, layouts, linearized};
 use tabulated::{Beam, Beams};
 
 pub(crate) use routes::routes;
+pub(crate) use typed::of_curves;
 
 /// Components of the quantities, each with value, first variations and second variation, as far as they are computed.
 pub(crate) type Answers = Vec<(usize, [Option<f64>; 4])>;

@@ -5,7 +5,7 @@
 use crate::bounded::{exact, exact_dofs, is_near, linearized, linearized_case, scalars};
 use crate::pairs::{Contacting, Movable, contacting, hermite, refined, segment};
 use crate::strategies::vector;
-use beamgap::check::{Case, CheckConfig, Compared, Comparison, Verdict, compare};
+use beamgap::check::{Case, CheckConfig, Compared, Comparison, Verdict};
 use beamgap::closest_point::{ClosestPoint, Held};
 use beamgap::curve::{Bezier, Hermite};
 use beamgap::linearization::{Derivatives, Linearization, Quantity};
@@ -83,7 +83,7 @@ fn scaling_by_powers_of_two_scales_every_comparison_of_the_gate() {
         let case = Case::draw(0x5eed, number);
         let scaled = case.data().scaled(power).compare(&CheckConfig::default()).unwrap();
         assert!(
-            scaled == in_unit(&compare(&CheckConfig::default(), &case), power),
+            scaled == in_unit(&case.data().compare(&CheckConfig::default()).unwrap(), power),
             "case {number}, 2^{power}"
         );
     }

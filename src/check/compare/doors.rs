@@ -37,6 +37,29 @@ impl Closed {
         entries
     }
 
+    /// The functions of the user's curve, against the variations.
+    pub(super) fn own(
+        &self,
+        doors: &[Door],
+        evaluation: &EvaluationPoint,
+        references: &References,
+    ) -> Vec<Comparison> {
+        if doors.is_empty() {
+            return Vec::new();
+        }
+        let kernel = evaluation.kernel().map(|(_, bounds)| bounds);
+        // By matrices or by the kernel, or by another route of automatic differentiation.
+        let tolerance = |[i, k]: [usize; 2]| {
+            let scalar = SCALAR_COMPONENTS.iter().position(|&component| component == i).unwrap_or(0);
+            let of_kernel =
+                kernel.as_ref().and_then(|bounds| bounds[scalar][k]).map_or(0.0, |number| number.bound);
+            let of_matrix = if k > 0 { self.matrices[scalar][k - 1].bound } else { 0.0 };
+            let far = references.chord[i].parts()[k].bound[1];
+            2.0 * self.bounds[i].parts()[k].bound[1] + of_kernel + of_matrix + far
+        };
+        self.doors(doors, tolerance)
+    }
+
     /// The answers of some functions.
     fn doors(&self, doors: &[Door], tolerance: impl Fn([usize; 2]) -> f64) -> Vec<Comparison> {
         let mut entries = Vec::new();

@@ -5,14 +5,17 @@ use super::varied;
 use crate::check::candidate::{contact_in_words, list};
 use crate::check::draw::orthonormal;
 use crate::check::regime::{Draw, Regime};
-use crate::curve::Curve;
+use crate::closest_point::ClosestPoint;
+use crate::curve::{Curve, Hermite};
 use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, Drawn, Family, Target};
+use crate::variant::{Door, of_curves};
 use nalgebra::{Matrix3, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// Two beams.
 pub(super) struct Pair {
@@ -20,7 +23,12 @@ pub(super) struct Pair {
     /// Their families; none for the user's curve.
     families: [Option<Family>; 2],
     pub(super) contact: Contact,
+    /// The library's functions for these two curves, if the user's curve is not moved and its partner is a Hermite curve:
+    /// with the curve's own number of dofs, they are compiled for few pairs only.
+    functions: Option<Functions>,
 }
+
+type Functions = Arc<dyn Fn([&dyn AnyBeam; 2], &ClosestPoint, Contact) -> Vec<Door> + Send + Sync>;
 
 /// A point of a beam, its tangent, and the beam's length.
 struct Spot {
@@ -60,11 +68,9 @@ impl Pair {
         let own = varied(curve, &beams[place % beams.len()], rng);
         // The mirror image of a curve is as good a curve.
         let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, draw.hand[0]));
-        let own: Box<dyn AnyBeam> = if unit.is_some() || draw.hand[0] < 0.0 {
-            placed(own, mirror * unit.unwrap_or(1.0))
-        } else {
-            Box::new(own)
-        };
+        let is_placed = unit.is_some() || draw.hand[0] < 0.0;
+        let own: Box<dyn AnyBeam> =
+            if is_placed { placed(own, mirror * unit.unwrap_or(1.0)) } else { Box::new(own) };
         let partner = Family::ALL.get(place % (Family::ALL.len() + 1)).copied();
         let spot = Spot::on(&*own, draw.at[0]);
         let frame = crossing_frame(&spot.t, &draw, rng);
@@ -95,21 +101,29 @@ impl Pair {
         };
         let contact = draw.contact(spot.length, draw.gap * spot.length, rng);
         let (mut beams, mut families) = ([own, other], [None, partner]);
-        if !rng.random::<bool>() {
+        let is_bar = !rng.random::<bool>();
+        if is_bar {
             beams.reverse();
             families.reverse();
         }
-        Self { beams, families, contact }
+        let with_functions = !is_placed && partner == Some(Family::Hermite);
+        Self { beams, families, contact, functions: with_functions.then(|| functions(curve.clone(), is_bar)) }
     }
 
     pub(super) fn beams(&self) -> [&dyn AnyBeam; 2] {
         self.beams.each_ref().map(|beam| &**beam)
     }
 
+    /// What the library's functions return for the two curves.
+    pub(super) fn functions(&self, point: &ClosestPoint) -> Vec<Door> {
+        let of = |functions: &Functions| functions(self.beams(), point, self.contact);
+        self.functions.as_ref().map(of).unwrap_or_default()
+    }
+
     /// The same pair with other numbers of the beams, and other radii and reference parameters.
     pub(super) fn with(&self, numbers: &[[Vec<f64>; 3]; 2], contact: Contact) -> Self {
         let beams = [0, 1].map(|i| self.beams[i].with_numbers(&numbers[i]));
-        Self { beams, contact, families: self.families }
+        Self { beams, contact, families: self.families, functions: self.functions.clone() }
     }
 
     /// The families of the pair with all its numbers, 80 columns wide.
@@ -130,6 +144,21 @@ impl Pair {
             .map(|(name, numbers)| list(name, numbers))
             .concat()
     }
+}
+
+/// The library's functions for the user's curve and a Hermite curve.
+fn functions<C, const N: usize>(curve: C, is_bar: bool) -> Functions
+where
+    C: Curve<N> + Clone + Send + Sync + 'static,
+{
+    Arc::new(move |beams, point, contact| {
+        let (curve, hermite) = (curve.clone(), Hermite::new());
+        if is_bar {
+            of_curves(&crate::pair::Pair { curve: hermite, curve_bar: curve, contact }, beams, point)
+        } else {
+            of_curves(&crate::pair::Pair { curve, curve_bar: hermite, contact }, beams, point)
+        }
+    })
 }
 
 impl Spot {

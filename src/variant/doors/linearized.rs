@@ -37,7 +37,7 @@ pub(super) fn linearized<const P: usize, const R: usize, const N: usize, const M
 }
 
 /// A linearization of numbers that are not numbers, to be overwritten.
-fn nowhere<const N: usize, const M: usize>() -> Linearization<f64, N, M> {
+pub(super) fn nowhere<const N: usize, const M: usize>() -> Linearization<f64, N, M> {
     let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = [unwritten(); SCALARS];
     Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii: f64::NAN }
 }

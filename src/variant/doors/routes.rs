@@ -27,7 +27,7 @@ fn picked<S>(all: Quantities<S>) -> [S; 8] {
     [d, t, t_bar, xi, xi_bar, g_n, g_t, g_t_bar]
 }
 
-fn each(quantities: Quantities<Varied<f64>>) -> Answers {
+pub(super) fn each(quantities: Quantities<Varied<f64>>) -> Answers {
     let parts = quantities.components().map(|varied| varied.parts().map(Some));
     parts.into_iter().enumerate().collect()
 }
