@@ -184,10 +184,9 @@ fn detected(style: &str, file: &str, compiler: &[&str]) {
             }
             first = first.into_iter().chain(found.map(|(_, wrong)| wrong)).min();
         }
-        // The derivatives of a parameter that is held are exactly zero. A comparison without a scale may leave them out.
         let named = (row.order, QUANTITIES.iter().position(|(_, name)| *name == row.quantity).unwrap());
         if let Some(first) = first
-            && (first < named || first > named && !row.is_exactly_zero())
+            && first != named
         {
             misplaced.push(format!("{row}: found {} of {}", first.0.name(), QUANTITIES[first.1].1));
         }

@@ -293,6 +293,9 @@ fn matrix_name(location: &Location, comparison: &Comparison) -> String {
     }
 }
 
+/// Why a contact element is zero.
+const OPEN: &str = "The gap is open at this point: residual and tangent are exactly zero there.\n";
+
 /// The wrong number itself: for a gradient or a Hessian, the entry that differs most.
 fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, usize)>) -> String {
     let comparison = &judged.comparison;
@@ -319,9 +322,11 @@ fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, 
     let matrix = matrix_name(location, comparison);
     let shape = location.shape.map_or_else(String::new, |shape| format!("The {matrix} {}.\n", shape.words()));
     let antisymmetric = if location.is_antisymmetric { ANTISYMMETRIC } else { "" };
+    let is_of_element = matches!(location.what, "residual" | "tangent");
+    let open = if is_of_element && comparison.other == 0.0 && location.expected == 0.0 { OPEN } else { "" };
     format!(
         "First wrong number: entry [{}] of the {matrix}, case {case}\n{}  in the block {}, scaled error {}{differing}\n  \
-         along two directions: difference {difference}, tolerance {tolerance}\n{antisymmetric}{shape}",
+         along two directions: difference {difference}, tolerance {tolerance}\n{antisymmetric}{open}{shape}",
         indices.join(","),
         numbers(location.answered, location.expected),
         location.block.join(" x "),

@@ -15,11 +15,6 @@ impl Condition {
         self.0.is_empty()
     }
 
-    /// Whether it has this part.
-    pub(super) fn contains(&self, part: &str) -> bool {
-        self.0.iter().any(|one| one == part)
-    }
-
     /// Whether a case has it.
     pub(super) fn holds(&self, line: &Value) -> bool {
         line["result"] == "valid" && self.0.iter().all(|one| holds(one, line))

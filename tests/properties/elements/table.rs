@@ -18,13 +18,6 @@ pub(super) struct Row {
     pub(super) needs: Condition,
 }
 
-impl Row {
-    /// Whether the exact number is zero where this error acts.
-    pub(super) fn is_exactly_zero(&self) -> bool {
-        self.needs.contains(&format!("held = {}", self.quantity))
-    }
-}
-
 impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} ({})", self.number, self.wrong)
