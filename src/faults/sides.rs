@@ -1,8 +1,8 @@
 //! Faults that act on one side of a symmetry only: whether the cases of the check detect each of them.
 //!
 //! An element may be wrong only where the crossing is obtuse, or only where the bar beam lies on the other side. Such a
-//! fault is a fault of the catalogue times a condition. The cases of `beamgap check` are gone through in their order, as
-//! the check compares them, until each is detected or the default number of cases is reached.
+//! fault is a fault of the catalogue times a condition. The cases of `beamgap check` are gone through in their order, in all
+//! formulations of the closed form, until each is detected or the default number of cases is reached.
 
 use super::test_points::Sample;
 use crate::check::{Case, Selection, Symmetry, geometry};
@@ -175,16 +175,18 @@ fn of_faults(seed: u64, regimes: &[Regime], faults: Vec<Fault>) -> OneSided {
     }
 }
 
-/// The closest points of a case with their sides, in the formulas that the check compares there.
+/// The closest points of a case with their sides, in all formulations in which the check passes there.
 fn samples(case: &Case) -> Vec<(Sides, Sample<'_>)> {
     let [beam, bar] = case.beams();
     let minima = closest_points(beam, bar, &Search::default()).map(|found| found.minima).unwrap_or_default();
-    let sample = |point: ClosestPoint| {
-        let sample = Sample::chosen(case, &point)?;
-        let passes = matches!(judged(sample.compared(&Variant::Unmodified)), Verdict::Pass(_));
-        passes.then(|| (Sides::of(case, &point), sample))
+    let passes =
+        |sample: &Sample<'_>| matches!(judged(sample.compared(&Variant::Unmodified)), Verdict::Pass(_));
+    let at_point = |point: ClosestPoint| {
+        let sides = Sides::of(case, &point);
+        let samples = Sample::in_all_forms(case, &point).into_iter().filter(passes);
+        samples.map(move |sample| (sides, sample)).collect::<Vec<_>>()
     };
-    minima.into_iter().filter_map(sample).collect()
+    minima.into_iter().flat_map(at_point).collect()
 }
 
 #[cfg(test)]
@@ -200,7 +202,8 @@ mod tests {
         let found = of_faults(0x5eed, &[Regime::Generic, Regime::NearEnd], some);
         assert_eq!(found.missed, [], "{found:?}");
         assert!(found.holds() && found.planted == 40 * count, "{found:?}");
-        assert!(2 * found.neither < found.detected, "{found:?}");
+        // A term that is used only inside the beams acts at no end.
+        assert!(found.neither <= 4 * count, "{found:?}");
     }
 
     #[test]

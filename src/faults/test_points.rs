@@ -47,12 +47,6 @@ impl<'a> Sample<'a> {
         [(first, paper)].into_iter().chain(evaluations).map(in_form).collect()
     }
 
-    /// In the formulation that the library chooses; nothing if the point has no comparable derivatives.
-    pub(super) fn chosen(case: &'a Case, point: &ClosestPoint) -> Option<Self> {
-        let evaluation = EvaluationPoint::new(case.beams(), &case.contact, point).ok()?;
-        Some(Self::new(case, point, evaluation))
-    }
-
     /// Evaluates the references.
     fn new(case: &'a Case, point: &ClosestPoint, evaluation: EvaluationPoint<'a>) -> Self {
         let references = References::new(&evaluation);
