@@ -17,7 +17,7 @@ pub fn test_source(case: &CaseData, minimum: usize, entry: &Comparison, number: 
     let curves = if let [one] = curves[..] { one.into() } else { format!("{{{}}}", curves.join(", ")) };
     // Other layouts contain the numbers of `linearize`; lanes compute them in another order.
     let layout = match entry.order {
-        Order::Function => {
+        Order::Function if !is_d_alone(entry) => {
             format!("    // Found in \"{}\": this test compares what `linearize` returns.\n", entry.against)
         }
         _ => String::new(),
@@ -66,6 +66,11 @@ fn {name}{of_case}() {{
     )
 }
 
+/// Whether the number is what the function for d alone returns.
+fn is_d_alone(entry: &Comparison) -> bool {
+    entry.order == Order::Function && entry.against.starts_with("write_d, ")
+}
+
 /// The reference of the number, as an expression.
 fn other(entry: &Comparison) -> String {
     let route = match (entry.order, entry.against) {
@@ -79,6 +84,12 @@ fn other(entry: &Comparison) -> String {
                 "Delta" => "gradient.along(&linear_dq)",
                 _ => "hessian.along(&dq, &linear_dq)",
             };
+            if is_d_alone(entry) {
+                return format!(
+                    "{{\n        let mut d = beamgap::linearization::Derivatives::zero();\n        \
+                     closed_form::kernel::write_d(&pair, &q, point, &mut d);\n        d.{contracted}\n    }}"
+                );
+            }
             let scalar = match entry.quantity {
                 Quantity::GN => "g_n()".to_owned(),
                 quantity => self::quantity(quantity),

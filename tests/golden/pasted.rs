@@ -330,7 +330,7 @@ fn matrix_of_d_delta() {
 }
 mod d_alone_value {
 #[test]
-fn matrix_of_d_value() {
+fn function_of_d_value() {
     use beamgap::curve::{Hermite, Segment};
     use beamgap::linearization::closed_form;
     use beamgap::nalgebra::SVector;
@@ -364,7 +364,7 @@ fn matrix_of_d_value() {
 }
 mod d_alone_delta_delta {
 #[test]
-fn matrix_of_d_second() {
+fn function_of_d_second() {
     use beamgap::curve::{Hermite, Segment};
     use beamgap::linearization::closed_form;
     use beamgap::nalgebra::SVector;

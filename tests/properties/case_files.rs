@@ -100,10 +100,10 @@ fn tests_to_be_pasted_are_the_golden_ones() {
         let name = family.name().replace('-', "_");
         let _ = writeln!(text, "mod {name} {{\n{}}}", test_source(&case, minimum, entry, None));
     }
-    // Only the kernel for d alone has these numbers.
+    // Only the function for d alone has these numbers.
     let case = small(Family::Hermite);
     let compared = case.compare(&CheckConfig::default()).unwrap();
-    let of_d = compared[0].1.entries().iter().filter(|entry| entry.against == "kernel, d alone");
+    let of_d = compared[0].1.entries().iter().filter(|entry| entry.against == "write_d, 12 + 6 dofs");
     for entry in of_d.filter(|entry| ["value", "Delta-delta"].contains(&entry.part)) {
         let name = entry.part.replace('-', "_").to_lowercase();
         let _ = writeln!(text, "mod d_alone_{name} {{\n{}}}", test_source(&case, 0, entry, None));
