@@ -6,7 +6,9 @@ use super::json;
 use super::open_regions;
 use super::outcome::Verdict;
 use super::searched;
-use beamgap::check::{Arbitration, CaseData, Compared, Comparison, Regime, Searched, Verdict as Found};
+use beamgap::check::{
+    Arbitration, CaseData, Compared, Comparison, Order, Regime, Searched, Verdict as Found,
+};
 use beamgap::closest_point::{ClosestPoint, End};
 use beamgap::pair::Contact;
 use beamgap::report::Table;
@@ -133,9 +135,10 @@ fn numbers(entries: &[Comparison], only_wrong: bool) -> String {
         return if entries.is_empty() { String::new() } else { none.into() };
     }
     let mut table = Table::new(&["compared with", "its number", "error", "tol.", ""]).left(&[4]);
-    for entry in parts.iter().flat_map(|(_, entries)| entries) {
+    let shown: Vec<_> = parts.iter().map(|(_, entries)| with_one_function(entries)).collect();
+    for (against, entry) in shown.iter().flatten() {
         table.row(vec![
-            entry.against.into(),
+            against.clone(),
             format!("{:e}", entry.other),
             error(entry.difference()),
             error(entry.tolerance),
@@ -145,13 +148,28 @@ fn numbers(entries: &[Comparison], only_wrong: bool) -> String {
     let table = table.to_string();
     let mut rows = table.lines();
     let mut text = rows.next().unwrap_or_default().to_owned() + "\n";
-    for (title, entries) in &parts {
+    for ((title, _), shown) in parts.iter().zip(&shown) {
         let _ = writeln!(text, "{title}");
-        for row in rows.by_ref().take(entries.len()) {
+        for row in rows.by_ref().take(shown.len()) {
             let _ = writeln!(text, "{row}");
         }
     }
     text
+}
+
+/// The entries with their references. Of the functions that agree, only the one with the largest error.
+fn with_one_function<'a>(entries: &[&'a Comparison]) -> Vec<(String, &'a Comparison)> {
+    let is_alike = |entry: &&Comparison| entry.order == Order::Function && told(entry) == "agrees";
+    let (alike, others): (Vec<&Comparison>, Vec<&Comparison>) = entries.iter().copied().partition(is_alike);
+    let count = alike.len();
+    let worst = alike.into_iter().max_by(|a, b| a.over_tolerance().total_cmp(&b.over_tolerance()));
+    let of = |entry: &'a Comparison| match count {
+        1 => (entry.against.to_owned(), entry),
+        _ => (format!("{count} functions, the worst"), entry),
+    };
+    let worst = worst.map(of);
+    let others = others.into_iter().map(|entry| (entry.against.to_owned(), entry));
+    others.chain(worst).collect()
 }
 
 fn told(entry: &Comparison) -> &'static str {
