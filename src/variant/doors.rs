@@ -16,7 +16,7 @@ use crate::closest_point::ClosestPoint;
 use crate::pair::Contact;
 use crate::test_beam::PaddedBeam;
 use linearized::{batches, layouts, linearized};
-use tabulated::{Beam, Beams};
+use tabulated::{Beam, TabulatedBeams};
 
 pub(crate) use routes::routes;
 pub(crate) use typed::of_curves;
@@ -111,7 +111,7 @@ pub(crate) fn kernel_entries(dofs: [usize; 2]) -> usize {
 /// The same of the functions for any curve and of the routes: all 23 components, or the scalars.
 pub(crate) const ROUTE_ENTRIES: usize = 4 * 23 * 4 + 5 * 8 * 4 + 4;
 
-fn of_dofs(beams: &Beams<'_>) -> Vec<Door> {
+fn of_dofs(beams: &TabulatedBeams<'_>) -> Vec<Door> {
     for_dofs!(beams;
         [6, 6] [6, 9] [6, 12] [6, 18]
         [9, 6] [9, 9] [9, 12] [9, 18]
@@ -135,7 +135,7 @@ pub(crate) fn kernel_doors(
         return Vec::new();
     };
     let [more, more_bar] = [&beam, &bar].map(Beam::with_one_more);
-    let of = |beams: [Beam; 2]| Beams { beams, point, contact };
+    let of = |beams: [Beam; 2]| TabulatedBeams { beams, point, contact };
     let own = of([beam.clone(), bar.clone()]);
     let mut doors = of_dofs(&own);
     doors.extend(in_layouts!(&own; [6, 9] [12, 12] [18, 12]));

@@ -1,6 +1,6 @@
 //! The functions that write gradients and Hessians, at the numbers of dofs that the beams have.
 
-use super::tabulated::{AtPoint, Beams, Image};
+use super::tabulated::{AtPoint, Image, TabulatedBeams};
 use super::{Answers, Door};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::closed_form::kernel::{
@@ -22,7 +22,7 @@ const D: usize = 15;
 /// `linearize`, `linearize_into` and `write_d`, for the given names.
 pub(super) fn linearized<const P: usize, const R: usize, const N: usize, const M: usize>(
     [linearize, linearize_into, d_alone]: [&'static str; 3],
-    beams: &Beams<'_>,
+    beams: &TabulatedBeams<'_>,
 ) -> Vec<Door> {
     let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
     let mut into = nowhere();
@@ -76,7 +76,7 @@ pub(super) fn layouts<
     const H: usize,
 >(
     [blocks, full, packed, gradient, no_slips, full_d, packed_d]: [&'static str; 7],
-    beams: &Beams<'_>,
+    beams: &TabulatedBeams<'_>,
 ) -> Vec<Door> {
     let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
     let with_slips = |memory: fn() -> Second<f64, N, M, S, H>| {
@@ -128,7 +128,7 @@ const IMAGES: [Image; 7] = [
 /// Batches of four to seven images of the pair: one answer for each of their lanes.
 pub(super) fn batches<const P: usize, const R: usize, const N: usize, const M: usize>(
     names: [&'static str; 4],
-    beams: &Beams<'_>,
+    beams: &TabulatedBeams<'_>,
 ) -> Vec<Door> {
     let pair = beams.pair::<P, R, N, M>();
     let [q, dq, linear_dq] = [0, 1, 2].map(|i| beams.vector::<N, M>(i));

@@ -27,8 +27,8 @@ fn picked<S>(all: Quantities<S>) -> [S; 8] {
     [d, t, t_bar, xi, xi_bar, g_n, g_t, g_t_bar]
 }
 
-pub(super) fn each(quantities: Quantities<Varied<f64>>) -> Answers {
-    let parts = quantities.components().map(|varied| varied.parts().map(Some));
+pub(super) fn each(quantities: &Quantities<Varied<f64>>) -> Answers {
+    let parts = (*quantities).components().map(|varied| varied.parts().map(Some));
     parts.into_iter().enumerate().collect()
 }
 
@@ -52,14 +52,14 @@ pub(crate) fn routes(
         bar: [a_bar, b_bar].into(),
     });
     let closed = vec![
-        Door::new("closed_form::vary", each(closed_form::vary(&pair, &q, point, &dq, &linear_dq))),
+        Door::new("closed_form::vary", each(&closed_form::vary(&pair, &q, point, &dq, &linear_dq))),
         Door::new(
             "linearize, by matrices",
             every_scalar(&pair.linearize(&q, point), &DIRECTIONS.map(|direction| direction.to_vec())),
         ),
     ];
     let chord = chord(&pair, &q, point);
-    let by = |route| each(vary(route, &pair, &q, point, &dq, &linear_dq));
+    let by = |route| each(&vary(route, &pair, &q, point, &dq, &linear_dq));
     let by_sweep = expand_by_sweep(Route::Stationary, &pair, &q, point, picked::<HyperDual64>);
     let at_once =
         expand_by_vector_dual::<_, _, 2, 2, 4, 8>(chord, 2, &pair, &q, point, picked::<Dual2SVec64<4>>);

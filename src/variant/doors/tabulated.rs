@@ -96,7 +96,7 @@ impl Beam {
 }
 
 /// Two beams at their closest point.
-pub(super) struct Beams<'a> {
+pub(super) struct TabulatedBeams<'a> {
     pub(super) beams: [Beam; 2],
     pub(super) point: &'a ClosestPoint,
     pub(super) contact: Contact,
@@ -106,7 +106,7 @@ pub(super) struct Beams<'a> {
 pub(super) type TabulatedPair<const P: usize, const R: usize, const N: usize, const M: usize> =
     Pair<Tabulated<P>, Tabulated<R>, N, M>;
 
-impl Beams<'_> {
+impl TabulatedBeams<'_> {
     pub(super) fn pair<const P: usize, const R: usize, const N: usize, const M: usize>(
         &self,
     ) -> TabulatedPair<P, R, N, M> {

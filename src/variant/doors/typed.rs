@@ -30,8 +30,8 @@ pub(crate) fn of_curves<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize
         Door::new("linearize_into, of your curve", every_scalar(&into, &directions)),
         Door::new(
             "closed_form::vary, of your curve",
-            each(closed_form::vary(pair, &q, point, &dq, &linear_dq)),
+            each(&closed_form::vary(pair, &q, point, &dq, &linear_dq)),
         ),
-        Door::new("ad::vary, of your curve", each(differentiated)),
+        Door::new("ad::vary, of your curve", each(&differentiated)),
     ]
 }
