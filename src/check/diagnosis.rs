@@ -63,7 +63,9 @@ impl Finding {
 pub fn layer(order: Order) -> &'static str {
     match order {
         Order::Value => "the curves or the definitions: values are wrong",
-        Order::First | Order::Second | Order::Symmetry => "the equations: all values agree",
+        Order::First | Order::Second | Order::Symmetry => {
+            "the equations, or the jets of the curves: all values agree"
+        }
         Order::Matrix => "the matrices: all equations agree",
         Order::Function => "this function or the kernel: all equations and matrices agree",
     }

@@ -95,7 +95,7 @@ impl<const P: usize, const N: usize> Curve<N> for Lagrange<P> {
             functions[i] = product.map(|derivative| derivative * factor);
         }
         let shapes = by_order(&functions);
-        let shapes = source_fault!("jet-of-lagrange": [shapes[0], shapes[1], shapes[1], shapes[3]], shapes);
+        let shapes = source_fault!("jet-of-lagrange": [shapes[0], shapes[1], shapes[2], shapes[2]], shapes);
         Shapes::jet(shapes, q)
     }
 
