@@ -8,6 +8,7 @@ use crate::linearization::BlockHessian;
 use crate::linearization::closed_form::sums::add_product;
 use crate::number::{Real, named, orders};
 use crate::pair::DofVector;
+#[cfg(beamgap_faults)]
 use crate::source_fault::source_fault;
 use nalgebra::Vector3;
 
@@ -129,10 +130,9 @@ where
         )
         .plus(named("alpha_bar: t.t_bar,xi g", x.t.dot(&y.t_xi)), g);
         // β̄ = B₁ᵀt
-        let beta_bar = DofVector::of_bar(named(
-            "beta_bar: B1't",
-            source_fault!("sign-of-beta": -b.gradient(1, &x.t), b.gradient(1, &x.t)),
-        ));
+        let beta_bar = DofVector::of_bar(named("beta_bar: B1't", b.gradient(1, &x.t)));
+        #[cfg(beamgap_faults)]
+        let beta_bar = source_fault!("sign-of-beta": beta_bar.times(-T::one()), beta_bar);
         [alpha, beta, alpha_bar, beta_bar]
     }
 }
