@@ -4,8 +4,8 @@
 //! [`catalogue`] and pass for each [`Rewrite`].
 
 mod catalogue;
-mod doors;
 mod fault;
+mod functions;
 mod invariance;
 mod kernel;
 mod layouts;
@@ -20,7 +20,7 @@ pub(crate) use catalogue::{classes, terms};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
-pub(crate) use doors::{Door, ROUTE_ENTRIES, kernel_doors, kernel_entries, of_curves, routes};
+pub(crate) use functions::{ROUTE_ENTRIES, Returned, kernel_entries, kernel_functions, of_curves, routes};
 pub(crate) use invariance::by_invariance;
 pub(crate) use kernel::{Layouts, every_layout, in_blocks, kernel};
 pub(crate) use layouts::Second;
@@ -41,8 +41,17 @@ const LAG: f64 = 1.0 / 128.0;
 /// The number of scalar quantities that have matrices.
 pub(crate) const SCALARS: usize = 7;
 
+/// The component g_N.
+const G_N: usize = 20;
+
 /// The components (of the variations) that have matrices.
 pub(crate) const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 22];
+
+/// The scalar whose derivatives a component has: g_N has those of d.
+pub(crate) fn scalar_of(component: usize) -> Option<usize> {
+    let of = if component == G_N { SCALAR_COMPONENTS[0] } else { component };
+    SCALAR_COMPONENTS.iter().position(|&scalar| scalar == of)
+}
 
 /// The closed form under check.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -7,6 +7,7 @@
 //! be sums of powers. These cancel near an end of a beam, and a point is accurate only to half an ulp of its largest
 //! control vectors. The rounding of the contraction with the directions is added.
 
+mod entry;
 mod found;
 mod sides;
 
@@ -22,9 +23,10 @@ use crate::pair::Contact;
 use crate::test_beam::Family;
 use rayon::prelude::*;
 
+pub(super) use entry::Entry;
 pub use found::{Digits, Example, Found};
 pub(super) use found::{contact_in_words, list};
-pub(super) use sides::{Entry, ProblemSize, Sides, is_doubted};
+pub(super) use sides::{ProblemSize, Sides, is_doubted};
 
 /// The factor on the rounding of the textbook formulas: a choice, which allows another order of the sums.
 pub const CAREFUL: f64 = 8.0;

@@ -1,22 +1,22 @@
 //! One case through both linearizations, entry by entry.
 
-mod doors;
+mod closed;
+mod functions;
 
 use super::arbitration::DIFFERENCES;
 use super::config::{CheckConfig, Oracles};
 use super::draw::{Case, place_in_regime};
 use super::evaluation_point::EvaluationPoint;
 use super::oracle::differences;
-use super::verdict::{Comparison, Inconclusive, Order, Verdict, is_decided};
+use super::verdict::{Comparison, Inconclusive, Verdict, is_decided};
 use crate::closest_point::{ClosestPoint, ProjectionError, Search, closest_points};
-use crate::linearization::ad::{evaluate, newton, stationary};
-use crate::linearization::{COMPONENTS, Quantities, Quantity, Varied};
-use crate::number::{RunningError, TermScale};
+use crate::linearization::Varied;
 use crate::pair::Contact;
 use crate::source_fault::source_fault;
-use crate::test_beam::{AnyBeam, RunningError2};
-use crate::variant::{Door, SCALAR_COMPONENTS, SCALARS, Variant};
-use num_dual::HyperDual64;
+use crate::test_beam::AnyBeam;
+use crate::variant::{Returned, Variant};
+
+pub(crate) use closed::{Closed, References};
 
 /// The routes of automatic differentiation.
 pub(super) const ROUTES: [&str; 3] =
@@ -71,7 +71,7 @@ pub(super) fn compare_beams(
     costly: Costly,
     [beam, bar]: [&dyn AnyBeam; 2],
     contact: &Contact,
-    own: &dyn Fn(&ClosestPoint) -> Vec<Door>,
+    own: &dyn Fn(&ClosestPoint) -> Vec<Returned>,
 ) -> Compared {
     let found = match closest_points(beam, bar, &Search::default()) {
         Ok(found) => found,
@@ -97,7 +97,7 @@ fn verdict(
     config: &CheckConfig,
     costly: Costly,
     evaluation: &EvaluationPoint,
-    own: &dyn Fn(&ClosestPoint) -> Vec<Door>,
+    own: &dyn Fn(&ClosestPoint) -> Vec<Returned>,
 ) -> Verdict {
     let (closed, references) = (Closed::new(&config.variant, evaluation), References::new(evaluation));
     let mut entries = closed.compared_with(&references);
@@ -106,11 +106,8 @@ fn verdict(
     }
     // Faults are injected into the formulas that the kernel is compared with.
     if config.variant == Variant::Unmodified && !source_fault!("functions-left-out": true, false) {
-        entries.extend(closed.kernel(evaluation));
-        entries.extend(closed.own(&own(&evaluation.point), evaluation, &references));
-        if costly.routes {
-            entries.extend(closed.routes(evaluation, &references));
-        }
+        let own = own(&evaluation.point);
+        entries.extend(closed.functions(evaluation, &references, &own, costly.routes));
     }
     let unclear = config.oracles != Oracles::Ad && !is_decided(entries.iter());
     if is_apart(&entries) || unclear || costly.differences {
@@ -147,157 +144,6 @@ fn by_differences(evaluation: &EvaluationPoint, entries: &mut Vec<Comparison>) {
         let tolerance = entry.bound + told.error + 0.5 * f64::EPSILON * other.abs();
         Comparison { against: DIFFERENCES, other, tolerance, ..entry }
     }));
-}
-
-/// The closed form under check, with all results that the comparison needs.
-pub(crate) struct Closed {
-    plain: [Varied<f64>; COMPONENTS],
-    exchanged: [Varied<f64>; COMPONENTS],
-    scales: [Varied<TermScale>; COMPONENTS],
-    bounds: [Varied<RunningError2>; COMPONENTS],
-    matrices: [[RunningError; 3]; SCALARS],
-}
-
-/// Automatic differentiation: two routes of num-dual, and our own numbers with bounds.
-pub(crate) struct References {
-    newton: [Varied<f64>; COMPONENTS],
-    stationary: [Varied<f64>; COMPONENTS],
-    chord: [Varied<RunningError2>; COMPONENTS],
-}
-
-/// Products below this scale may have lost digits to underflow.
-const SMALLEST: f64 = 1e-280;
-
-fn is_finite(varied: &Varied<RunningError2>) -> bool {
-    varied.parts().iter().all(|part| part.value.is_finite())
-}
-
-impl References {
-    /// Whether some number overflows.
-    fn is_out_of_range(&self) -> bool {
-        !self.chord.iter().all(is_finite)
-    }
-
-    /// Differentiates at a closest point.
-    pub(crate) fn new(evaluation: &EvaluationPoint) -> Self {
-        let EvaluationPoint { beams: [beam, bar], held, at: (xi, xi_bar), .. } = *evaluation;
-        let at = (xi.value, xi_bar.value);
-        Self {
-            newton: hyper_dual(evaluation, newton(beam, bar, at, held)),
-            stationary: hyper_dual(evaluation, stationary(beam, bar, at, held)),
-            chord: evaluation.chord(),
-        }
-    }
-}
-
-impl Closed {
-    /// Evaluates the closed form at a closest point.
-    pub(crate) fn new(variant: &Variant, evaluation: &EvaluationPoint) -> Self {
-        Self {
-            plain: evaluation.plain(variant),
-            exchanged: evaluation.exchanged(variant),
-            scales: evaluation.scales(variant),
-            bounds: evaluation.closed(variant),
-            matrices: evaluation.matrices(variant),
-        }
-    }
-
-    /// Whether some number of the closed form without faults overflows, or some term underflows.
-    fn is_out_of_range(&self) -> bool {
-        let is_out =
-            |scale: TermScale| !scale.scale.is_finite() || (scale.scale > 0.0 && scale.scale < SMALLEST);
-        !self.bounds.iter().all(is_finite)
-            || self.scales.iter().any(|scale| scale.parts().into_iter().any(is_out))
-    }
-
-    /// All comparisons at one closest point.
-    pub(crate) fn compared_with(&self, references: &References) -> Vec<Comparison> {
-        let mut entries = Vec::with_capacity(16 * COMPONENTS);
-        for i in 0..COMPONENTS {
-            let (quantity, axis) = (Quantity::of_component(i), Quantity::axis_of_component(i));
-            let closed = self.plain[i].parts();
-            let scale = self.scales[i].parts().map(|scale| scale.scale);
-            let bounds = self.bounds[i].parts().map(|bounded| bounded.bound);
-            let bound = bounds.map(|[bound, _]| bound);
-            let own = references.chord[i].parts();
-            let routes = [
-                references.newton[i].parts(),
-                references.stationary[i].parts(),
-                own.map(|bounded| bounded.value),
-            ];
-            // num-dual solves for the closest point in `f64` again, so its bound includes the resulting error.
-            let [near, far] =
-                [0, 1].map(|l| std::array::from_fn::<f64, 4, _>(|k| bounds[k][l] + own[k].bound[l]));
-            for ((against, other), tolerance) in ROUTES.into_iter().zip(routes).zip([far, far, near]) {
-                for (k, order) in
-                    [Order::Value, Order::First, Order::First, Order::Second].into_iter().enumerate()
-                {
-                    entries.push(Comparison {
-                        quantity,
-                        axis,
-                        order,
-                        part: Varied::<f64>::PARTS[k],
-                        against,
-                        closed: closed[k],
-                        other: other[k],
-                        scale: scale[k],
-                        bound: bound[k],
-                        tolerance: tolerance[k],
-                    });
-                }
-            }
-            if !source_fault!("symmetry-left-out": true, false) {
-                entries.push(self.symmetry(i));
-            }
-        }
-        entries.extend((0..SCALARS).flat_map(|i| self.matrix(i)));
-        entries
-    }
-
-    /// A second variation against itself with the directions exchanged.
-    pub(crate) fn symmetry(&self, i: usize) -> Comparison {
-        Comparison {
-            quantity: Quantity::of_component(i),
-            axis: Quantity::axis_of_component(i),
-            order: Order::Symmetry,
-            part: Varied::<f64>::PARTS[3],
-            against: "itself, directions exchanged",
-            closed: self.plain[i].second,
-            other: self.exchanged[i].second,
-            scale: self.scales[i].second.scale,
-            bound: self.bounds[i].second.bound[0],
-            tolerance: 2.0 * self.bounds[i].second.bound[0],
-        }
-    }
-
-    /// Gradient and Hessian of a scalar, contracted with the directions, against the variations.
-    fn matrix(&self, scalar: usize) -> [Comparison; 3] {
-        [1, 2, 3].map(|k| self.contracted(MATRICES, [scalar, k], self.matrices[scalar][k - 1]))
-    }
-
-    /// A contracted part of a scalar, against the variation.
-    fn contracted(&self, against: &'static str, [scalar, k]: [usize; 2], other: RunningError) -> Comparison {
-        let i = SCALAR_COMPONENTS[scalar];
-        let bound = self.bounds[i].parts()[k].bound[0];
-        Comparison {
-            quantity: Quantity::of_component(i),
-            axis: None,
-            order: Order::Matrix,
-            part: Varied::<f64>::PARTS[k],
-            against,
-            closed: self.plain[i].parts()[k],
-            other: other.value,
-            scale: self.scales[i].parts()[k].scale,
-            bound,
-            tolerance: bound + other.bound,
-        }
-    }
-}
-
-fn hyper_dual(evaluation: &EvaluationPoint, lifted: (HyperDual64, HyperDual64)) -> [Varied<f64>; COMPONENTS] {
-    let [beam, bar] = evaluation.beams;
-    let quantities: Quantities<HyperDual64> = evaluate(beam, bar, lifted, evaluation.contact);
-    quantities.map(Varied::from).components()
 }
 
 #[cfg(test)]

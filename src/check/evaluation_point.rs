@@ -16,7 +16,7 @@ use crate::number::{DoubleDouble, Faulty, RunningError, TermScale};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
 use crate::variant::{
-    Contracted, Door, SCALARS, Step, Variant, contracted, in_blocks, kernel_doors, routes, terms,
+    Contracted, Returned, SCALARS, Step, Variant, contracted, in_blocks, kernel_functions, routes, terms,
 };
 pub(super) use dense::Dense;
 use refined::Refined;
@@ -225,16 +225,16 @@ impl<'a> EvaluationPoint<'a> {
     /// functions.
     ///
     /// The kernel chooses the formulation itself, so this only applies to evaluations in the chosen formulation.
-    pub(super) fn kernel(&self) -> Option<(Vec<Door>, Contracted<RunningError>)> {
+    pub(super) fn kernel(&self) -> Option<(Vec<Returned>, Contracted<RunningError>)> {
         let beams = self.padded(Step::Now);
         let bounds = in_blocks(beams, self.sharp(), self.form, self.contact)?;
         let beams = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
         let dofs = self.beams.map(AnyBeam::dofs);
-        Some((kernel_doors(&beams, dofs, &self.point, *self.contact), bounds))
+        Some((kernel_functions(&beams, dofs, &self.point, *self.contact), bounds))
     }
 
     /// The functions for any curve: of the closed form, and of automatic differentiation.
-    pub(super) fn routes(&self) -> [Vec<Door>; 2] {
+    pub(super) fn routes(&self) -> [Vec<Returned>; 2] {
         routes(self.partial_variations(Step::Now), &self.point, *self.contact)
     }
 

@@ -1,23 +1,20 @@
 //! `beamgap faults`: fault injection, and which checks detect which faults.
 
+mod entries;
+
 use super::arguments::{regimes, seed, work_with};
 use super::count::count as counted;
 use super::exit::Exit;
-use super::outcome::{Entry, Outcome, Source, State, Verdict};
 use super::output::{OutputOptions, to_stdout};
 use super::progress::Progress;
 use super::terminal;
 use beamgap::check::Regime;
-use beamgap::check::external::equation_of;
 use beamgap::closest_point::SearchFault;
-use beamgap::equations::named;
-use beamgap::faults::{
-    Check, Gate, OneSided, all_operations, gate, inject, limits, one_sided, sampled, search_faults,
-};
+use beamgap::faults::{all_operations, gate, inject, limits, one_sided, sampled, search_faults};
 use beamgap::report::{self, Environment, Faults, Record};
-use beamgap::variant::{Rewrite, catalogue, catalogue_in_parts};
+use beamgap::variant::{Rewrite, catalogue_in_parts};
 use clap::{Args, value_parser};
-use std::collections::{BTreeMap, BTreeSet};
+use entries::outcome;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -124,111 +121,6 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     .judged()
 }
 
-/// The outcome of a record, with one entry for each formula of the closed form, and one for each code in whose single
-/// operations faults were injected.
-fn outcome(record: &Faults) -> Outcome {
-    let mut formulas: BTreeMap<String, usize> = BTreeMap::new();
-    for fault in catalogue() {
-        *formulas.entry(formula(&fault.to_string()).to_owned()).or_default() += 1;
-    }
-    let ours = record.terms.detections.iter().filter(|of| matches!(of.check, Check::Gate | Check::Exact));
-    let missed: Vec<_> = ours
-        .flat_map(|of| record.terms.missed_by(of.check, of.regime).map(move |fault| (of, fault)))
-        .collect();
-    let of_formulas = formulas.into_iter().map(|(name, count)| {
-        let missed: BTreeSet<_> = missed
-            .iter()
-            .filter(|(_, fault)| formula(fault) == name)
-            .map(|(of, fault)| {
-                format!("{fault} ({}, {})", of.check.name(), of.regime.map_or("-", Regime::name))
-            })
-            .collect();
-        let state = State::of(count as u64, missed.len() as u64);
-        let message = match state {
-            State::Differs => format!("not detected: {}", missed.into_iter().collect::<Vec<_>>().join("; ")),
-            _ if count == 1 => "the only fault is detected".to_owned(),
-            _ => format!("all {count} faults are detected"),
-        };
-        let number = number_of(&name);
-        Entry { group: "formula".into(), name, state, message, source: Source::of_equation(number) }
-    });
-    let of_operations = record.operations.iter().map(|of| {
-        let open: usize = of.undetected.iter().filter(|of| of.reason.is_none()).map(|of| of.operations).sum();
-        Entry {
-            group: "operations".into(),
-            name: format!("{}, {}", of.code, of.place),
-            state: State::of(of.faults as u64, open as u64),
-            message: format!(
-                "{} of {} detected; {} without a reason",
-                of.detected,
-                counted(of.faults, "fault"),
-                counted(open, "operation")
-            ),
-            source: None,
-        }
-    });
-    let of_search = record.search.iter().map(|of| {
-        let missed: Vec<_> = of.missed.iter().map(|fault| fault.name()).collect();
-        let message = match (missed.is_empty(), of.rejected) {
-            (true, 0) => format!("all {} faults are detected", of.detected.len()),
-            (true, rejected) => format!("the unmodified search is rejected at {}", counted(rejected, "pair")),
-            _ => format!("not detected: {}", missed.join(", ")),
-        };
-        let wrong = missed.len() as u64 + of.rejected;
-        let (group, name) = ("search".into(), of.regime.name().to_owned());
-        let source = Some(Source { file: "src/closest_point.rs".to_owned(), line: 1 });
-        Entry { group, name, state: State::of(SearchFault::ALL.len() as u64, wrong), message, source }
-    });
-    let of_sides = record.one_sided.iter().map(of_sides);
-    let of_gate = record.gate.iter().map(of_gate);
-    let (exit, name) =
-        if record.holds { (Exit::Agree, "detected") } else { (Exit::Untrusted, "not-detected") };
-    let verdict = Verdict::new(exit, name, words(record));
-    let entries = of_formulas.chain(of_operations).chain(of_search).chain(of_sides).chain(of_gate).collect();
-    Outcome { command: "faults", verdict, entries }
-}
-
-/// The entry of the faults that act on one side only.
-fn of_sides(of: &OneSided) -> Entry {
-    let message = match of.missed.as_slice() {
-        [] => format!("all {} that act at all are detected", counted(of.detected, "fault")),
-        missed => {
-            let missed = missed.iter().map(|(fault, side)| format!("{fault} ({side})"));
-            format!("not detected: {}", missed.collect::<Vec<_>>().join("; "))
-        }
-    };
-    let state = State::of(of.planted as u64, u64::from(!of.holds()));
-    Entry { group: "sides".into(), name: "on one side only".into(), state, message, source: None }
-}
-
-/// The entry of the gate in a regime.
-fn of_gate(of: &Gate) -> Entry {
-    let short = of.counts.iter().filter(|(_, [found, wanted])| found != wanted);
-    let short: Vec<_> =
-        short.map(|(of, [found, wanted])| format!("{found} of {wanted} {}", of.name())).collect();
-    let message = match (short.is_empty(), of.holds()) {
-        (true, true) => "everything is compared, within narrow tolerances".to_owned(),
-        (true, false) => format!(
-            "{} of {} small changes of terms are rejected; the median of the smallest is {:.1e}",
-            of.rejected, of.terms, of.median.0
-        ),
-        (false, _) => format!("compared: {}", short.join(", ")),
-    };
-    let source = Some(Source { file: "src/check/compare.rs".to_owned(), line: 1 });
-    let state = State::of(of.terms as u64, u64::from(!of.holds()));
-    Entry { group: "gate".into(), name: of.regime.name().to_owned(), state, message, source }
-}
-
-/// The formula that contains a fault: its name up to the colon.
-fn formula(fault: &str) -> &str {
-    fault.split(':').next().unwrap_or(fault)
-}
-
-/// The number of the equation of a formula.
-fn number_of(formula: &str) -> Option<u8> {
-    named(&equation_of(&format!("{formula}: "))?.replace("eq. ", "Eq. ")).first().copied()
-}
-
 fn words(record: &Faults) -> String {
     let faults = record.terms.faults();
     if !record.holds {
@@ -264,8 +156,9 @@ fn words(record: &Faults) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Check, Exit, Faults, Record, outcome, terminal, words};
+    use super::{Exit, Faults, Record, outcome, terminal, words};
     use crate::cli::formats::{junit, sarif};
+    use beamgap::faults::Check;
     use std::path::Path;
 
     fn committed() -> Faults {

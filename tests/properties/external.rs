@@ -5,6 +5,7 @@ mod complete;
 mod conventions;
 mod explanations;
 mod hand_written;
+mod hidden;
 mod parameters;
 mod programs;
 

@@ -10,7 +10,7 @@ use crate::curve::{Curve, Hermite};
 use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, Drawn, Family, Target};
-use crate::variant::{Door, of_curves};
+use crate::variant::{Returned, of_curves};
 use nalgebra::{Matrix3, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -28,7 +28,7 @@ pub(super) struct Pair {
     functions: Option<Functions>,
 }
 
-type Functions = Arc<dyn Fn([&dyn AnyBeam; 2], &ClosestPoint, Contact) -> Vec<Door> + Send + Sync>;
+type Functions = Arc<dyn Fn([&dyn AnyBeam; 2], &ClosestPoint, Contact) -> Vec<Returned> + Send + Sync>;
 
 /// A point of a beam, its tangent, and the beam's length.
 struct Spot {
@@ -115,7 +115,7 @@ impl Pair {
     }
 
     /// What the library's functions return for the two curves.
-    pub(super) fn functions(&self, point: &ClosestPoint) -> Vec<Door> {
+    pub(super) fn functions(&self, point: &ClosestPoint) -> Vec<Returned> {
         let of = |functions: &Functions| functions(self.beams(), point, self.contact);
         self.functions.as_ref().map(of).unwrap_or_default()
     }

@@ -24,16 +24,17 @@ pub(crate) use typed::of_curves;
 /// Components of the quantities, each with value, first variations and second variation, as far as they are computed.
 pub(crate) type Answers = Vec<(usize, [Option<f64>; 4])>;
 
-/// A public function with what it returns.
+/// What a public function returns.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Door {
-    pub(crate) name: &'static str,
+pub(crate) struct Returned {
+    /// The function, with what it is compiled for.
+    pub(crate) function: &'static str,
     pub(crate) answers: Answers,
 }
 
-impl Door {
-    fn new(name: &'static str, answers: Answers) -> Self {
-        Self { name, answers }
+impl Returned {
+    fn new(function: &'static str, answers: Answers) -> Self {
+        Self { function, answers }
     }
 }
 
@@ -111,7 +112,7 @@ pub(crate) fn kernel_entries(dofs: [usize; 2]) -> usize {
 /// The same of the functions for any curve and of the routes: all 23 components, or the scalars.
 pub(crate) const ROUTE_ENTRIES: usize = 4 * 23 * 4 + 5 * 8 * 4 + 4;
 
-fn of_dofs(beams: &TabulatedBeams<'_>) -> Vec<Door> {
+fn of_dofs(beams: &TabulatedBeams<'_>) -> Vec<Returned> {
     for_dofs!(beams;
         [6, 6] [6, 9] [6, 12] [6, 18]
         [9, 6] [9, 9] [9, 12] [9, 18]
@@ -122,12 +123,12 @@ fn of_dofs(beams: &TabulatedBeams<'_>) -> Vec<Door> {
 }
 
 /// The kernel's functions, with the machine's vector units; none if a curve has no shape functions.
-pub(crate) fn kernel_doors(
+pub(crate) fn kernel_functions(
     padded: &[PaddedBeam<f64>; 2],
     dofs: [usize; 2],
     point: &ClosestPoint,
     contact: Contact,
-) -> Vec<Door> {
+) -> Vec<Returned> {
     // In a page they would take most of the module.
     if cfg!(target_arch = "wasm32") {
         return Vec::new();
@@ -138,14 +139,13 @@ pub(crate) fn kernel_doors(
     else {
         return Vec::new();
     };
-    let [more, more_bar] = [&beam, &bar].map(Beam::with_one_more);
     let of = |beams: [Beam; 2]| TabulatedBeams { beams, point, contact };
     let own = of([beam.clone(), bar.clone()]);
-    let mut doors = of_dofs(&own);
-    doors.extend(in_layouts!(&own; [6, 9] [12, 12] [18, 12]));
+    let mut all = of_dofs(&own);
+    all.extend(in_layouts!(&own; [6, 9] [12, 12] [18, 12]));
     if dofs == [12, 12] {
-        doors.extend(of_dofs(&of([more, bar])));
-        doors.extend(of_dofs(&of([beam, more_bar])));
+        all.extend(of_dofs(&of([beam.with_one_more(), bar.clone()])));
+        all.extend(of_dofs(&of([beam, bar.with_one_more()])));
     }
-    doors
+    all
 }

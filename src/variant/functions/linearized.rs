@@ -1,7 +1,7 @@
 //! The functions that write gradients and Hessians, at the numbers of dofs that the beams have.
 
 use super::tabulated::{AtPoint, Image, TabulatedBeams};
-use super::{Answers, Door};
+use super::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::closed_form::kernel::{
     Gradient, Targets, write_all, write_all_with_slips, write_d, write_d_batch,
@@ -11,28 +11,26 @@ use crate::number::Lanes;
 use crate::pair::DofVector;
 use crate::variant::layouts::Second;
 use crate::variant::read::{Directions, Read, along};
-use crate::variant::{SCALAR_COMPONENTS, SCALARS};
+use crate::variant::{G_N, SCALAR_COMPONENTS, SCALARS};
 use nalgebra::{SMatrix, SVector};
 
-/// The component g_N.
-const G_N: usize = 20;
 /// The component d.
-const D: usize = 15;
+const D: usize = SCALAR_COMPONENTS[0];
 
 /// `linearize`, `linearize_into` and `write_d`, for the given names.
 pub(super) fn linearized<const P: usize, const R: usize, const N: usize, const M: usize>(
     [linearize, linearize_into, d_alone]: [&'static str; 3],
     beams: &TabulatedBeams<'_>,
-) -> Vec<Door> {
+) -> Vec<Returned> {
     let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
     let mut into = nowhere();
     pair.linearize_into(&q, beams.point, &mut into);
     let mut d = unwritten();
     write_d(&pair, &q, beams.point, &mut d);
     vec![
-        Door::new(linearize, every_scalar(&pair.linearize(&q, beams.point), &directions)),
-        Door::new(linearize_into, every_scalar(&into, &directions)),
-        Door::new(d_alone, vec![(D, along(&d, &directions))]),
+        Returned::new(linearize, every_scalar(&pair.linearize(&q, beams.point), &directions)),
+        Returned::new(linearize_into, every_scalar(&into, &directions)),
+        Returned::new(d_alone, vec![(D, along(&d, &directions))]),
     ]
 }
 
@@ -77,7 +75,7 @@ pub(super) fn layouts<
 >(
     [blocks, full, packed, gradient, no_slips, full_d, packed_d]: [&'static str; 7],
     beams: &TabulatedBeams<'_>,
-) -> Vec<Door> {
+) -> Vec<Returned> {
     let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
     let with_slips = |memory: fn() -> Second<f64, N, M, S, H>| {
         let mut all = std::array::from_fn(|_| memory());
@@ -99,13 +97,13 @@ pub(super) fn layouts<
     write_all(&pair, &q, beams.point, &mut Targets { d, xi, xi_bar, t, t_bar });
     let [in_blocks, in_full, in_packed] = Second::ALL;
     vec![
-        Door::new(blocks, with_slips(in_blocks)),
-        Door::new(full, with_slips(in_full)),
-        Door::new(packed, with_slips(in_packed)),
-        Door::new(gradient, read(&gradients, &directions)),
-        Door::new(no_slips, read(&first, &directions)),
-        Door::new(full_d, d_alone(in_full)),
-        Door::new(packed_d, d_alone(in_packed)),
+        Returned::new(blocks, with_slips(in_blocks)),
+        Returned::new(full, with_slips(in_full)),
+        Returned::new(packed, with_slips(in_packed)),
+        Returned::new(gradient, read(&gradients, &directions)),
+        Returned::new(no_slips, read(&first, &directions)),
+        Returned::new(full_d, d_alone(in_full)),
+        Returned::new(packed_d, d_alone(in_packed)),
     ]
 }
 
@@ -129,7 +127,7 @@ const IMAGES: [Image; 7] = [
 pub(super) fn batches<const P: usize, const R: usize, const N: usize, const M: usize>(
     names: [&'static str; 4],
     beams: &TabulatedBeams<'_>,
-) -> Vec<Door> {
+) -> Vec<Returned> {
     let pair = beams.pair::<P, R, N, M>();
     let [q, dq, linear_dq] = [0, 1, 2].map(|i| beams.vector::<N, M>(i));
     let images = IMAGES.map(|image| image.at(beams.point));
@@ -153,7 +151,7 @@ pub(super) fn batches<const P: usize, const R: usize, const N: usize, const M: u
             };
             group.iter().enumerate().map(of_lane).collect::<Vec<_>>()
         });
-        Door::new(name, answers.collect())
+        Returned::new(name, answers.collect())
     };
     (4..8).zip(names).map(of_batch).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::expansion::Expansion;
 use super::linearized::every_scalar;
-use super::{Answers, Door};
+use super::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::ad::{
     Route, chord, expand_by_orders, expand_by_rows, expand_by_sweep, expand_by_vector_dual,
@@ -43,7 +43,7 @@ pub(crate) fn routes(
     [beam, bar]: [PartialVariations<f64>; 2],
     point: &ClosestPoint,
     contact: Contact,
-) -> [Vec<Door>; 2] {
+) -> [Vec<Returned>; 2] {
     let (curve, curve_bar) = (Expansion { at: point.xi, of: beam }, Expansion { at: point.xi_bar, of: bar });
     let pair = Pair { curve, curve_bar, contact };
     let q = DofVector::zeros();
@@ -52,8 +52,8 @@ pub(crate) fn routes(
         bar: [a_bar, b_bar].into(),
     });
     let closed = vec![
-        Door::new("closed_form::vary", each(&closed_form::vary(&pair, &q, point, &dq, &linear_dq))),
-        Door::new(
+        Returned::new("closed_form::vary", each(&closed_form::vary(&pair, &q, point, &dq, &linear_dq))),
+        Returned::new(
             "linearize, by matrices",
             every_scalar(&pair.linearize(&q, point), &DIRECTIONS.map(|direction| direction.to_vec())),
         ),
@@ -67,14 +67,14 @@ pub(crate) fn routes(
     let by_orders = expand_by_orders(&pair, &q, point, picked::<HyperDualRow<AT_ONCE>>);
     let d_by_orders = expand_d_by_orders::<_, _, 2, 2, AT_ONCE>(&pair, &q, point);
     let differentiated = vec![
-        Door::new("ad::vary, Newton", by(Route::Newton)),
-        Door::new("ad::vary, stationary", by(Route::Stationary)),
-        Door::new("ad::vary, chord", by(Route::Chord(chord, 2))),
-        Door::new("expand_by_sweep", expanded(&by_sweep)),
-        Door::new("expand_by_vector_dual", expanded(&at_once)),
-        Door::new("expand_by_rows", expanded(&by_rows)),
-        Door::new("expand_by_orders", expanded(&by_orders)),
-        Door::new("expand_d_by_orders", expanded(&[d_by_orders])),
+        Returned::new("ad::vary, Newton", by(Route::Newton)),
+        Returned::new("ad::vary, stationary", by(Route::Stationary)),
+        Returned::new("ad::vary, chord", by(Route::Chord(chord, 2))),
+        Returned::new("expand_by_sweep", expanded(&by_sweep)),
+        Returned::new("expand_by_vector_dual", expanded(&at_once)),
+        Returned::new("expand_by_rows", expanded(&by_rows)),
+        Returned::new("expand_by_orders", expanded(&by_orders)),
+        Returned::new("expand_d_by_orders", expanded(&[d_by_orders])),
     ];
     [closed, differentiated]
 }

@@ -1,6 +1,6 @@
 //! The functions of a pair of given curves.
 
-use super::Door;
+use super::Returned;
 use super::linearized::{every_scalar, nowhere};
 use super::routes::each;
 use crate::closest_point::ClosestPoint;
@@ -15,7 +15,7 @@ pub(crate) fn of_curves<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize
     pair: &Pair<A, B, N, M>,
     beams: [&dyn AnyBeam; 2],
     point: &ClosestPoint,
-) -> Vec<Door> {
+) -> Vec<Returned> {
     let [numbers, numbers_bar] = beams.map(AnyBeam::numbers);
     let [q, dq, linear_dq] = [0, 1, 2].map(|i| DofVector::<f64, N, M> {
         beam: SVector::from_column_slice(numbers[i]),
@@ -26,12 +26,12 @@ pub(crate) fn of_curves<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize
     pair.linearize_into(&q, point, &mut into);
     let differentiated = ad::vary(ad::Route::Newton, pair, &q, point, &dq, &linear_dq);
     vec![
-        Door::new("linearize, of your curve", every_scalar(&pair.linearize(&q, point), &directions)),
-        Door::new("linearize_into, of your curve", every_scalar(&into, &directions)),
-        Door::new(
+        Returned::new("linearize, of your curve", every_scalar(&pair.linearize(&q, point), &directions)),
+        Returned::new("linearize_into, of your curve", every_scalar(&into, &directions)),
+        Returned::new(
             "closed_form::vary, of your curve",
             each(&closed_form::vary(pair, &q, point, &dq, &linear_dq)),
         ),
-        Door::new("ad::vary, of your curve", each(&differentiated)),
+        Returned::new("ad::vary, of your curve", each(&differentiated)),
     ]
 }

@@ -1,0 +1,89 @@
+//! The first wrong number in words, and where to look.
+
+use super::ANTISYMMETRIC;
+use crate::cli::answered::name_of;
+use crate::cli::count::count as counted;
+use crate::cli::human::error;
+use crate::cli::verify::Verified;
+use beamgap::check::external::{Judged, Location, locate};
+use beamgap::check::{Comparison, Order, look_at};
+use beamgap::linearization::Quantity;
+use std::fmt::Write;
+
+/// The first wrong number, and where to look.
+pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {
+    let Verified { report, demands, .. } = verified;
+    let mut text = String::new();
+    let Some((vector, answers, judged)) = &report.first else { return text };
+    let location = locate(vector, answers, judged, &demands.conventions);
+    let location = location.as_ref().map(|location| (location, demands.conventions.first_index));
+    text += &first(judged, &vector.id, &answers.place.to_string(), location);
+    if let Some(((order, quantity, part), count)) = report.beginning() {
+        let _ = writeln!(
+            text,
+            "In {count} of {} the first wrong number is {part} of {}:\nlook at {}",
+            counted(report.wrong, "wrong case"),
+            quantity.name(),
+            at(order, quantity)
+        );
+    }
+    text + "\n"
+}
+
+fn at(order: Order, quantity: Quantity) -> &'static str {
+    match (order, quantity) {
+        (Order::Value, Quantity::Xi | Quantity::XiBar) => {
+            "the closest point: another minimum, or an iteration that has not converged"
+        }
+        _ => look_at(order, quantity),
+    }
+}
+
+/// An array in words, such as Hessian of d.
+pub(super) fn matrix_name(location: &Location, comparison: &Comparison) -> String {
+    match location.what {
+        "residual" | "tangent" => location.what.to_owned(),
+        what => format!("{what} of {}", name_of(comparison)),
+    }
+}
+
+/// Why a contact element is zero.
+const OPEN: &str = "The gap is open at this point: residual and tangent are exactly zero there.\n";
+
+/// The wrong number itself: for a gradient or a Hessian, the entry that differs most.
+fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, usize)>) -> String {
+    let comparison = &judged.comparison;
+    let name = name_of(comparison);
+    let [difference, tolerance, scaled] =
+        [comparison.difference(), comparison.tolerance, comparison.scaled_error()].map(error);
+    let numbers = |answered: f64, expected: f64| {
+        format!("  in {place}\n  answered {answered:e}\n  expected {expected:e}\n")
+    };
+    let Some((location, first_index)) = location else {
+        return format!(
+            "First wrong number: {} of {name}, case {case}\n{}  difference {difference}, tolerance {tolerance}, \
+             scaled error {scaled}\n",
+            comparison.part,
+            numbers(comparison.closed, comparison.other)
+        );
+    };
+    let indices: Vec<_> = location.indices.iter().map(|i| (i + first_index).to_string()).collect();
+    let differing = if location.differing > 1 {
+        format!("; {} entries differ, this one most", location.differing)
+    } else {
+        String::new()
+    };
+    let matrix = matrix_name(location, comparison);
+    let shape = location.shape.map_or_else(String::new, |shape| format!("The {matrix} {}.\n", shape.words()));
+    let antisymmetric = if location.is_antisymmetric { ANTISYMMETRIC } else { "" };
+    let is_of_element = matches!(location.what, "residual" | "tangent");
+    let open = if is_of_element && comparison.other == 0.0 && location.expected == 0.0 { OPEN } else { "" };
+    format!(
+        "First wrong number: entry [{}] of the {matrix}, case {case}\n{}  in the block {}, scaled error {}{differing}\n  \
+         along two directions: difference {difference}, tolerance {tolerance}\n{antisymmetric}{open}{shape}",
+        indices.join(","),
+        numbers(location.answered, location.expected),
+        location.block.join(" x "),
+        error(location.scaled_error)
+    )
+}

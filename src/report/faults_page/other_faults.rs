@@ -1,0 +1,104 @@
+//! Faults of the search, faults on one side only, and faults of the gate itself.
+
+use crate::closest_point::SearchFault;
+use crate::faults::{Compared, Gate, SearchDetection};
+use crate::report::faults::Faults;
+use crate::report::number::{count, error};
+use crate::report::page::Block;
+
+impl Faults {
+    /// The faults of the search for closest points, each with the number of cases after which it is detected.
+    pub(super) fn faults_of_search(&self) -> Vec<Block> {
+        if self.search.is_empty() {
+            return Vec::new();
+        }
+        let row = |fault: SearchFault| {
+            let after = self.search.iter().map(|of| match of.detected.get(&fault) {
+                Some(SearchDetection { after, .. }) => count(*after),
+                None => "NOT DETECTED".to_owned(),
+            });
+            std::iter::once(fault.name().to_owned()).chain(after).collect()
+        };
+        let regimes = self.search.iter().map(|of| format!("#{}", of.regime.name()));
+        let head: Vec<String> = std::iter::once("fault".to_owned()).chain(regimes).collect();
+        let what = SearchFault::ALL.map(|fault| vec![fault.name().to_owned(), fault.what().to_owned()]);
+        let (missed, rejected) = self
+            .search
+            .iter()
+            .fold((0, 0), |(missed, rejected), of| (missed + of.missed.len(), rejected + of.rejected));
+        vec![
+            Block::heading("Faults of the search"),
+            Block::text(&format!(
+                "{} faults are injected into the search for closest points, one at a time. The search is compared with an independent \
+                 search. {} faults are missed in some regime, and the unmodified search is rejected at {} pairs of beams. The table \
+                 shows after how many cases of the regime each fault is detected.",
+                count(SearchFault::ALL.len() as u64),
+                count(missed as u64),
+                count(rejected)
+            )),
+            Block::table(&head, SearchFault::ALL.map(row).to_vec()),
+            Block::details(
+                "What each fault of the search is",
+                vec![Block::table(&["fault", "the search"], what.to_vec())],
+            ),
+        ]
+    }
+
+    /// The faults that act on one side of a symmetry only.
+    pub(super) fn one_sided(&self) -> Vec<Block> {
+        let Some(of) = &self.one_sided else { return Vec::new() };
+        let missed = of.missed.iter().map(|(fault, side)| vec![fault.clone(), side.clone()]);
+        let mut blocks = vec![
+            Block::heading("Faults on one side only"),
+            Block::text(&format!(
+                "Each fault acts on one side of one symmetry only: at an obtuse crossing, or where the bar beam lies on one side of \
+                 the beam. These are {} faults. The cases of `beamgap check` detect {} of them within {} cases, and miss {}. The other \
+                 {} act on neither side of the symmetry, such as a term that is used only inside the beams, at their ends.",
+                count(of.planted as u64),
+                count(of.detected as u64),
+                count(of.cases),
+                count(of.missed.len() as u64),
+                count(of.neither as u64)
+            )),
+        ];
+        if !of.missed.is_empty() {
+            blocks.push(Block::table(&["fault", "side"], missed.collect()));
+        }
+        blocks
+    }
+
+    /// What the gate itself compares.
+    pub(super) fn of_gate(&self) -> Vec<Block> {
+        if self.gate.is_empty() {
+            return Vec::new();
+        }
+        let row = |gate: &Gate| {
+            let counts = Compared::ALL.map(|of| match gate.counts.get(&of) {
+                Some([found, wanted]) if found == wanted => count(*found as u64),
+                Some([found, wanted]) => format!("{found} OF {wanted}"),
+                None => "NONE".to_owned(),
+            });
+            let terms = if gate.rejected == gate.terms {
+                count(gate.terms as u64)
+            } else {
+                format!("{} OF {}", gate.rejected, gate.terms)
+            };
+            let limits = [terms, error(Some(gate.median.0))];
+            std::iter::once(gate.regime.name().to_owned()).chain(counts).chain(limits).collect()
+        };
+        let head = Compared::ALL.map(|of| format!("#{}", of.name()));
+        let head: Vec<String> = std::iter::once("regime".to_owned())
+            .chain(head)
+            .chain(["#small changes rejected", "#median of the smallest"].map(str::to_owned))
+            .collect();
+        vec![
+            Block::heading("The gate itself"),
+            Block::text(
+                "The comparisons of the first case of each pair of families, by kind; *a OF b* if something is not compared. Each \
+                 term is changed by four times the smallest relative error that exceeds a tolerance. The check has to reject \
+                 each of these changes. The median of these smallest errors shows how narrow the tolerances are.",
+            ),
+            Block::table(&head, self.gate.iter().map(row).collect()),
+        ]
+    }
+}
