@@ -30,7 +30,7 @@ pub(super) fn scenarios<
     };
     [
         distance(Task::Distance, input, judge),
-        scenario((Task::Distance, BY_TERMS), input, d_by_terms, |of| rows(&[of]), judge.of_first(3)),
+        distance_by_terms(input, judge),
         all(Task::All, input, judge),
         scenario(
             (Task::WithSlips, BY_TERMS),
@@ -86,11 +86,16 @@ pub(super) fn all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: u
     written((task, CLOSED_FORM), input, work, memory, |of| rows(&of.each_ref()), judge.of_first(15))
 }
 
-fn d_by_terms<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
-    p: &Input<A, B, N, M>,
-) -> Derivatives<f64, N, M> {
-    let (jet, jet_bar) = jets(&p.pair, &p.q, (p.point.xi, p.point.xi_bar));
-    Matrices::new(&jet, &jet_bar, p.point.held()).d()
+/// d term by term, written to memory like the other methods: a large result that is returned is set to zero and copied.
+fn distance_by_terms<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
+    input: &Input<A, B, N, M>,
+    judge: &Judge,
+) -> Scenario {
+    let work = |p: &Input<A, B, N, M>, to: &mut Derivatives<f64, N, M>| {
+        let (jet, jet_bar) = jets(&p.pair, &p.q, (p.point.xi, p.point.xi_bar));
+        Matrices::new(&jet, &jet_bar, p.point.held()).write_d(to);
+    };
+    written((Task::Distance, BY_TERMS), input, work, Derivatives::zero, |of| rows(&[of]), judge.of_first(3))
 }
 
 /// The layouts other than blocks: `S` dofs, `H` entries of the lower triangle.
