@@ -42,7 +42,7 @@ const LAG: f64 = 1.0 / 128.0;
 pub(crate) const SCALARS: usize = 7;
 
 /// The component g_N.
-const G_N: usize = 20;
+pub(crate) const G_N: usize = 20;
 
 /// The components (of the variations) that have matrices.
 pub(crate) const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 22];

@@ -12,7 +12,8 @@ use super::verdict::Order;
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::{DoubleDouble, RunningError, RunningErrorBy};
-use crate::variant::Variant;
+use crate::pair::Contact;
+use crate::variant::{G_N, Returned, Variant, scalar_of};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -29,17 +30,20 @@ pub enum Side {
     Closed,
     /// Our own hyper-dual numbers, lifted by chord steps.
     Chord,
+    /// The public functions of the kernel, with the beams' own numbers of dofs.
+    Kernel,
 }
 
 impl Side {
-    /// Both sides.
-    pub const ALL: [Self; 2] = [Self::Closed, Self::Chord];
+    /// All sides.
+    pub const ALL: [Self; 3] = [Self::Closed, Self::Chord, Self::Kernel];
 
     /// The name, as tables have it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Closed => "closed form",
             Self::Chord => "AD",
+            Self::Kernel => "kernel",
         }
     }
 }
@@ -113,6 +117,26 @@ struct Counted {
     violations: BTreeMap<u64, Violation>,
 }
 
+/// The orders of the parts of a component.
+const ORDERS: [Order; 4] = [Order::Value, Order::First, Order::First, Order::Second];
+
+/// What the functions of the kernel return, with the bounds of the kernel over numbers with bounds.
+fn of_kernel(evaluation: &EvaluationPoint, mut add: impl FnMut([usize; 2], RunningError)) {
+    let Some((functions, bounds)) = evaluation.kernel() else { return };
+    // g_N is d less the sum of the radii.
+    let Contact { radius, radius_bar, .. } = *evaluation.contact;
+    let radii = RunningError::from(radius) + RunningError::from(radius_bar);
+    for (i, parts) in functions.iter().flat_map(|Returned { answers, .. }| answers) {
+        for (k, value) in parts.iter().enumerate() {
+            let number = scalar_of(*i).and_then(|scalar| bounds[scalar][k]);
+            let number = number.map(|d| if (*i, k) == (G_N, 0) { d - radii } else { d });
+            if let (Some(value), Some(RunningError { bound, .. })) = (*value, number) {
+                add([*i, k], RunningError { value, bound });
+            }
+        }
+    }
+}
+
 #[derive(Clone, Debug, Default)]
 struct Counts {
     overestimation: Distribution,
@@ -166,29 +190,29 @@ impl Counted {
         let scales = evaluation.scales(&Variant::Unmodified);
         let closed = evaluation.closed(&Variant::Unmodified);
         let sides = [(Side::Closed, closed), (Side::Chord, evaluation.chord())];
-        let orders = [Order::Value, Order::First, Order::First, Order::Second];
-        let mut not_meaningful = false;
-        for i in 0..COMPONENTS {
-            let (precise, scales) = (precise[i].parts(), scales[i].parts());
-            for (k, order) in orders.into_iter().enumerate() {
-                let mut tolerance = 0.0;
-                for (side, numbers) in &sides {
-                    let RunningErrorBy { value, bound: [bound, _] } = numbers[i].parts()[k];
-                    let number = RunningError { value, bound };
-                    tolerance += bound;
-                    let error = (DoubleDouble::from(value) - precise[k]).abs().value();
-                    let counts = self.counts.entry((case.regime, *side, order)).or_default();
-                    let noise = NOISE * sides[0].1[i].parts()[k].bound[0];
-                    if counts.add(number, if error <= noise { 0.0 } else { error }, scales[k].scale) {
-                        continue;
-                    }
-                    let (quantity, part) = (Quantity::of_component(i), Varied::<f64>::PARTS[k]);
-                    self.blame(case.number, Violation { side: *side, quantity, part, bound, error });
-                }
-                let scale = MEANINGFUL * scales[k].scale;
-                not_meaningful |= !(tolerance <= scale && tolerance.is_finite()) && tolerance != 0.0;
+        let mut add = |side: Side, [i, k]: [usize; 2], number: RunningError| {
+            let error = (DoubleDouble::from(number.value) - precise[i].parts()[k]).abs().value();
+            let counts = self.counts.entry((case.regime, side, ORDERS[k])).or_default();
+            let noise = NOISE * sides[0].1[i].parts()[k].bound[0];
+            let scale = scales[i].parts()[k].scale;
+            if !counts.add(number, if error <= noise { 0.0 } else { error }, scale) {
+                let (quantity, part) = (Quantity::of_component(i), Varied::<f64>::PARTS[k]);
+                self.blame(case.number, Violation { side, quantity, part, bound: number.bound, error });
             }
+        };
+        let mut not_meaningful = false;
+        for of in (0..COMPONENTS).flat_map(|i| (0..ORDERS.len()).map(move |k| [i, k])) {
+            let [i, k] = of;
+            let mut tolerance = 0.0;
+            for (side, numbers) in &sides {
+                let RunningErrorBy { value, bound: [bound, _] } = numbers[i].parts()[k];
+                tolerance += bound;
+                add(*side, of, RunningError { value, bound });
+            }
+            let scale = MEANINGFUL * scales[i].parts()[k].scale;
+            not_meaningful |= !(tolerance <= scale && tolerance.is_finite()) && tolerance != 0.0;
         }
+        of_kernel(evaluation, |of, number| add(Side::Kernel, of, number));
         not_meaningful
     }
 

@@ -40,6 +40,6 @@ pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};
 pub use only::{Only, PartKey};
 pub use process::{InputState, ProcessError, Runner};
-pub use report::{Coverage, Loss, PartFound, RegimeFound, Report};
+pub use report::{Coverage, Loss, PartFound, RegimeFound, Report, SearchFound};
 pub use shape::Shape;
 pub use vectors::{Drawing, Expected, Outcome, VECTORS, Vector, VectorReader, VectorWriter};

@@ -97,7 +97,8 @@ impl Draw {
             let planted = variant.matrices(faulty, at, form, &CONTACT);
             planted.unwrap_or_else(|| contracted(&padded(Step::Now), at, form, &CONTACT))
         };
-        let kernel = || every_layout(&padded(Step::Now), at, form, &CONTACT);
+        let dofs = beams.map(ExactBeam::dofs);
+        let kernel = || every_layout(&padded(Step::Now), dofs, at, form, &CONTACT);
         let sides = Sides {
             closed: variant.quantities(partial, at, form, &CONTACT).components(),
             ad: differentiated(beams, at, held, &CONTACT),

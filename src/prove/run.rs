@@ -140,7 +140,7 @@ fn degrees(families: [Family; 2]) -> Degrees {
             closed: variations_in(form, &partial, &partial_bar, at, &CONTACT).components(),
             ad: differentiated([beam, bar], at, held, &CONTACT),
             matrices: Some(contracted(&padded, at, form, &CONTACT)),
-            kernel: every_layout(&padded, at, form, &CONTACT),
+            kernel: every_layout(&padded, [beam.dofs(), bar.dofs()], at, form, &CONTACT),
         };
         for Entry { component, layer, closed, ad, .. } in entries(&sides) {
             let degree = &mut degrees[component][layer as usize];

@@ -11,6 +11,9 @@ use nalgebra::{SVector, Vector3};
 pub(crate) trait ExactBeam<T: Real>:
     PositionAt<Dual<HyperDual<T>>> + PositionAt<Dual<Dual<T>>> + Send + Sync
 {
+    /// The number of dofs.
+    fn dofs(&self) -> usize;
+
     /// Point and tangents.
     fn geometry(&self, xi: T) -> Geometry<T>;
 
@@ -65,6 +68,10 @@ impl<C: Curve<N> + Send + Sync, T: Real + Send + Sync, const N: usize> ExactBeam
 
     fn partial_variations(&self, xi: T) -> PartialVariations<T> {
         PartialVariations::new(&self.curve.jet(&self.q, xi), &self.dq, &self.linear_dq)
+    }
+
+    fn dofs(&self) -> usize {
+        N
     }
 
     fn padded(&self, xi: T) -> PaddedBeam<T> {

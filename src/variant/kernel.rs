@@ -8,6 +8,7 @@ use crate::linearization::closed_form::kernel::{Gradient, Target, write_all_by_s
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
 use crate::test_beam::{DOFS, PaddedBeam};
+use nalgebra::SVector;
 
 /// The dofs of both beams.
 const BOTH: usize = 2 * DOFS;
@@ -17,23 +18,42 @@ const HALF: usize = BOTH * (BOTH + 1) / 2;
 /// The numbers in the layouts, by the names of the layouts.
 pub(crate) type Layouts<T> = Vec<(&'static str, Contracted<T>)>;
 
-/// In the given formulation and this kind of memory; nothing if a curve has no shape functions.
-fn contracted_kernel<T: Real, W: Target<T, DOFS, DOFS> + Read<T>>(
-    beams: &[PaddedBeam<T>; 2],
+/// A padded pair at a closest point, and the formulation.
+#[derive(Clone, Copy)]
+struct Padded<'a, T> {
+    beams: &'a [PaddedBeam<T>; 2],
     at: (T, T),
     form: Formulation,
-    contact: &Contact,
-    memory: fn() -> W,
-) -> Option<Contracted<T>> {
-    let [(_, of_beam), (_, of_bar)] = beams;
-    let directions: Directions<T> =
-        [1, 2].map(|i| of_beam[i].iter().chain(of_bar[i].iter()).copied().collect());
-    let all = kernel(beams, at, form, contact, memory)?;
-    Some(all.each_ref().map(|memory| along(memory, &directions)))
+    contact: &'a Contact,
 }
 
-/// In the given formulation and in any memory; nothing if a curve has no shape functions.
-pub(crate) fn kernel<T: Real, W: Target<T, D, D>, const D: usize>(
+impl<T: Real> Padded<'_, T> {
+    /// With the first `N` and `M` dofs, in this kind of memory; nothing if a curve has no shape functions.
+    fn contracted<W: Target<T, N, M> + Read<T>, const N: usize, const M: usize>(
+        self,
+        memory: fn() -> W,
+    ) -> Option<Contracted<T>> {
+        let [(_, of_beam), (_, of_bar)] = self.beams;
+        let along_both =
+            |i: usize| of_beam[i].iter().take(N).chain(of_bar[i].iter().take(M)).copied().collect();
+        let directions: Directions<T> = [1, 2].map(along_both);
+        let all = kernel::<_, _, N, M, DOFS>(self.beams, self.at, self.form, self.contact, memory)?;
+        Some(all.each_ref().map(|memory| along(memory, &directions)))
+    }
+
+    /// In all layouts with a Hessian.
+    fn layouts<const N: usize, const M: usize, const S: usize, const H: usize>(
+        self,
+        names: [&'static str; 3],
+    ) -> Layouts<T> {
+        let of = |(name, memory)| Some((name, self.contracted(memory)?));
+        names.into_iter().zip(Second::<T, N, M, S, H>::ALL).filter_map(of).collect()
+    }
+}
+
+/// In the given formulation, with the first `N` and `M` of the padded dofs, in any memory; nothing if a curve has no
+/// shape functions.
+pub(crate) fn kernel<T: Real, W: Target<T, N, M>, const N: usize, const M: usize, const D: usize>(
     beams: &[PaddedBeam<T, D>; 2],
     at: (T, T),
     form: Formulation,
@@ -41,15 +61,13 @@ pub(crate) fn kernel<T: Real, W: Target<T, D, D>, const D: usize>(
     memory: fn() -> W,
 ) -> Option<[W; SCALARS]> {
     let [(jet, [q, ..]), (jet_bar, [q_bar, ..])] = beams;
-    let (shapes, q) =
-        ([jet.dofs.all_shapes()?, jet_bar.dofs.all_shapes()?], DofVector { beam: *q, bar: *q_bar });
+    let q = DofVector { beam: SVector::from_fn(|i, _| q[i]), bar: SVector::from_fn(|i, _| q_bar[i]) };
+    let (beam, bar) = (jet.dofs.all_shapes()?, jet_bar.dofs.all_shapes()?);
+    let shapes = [beam.map(|shapes| &shapes[..N / 3]), bar.map(|shapes| &shapes[..M / 3])];
     let mut all = std::array::from_fn(|_| memory());
     write_all_by_shapes_over(shapes, &q, at, form, contact, &mut all);
     Some(all)
 }
-
-/// The memory of padded beams.
-type Memory<T> = Second<T, DOFS, DOFS, BOTH, HALF>;
 
 /// In blocks, in the given formulation; nothing if a curve has no shape functions.
 pub(crate) fn in_blocks<T: Real>(
@@ -58,24 +76,40 @@ pub(crate) fn in_blocks<T: Real>(
     form: Formulation,
     contact: &Contact,
 ) -> Option<Contracted<T>> {
-    contracted_kernel(beams, at, form, contact, Memory::ALL[0])
+    Padded { beams, at, form, contact }.contracted(Second::<T, DOFS, DOFS, BOTH, HALF>::ALL[0])
 }
 
 /// In every layout, in the given formulation; empty if a curve has no shape functions.
+///
+/// Padded beams have 18 + 18 dofs. Where the beams have 6 + 9, 12 + 18 or 18 + 12 dofs, the kernel for these is there too.
 pub(crate) fn every_layout<T: Real>(
     beams: &[PaddedBeam<T>; 2],
+    dofs: [usize; 2],
     at: (T, T),
     form: Formulation,
     contact: &Contact,
 ) -> Layouts<T> {
-    let of = |(name, memory)| Some((name, contracted_kernel(beams, at, form, contact, memory)?));
-    let gradient = contracted_kernel(beams, at, form, contact, Gradient::<T, BOTH>::zeros);
-    let gradient = gradient.map(|numbers| (GRADIENT, numbers));
-    NAMES.into_iter().zip(Memory::ALL).filter_map(of).chain(gradient).collect()
+    let of = Padded { beams, at, form, contact };
+    let mut all = of.layouts::<DOFS, DOFS, BOTH, HALF>(["kernel, blocks", "kernel, full", "kernel, packed"]);
+    let gradient = of.contracted::<_, DOFS, DOFS>(Gradient::<T, BOTH>::zeros);
+    all.extend(gradient.map(|numbers| ("kernel, gradient", numbers)));
+    all.extend(match dofs {
+        [6, 9] => of.layouts::<6, 9, 15, 120>([
+            "kernel, blocks of 6 + 9",
+            "kernel, full, 6 + 9",
+            "kernel, packed, 6 + 9",
+        ]),
+        [12, 18] => of.layouts::<12, 18, 30, 465>([
+            "kernel, blocks of 12 + 18",
+            "kernel, full, 12 + 18",
+            "kernel, packed, 12 + 18",
+        ]),
+        [18, 12] => of.layouts::<18, 12, 30, 465>([
+            "kernel, blocks of 18 + 12",
+            "kernel, full, 18 + 12",
+            "kernel, packed, 18 + 12",
+        ]),
+        _ => Vec::new(),
+    });
+    all
 }
-
-/// The names of [`Second::ALL`].
-const NAMES: [&str; 3] = ["kernel, blocks", "kernel, full", "kernel, packed"];
-
-/// The name of the layout without Hessians.
-const GRADIENT: &str = "kernel, gradient";

@@ -26,9 +26,10 @@ fn bounds_are_shown_for_each_side_and_regime() {
     let text = stdout(&run(&arguments));
     let (_, sides) = text.split_once("\nBy regime: closed form\n").unwrap();
     let (closed_form, ad) = sides.split_once("\nBy regime: AD\n").unwrap();
-    let (ad, _) = ad.split_once("\nPoints whose tolerance is too wide\n").unwrap();
+    let (ad, kernel) = ad.split_once("\nBy regime: kernel\n").unwrap();
+    let (kernel, _) = kernel.split_once("\nPoints whose tolerance is too wide\n").unwrap();
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
-    for (side, shown) in [("closed form", closed_form), ("AD", ad)] {
+    for (side, shown) in [("closed form", closed_form), ("AD", ad), ("kernel", kernel)] {
         let has_order = |line: &&str| {
             line.split_whitespace().nth(1).is_some_and(|order| ["value", "first", "second"].contains(&order))
         };

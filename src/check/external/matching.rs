@@ -132,6 +132,7 @@ impl Matching {
     pub fn compare(&mut self) -> Result<(), ExternalError> {
         let ready = std::mem::take(&mut self.ready);
         let compare = |(vector, answers): (Vector, Option<Answers>)| {
+            let searched = vector.case.searched().unwrap_or_default();
             let conventions = &self.demands.conventions;
             let (vector, answers) = match answers {
                 Some(answers) if conventions.null_is_no_dof => {
@@ -144,11 +145,12 @@ impl Matching {
                 answers => (vector, answers),
             };
             let found = compare_case(&vector, answers.as_ref(), &self.demands, &self.only)?;
-            Ok((vector, answers, found))
+            Ok((vector, answers, found, searched))
         };
         let found: Vec<Result<_, ExternalError>> = ready.into_par_iter().map(compare).collect();
         for found in found {
-            let (vector, answers, found) = found?;
+            let (vector, answers, found, searched) = found?;
+            self.report.search.add(&vector.id, &searched);
             self.report.add(vector, answers, found);
         }
         Ok(())

@@ -2,6 +2,7 @@
 
 mod coverage;
 mod found;
+mod searched;
 
 use super::answers::{Answers, Program};
 use super::compare::{CaseFound, Judged, Judgement};
@@ -14,6 +15,7 @@ use crate::check::verdict::Inconclusive;
 use crate::linearization::Quantity;
 pub use coverage::Coverage;
 pub use found::{Loss, PartFound, RegimeFound};
+pub use searched::SearchFound;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -62,6 +64,9 @@ pub struct Report {
     pub parts: BTreeMap<PartKey, PartFound>,
     /// The results by regime.
     pub regimes: BTreeMap<String, RegimeFound>,
+    /// The search for the closest points against the independent one.
+    #[serde(default)]
+    pub search: SearchFound,
     /// The first wrong case, with its first wrong number.
     #[serde(skip)]
     pub first: Option<(Vector, Answers, Judged)>,

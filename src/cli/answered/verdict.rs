@@ -9,13 +9,21 @@ use beamgap::check::external::Report;
 
 /// The verdict on the answers.
 pub(in crate::cli) fn verdict(Verified { report, allow_missing, .. }: &Verified) -> Verdict {
-    let Report { compared, wrong, doubted, declined, .. } = report;
+    let Report { compared, wrong, doubted, declined, search, .. } = report;
     let open = lines(&[missing(report).map(|of| format!("Not answered: {of}.")), partly(report)]);
     let points = counted(*compared, "closest point");
     if *compared == 0 && *declined == 0 {
         let cases = counted(report.vectors, "case");
         let words = format!("NOTHING COMPARED: no answer to {cases} could be compared.{open}");
         return Verdict::new(Exit::Nothing, "nothing-compared", words);
+    }
+    if let Some((case, finding)) = &search.first {
+        let cases = counted(search.compared, "case");
+        let words = format!(
+            "UNTRUSTED: the search for closest points differs from the independent search at {} of {cases}.\nFirst: case {case}: {finding}.{open}",
+            search.differing
+        );
+        return Verdict::new(Exit::Untrusted, "untrusted", folded_lines(&words));
     }
     if *wrong > 0 && wrong == doubted && *declined == 0 {
         let words = format!("UNTRUSTED: at {doubted} of {points} the references disagree.{open}");
@@ -165,4 +173,39 @@ fn capital(text: &str) -> String {
 /// Lines that fit a terminal.
 fn folded_lines(text: &str) -> String {
     text.lines().map(|line| folded(line, "", "  ")).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::verdict;
+    use crate::cli::exit::Exit;
+    use crate::cli::verify::Verified;
+    use beamgap::check::external::{Demands, Report, SearchFound};
+    use beamgap::check::{SearchFinding, SearchFindingKind};
+
+    #[test]
+    fn a_search_that_differs_is_not_trusted() {
+        let finding = SearchFinding {
+            kind: SearchFindingKind::NotListed,
+            at: [0.5, -1.0],
+            listed: 2.0,
+            independent: 1.0,
+        };
+        let of = |first| {
+            let report = Report {
+                vectors: 3,
+                compared: 3,
+                search: SearchFound { compared: 3, differing: 1, first },
+                ..Report::default()
+            };
+            let demands = Demands::default();
+            verdict(&Verified { report, demands, command: String::new(), reason: None, allow_missing: true })
+        };
+        let untrusted = of(Some(("7".to_owned(), finding)));
+        assert_eq!(untrusted.exit, Exit::Untrusted);
+        let lines: Vec<&str> = untrusted.words.lines().collect();
+        assert!(lines[0].starts_with("UNTRUSTED: the search for closest points differs"), "{lines:?}");
+        assert!(lines[2].starts_with("First: case 7: xi = 5e-1, xi_bar = -1e0"), "{lines:?}");
+        assert_eq!(of(None).exit, Exit::Agree);
+    }
 }

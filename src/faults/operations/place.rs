@@ -131,7 +131,7 @@ impl Place {
     ) -> Vec<u64> {
         let ([beam, bar], at, contact) = runs.beams(kind);
         let beams = [beam.clone(), bar.clone()];
-        let all = kernel(&beams, at, self.form, &contact, memory);
+        let all = kernel::<_, _, D, D, D>(&beams, at, self.form, &contact, memory);
         all.into_iter().flatten().flat_map(|mut quantity| written(&mut quantity)).collect()
     }
 }

@@ -97,7 +97,10 @@ impl<T: Real> Choice<T> for Given {
     ) -> Option<(Solution<T, A::Vector>, u8)> {
         let Self(form) = self;
         let solution = match (form.sign(), form.system) {
-            (Some(sign), System::Determinants) => Solution::regular(f, at, products, T::from(sign)),
+            (Some(sign), System::Determinants) => {
+                let sign = source_fault!("normal-with-determinants": -sign, sign);
+                Solution::regular(f, at, products, T::from(sign))
+            }
             _ => Solution::in_formulation(&points(f, at), form).into_vectors(f),
         };
         Some((solution, 0))
