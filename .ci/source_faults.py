@@ -38,6 +38,7 @@ EXPECTED = [
     # Equations, matrices, curves, automatic differentiation
     ("sign-in-53", CHECK, 1, ["wrong layer: the equations", "look at"]),
     ("sign-of-beta", CHECK, 1, ["wrong layer: the matrices"]),
+    ("half-of-vector", CHECK, 1, ["Matrices::vector"]),
     ("jet-of-lagrange", CHECK, 1, ["wrong layer: the equations, or the jets"]),
     ("slope-by-orders", CHECK, 1, ["wrong layer: this function", "expand_by_orders"]),
     # The search

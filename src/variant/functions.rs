@@ -76,6 +76,9 @@ macro_rules! in_layouts {
                         concat!("write_all, gradients, ", $n, " + ", $m),
                         concat!("write_d, full, ", $n, " + ", $m),
                         concat!("write_d, packed, ", $n, " + ", $m),
+                        concat!("write_all_with_slips_over, ", $n, " + ", $m),
+                        concat!("write_all_over, ", $n, " + ", $m),
+                        concat!("write_d_over, ", $n, " + ", $m),
                     ],
                     $beams,
                 );
@@ -100,8 +103,8 @@ macro_rules! in_layouts {
 pub(crate) fn kernel_entries(dofs: [usize; 2]) -> usize {
     // Seven scalars and g_N twice, and d.
     let each = 2 * 8 * 4 + 4;
-    // Three layouts; gradients with and without slips; d in two layouts; batches of four to seven pairs.
-    let in_layouts = 3 * 7 * 4 + (7 + 5) * 3 + 2 * 4 + (4 + 5 + 6 + 7) * 4;
+    // Three layouts; gradients with and without slips; d in two layouts; over any scalar; batches of four to seven pairs.
+    let in_layouts = 3 * 7 * 4 + (7 + 5) * 3 + 2 * 4 + (7 + 5 + 1) * 4 + (4 + 5 + 6 + 7) * 4;
     match dofs {
         [12, 12] => 3 * each + in_layouts,
         [6, 9] | [18, 12] => each + in_layouts,
@@ -109,8 +112,9 @@ pub(crate) fn kernel_entries(dofs: [usize; 2]) -> usize {
     }
 }
 
-/// The same of the functions for any curve and of the routes: all 23 components, or the scalars.
-pub(crate) const ROUTE_ENTRIES: usize = 4 * 23 * 4 + 5 * 8 * 4 + 4;
+/// The same of the functions for any curve and of the routes: all 23 components, the scalars, d alone, the scalars without
+/// slips, and the vectors.
+pub(crate) const ROUTE_ENTRIES: usize = 4 * 23 * 4 + 5 * 8 * 4 + 3 * 4 + 5 * 4 + 15 * 4;
 
 fn of_dofs(beams: &TabulatedBeams<'_>) -> Vec<Returned> {
     for_dofs!(beams;

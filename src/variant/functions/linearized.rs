@@ -4,8 +4,10 @@ use super::tabulated::{AtPoint, Image, TabulatedBeams};
 use super::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::closed_form::kernel::{
-    Gradient, Targets, write_all, write_all_with_slips, write_d, write_d_batch,
+    Gradient, Targets, write_all, write_all_over, write_all_with_slips, write_all_with_slips_over, write_d,
+    write_d_batch, write_d_over,
 };
+use crate::linearization::closed_form::{Formulation, Points, jets};
 use crate::linearization::{Derivatives, Linearization};
 use crate::number::Lanes;
 use crate::pair::DofVector;
@@ -15,7 +17,7 @@ use crate::variant::{G_N, SCALAR_COMPONENTS, SCALARS};
 use nalgebra::{SMatrix, SVector};
 
 /// The component d.
-const D: usize = SCALAR_COMPONENTS[0];
+pub(super) const D: usize = SCALAR_COMPONENTS[0];
 
 /// `linearize`, `linearize_into` and `write_d`, for the given names.
 pub(super) fn linearized<const P: usize, const R: usize, const N: usize, const M: usize>(
@@ -40,7 +42,7 @@ pub(super) fn nowhere<const N: usize, const M: usize>() -> Linearization<f64, N,
     Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii: f64::NAN }
 }
 
-fn unwritten<const N: usize, const M: usize>() -> Derivatives<f64, N, M> {
+pub(super) fn unwritten<const N: usize, const M: usize>() -> Derivatives<f64, N, M> {
     let mut unwritten = Derivatives::zero();
     unwritten.value = f64::NAN;
     unwritten.gradient = DofVector { beam: SVector::repeat(f64::NAN), bar: SVector::repeat(f64::NAN) };
@@ -73,7 +75,7 @@ pub(super) fn layouts<
     const S: usize,
     const H: usize,
 >(
-    [blocks, full, packed, gradient, no_slips, full_d, packed_d]: [&'static str; 7],
+    [blocks, full, packed, gradient, no_slips, full_d, packed_d, over, all_over, d_over]: [&'static str; 10],
     beams: &TabulatedBeams<'_>,
 ) -> Vec<Returned> {
     let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
@@ -96,6 +98,18 @@ pub(super) fn layouts<
     let [d, t, t_bar, xi, xi_bar] = &mut first;
     write_all(&pair, &q, beams.point, &mut Targets { d, xi, xi_bar, t, t_bar });
     let [in_blocks, in_full, in_packed] = Second::ALL;
+    // Over any scalar, in a formulation that is given.
+    let at = (beams.point.xi, beams.point.xi_bar);
+    let (jet, jet_bar) = jets(&pair, &q, at);
+    let form = Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), beams.point.held());
+    let [mut with_slips_over, mut first_over] = [(); 2].map(|()| std::array::from_fn(|_| in_blocks()));
+    let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = &mut with_slips_over;
+    let to = &mut Targets { d, xi, xi_bar, t, t_bar };
+    write_all_with_slips_over(&pair, &q, at, form, to, [g_t, g_t_bar]);
+    let [d, t, t_bar, xi, xi_bar, ..] = &mut first_over;
+    write_all_over(&pair, &q, at, form, &mut Targets { d, xi, xi_bar, t, t_bar });
+    let mut d_alone_over = in_blocks();
+    write_d_over(&pair, &q, at, form, &mut d_alone_over);
     vec![
         Returned::new(blocks, with_slips(in_blocks)),
         Returned::new(full, with_slips(in_full)),
@@ -104,11 +118,14 @@ pub(super) fn layouts<
         Returned::new(no_slips, read(&first, &directions)),
         Returned::new(full_d, d_alone(in_full)),
         Returned::new(packed_d, d_alone(in_packed)),
+        Returned::new(over, read(&with_slips_over, &directions)),
+        Returned::new(all_over, read(&first_over[..5], &directions)),
+        Returned::new(d_over, vec![(D, along(&d_alone_over, &directions))]),
     ]
 }
 
 /// The first scalars.
-fn read<T: Read<f64>>(all: &[T], directions: &Directions<f64>) -> Answers {
+pub(super) fn read<T: Read<f64>>(all: &[T], directions: &Directions<f64>) -> Answers {
     SCALAR_COMPONENTS.into_iter().zip(all).map(|(i, memory)| (i, along(memory, directions))).collect()
 }
 

@@ -1,18 +1,22 @@
 //! The functions that any curve has: the variations, the matrices, and the routes of automatic differentiation.
 
 use super::expansion::Expansion;
-use super::linearized::every_scalar;
+use super::linearized::{D, every_scalar, read, unwritten};
 use super::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::ad::{
     Route, chord, expand_by_orders, expand_by_rows, expand_by_sweep, expand_by_vector_dual,
     expand_d_by_orders, vary,
 };
-use crate::linearization::closed_form::{self, PartialVariations};
+use crate::linearization::closed_form::kernel::{
+    Full, PairAtPoint, Targets, write_all, write_d, write_d_batch,
+};
+use crate::linearization::closed_form::{self, Matrices, PartialVariations, VectorQuantity};
 use crate::linearization::{Derivatives, Quantities, Varied};
-use crate::number::HyperDualRow;
+use crate::number::{HyperDualRow, Lanes};
 use crate::pair::{Contact, DofVector, Pair};
 use crate::variant::read::along;
+use nalgebra::Vector3;
 use num_dual::{Dual2SVec64, HyperDual64};
 
 /// The directions a and b of both beams.
@@ -30,6 +34,43 @@ fn picked<S>(all: Quantities<S>) -> [S; 8] {
 pub(super) fn each(quantities: &Quantities<Varied<f64>>) -> Answers {
     let parts = (*quantities).components().map(|varied| varied.parts().map(Some));
     parts.into_iter().enumerate().collect()
+}
+
+/// Of curves without shape functions: the scalars in each way, and the vectors.
+fn by_matrices(
+    pair: &Pair<Expansion, Expansion, 2, 2>,
+    q: &DofVector<f64, 2, 2>,
+    point: &ClosestPoint,
+) -> Vec<Returned> {
+    let directions = DIRECTIONS.map(|direction| direction.to_vec());
+    let linearized = pair.linearize(q, point);
+    let mut one = unwritten();
+    write_d(pair, q, point, &mut one);
+    let mut first = [unwritten(); 5];
+    let [d, t, t_bar, xi, xi_bar] = &mut first;
+    write_all(pair, q, point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    let mut lanes = [Full::<Lanes, 4>::zeros()];
+    write_d_batch(&[PairAtPoint { pair, q, point }], &mut lanes);
+    let in_lanes = directions.each_ref().map(|of| of.iter().map(|&x| Lanes([x; 4])).collect());
+    let of_lane = along(&lanes[0], &in_lanes).map(|number| number.map(|Lanes([first, ..])| first));
+
+    let (jet, jet_bar) = closed_form::jets(pair, q, (point.xi, point.xi_bar));
+    let matrices = Matrices::new(&jet, &jet_bar, point.held());
+    let parameters = [&linearized.xi, &linearized.xi_bar];
+    let component = |(i, quantity): (usize, VectorQuantity)| {
+        let w = Vector3::ith(i % 3, 1.0);
+        (i, along(&matrices.vector(quantity, &w, parameters), &directions))
+    };
+    let vectors =
+        [VectorQuantity::X, VectorQuantity::XBar, VectorQuantity::D, VectorQuantity::T, VectorQuantity::TBar];
+    let components = vectors.into_iter().flat_map(|quantity| [quantity; 3]).enumerate();
+    vec![
+        Returned::new("linearize, by matrices", every_scalar(&linearized, &directions)),
+        Returned::new("write_d, by matrices", vec![(D, along(&one, &directions))]),
+        Returned::new("write_all, by matrices", read(&first, &directions)),
+        Returned::new("write_d_batch, by matrices", vec![(D, of_lane)]),
+        Returned::new("Matrices::vector", components.map(component).collect()),
+    ]
 }
 
 fn expanded(derivatives: &[Derivatives<f64, 2, 2>]) -> Answers {
@@ -51,13 +92,9 @@ pub(crate) fn routes(
         beam: [a, b].into(),
         bar: [a_bar, b_bar].into(),
     });
-    let closed = vec![
-        Returned::new("closed_form::vary", each(&closed_form::vary(&pair, &q, point, &dq, &linear_dq))),
-        Returned::new(
-            "linearize, by matrices",
-            every_scalar(&pair.linearize(&q, point), &DIRECTIONS.map(|direction| direction.to_vec())),
-        ),
-    ];
+    let mut closed =
+        vec![Returned::new("closed_form::vary", each(&closed_form::vary(&pair, &q, point, &dq, &linear_dq)))];
+    closed.extend(by_matrices(&pair, &q, point));
     let chord = chord(&pair, &q, point);
     let by = |route| each(&vary(route, &pair, &q, point, &dq, &linear_dq));
     let by_sweep = expand_by_sweep(Route::Stationary, &pair, &q, point, picked::<HyperDual64>);

@@ -5,6 +5,7 @@ use crate::curve::{DofDerivatives, Geometry};
 use crate::linearization::{BlockHessian, Derivatives};
 use crate::number::Real;
 use crate::pair::DofVector;
+use crate::source_fault::source_fault;
 use nalgebra::Vector3;
 
 /// A vector quantity, linearized by [`Matrices::vector`].
@@ -55,7 +56,7 @@ where
             0 => (w.dot(&of.t), w.dot(&of.t_xi)),
             _ => (w.dot(&of.t_xi), w.dot(&of.t_xixi)),
         };
-        let half = T::from(0.5);
+        let half = T::from(source_fault!("half-of-vector": 1.0, 0.5));
         // Hess(w·x_C) = (w·t) H_ξ + S_x(w)   Hess(w·x_C,ξ) = (w·t,ξ) H_ξ + S_t(w)
         let (mut gradient, mut hessian) = (DofVector::zeros(), BlockHessian::zeros());
         if let Some(sign) = beam {
