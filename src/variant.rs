@@ -22,7 +22,7 @@ pub use rewrite::Rewrite;
 
 pub(crate) use functions::{ROUTE_ENTRIES, Returned, kernel_entries, kernel_functions, of_curves, routes};
 pub(crate) use invariance::by_invariance;
-pub(crate) use kernel::{Layouts, every_layout, in_blocks, kernel};
+pub(crate) use kernel::{Layouts, bounded_kernel, every_layout, kernel};
 pub(crate) use layouts::Second;
 pub(crate) use planted::Step;
 pub(crate) use point::{CONTACT, Point};

@@ -285,7 +285,20 @@ impl Counts {
 
 #[cfg(test)]
 mod tests {
-    use super::{Counts, RunningError};
+    use super::{Case, Counted, Counts, RunningError};
+
+    /// Both triangles of a Hessian and both blocks between the beams round differently: in these cases by more than the
+    /// bound of those that `Derivatives` stores.
+    #[test]
+    fn bounds_of_the_kernel_hold_in_every_layout() {
+        for (seed, number) in
+            [(0x5eed, 1_099_511_630_826), (0x5eed, 1_099_511_632_980), (9, 1_099_511_722_543)]
+        {
+            let mut counted = Counted::default();
+            counted.add(&Case::draw(seed, number));
+            assert!(counted.violations.is_empty(), "{seed}, {number}: {:?}", counted.violations);
+        }
+    }
 
     #[test]
     fn an_error_beyond_its_bound_is_told() {

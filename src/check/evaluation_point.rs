@@ -16,7 +16,7 @@ use crate::number::{DoubleDouble, Faulty, RunningError, TermScale};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
 use crate::variant::{
-    Contracted, Returned, SCALARS, Step, Variant, contracted, in_blocks, kernel_functions, routes, terms,
+    Contracted, Returned, SCALARS, Step, Variant, bounded_kernel, contracted, kernel_functions, routes, terms,
 };
 pub(super) use dense::Dense;
 use refined::Refined;
@@ -227,7 +227,7 @@ impl<'a> EvaluationPoint<'a> {
     /// The kernel chooses the formulation itself, so this only applies to evaluations in the chosen formulation.
     pub(super) fn kernel(&self) -> Option<(Vec<Returned>, Contracted<RunningError>)> {
         let beams = self.padded(Step::Now);
-        let bounds = in_blocks(beams, self.sharp(), self.form, self.contact)?;
+        let bounds = bounded_kernel(beams, self.sharp(), self.form, self.contact)?;
         let beams = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
         let dofs = self.beams.map(AnyBeam::dofs);
         Some((kernel_functions(&beams, dofs, &self.point, *self.contact), bounds))

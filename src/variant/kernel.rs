@@ -5,7 +5,7 @@ use super::layouts::Second;
 use super::read::{Contracted, Directions, Read, along};
 use crate::linearization::closed_form::Formulation;
 use crate::linearization::closed_form::kernel::{Gradient, Target, write_all_by_shapes_over};
-use crate::number::Real;
+use crate::number::{Real, RunningError};
 use crate::pair::{Contact, DofVector};
 use crate::test_beam::{DOFS, PaddedBeam};
 use nalgebra::SVector;
@@ -33,10 +33,7 @@ impl<T: Real> Padded<'_, T> {
         self,
         memory: fn() -> W,
     ) -> Option<Contracted<T>> {
-        let [(_, of_beam), (_, of_bar)] = self.beams;
-        let along_both =
-            |i: usize| of_beam[i].iter().take(N).chain(of_bar[i].iter().take(M)).copied().collect();
-        let directions: Directions<T> = [1, 2].map(along_both);
+        let directions = directions::<T, N, M>(self.beams);
         let all = kernel::<_, _, N, M, DOFS>(self.beams, self.at, self.form, self.contact, memory)?;
         Some(all.each_ref().map(|memory| along(memory, &directions)))
     }
@@ -49,6 +46,13 @@ impl<T: Real> Padded<'_, T> {
         let of = |(name, memory)| Some((name, self.contracted(memory)?));
         names.into_iter().zip(Second::<T, N, M, S, H>::ALL).filter_map(of).collect()
     }
+}
+
+/// Both directions over the first `N` and `M` dofs.
+fn directions<T: Real, const N: usize, const M: usize>(
+    [(_, of_beam), (_, of_bar)]: &[PaddedBeam<T>; 2],
+) -> Directions<T> {
+    [1, 2].map(|i| of_beam[i].iter().take(N).chain(of_bar[i].iter().take(M)).copied().collect())
 }
 
 /// In the given formulation, with the first `N` and `M` of the padded dofs, in any memory; nothing if a curve has no
@@ -69,14 +73,36 @@ pub(crate) fn kernel<T: Real, W: Target<T, N, M>, const N: usize, const M: usize
     Some(all)
 }
 
-/// In blocks, in the given formulation; nothing if a curve has no shape functions.
-pub(crate) fn in_blocks<T: Real>(
-    beams: &[PaddedBeam<T>; 2],
-    at: (T, T),
+/// With bounds that hold in every layout, in the given formulation; nothing if a curve has no shape functions.
+pub(crate) fn bounded_kernel(
+    beams: &[PaddedBeam<RunningError>; 2],
+    at: (RunningError, RunningError),
     form: Formulation,
     contact: &Contact,
-) -> Option<Contracted<T>> {
-    Padded { beams, at, form, contact }.contracted(Second::<T, DOFS, DOFS, BOTH, HALF>::ALL[0])
+) -> Option<Contracted<RunningError>> {
+    let [_, in_full, _] = Second::<RunningError, DOFS, DOFS, BOTH, HALF>::ALL;
+    let all = kernel::<_, _, DOFS, DOFS, DOFS>(beams, at, form, contact, in_full)?;
+    let directions = directions::<_, DOFS, DOFS>(beams);
+    Some(all.each_ref().map(|memory| along(&InAnyLayout(memory), &directions)))
+}
+
+/// The whole Hessian, with bounds that hold in every layout: the others compute one triangle or one of two blocks alone, and
+/// the entries of the two round differently.
+struct InAnyLayout<'a, W>(&'a W);
+
+impl<W: Read<RunningError>> Read<RunningError> for InAnyLayout<'_, W> {
+    fn value(&self) -> RunningError {
+        self.0.value()
+    }
+
+    fn first(&self, i: usize) -> RunningError {
+        self.0.first(i)
+    }
+
+    fn second(&self, i: usize, j: usize) -> Option<RunningError> {
+        let [of, other] = [self.0.second(i, j)?, self.0.second(j, i)?];
+        Some(RunningError { bound: of.bound.max(other.bound), ..of })
+    }
 }
 
 /// In every layout, in the given formulation; empty if a curve has no shape functions.
