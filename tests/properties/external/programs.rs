@@ -109,13 +109,14 @@ fn a_time_out_says_what_the_program_did_with_its_input() {
     let head = format!("cat {}", head.display());
     let flush =
         "a program must write each answer out (flush): it is sent at most 2 cases ahead of its answers";
-    for (vectors, program, told) in [
+    let late = [
         (&few, "sleep 30".to_owned(), "all cases are on its standard input, which is closed"),
         (&many, "sleep 30".to_owned(), "it does not read its standard input"),
         (&many, format!("sh -c '{head}; exec sleep 30'"), "it does not read its standard input"),
         (&many, format!("sh -c '{head}; exec sleep 30 <&-'"), "it has closed its standard input"),
         (&many, format!("sh -c '{head}; cat >/dev/null; exec sleep 30'"), flush),
-    ] {
+    ];
+    let is_late = |(vectors, program, told): (&PathBuf, String, &str)| {
         let arguments =
             ["verify", vectors.to_str().unwrap(), "--run", &program, "--time-out", "1", "--look-ahead", "2"];
         let output = run(&arguments);
@@ -125,11 +126,17 @@ fn a_time_out_says_what_the_program_did_with_its_input() {
             found.contains(": no answer within 1 s, after 0 answers; ") && found.contains(told),
             "{found}"
         );
-    }
-    let program = format!("sh -c '{head}; exec >&-; exec sleep 30'");
-    let output = run(&["verify", few.to_str().unwrap(), "--run", &program]);
-    let told = "sh: still running 5 s after the end of its answers; a program must end then";
-    assert!(message(&output).contains(told), "{output:?}");
+    };
+    // All wait at the same time.
+    std::thread::scope(|scope| {
+        for each in late {
+            scope.spawn(|| is_late(each));
+        }
+        let program = format!("sh -c '{head}; exec >&-; exec sleep 30'");
+        let output = run(&["verify", few.to_str().unwrap(), "--run", &program]);
+        let told = "sh: still running 5 s after the end of its answers; a program must end then";
+        assert!(message(&output).contains(told), "{output:?}");
+    });
 }
 
 #[test]
