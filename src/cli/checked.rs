@@ -2,23 +2,26 @@
 //!
 //! Names and meanings stay; entries may be added. Numbers have all digits. Infinity and NaN are words, such as `"inf"`.
 
-use super::arguments::{planting, program, variant};
+mod shown;
+
+use super::arguments::{planting, variant};
 use super::count::count;
 use super::exit::Exit;
 use super::outcome::{Entry, Outcome, Source, State, Verdict};
 use super::terminal::folded;
-use super::{case_file, disagreements, human, json, searched};
+use super::{disagreements, searched};
 use anyhow::{Context, ensure};
 use beamgap::check::{
-    Cell, CheckConfig, Counts, LikelyCause, Moved, Oracles, Regime, Selection, Shard, Shrunk, Summary, Tally,
-    likely_cause, shrink_mismatches,
+    Cell, CheckConfig, Counts, Moved, Oracles, Regime, Selection, Shard, Summary, Tally, likely_cause,
+    shrink_mismatches,
 };
 use beamgap::report::SEED;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
+
+pub(super) use shown::Shown;
 
 /// The schema.
 const SCHEMA: &str = "beamgap-check/2";
@@ -267,61 +270,5 @@ fn missing(merged: &Checked, shards: &[Shard]) -> String {
         [] => "shards are missing".to_owned(),
         [one] => format!("shard {one} is missing"),
         [first @ .., last] => format!("shards {} and {last} are missing", first.join(", ")),
-    }
-}
-
-/// A result with its shrunk mismatches.
-pub(super) struct Shown {
-    pub(super) checked: Checked,
-    pub(super) outcome: Outcome,
-    pub(super) shrunk: Vec<Shrunk>,
-    /// The likely cause of the mismatches, if it is known.
-    pub(super) cause: Option<LikelyCause>,
-}
-
-impl Shown {
-    /// The result for people.
-    pub(super) fn human(&self) -> String {
-        human::document(self)
-    }
-
-    /// The result as JSON: the request, the result, and what follows from it.
-    pub(super) fn json(&self) -> anyhow::Result<String> {
-        #[derive(Serialize)]
-        struct Document<'a> {
-            #[serde(flatten)]
-            checked: &'a Checked,
-            verdict: &'static str,
-            compared: u64,
-            not_reached: u64,
-            /// The counts that are not those of the record.
-            moved: Vec<Moved>,
-            /// The command that repeats a mismatch, without the number of the case.
-            repeat: String,
-            likely_cause: Option<&'a LikelyCause>,
-            shrunk: Vec<Value>,
-        }
-        let Self { checked, outcome, shrunk, cause } = self;
-        json::text(&Document {
-            checked,
-            verdict: outcome.verdict.name,
-            compared: checked.found.compared(),
-            not_reached: checked.asked().1,
-            moved: checked.moved(),
-            repeat: format!("{} check --seed {:#x}{} --case", program(), checked.seed, checked.options()),
-            likely_cause: cause.as_ref(),
-            shrunk: shrunk.iter().map(|shrunk| self.of_shrunk(shrunk)).collect(),
-        })
-    }
-
-    fn of_shrunk(&self, shrunk: &Shrunk) -> Value {
-        let Shrunk { number, case, finding } = shrunk;
-        let mut value = json::compared(&finding.entry);
-        value["case"] = json!(number);
-        value["minimum"] = json!(finding.minimum);
-        value["test"] = json!(disagreements::test(shrunk, &self.checked.planted));
-        value["repeat"] = json!(case_file::command(case) + &self.checked.options());
-        value["shrunk"] = json!(case_file::object(case));
-        value
     }
 }

@@ -34,7 +34,7 @@ fn read(folder: &Path, name: &str) -> String {
 #[test]
 fn a_merged_run_is_the_run() {
     let selections: [&[&str]; 2] = [
-        &["check", "--cases", "2", "--oracle", "all"],
+        &["check", "--cases", "6", "--oracle", "all"],
         &[
             "check", "--cases", "30", "--family", "hermite", "--regime", "generic", "--regime", "metres",
             FAULT[0], FAULT[1],

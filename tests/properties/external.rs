@@ -8,6 +8,7 @@ mod hand_written;
 mod hidden;
 mod parameters;
 mod programs;
+mod recognized;
 
 use beamgap::check::external::{
     AnswerReader, Demands, Drawing, Evaluator, Expected, Formulas, Matching, Report, Vector, VectorReader,

@@ -81,9 +81,8 @@ pub(super) fn layouts<
     let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
     let with_slips = |memory: fn() -> Second<f64, N, M, S, H>| {
         let mut all = std::array::from_fn(|_| memory());
-        let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = &mut all;
-        let to = &mut Targets { d, xi, xi_bar, t, t_bar };
-        write_all_with_slips(&pair, &q, beams.point, to, [g_t, g_t_bar]);
+        let (mut to, slips) = targets_and_slips(&mut all);
+        write_all_with_slips(&pair, &q, beams.point, &mut to, slips);
         read(&all, &directions)
     };
     let d_alone = |memory: fn() -> Second<f64, N, M, S, H>| {
@@ -92,22 +91,20 @@ pub(super) fn layouts<
         vec![(D, along(&d, &directions))]
     };
     let mut gradients: [Gradient<f64, S>; SCALARS] = std::array::from_fn(|_| Gradient::zeros());
-    let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = &mut gradients;
-    write_all_with_slips(&pair, &q, beams.point, &mut Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar]);
+    let (mut to, slips) = targets_and_slips(&mut gradients);
+    write_all_with_slips(&pair, &q, beams.point, &mut to, slips);
     let mut first: [Gradient<f64, S>; 5] = std::array::from_fn(|_| Gradient::zeros());
-    let [d, t, t_bar, xi, xi_bar] = &mut first;
-    write_all(&pair, &q, beams.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    write_all(&pair, &q, beams.point, &mut targets(&mut first));
     let [in_blocks, in_full, in_packed] = Second::ALL;
     // Over any scalar, in a formulation that is given.
     let at = (beams.point.xi, beams.point.xi_bar);
     let (jet, jet_bar) = jets(&pair, &q, at);
     let form = Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), beams.point.held());
-    let [mut with_slips_over, mut first_over] = [(); 2].map(|()| std::array::from_fn(|_| in_blocks()));
-    let [d, t, t_bar, xi, xi_bar, g_t, g_t_bar] = &mut with_slips_over;
-    let to = &mut Targets { d, xi, xi_bar, t, t_bar };
-    write_all_with_slips_over(&pair, &q, at, form, to, [g_t, g_t_bar]);
-    let [d, t, t_bar, xi, xi_bar, ..] = &mut first_over;
-    write_all_over(&pair, &q, at, form, &mut Targets { d, xi, xi_bar, t, t_bar });
+    let mut with_slips_over = std::array::from_fn(|_| in_blocks());
+    let (mut to, slips) = targets_and_slips(&mut with_slips_over);
+    write_all_with_slips_over(&pair, &q, at, form, &mut to, slips);
+    let mut first_over = std::array::from_fn(|_| in_blocks());
+    write_all_over(&pair, &q, at, form, &mut targets(&mut first_over));
     let mut d_alone_over = in_blocks();
     write_d_over(&pair, &q, at, form, &mut d_alone_over);
     vec![
@@ -119,9 +116,20 @@ pub(super) fn layouts<
         Returned::new(full_d, d_alone(in_full)),
         Returned::new(packed_d, d_alone(in_packed)),
         Returned::new(over, read(&with_slips_over, &directions)),
-        Returned::new(all_over, read(&first_over[..5], &directions)),
+        Returned::new(all_over, read(&first_over, &directions)),
         Returned::new(d_over, vec![(D, along(&d_alone_over, &directions))]),
     ]
+}
+
+/// The first scalars as targets.
+pub(super) fn targets<W>([d, t, t_bar, xi, xi_bar]: &mut [W; 5]) -> Targets<'_, W> {
+    Targets { d, xi, xi_bar, t, t_bar }
+}
+
+fn targets_and_slips<W>(
+    [d, t, t_bar, xi, xi_bar, g_t, g_t_bar]: &mut [W; SCALARS],
+) -> (Targets<'_, W>, [&mut W; 2]) {
+    (Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar])
 }
 
 /// The first scalars.

@@ -1,16 +1,14 @@
 //! The functions that any curve has: the variations, the matrices, and the routes of automatic differentiation.
 
 use super::expansion::Expansion;
-use super::linearized::{D, every_scalar, read, unwritten};
+use super::linearized::{D, every_scalar, read, targets, unwritten};
 use super::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::ad::{
     Route, chord, expand_by_orders, expand_by_rows, expand_by_sweep, expand_by_vector_dual,
     expand_d_by_orders, vary,
 };
-use crate::linearization::closed_form::kernel::{
-    Full, PairAtPoint, Targets, write_all, write_d, write_d_batch,
-};
+use crate::linearization::closed_form::kernel::{Full, PairAtPoint, write_all, write_d, write_d_batch};
 use crate::linearization::closed_form::{self, Matrices, PartialVariations, VectorQuantity};
 use crate::linearization::{Derivatives, Quantities, Varied};
 use crate::number::{HyperDualRow, Lanes};
@@ -47,8 +45,7 @@ fn by_matrices(
     let mut one = unwritten();
     write_d(pair, q, point, &mut one);
     let mut first = [unwritten(); 5];
-    let [d, t, t_bar, xi, xi_bar] = &mut first;
-    write_all(pair, q, point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    write_all(pair, q, point, &mut targets(&mut first));
     let mut lanes = [Full::<Lanes, 4>::zeros()];
     write_d_batch(&[PairAtPoint { pair, q, point }], &mut lanes);
     let in_lanes = directions.each_ref().map(|of| of.iter().map(|&x| Lanes([x; 4])).collect());
