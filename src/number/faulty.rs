@@ -11,7 +11,7 @@ pub(crate) use bits::Bits;
 pub(crate) use runs::{Change, TermChange, counted, locate, operations, terms, with_operation, with_terms};
 
 use super::{Label, Real, field_from_operators};
-use runs::{CHANGE, CHANGES, COUNT, LABELS, MODE, Mode, RECORD, TERMS, TRACE, WRONG};
+use runs::{CHANGE, CHANGES, LABELS, Mode, Next, RECORD, STATE, State, TERMS, TRACE};
 use std::backtrace::Backtrace;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -22,13 +22,10 @@ pub(crate) struct Faulty<T>(pub(crate) T);
 /// The result of an operation, with or without a fault.
 #[inline(always)]
 fn done<T: Bits>(result: T) -> Faulty<T> {
-    let count = COUNT.get();
-    COUNT.set(count + 1);
-    if count == WRONG.get() {
-        return Faulty(wrong(result));
-    }
-    if MODE.get() == Mode::RecordOperations {
-        record(result);
+    match STATE.with(State::next) {
+        Next::Unchanged => {}
+        Next::Recorded => record(result),
+        Next::Wrong => return Faulty(wrong(result)),
     }
     Faulty(result)
 }
@@ -36,7 +33,7 @@ fn done<T: Bits>(result: T) -> Faulty<T> {
 #[cold]
 #[inline(never)]
 fn wrong<T: Bits>(result: T) -> T {
-    if MODE.get() == Mode::Locate {
+    if STATE.with(|state| state.mode.get()) == Mode::Locate {
         TRACE.set(Backtrace::force_capture().to_string());
     }
     CHANGE.get().of(result)
@@ -91,11 +88,12 @@ impl<T: Bits> Real for Faulty<T> {
     fn named(self, label: Label) -> Self {
         let place = TERMS.get();
         TERMS.set(place + 1);
-        if MODE.get() == Mode::RecordTerms {
+        let (mode, after_fault) =
+            STATE.with(|state| (state.mode.get(), state.count.get() > state.wrong.get()));
+        if mode == Mode::RecordTerms {
             record(self.0);
-            LABELS.with_borrow_mut(|labels| labels.push(label));
         }
-        if MODE.get() == Mode::Locate && COUNT.get() > WRONG.get() {
+        if mode == Mode::RecordTerms || mode == Mode::Locate && after_fault {
             LABELS.with_borrow_mut(|labels| labels.push(label));
         }
         CHANGES.with_borrow(|changes| {

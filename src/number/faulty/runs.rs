@@ -54,11 +54,40 @@ pub(super) enum Mode {
     Locate,
 }
 
-thread_local! {
-    pub(super) static COUNT: Cell<usize> = const { Cell::new(0) };
+/// What every operation reads, in one place: it is found once per operation.
+pub(super) struct State {
+    pub(super) count: Cell<usize>,
     /// The index of the operation with the fault.
-    pub(super) static WRONG: Cell<usize> = const { Cell::new(usize::MAX) };
-    pub(super) static MODE: Cell<Mode> = const { Cell::new(Mode::Count) };
+    pub(super) wrong: Cell<usize>,
+    pub(super) mode: Cell<Mode>,
+}
+
+/// What happens to the result of an operation.
+pub(super) enum Next {
+    Unchanged,
+    Recorded,
+    Wrong,
+}
+
+impl State {
+    /// Counts an operation.
+    #[inline(always)]
+    pub(super) fn next(&self) -> Next {
+        let count = self.count.get();
+        self.count.set(count + 1);
+        if count == self.wrong.get() {
+            Next::Wrong
+        } else if self.mode.get() == Mode::RecordOperations {
+            Next::Recorded
+        } else {
+            Next::Unchanged
+        }
+    }
+}
+
+thread_local! {
+    pub(super) static STATE: State =
+        const { State { count: Cell::new(0), wrong: Cell::new(usize::MAX), mode: Cell::new(Mode::Count) } };
     pub(super) static CHANGE: Cell<Change> = const { Cell::new(Change::PlusOne) };
     pub(super) static RECORD: RefCell<Vec<u64>> = const { RefCell::new(Vec::new()) };
     pub(super) static TRACE: RefCell<String> = const { RefCell::new(String::new()) };
@@ -73,7 +102,7 @@ struct Run;
 
 impl Run {
     fn start() -> Self {
-        COUNT.set(0);
+        STATE.with(|state| state.count.set(0));
         TERMS.set(0);
         Self
     }
@@ -81,8 +110,10 @@ impl Run {
 
 impl Drop for Run {
     fn drop(&mut self) {
-        WRONG.set(usize::MAX);
-        MODE.set(Mode::Count);
+        STATE.with(|state| {
+            state.wrong.set(usize::MAX);
+            state.mode.set(Mode::Count);
+        });
         CHANGES.take();
     }
 }
@@ -91,7 +122,7 @@ impl Drop for Run {
 pub(crate) fn counted<R>(run: impl FnOnce() -> R) -> (R, usize) {
     let _run = Run::start();
     let result = run();
-    (result, COUNT.get())
+    (result, STATE.with(|state| state.count.get()))
 }
 
 /// The results of all operations of a run.
@@ -107,7 +138,7 @@ pub(crate) fn terms<R>(run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
 fn recorded<R>(mode: Mode, run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
     let _run = Run::start();
     drop((RECORD.take(), LABELS.take()));
-    MODE.set(mode);
+    STATE.with(|state| state.mode.set(mode));
     drop(run());
     (LABELS.take(), RECORD.take())
 }
@@ -115,7 +146,7 @@ fn recorded<R>(mode: Mode, run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
 /// A run with a fault in one operation.
 pub(crate) fn with_operation<R>(wrong: usize, change: Change, run: impl FnOnce() -> R) -> R {
     let _run = Run::start();
-    WRONG.set(wrong);
+    STATE.with(|state| state.wrong.set(wrong));
     CHANGE.set(change);
     run()
 }
@@ -131,9 +162,11 @@ pub(crate) fn with_terms<R>(changes: Vec<(Label, TermChange)>, run: impl FnOnce(
 /// first named term that follows it. Paths start at `src` for this library and at the working directory for others.
 pub(crate) fn locate<R>(operation: usize, run: impl FnOnce() -> R) -> (Vec<String>, Option<Label>) {
     let _run = Run::start();
-    WRONG.set(operation);
+    STATE.with(|state| {
+        state.wrong.set(operation);
+        state.mode.set(Mode::Locate);
+    });
     CHANGE.set(Change::PlusOne);
-    MODE.set(Mode::Locate);
     LABELS.take();
     drop(run());
     let (trace, labels) = (TRACE.take(), LABELS.take());
