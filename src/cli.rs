@@ -43,7 +43,7 @@ use std::process::ExitCode;
 /// Linearization of beam-to-beam contact geometry, in closed form and by
 /// automatic differentiation.
 #[derive(Parser)]
-#[command(name = "beamgap", version, max_term_width = 80, arg_required_else_help = false, after_help = Exit::help())]
+#[command(name = "beamgap", version, arg_required_else_help = false, after_help = Exit::help())]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -96,7 +96,8 @@ enum Command {
 /// # Errors
 /// Invalid arguments, files that cannot be written, and panics.
 pub(crate) fn run() -> anyhow::Result<Exit> {
-    let command = config::configured(with_negative_numbers(Arguments::command()))?;
+    let command = with_negative_numbers(Arguments::command()).term_width(terminal::help_columns());
+    let command = config::configured(command)?;
     let parsed = command.clone().try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
     let arguments = match parsed {
         Ok(arguments) => arguments,

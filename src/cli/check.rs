@@ -49,6 +49,9 @@ pub(crate) struct Check {
     /// Of one case, only the numbers that differ beyond rounding
     #[arg(long, conflicts_with_all = ["cases", "family", "regime"], requires = "one")]
     only_wrong: bool,
+    /// Show all tables, mismatches and shrunk cases of a run that fails, and not only a screen of them
+    #[arg(long, conflicts_with = "one")]
+    all: bool,
     /// Inject this fault, to see the check fail; may be repeated (see `beamgap faults --list`)
     #[arg(long, value_name = "FAULT", value_parser = fault)]
     plant: Vec<String>,
@@ -135,7 +138,7 @@ impl Check {
         if let Some(path) = &self.write_counts {
             checked.write_counts(path)?;
         }
-        let shown = checked.shown()?;
+        let shown = checked.shown(self.all)?;
         outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
         Ok(shown.outcome.verdict.exit)
     }

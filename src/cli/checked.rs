@@ -200,8 +200,8 @@ impl Checked {
         Outcome { command: "check", verdict: self.verdict(), entries: entries.chain(search).collect() }
     }
 
-    /// Shrinks the first mismatches.
-    pub(super) fn shown(self) -> anyhow::Result<Shown> {
+    /// Shrinks the first mismatches. `all`: people see all tables even if the run fails.
+    pub(super) fn shown(self, all: bool) -> anyhow::Result<Shown> {
         let variant = self.config()?.variant;
         let shrunk = shrink_mismatches(&variant, self.seed, &self.found, SHOWN);
         let mut outcome = self.outcome();
@@ -211,7 +211,7 @@ impl Checked {
         if let Some(cause) = &cause {
             let _ = write!(outcome.verdict.words, "\n{}", disagreements::likely(cause));
         }
-        Ok(Shown { outcome, checked: self, shrunk, cause })
+        Ok(Shown { outcome, checked: self, shrunk, cause, all })
     }
 
     /// Merges the parts of a run, in any order.

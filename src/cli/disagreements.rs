@@ -1,7 +1,7 @@
 //! Mismatches, for people: the numbers, and a minimal case as a test and as a command.
 
 use super::case_file;
-use super::checked::{Checked, SHOWN, Shown};
+use super::checked::{Checked, Shown};
 use super::count;
 use super::human::{error, name, repeat};
 use super::terminal::folded;
@@ -12,8 +12,8 @@ use beamgap::check::{
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// The first mismatches, each with the command that repeats it.
-pub(super) fn listed(checked: &Checked) -> String {
+/// The first mismatches, at most `count`, each with the command that repeats it.
+pub(super) fn listed(checked: &Checked, count: usize) -> String {
     let mut text = String::new();
     let all = &checked.found.mismatches;
     // First one mismatch of each kind, then others.
@@ -23,7 +23,7 @@ pub(super) fn listed(checked: &Checked) -> String {
         .map(|(number, mismatch)| (*number, mismatch.kind))
         .partition(|(_, kind)| met.insert(*kind));
     shown.extend(others);
-    shown.truncate(SHOWN);
+    shown.truncate(count);
     for (&number, Mismatch { arbitration, worst, .. }) in
         shown.iter().filter_map(|(number, _)| all.get_key_value(number))
     {
@@ -37,12 +37,22 @@ pub(super) fn listed(checked: &Checked) -> String {
         let command = repeat(checked.seed, number) + &checked.options();
         let _ = writeln!(text, "    repeat with:\n    {command}");
     }
-    match all.len().saturating_sub(SHOWN) {
-        0 => {}
-        rest => drop(writeln!(text, "  and {rest} more")),
+    text
+}
+
+/// The number of mismatches that are not among the first `count`.
+pub(super) fn more(checked: &Checked, count: usize) -> String {
+    match checked.found.mismatches.len().saturating_sub(count) {
+        0 => String::new(),
+        rest => format!("  and {rest} more\n"),
     }
+}
+
+/// The first wrong number of most cases, and where to look; empty if nothing is wrong.
+pub(super) fn summary(checked: &Checked) -> String {
+    let mut text = String::new();
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
-    for kind in all.values().filter_map(|mismatch| mismatch.kind) {
+    for kind in checked.found.mismatches.values().filter_map(|mismatch| mismatch.kind) {
         *counts.entry(kind).or_default() += 1;
     }
     if let Some((MismatchKind { candidate, order, quantity }, count)) =
@@ -52,7 +62,7 @@ pub(super) fn listed(checked: &Checked) -> String {
         let (order_name, name, cases) = (order.name(), quantity.name(), count::count(cases, "case"));
         let _ = write!(
             text,
-            "\n  In {count} of {cases} the first wrong number is {name} ({order_name}) of: {candidate}\n  \
+            "In {count} of {cases} the first wrong number is {name} ({order_name}) of: {candidate}\n  \
              wrong layer: {}\n  look at {}\n",
             layer(*order),
             look_at(*order, *quantity)

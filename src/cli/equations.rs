@@ -82,7 +82,10 @@ impl ListEquations {
         }
         let (exit, name) = if holds { (Exit::Agree, "holds") } else { (Exit::Disagree, "does-not-hold") };
         let entries = record.table.equations.iter().map(entry).collect();
-        let outcome = Outcome { command: "equations", verdict: Amounts::new(exit, name, verdict), entries };
+        let mut verdict = Amounts::new(exit, name, verdict);
+        // One equation that is printed wrong is to look at.
+        verdict.is_warning = matches!(&*record.table.equations, [one] if one.verdict == Verdict::Misprint);
+        let outcome = Outcome { command: "equations", verdict, entries };
         let human = || {
             let text = match record.table.equations.as_slice() {
                 [entry] => head.clone() + &whole(entry, self.latex),

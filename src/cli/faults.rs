@@ -91,19 +91,18 @@ impl InjectFaults {
 pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     let asked = |regime: &Regime| named.is_empty() || named.contains(regime);
     let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
-    let progress = Progress::of("injecting faults into terms");
-    let found = inject(seed, &regimes);
-    progress.now("injecting faults into single operations over a prime field");
+    let progress = Progress::stages(5 + 2 * regimes.len());
+    let found = progress.stage("faults in terms", || inject(seed, &regimes));
     // Faults in single operations do not depend on the regime.
-    let operations = if named.is_empty() { all_operations(seed) } else { Vec::new() };
-    progress.now("injecting faults into single operations in f64");
-    let (limits, sampled) = (limits(seed, &regimes), sampled(seed, &regimes));
-    progress.now("injecting faults into the search for closest points");
-    let search = search_faults(seed, &regimes);
-    progress.now("injecting faults on one side of each symmetry");
-    let one_sided = Some(one_sided(seed, &regimes));
-    progress.now("examining the gate itself");
-    let gate = gate(seed, &regimes);
+    let of_field = || if named.is_empty() { all_operations(seed) } else { Vec::new() };
+    let operations = progress.stage("operations over a prime field", of_field);
+    let limits = progress.stage("detection limits", || limits(seed, &regimes));
+    let sampled = progress.stage("operations in f64", || sampled(seed, &regimes));
+    let of_search = |regime: &Regime| progress.stage("the search", || search_faults(seed, &[*regime]));
+    let search = regimes.iter().flat_map(of_search).collect();
+    let one_sided = Some(progress.stage("one side of each symmetry", || one_sided(seed, &regimes)));
+    let gate =
+        regimes.iter().flat_map(|regime| progress.stage("the gate", || gate(seed, &[*regime]))).collect();
     progress.end();
     Faults {
         schema: Faults::SCHEMA.to_owned(),

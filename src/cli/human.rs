@@ -1,32 +1,64 @@
 //! A run as tables for people, 80 columns wide.
 
 use super::arguments::{planted, program};
-use super::checked::{Checked, Shown};
+use super::checked::{Checked, SHOWN, Shown};
 use super::count::count;
 use super::disagreements;
+use super::exit::Exit;
 use super::searched;
 use beamgap::check::{Cell, Comparison, Differences, Family, Inconclusive, NotCompared, Order, Shard};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// The whole text of a run.
+/// The meaning of the columns.
+const COLUMNS: &str = "\
+first: delta, Delta; second: Delta-delta; symmetry: of second; matrix: gradient
+and Hessian times the directions; function: what linearize and others return
+";
+
+/// The text of a run: of one that fails, what fits a screen, unless all is asked for.
 pub(super) fn document(shown: &Shown) -> String {
+    let fails = matches!(shown.outcome.verdict.exit, Exit::Disagree | Exit::Untrusted);
+    if fails && !shown.all { failure(shown) } else { all_tables(shown) }
+}
+
+/// A run that fails: the cause, then the first mismatch, then the wrong quantities.
+fn failure(shown: &Shown) -> String {
+    let (checked, verdict) = (&shown.checked, &shown.outcome.verdict.words);
+    let mut text = format!("{}\n{verdict}\n", head(checked));
+    if !checked.found.mismatches.is_empty() {
+        text += &disagreements::summary(checked);
+        let _ = write!(text, "\nFirst mismatch\n{}", disagreements::listed(checked, 1));
+    }
+    let wrong = checked.found.quantities.iter().filter(|(_, cell)| cell.over_tolerance > 1.0);
+    let wrong: BTreeSet<Quantity> = wrong.map(|((quantity, _), _)| *quantity).collect();
+    if !wrong.is_empty() {
+        let rows = checked.found.quantities.iter().filter(|((quantity, _), _)| wrong.contains(quantity));
+        let rows = rows.map(|(key, cell)| (*key, *cell)).collect();
+        let table = cells(&rows, &Order::ALL, worst);
+        let _ = write!(text, "\nWorst error / scale; !: beyond rounding\n{table}{COLUMNS}");
+    }
+    text + "\n--all shows all tables and mismatches, and the shrunk cases.\n"
+}
+
+fn all_tables(shown: &Shown) -> String {
     let checked = &shown.checked;
     let mut text = head(checked);
-    if !checked.found.mismatches.is_empty() {
-        text += "!: a number differs beyond rounding\n";
-    }
     let mut add = |title: &str, body: String| {
         if !body.is_empty() {
             let _ = write!(text, "\n{title}\n{body}");
         }
     };
-    add(
-        "Worst error / scale; the scale is the sum of the absolute values of all terms",
-        cells(&checked.found.quantities, &Order::ALL, worst),
-    );
+    let mut errors = cells(&checked.found.quantities, &Order::ALL, worst);
+    if !errors.is_empty() {
+        errors += COLUMNS;
+    }
+    if !checked.found.mismatches.is_empty() {
+        errors += "!: a number differs beyond rounding\n";
+    }
+    add("Worst error / scale; the scale is the sum of the absolute values of all terms", errors);
     // A column for the functions would make the table wider than a terminal.
     let orders = Order::ALL.map(|order| (order != Order::Function).then_some(order));
     let orders: Vec<Order> = orders.into_iter().flatten().collect();
@@ -36,7 +68,10 @@ pub(super) fn document(shown: &Shown) -> String {
     add("Not compared", not_compared(checked));
     add("Differences in double-double", differences(checked));
     add("Closest points: the search, and an independent search", searched::table(checked));
-    add("Mismatches", disagreements::listed(checked));
+    let summary = disagreements::summary(checked);
+    let summary = if summary.is_empty() { summary } else { format!("\n{summary}") };
+    let mismatches = disagreements::listed(checked, SHOWN) + &disagreements::more(checked, SHOWN);
+    add("Mismatches", mismatches + &summary);
     add("Shrunk mismatches, as a test and as a command", disagreements::made_small(shown));
     text + "\n" + &shown.outcome.verdict.words + "\n"
 }
@@ -55,10 +90,7 @@ pub(super) fn head(Checked { planted: plant, seed, selection, shard, .. }: &Chec
     };
     format!(
         "Contact geometry of two beams: closed form and automatic differentiation\n\
-         seed {seed:#x}, {regimes}, {} each, {family}\n{part}{}\n\
-         first: delta and Delta; second: Delta-delta; symmetry: second, with the\n\
-         directions exchanged; matrix: gradient and Hessian times the directions;\n\
-         function: what linearize and all other functions return\n",
+         seed {seed:#x}, {regimes}, {} each, {family}\n{part}{}",
         count(selection.cases, "case"),
         planted(plant),
     )

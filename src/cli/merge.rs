@@ -15,6 +15,9 @@ pub(crate) struct Merge {
     /// The results of `beamgap check --shard I/N --format json` of all shards, in any order
     #[arg(value_name = "PART", required = true)]
     parts: Vec<PathBuf>,
+    /// Show all tables, mismatches and shrunk cases of a run that fails, and not only a screen of them
+    #[arg(long)]
+    all: bool,
     #[command(flatten)]
     output: OutputOptions,
 }
@@ -34,7 +37,7 @@ impl Merge {
         let merged = Checked::merge(parts)?;
         // Mismatches are shrunk after this, which takes seconds.
         outputs.begin(&human::head(&merged))?;
-        let shown = merged.shown()?;
+        let shown = merged.shown(self.all)?;
         outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
         Ok(shown.outcome.verdict.exit)
     }

@@ -215,9 +215,10 @@ fn coloured(mut text: String, outcome: &Outcome) -> String {
     let words = &outcome.verdict.words;
     let end = words.find(':').unwrap_or(0);
     if let Some(start) = text.rfind(words.as_str()) {
-        let colour = match outcome.verdict.exit {
-            Exit::Agree => "\u{1b}[1;32m",
-            Exit::Nothing => "\u{1b}[1;33m",
+        // Green: all agrees. Yellow: something was not compared, or is to look at. Red: something is wrong.
+        let colour = match (outcome.verdict.exit, outcome.verdict.is_warning) {
+            (Exit::Agree, false) => "\u{1b}[1;32m",
+            (Exit::Agree, true) | (Exit::Nothing, _) => "\u{1b}[1;33m",
             _ => "\u{1b}[1;31m",
         };
         text.insert_str(start + end, "\u{1b}[0m");

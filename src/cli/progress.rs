@@ -33,9 +33,19 @@ impl Progress {
         }
     }
 
-    /// Changes the name of the current task.
-    pub(super) fn now(&self, what: &'static str) {
+    /// Shows the current stage of `count` stages, with the time since the start.
+    pub(super) fn stages(count: usize) -> Self {
+        let bar = Self::shown(ProgressBar::new(count as u64), "{wide_bar} {pos}/{len} {msg}, {elapsed}");
+        bar.enable_steady_tick(Duration::from_millis(120));
+        Self(bar)
+    }
+
+    /// Runs a stage of this name.
+    pub(super) fn stage<R>(&self, what: &'static str, run: impl FnOnce() -> R) -> R {
         self.0.set_message(what);
+        let result = run();
+        self.0.inc(1);
+        result
     }
 
     /// Counts one finished item.

@@ -223,7 +223,7 @@ mod tests {
     /// A proof with one refutation: xi has the wrong sign in its second variation, g_T half of it, d is off by one.
     fn refuted() -> Proved {
         let families = vec![Family::Segment, Family::Arc];
-        let mut proof = prove(&Variant::Unmodified, 1, &families, 2);
+        let mut proof = prove(&Variant::Unmodified, 1, &families, 2, || ());
         let mut draw = Draw::new(&Variant::Unmodified, 1, [Family::Segment, Family::Arc], 1);
         let half = PrimeField::new(1) / PrimeField::new(2);
         for entry in draw.entries.iter_mut().filter(|entry| entry.part == "Delta-delta") {

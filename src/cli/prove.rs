@@ -56,8 +56,8 @@ impl Prove {
         let (start, variant) = (Instant::now(), variant(&self.plant)?);
         let (plant, seed, draws) = (self.plant, self.seed, self.draws);
         outputs.begin(&proof::head(&plant, seed, &families, draws))?;
-        let progress = Progress::of("comparing over a prime field");
-        let proof = prove(&variant, seed, &families, draws);
+        let progress = Progress::bar("pairs of families", (families.len() * families.len()) as u64);
+        let proof = prove(&variant, seed, &families, draws, || progress.step());
         progress.end();
         let all = proof.pairs as u64 * draws;
         // The result is written even if stderr is closed.

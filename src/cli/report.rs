@@ -93,7 +93,8 @@ impl Report {
         progress.end();
         let progress = Progress::of("measuring errors by double-double");
         let chosen = verdict(&accuracy(&self.to, SEED, &command)?).0 == Exit::Agree;
-        progress.now("evaluating equations");
+        progress.end();
+        let progress = Progress::of("evaluating equations");
         let table = equations::equation_table(SEED, equations::DRAWS, equations::CASES);
         let equations = Equations::new(table, Environment::here(&command));
         report::equations(&self.to, &equations)?;

@@ -54,9 +54,19 @@ fn message(error: &str, columns: usize, paths: &[String]) -> String {
 }
 
 fn columns() -> usize {
+    width().map_or(80, |width| width.clamp(80, 120))
+}
+
+/// The columns of help: those of the terminal, but at most 100; 80 if there is no terminal.
+pub(super) fn help_columns() -> usize {
+    width().map_or(80, |width| width.min(100))
+}
+
+/// The columns of standard output, if it is a terminal.
+fn width() -> Option<usize> {
     let stdout = std::io::stdout();
-    let width = if stdout.is_terminal() { terminal_size::terminal_size_of(stdout) } else { None };
-    width.map_or(80, |(terminal_size::Width(width), _)| usize::from(width).clamp(80, 120))
+    let size = if stdout.is_terminal() { terminal_size::terminal_size_of(stdout) } else { None };
+    size.map(|(terminal_size::Width(width), _)| usize::from(width))
 }
 
 #[cfg(test)]

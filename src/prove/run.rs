@@ -77,11 +77,17 @@ impl Proof {
 /// A table over the components (the scalars again for the matrices) and layers.
 type Counts = [[u64; Layer::ALL.len()]; COMPONENTS];
 
-/// Proves the closed form for every pair of the families, with this number of draws each.
-pub fn prove(variant: &Variant, seed: u64, families: &[Family], draws: u64) -> Proof {
+/// Proves the closed form for every pair of the families, with this number of draws each. `step` is called after each
+/// pair.
+pub fn prove(variant: &Variant, seed: u64, families: &[Family], draws: u64, step: impl Fn() + Sync) -> Proof {
     let pairs: Vec<[Family; 2]> =
         families.iter().flat_map(|&one| families.iter().map(move |&other| [one, other])).collect();
-    let results: Vec<_> = pairs.par_iter().map(|&pair| prove_pair(variant, seed, pair, draws)).collect();
+    let of_pair = |&pair: &[Family; 2]| {
+        let result = prove_pair(variant, seed, pair, draws);
+        step();
+        result
+    };
+    let results: Vec<_> = pairs.par_iter().map(of_pair).collect();
     let mut proof = Proof { pairs: pairs.len(), ..Proof::default() };
     for quantity in Quantity::ALL {
         for (k, layer) in Layer::ALL.into_iter().enumerate() {

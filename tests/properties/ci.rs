@@ -164,7 +164,7 @@ fn every_format_is_of_its_schema() {
         assert_eq!((results > 0, annotations > 0), (code != 0, code != 0), "{arguments:?}");
         assert_eq!(read(&folder, "junit").contains("<failure "), code != 0);
         assert!(read(&folder, "markdown").starts_with(if code == 0 { "## ✅" } else { "## ❌" }));
-        assert!(read(&folder, "human").ends_with(&String::from_utf8(output.stdout).unwrap()));
+        assert!(read(&folder, "human").contains(&*String::from_utf8(output.stdout).unwrap()));
     }
     // The schema must reject an invalid log.
     let schema: Value = serde_json::from_str(include_str!("../schemas/sarif-2.1.0.json")).unwrap();

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 #[test]
 fn all_pairs_of_families_are_proved() {
-    let proof = prove(&Variant::Unmodified, 7, &Family::ALL, 8);
+    let proof = prove(&Variant::Unmodified, 7, &Family::ALL, 8, || ());
     assert_eq!(proof.pairs, 121);
     assert!(proof.holds(), "{:?}", proof.refutations.first());
     // Thirteen quantities in three layers, and seven quantities in matrices and in the kernel.
@@ -32,7 +32,7 @@ fn all_pairs_of_families_are_proved() {
 
 #[test]
 fn nothing_proves_nothing() {
-    assert!(!prove(&Variant::Unmodified, 7, &[], 8).holds() && !Proof::default().holds());
+    assert!(!prove(&Variant::Unmodified, 7, &[], 8, || ()).holds() && !Proof::default().holds());
 }
 
 proptest! {

@@ -83,7 +83,7 @@ fn threads_do_not_matter() {
         let (summary, proof) = pool.install(|| {
             (
                 check::run(&CheckConfig::default(), 7, &selection, || ()),
-                prove(&Variant::Unmodified, 7, &Family::ALL[..4], 16),
+                prove(&Variant::Unmodified, 7, &Family::ALL[..4], 16, || ()),
             )
         });
         let record = Crosscheck::new(summary.clone(), 7, 40, Environment::here("none")).to_json().unwrap();

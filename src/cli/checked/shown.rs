@@ -15,6 +15,8 @@ pub(in crate::cli) struct Shown {
     pub(in crate::cli) shrunk: Vec<Shrunk>,
     /// The likely cause of the mismatches, if it is known.
     pub(in crate::cli) cause: Option<LikelyCause>,
+    /// Whether people see all tables even if the run fails.
+    pub(in crate::cli) all: bool,
 }
 
 impl Shown {
@@ -39,7 +41,7 @@ impl Shown {
             likely_cause: Option<&'a LikelyCause>,
             shrunk: Vec<Value>,
         }
-        let Self { checked, outcome, shrunk, cause } = self;
+        let Self { checked, outcome, shrunk, cause, .. } = self;
         json::text(&Document {
             checked,
             verdict: outcome.verdict.name,

@@ -15,7 +15,7 @@ fn shown(found: Summary) -> (Exit, String) {
     let selection = Selection { regimes: Regime::ALL.to_vec(), family: None, cases: 1_000_000 };
     let mut checked = Checked::new(u64::MAX, Vec::new(), Oracle::Ad, selection, Shard::WHOLE);
     checked.found = found;
-    let shown = Shown { outcome: checked.outcome(), checked, shrunk: Vec::new(), cause: None };
+    let shown = Shown { outcome: checked.outcome(), checked, shrunk: Vec::new(), cause: None, all: true };
     let text = shown.human();
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     (shown.outcome.verdict.exit, text)
@@ -86,7 +86,7 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
     let shrunk = vec![Shrunk { number: 17, finding, case }];
     let selection = Selection { regimes: Vec::new(), family: None, cases: 1 };
     let checked = Checked::new(1, Vec::new(), Oracle::All, selection, Shard::WHOLE);
-    let mut shown = Shown { outcome: checked.outcome(), checked, shrunk, cause: None };
+    let mut shown = Shown { outcome: checked.outcome(), checked, shrunk, cause: None, all: true };
     let text = shown.human();
     assert!(
         text.contains("\n// From case 17: Delta of xi (first) is the first wrong number.\n#[test]\n"),
