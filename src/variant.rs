@@ -29,7 +29,7 @@ pub(crate) use point::{CONTACT, Point};
 pub(crate) use read::Contracted;
 
 use crate::linearization::closed_form::{Formulation, Matrices, PartialVariations, variations_in};
-use crate::linearization::{Linearization, Quantities, Varied};
+use crate::linearization::{Linearization, Quantities, Quantity, Varied};
 use crate::number::{Bits, Change, Faulty, Label, Real, with_operation};
 use crate::pair::{Contact, DofVector};
 use crate::test_beam::PaddedBeam;
@@ -42,10 +42,18 @@ const LAG: f64 = 1.0 / 128.0;
 pub(crate) const SCALARS: usize = 7;
 
 /// The component g_N.
-pub(crate) const G_N: usize = 20;
+pub(crate) const G_N: usize = Quantity::GN.component();
 
 /// The components (of the variations) that have matrices.
-pub(crate) const SCALAR_COMPONENTS: [usize; SCALARS] = [15, 16, 17, 18, 19, 21, 22];
+pub(crate) const SCALAR_COMPONENTS: [usize; SCALARS] = [
+    Quantity::D.component(),
+    Quantity::T.component(),
+    Quantity::TBar.component(),
+    Quantity::Xi.component(),
+    Quantity::XiBar.component(),
+    Quantity::GT.component(),
+    Quantity::GTBar.component(),
+];
 
 /// The scalar whose derivatives a component has: g_N has those of d.
 pub(crate) fn scalar_of(component: usize) -> Option<usize> {

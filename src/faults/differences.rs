@@ -7,7 +7,7 @@
 use super::test_points::Sample;
 use crate::closest_point::{ClosestPoint, refine};
 use crate::linearization::closed_form::PartialVariations;
-use crate::linearization::{COMPONENTS, Varied};
+use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::test_beam::TestBeam;
 use crate::variant::{Step, Variant};
 
@@ -121,7 +121,7 @@ pub(super) struct Differences<'a> {
 }
 
 /// The scalars among the components. A Taylor test applies to a functional.
-const SCALARS: std::ops::Range<usize> = 15..COMPONENTS;
+const SCALARS: std::ops::Range<usize> = Quantity::D.component()..COMPONENTS;
 
 impl<'a> Differences<'a> {
     pub(super) fn new(variant: &'a Variant, sample: &'a Sample<'a>) -> Self {

@@ -43,7 +43,10 @@ pub struct Quantities<S> {
 }
 
 /// The number of scalars in the quantities: five vectors and eight scalars.
-pub const COMPONENTS: usize = 23;
+pub const COMPONENTS: usize = 2 * VECTORS + Quantity::ALL.len();
+
+/// The number of vectors; they are the first quantities.
+const VECTORS: usize = 5;
 
 impl<S: Scalar> Quantities<S> {
     /// The same quantities, with `f` applied to each number.
@@ -130,18 +133,35 @@ impl Quantity {
         Self::GT,
         Self::GTBar,
     ];
+    /// The points of both beams.
+    pub(crate) const POINTS: [Self; 2] = [Self::X, Self::XBar];
+    /// The tangents of both beams.
+    pub(crate) const TANGENTS: [Self; 2] = [Self::TVector, Self::TBarVector];
+    /// The lengths of the tangents.
+    pub(crate) const LENGTHS: [Self; 2] = [Self::T, Self::TBar];
+    /// The parameters of both beams.
+    pub(crate) const PARAMETERS: [Self; 2] = [Self::Xi, Self::XiBar];
+    /// The slips of both beams.
+    pub(crate) const SLIPS: [Self; 2] = [Self::GT, Self::GTBar];
 
     /// The quantity to which a number of [`Quantities::components`] belongs.
     ///
     /// # Panics
     /// If `component` is not below [`COMPONENTS`].
     pub fn of_component(component: usize) -> Self {
-        if component < 15 { Self::ALL[component / 3] } else { Self::ALL[component - 10] }
+        let is_of_vector = component < 3 * VECTORS;
+        Self::ALL[if is_of_vector { component / 3 } else { component - 2 * VECTORS }]
+    }
+
+    /// The place of its number in [`Quantities::components`], or of the first of the three numbers of a vector.
+    pub const fn component(self) -> usize {
+        let place = self as usize;
+        if place < VECTORS { 3 * place } else { 2 * VECTORS + place }
     }
 
     /// The axis of a number of [`Quantities::components`], if it belongs to a vector.
     pub fn axis_of_component(component: usize) -> Option<char> {
-        (component < 15).then(|| ['x', 'y', 'z'][component % 3])
+        (component < 3 * VECTORS).then(|| ['x', 'y', 'z'][component % 3])
     }
 
     /// The name, with `_vector` if a vector and its length have the same letter.

@@ -8,7 +8,7 @@ mod system;
 
 use super::EvaluationPoint;
 use crate::linearization::closed_form::Projection;
-use crate::linearization::{COMPONENTS, Varied};
+use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::{Label, Which};
 use crate::variant::{Step, Variant};
 use nalgebra::Vector3;
@@ -103,8 +103,8 @@ impl EvaluationPoint<'_> {
         let geometry = beams.map(|beam| beam.geometry);
         let along = |u: [[Vector3<f64>; 3]; 2], first: fn(&Varied<f64>) -> f64| Along {
             u,
-            xi: [18, 19].map(|i| first(&varied[i])),
-            length: [16, 17].map(|i| first(&varied[i])),
+            xi: Quantity::PARAMETERS.map(|of| first(&varied[of.component()])),
+            length: Quantity::LENGTHS.map(|of| first(&varied[of.component()])),
             u_hat: u[0][0] - u[1][0],
         };
         let delta = along(beams.map(|beam| beam.delta_u), |of| of.delta);
@@ -130,26 +130,29 @@ impl Point {
         let h = [sums.h[0] + solved.0, sums.h[1] + solved.1];
         for axis in 0..3 {
             for (beam, h) in h.into_iter().enumerate() {
-                all[3 * beam + axis][2] = self.t[beam][axis] * h;
-                all[9 + 3 * beam + axis][2] = self.t_xi[beam][axis] * h;
+                all[Quantity::POINTS[beam].component() + axis][2] = self.t[beam][axis] * h;
+                all[Quantity::TANGENTS[beam].component() + axis][2] = self.t_xi[beam][axis] * h;
             }
-            all[6 + axis][2] = all[axis][2] - all[3 + axis][2];
+            let [x, x_bar] = Quantity::POINTS.map(|of| all[of.component() + axis][2]);
+            all[Quantity::DVector.component() + axis][2] = x - x_bar;
         }
-        (all[15][2], all[20][2]) = (sums.d, sums.d);
+        for of in [Quantity::D, Quantity::GN] {
+            all[of.component()][2] = sums.d;
+        }
         for (beam, h) in h.into_iter().enumerate() {
-            let length = self.varied[16 + beam].value;
+            let length = self.varied[Quantity::LENGTHS[beam].component()].value;
             let t = self.t[beam].dot(&self.t_xi[beam]) / length * h + sums.t[beam];
-            all[16 + beam][2] = t;
-            all[18 + beam][2] = h;
-            all[21 + beam][2] = self.slips[beam] * t + length * h + sums.g_t[beam];
+            all[Quantity::LENGTHS[beam].component()][2] = t;
+            all[Quantity::PARAMETERS[beam].component()][2] = h;
+            all[Quantity::SLIPS[beam].component()][2] = self.slips[beam] * t + length * h + sums.g_t[beam];
         }
         all
     }
 
     /// The change of all first variations of some components by a factor.
-    fn of_first(&self, components: &[usize], factor: f64) -> Increment {
+    fn of_first(&self, scalars: &[Quantity], factor: f64) -> Increment {
         let mut all = Increment::default();
-        for &i in components {
+        for i in scalars.iter().map(|of| of.component()) {
             let Varied { delta, linear, .. } = self.varied[i];
             all[i] = [(factor - 1.0) * delta, (factor - 1.0) * linear, 0.0];
         }

@@ -10,7 +10,7 @@ use crate::linearization::ad::{
 };
 use crate::linearization::closed_form::kernel::{Full, PairAtPoint, write_all, write_d, write_d_batch};
 use crate::linearization::closed_form::{self, Matrices, PartialVariations, VectorQuantity};
-use crate::linearization::{Derivatives, Quantities, Varied};
+use crate::linearization::{COMPONENTS, Derivatives, Quantities, Quantity, Varied};
 use crate::number::{HyperDualRow, Lanes};
 use crate::pair::{Contact, DofVector, Pair};
 use crate::variant::read::along;
@@ -21,8 +21,8 @@ use num_dual::{Dual2SVec64, HyperDual64};
 const DIRECTIONS: [[f64; 4]; 2] = [[1.0, 0.0, 1.0, 0.0], [0.0, 1.0, 0.0, 1.0]];
 /// The dofs of a row that are differentiated at once: three of four, so that there is a remainder.
 const AT_ONCE: usize = 3;
-/// The scalars with matrices, and g_N.
-const PICKED: [usize; 8] = [15, 16, 17, 18, 19, 20, 21, 22];
+/// The components of the scalars: those with matrices, and g_N.
+const PICKED: std::ops::Range<usize> = Quantity::D.component()..COMPONENTS;
 
 fn picked<S>(all: Quantities<S>) -> [S; 8] {
     let Quantities { d, t, t_bar, xi, xi_bar, g_n, g_t, g_t_bar, .. } = all;

@@ -1,7 +1,7 @@
 //! The sums of section 5 of the derivation, with J_d, J_t and S multiplied out.
 
 use super::{Along, BEAMS, Error, Increment, Point, Summand, Sums};
-use crate::linearization::Varied;
+use crate::linearization::{Quantity, Varied};
 use crate::number::{Label, Which};
 
 /// The powers of a length that derivations by hand miss or repeat.
@@ -104,7 +104,7 @@ impl Point {
     fn of_distance(&self, list: &mut List, own: usize) {
         let (which, e) = (BEAMS[own], [1.0, -1.0][own]);
         let Self { t, t_xi, d, .. } = self;
-        let length = self.varied[15].value;
+        let length = self.varied[Quantity::D.component()].value;
         let sums = |value: f64| Sums { d: value / length, ..Sums::default() };
         let t2 = t[own].dot(&t[own]);
         let curvature = e * d.dot(&t_xi[own]);
@@ -123,7 +123,7 @@ impl Point {
     /// The summands in both beams, and each sum as a whole.
     fn of_both(&self, list: &mut List) {
         let Self { d, varied, .. } = self;
-        let length = varied[15].value;
+        let length = varied[Quantity::D.component()].value;
         let n = d / length;
         let sums = |value: f64| Sums { d: value / length, ..Sums::default() };
         let label = |name| Label { name, which: Which::Beam };
@@ -138,19 +138,20 @@ impl Point {
         add(["H_d: G'nn'G", ""], &|one, two| -of_n(one, two));
         list.powers(label("H_d: G'nn'G"), length, &|factor| sums(-factor * of_n(delta, linear)));
         list.powers(label("H_d: G'G"), length, &|factor| sums(factor * of_one(delta, linear)));
-        let moved = length * varied[15].second - of_one(delta, linear) + of_n(delta, linear);
+        let moved =
+            length * varied[Quantity::D.component()].second - of_one(delta, linear) + of_n(delta, linear);
         list.powers(label("H_d: the terms in g and g_bar"), length, &|factor| sums(factor * moved));
         list.powers(label("H_d"), length, &|factor| Sums {
-            d: factor * varied[15].second,
+            d: factor * varied[Quantity::D.component()].second,
             ..Sums::default()
         });
         let det = self.projection.det();
-        let seconds = [varied[18].second, varied[19].second];
+        let seconds = Quantity::PARAMETERS.map(|of| varied[of.component()].second);
         list.powers(label("H_xi and H_xi_bar"), det, &|factor| Sums {
             h: seconds.map(|second| factor * second),
             ..Sums::default()
         });
-        let mut first = |name, components: &[usize], base: f64| {
+        let mut first = |name, of: &[Quantity], base: f64| {
             for power in POWERS {
                 let summand = Summand {
                     label: label(name),
@@ -159,18 +160,18 @@ impl Point {
                     mirror: None,
                     transposed: None,
                 };
-                list.all.push((summand, self.of_first(components, base.powi(power))));
+                list.all.push((summand, self.of_first(of, base.powi(power))));
             }
         };
-        first("grad d", &[15, 20], length);
-        first("grad t", &[16], varied[16].value);
-        first("grad t_bar", &[17], varied[17].value);
+        first("grad d", &[Quantity::D, Quantity::GN], length);
+        first("grad t", &[Quantity::T], varied[Quantity::T.component()].value);
+        first("grad t_bar", &[Quantity::TBar], varied[Quantity::TBar.component()].value);
     }
 
     /// H_t = (w·t,ξ) H_ξ + S_t(w) + (J_tᵀJ_t − ∇t∇tᵀ)/t
     fn of_length(&self, list: &mut List, own: usize) {
         let which = BEAMS[own];
-        let Varied { value: length, delta, linear, .. } = self.varied[16 + own];
+        let Varied { value: length, delta, linear, .. } = self.varied[Quantity::LENGTHS[own].component()];
         let [t, t_xi, t_xixi] = [self.t[own], self.t_xi[own], self.t_xixi[own]];
         let w = t / length;
         let sums = |value: f64| {
@@ -178,7 +179,7 @@ impl Point {
             sums.t[own] = value;
             sums
         };
-        let second = self.varied[18 + own].second;
+        let second = self.varied[Quantity::PARAMETERS[own].component()].second;
         let squared = |one: &Along, two: &Along| one.xi[own] * two.xi[own];
         let jacobian = |one: &Along, two: &Along| {
             (one.u[own][1] + t_xi * one.xi[own]).dot(&(two.u[own][1] + t_xi * two.xi[own])) / length
@@ -198,13 +199,16 @@ impl Point {
         let label = |name| Label { name, which };
         list.powers(label("H_t: J_t'J_t"), length, &|factor| sums(factor * jacobian(first, last)));
         list.powers(label("H_t: grad t grad t'"), length, &|factor| sums(-factor * delta * linear / length));
-        let whole = self.varied[16 + own].second;
+        let whole = self.varied[Quantity::LENGTHS[own].component()].second;
         list.powers(label("H_t"), length, &|factor| sums(factor * whole));
     }
 
     /// H_g_T = (ξ − ξ₀)H_t + ∇t gᵀ + g∇tᵀ + t H_ξ
     fn of_slip(&self, list: &mut List, own: usize) {
-        let [t, xi] = [self.varied[16 + own], self.varied[18 + own]];
+        let [t, xi] = [
+            self.varied[Quantity::LENGTHS[own].component()],
+            self.varied[Quantity::PARAMETERS[own].component()],
+        ];
         let slip = self.slips[own];
         let sums = |value: f64| {
             let mut sums = Sums::default();

@@ -1,6 +1,7 @@
 //! Errors of the two-by-two system in second variations alone: a program may build it twice.
 
 use super::{Error, Increment, Point, Summand, Sums};
+use crate::linearization::Quantity;
 use crate::linearization::closed_form::Projection;
 use crate::number::{Label, Which};
 
@@ -26,7 +27,7 @@ impl Point {
         let [e, e_bar] = [0, 1].map(|i| self.d.dot(&self.t_xi[i]));
         let right = self.projection;
         // P and P̄, by the equations that xi and xi_bar solve.
-        let [xi, xi_bar] = [self.varied[18].second, self.varied[19].second];
+        let [xi, xi_bar] = Quantity::PARAMETERS.map(|of| self.varied[of.component()].second);
         let p = [right.a * xi - right.b * xi_bar, right.b * xi + right.a_bar * xi_bar];
         let mut all = Vec::new();
         let mut add = |names: [&'static str; 3], which, factor: f64, wrong: Projection<f64>| {

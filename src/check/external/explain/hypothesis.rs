@@ -58,17 +58,20 @@ impl Change {
                     }
                 }
             }
-            Self::Element(element) => element.apply(&mut all[ENERGY], &varied[20], conventions),
+            Self::Element(element) => {
+                element.apply(&mut all[ENERGY], &varied[Quantity::GN.component()], conventions)
+            }
             Self::BeamsExchanged => {
-                for i in 0..3 {
-                    all.swap(i, 3 + i);
-                    all.swap(9 + i, 12 + i);
-                    let d = &mut all[6 + i];
+                for axis in 0..3 {
+                    for [beam, bar] in [Quantity::POINTS, Quantity::TANGENTS] {
+                        all.swap(beam.component() + axis, bar.component() + axis);
+                    }
+                    let d = &mut all[Quantity::DVector.component() + axis];
                     *d = Varied { value: -d.value, delta: -d.delta, linear: -d.linear, second: -d.second };
                 }
-                all.swap(16, 17);
-                all.swap(18, 19);
-                all.swap(21, 22);
+                for [beam, bar] in [Quantity::LENGTHS, Quantity::PARAMETERS, Quantity::SLIPS] {
+                    all.swap(beam.component(), bar.component());
+                }
             }
         }
     }
