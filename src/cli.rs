@@ -83,7 +83,7 @@ enum Command {
     Explain(explain::Explain),
     /// Print a program in your language that answers cases; your element is inserted there.
     Adapter(adapter::Adapter),
-    /// Write all reports, and the benchmark that `cargo bench` measured last.
+    /// Write all reports of the checks, or the report on programs of others.
     Report(report::Report),
     /// Print a script that completes commands and options in your shell.
     Completions(shell::Completions),

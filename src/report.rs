@@ -1,21 +1,23 @@
 //! The reports: records as JSON with a versioned schema, and pages made from the records alone.
 //!
-//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`], [`Derivation`] and [`Benchmark`] are the records: the
-//! results of the check, the overestimation of the tolerances, the digits that each formulation keeps, the results of fault
-//! injection, the verdict on each equation, and the measurements of criterion. Markdown, HTML and SVG are pure functions of
-//! the data read back from the JSON. The same JSON therefore always gives the same pages, byte for byte.
+//! [`Crosscheck`], [`Bounds`], [`Accuracy`], [`Faults`], [`Equations`] and [`Derivation`] are the records: the results of the
+//! check, the overestimation of the tolerances, the digits that each formulation keeps, the results of fault injection, and
+//! the verdict on each equation. Markdown, HTML and SVG are pure functions of the data read back from the JSON. The same JSON
+//! therefore always gives the same pages, byte for byte.
+
+// The means by which pages are made, public for the benches, which publish a page of their own.
+#[doc(hidden)]
+pub mod chart;
+#[doc(hidden)]
+pub mod number;
+#[doc(hidden)]
+pub mod page;
 
 mod accuracy;
+mod accuracy_figure;
 mod accuracy_page;
-mod benchmark;
-mod benchmark_machine;
-mod benchmark_method;
-mod benchmark_page;
 mod bounds;
 mod bounds_page;
-mod chart;
-mod claims;
-mod criterion;
 mod crosscheck;
 mod crosscheck_page;
 mod derivation;
@@ -27,27 +29,15 @@ mod explain;
 mod explain_page;
 mod faults;
 mod faults_page;
-mod figures;
 mod front_page;
-mod instructions;
-mod interval;
-mod methods;
-mod number;
-mod page;
-mod peers;
 mod picture;
 mod record;
-mod roof;
-mod rounds;
 mod symbols;
-mod task;
 mod verify;
 mod verify_page;
 
 pub use accuracy::Accuracy;
-pub use benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 pub use bounds::Bounds;
-pub use criterion::{VERDICTS, Verdict, Verdicts, criterion_directory, write_rounds};
 pub use crosscheck::Crosscheck;
 pub use derivation::{ByHand, Derivation, DifferenceRow, NewtonRun};
 pub use environment::Environment;
@@ -56,15 +46,10 @@ pub use error::ReportError;
 pub use explain::{Explain, ExplainProgram, ExplainSample, NamingCount, NotFirst, explain};
 pub use faults::Faults;
 pub use front_page::front_page;
-pub use instructions::{Count, Difference, Instructions};
-pub use interval::{Spread, median_interval, spread};
 pub use page::{Page, Table};
-pub use peers::{AtGap, LeftOut, Peer, Peers};
 pub use picture::picture;
 pub use record::Record;
-pub use rounds::Rounds;
 pub use symbols::symbols;
-pub use task::Task;
 pub use verify::{Verify, VerifyRun, verify};
 
 use crate::check::{self, CheckConfig, Regime, Selection};
@@ -182,26 +167,12 @@ pub fn derivation(to: &Path, equations: &Equations) -> Result<(), ReportError> {
     write(to, "derivation.html", &Derivation::from_json(&json)?.to_html(&equations.table, accuracy.as_ref())?)
 }
 
-/// Reads the results of criterion from `from`, and the counts of instructions and the peers if `to` has them. Writes
-/// `benchmark.json` and its pages and pictures into the directory `to`.
+/// Writes a file into a directory, which is made if there is none.
 ///
 /// # Errors
-/// [`ReportError::NoMeasurements`] or a similar error if a part is missing; the error names the part and the command for it.
-/// [`ReportError::Write`] if a file cannot be written.
-pub fn benchmark(to: &Path, from: &Path) -> Result<Benchmark, ReportError> {
-    let read = |name: &str| fs::read_to_string(to.join(name)).ok();
-    let instructions = read("instructions.json").map(|json| Instructions::from_json(&json)).transpose()?;
-    let peers = read("peers.json").map(|json| Peers::from_json(&json)).transpose()?;
-    let json = Benchmark { instructions, peers, ..Benchmark::read(from)? }.to_json()?;
-    let record = Benchmark::from_json(&json)?;
-    write(to, "benchmark.json", &json)?;
-    for (name, text) in record.pages() {
-        write(to, &name, &text)?;
-    }
-    Ok(record)
-}
-
-fn write(to: &Path, name: &str, text: &str) -> Result<(), ReportError> {
+/// [`ReportError::Write`] if the file cannot be written.
+#[doc(hidden)]
+pub fn write(to: &Path, name: &str, text: &str) -> Result<(), ReportError> {
     let path = to.join(name);
     fs::create_dir_all(to)
         .and_then(|()| fs::write(&path, text))

@@ -2,8 +2,10 @@
 //!
 //! The program runs itself under valgrind, which writes one file at each exit from [`counted`].
 
+use crate::is_given;
 use crate::scenario::{self, Runner, Scenario};
-use beamgap::report::{Count, Difference, Instructions, Record, Task};
+use beamgap::report::Record;
+use beamgap_benches::{Count, Difference, Instructions, Task};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs};
@@ -15,7 +17,6 @@ const COUNTED: &str = "--counted";
 
 /// Counts, prints the counts, and checks or writes the record, if an argument requests this.
 pub(crate) fn main() -> Option<ExitCode> {
-    let is_given = |flag: &str| env::args().any(|argument| argument == flag);
     if is_given(COUNTED) {
         main_scenarios().iter().for_each(run);
         return Some(ExitCode::SUCCESS);

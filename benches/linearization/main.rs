@@ -1,10 +1,11 @@
 //! The time of the linearization, by method, by size and by task. Every method is verified before any is timed.
 //!
 //! ```console
-//! $ cargo bench                                                 # times, for `beamgap report`
-//! counts instructions instead, and prints them
-//! $ cargo bench --bench linearization -- --check-counts         # fails if a count has grown by more than 3 %
-//! writes the counts as the record
+//! $ cargo bench                                              # times
+//! $ cargo bench --bench linearization -- --write-pages       # writes the pages of the last times
+//! $ cargo bench --bench linearization -- --count             # counts instructions instead, and prints them
+//! $ cargo bench --bench linearization -- --check-counts      # fails if a count has grown by more than 3 %
+//! $ cargo bench --bench linearization -- --write-counts      # writes the counts as the record
 //! ```
 
 mod counts;
@@ -12,10 +13,12 @@ mod roofline;
 mod rounds;
 mod scenario;
 
-use beamgap::report::{Environment, Verdict, Verdicts, criterion_directory, write_rounds};
+use beamgap::report::Environment;
+use beamgap_benches::{Verdict, Verdicts, criterion_directory, publish, write_rounds};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group};
 use rayon::prelude::*;
 use scenario::Scenario;
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -52,8 +55,29 @@ const WRITABLE: &str = "criterion's directory can be written to";
 
 /// Whether the run measures times.
 fn is_timing() -> bool {
-    let is_given = |flag: &str| std::env::args().any(|argument| argument == flag);
     is_given("--bench") && !is_given("--test") && !is_given("--list")
+}
+
+fn is_given(flag: &str) -> bool {
+    std::env::args().any(|argument| argument == flag)
+}
+
+/// Writes the record of the last times, with its pages, unless the source has changes that are not committed.
+fn write_pages() -> ExitCode {
+    let written = Environment::is_clean(is_given("--allow-dirty"))
+        .map_err(Into::into)
+        .and_then(|()| publish(Path::new("reports"), &criterion_directory()));
+    match written {
+        Ok(record) => {
+            println!("Wrote benchmark to reports. The README must state:");
+            record.claims().iter().for_each(|claim| println!("- {claim}"));
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
 }
 
 /// The verdicts. A wrong result is an error.
@@ -78,6 +102,9 @@ criterion_group! {
 fn main() -> ExitCode {
     // The directory relative to which criterion's files are read.
     std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).expect("the workspace is there");
+    if is_given("--write-pages") {
+        return write_pages();
+    }
     counts::main().unwrap_or_else(|| {
         benches();
         Criterion::default().configure_from_args().final_summary();

@@ -9,8 +9,7 @@ use super::progress::Progress;
 use beamgap::check::Regime;
 use beamgap::equations;
 use beamgap::report::{
-    self, BOUNDS_CASES, Benchmark, CASES, Environment, Equations, ReportError, SEED, accuracy, benchmark,
-    bounds, criterion_directory, crosscheck,
+    self, BOUNDS_CASES, CASES, Environment, Equations, SEED, accuracy, bounds, crosscheck,
 };
 use clap::{Args, value_parser};
 use std::path::PathBuf;
@@ -24,11 +23,8 @@ pub(crate) struct Report {
     #[arg(long, value_name = "N", default_value_t = CASES)]
     #[arg(value_parser = value_parser!(u64).range(1..=1_000_000))]
     cases: u64,
-    /// Write the benchmark alone
-    #[arg(long, conflicts_with = "cases")]
-    benchmark: bool,
     /// Write only the report on programs of others, from the results of `verify --format json`
-    #[arg(long, value_name = "PATH", num_args = 1.., conflicts_with_all = ["cases", "benchmark"])]
+    #[arg(long, value_name = "PATH", num_args = 1.., conflicts_with = "cases")]
     verified: Vec<PathBuf>,
     /// The directory to write to
     #[arg(long, value_name = "DIR", default_value = "reports")]
@@ -39,7 +35,7 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Writes the benchmark, if it was measured, then the reports of the checks, which take minutes.
+    /// Writes the reports of the checks, which take minutes, or that on programs of others.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
         Environment::is_clean(self.allow_dirty)?;
         if !self.verified.is_empty() {
@@ -48,34 +44,11 @@ impl Report {
             println!("Wrote verify to {}: {programs}.", self.to.display());
             return Ok(Exit::Agree);
         }
-        let measured = self.measured();
-        if self.benchmark {
-            let record = measured?;
-            println!("Wrote benchmark to {}. The README must state:", self.to.display());
-            record.claims().iter().for_each(|claim| println!("- {claim}"));
-            return Ok(Exit::Agree);
-        }
-        // A missing benchmark is reported first, because the rest takes minutes.
-        if let Err(missing) = &measured {
-            eprintln!("Left out: benchmark: {missing}.");
-        }
         to_stdout("Reports\n")?;
         let exit = self.checks()?;
-        let benchmark = measured.is_ok().then_some("benchmark");
         let written = ["crosscheck", "bounds", "accuracy", "equations", "derivation", "faults", "symbols"];
-        let written: Vec<&str> = written.into_iter().chain(benchmark).collect();
         println!("Wrote to {}: {}.", self.to.display(), written.join(", "));
-        // A missing measurement is not a failure; an incomplete measurement is one.
-        match measured {
-            Err(error) if !matches!(error, ReportError::NoMeasurements { .. }) && exit == Exit::Agree => {
-                Ok(Exit::Input)
-            }
-            _ => Ok(exit),
-        }
-    }
-
-    fn measured(&self) -> Result<Benchmark, ReportError> {
-        benchmark(&self.to, &criterion_directory())
+        Ok(exit)
     }
 
     fn checks(&self) -> anyhow::Result<Exit> {

@@ -2,20 +2,20 @@
 
 mod axis;
 
-pub(super) use axis::Axis;
+pub use axis::{Axis, errors};
 
 use super::page::escaped;
 use std::fmt::Write;
 
 /// The width of every chart. It is displayed at the width of the page, at most 640 pixels.
-pub(super) const WIDTH: f64 = 420.0;
+pub const WIDTH: f64 = 420.0;
 
 /// A place in a chart, from the left and from the top.
-pub(super) type Place = [f64; 2];
+pub type Place = [f64; 2];
 
 /// The alignment of a text relative to its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Anchor {
+pub enum Anchor {
     Start,
     Middle,
     End,
@@ -23,20 +23,21 @@ pub(super) enum Anchor {
 
 /// The shape of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mark {
+pub enum Mark {
     Dot,
     Diamond,
 }
 
 /// A chart. Colours are numbers from 0 to 3, and [`INK`] is the colour of text.
-pub(super) struct Chart {
+#[derive(Clone, Debug)]
+pub struct Chart {
     height: f64,
     title: String,
     body: String,
 }
 
 /// The colour of text and axes.
-pub(super) const INK: usize = 4;
+pub const INK: usize = 4;
 
 /// The colours of Okabe and Ito, darker on white and lighter on black, so that the contrast of text is at least 4.5.
 const STYLE: &str = "<style>\
@@ -54,7 +55,7 @@ const STYLE: &str = "<style>\
 
 impl Chart {
     /// A chart with its title at the top.
-    pub(super) fn new(title: &str, height: f64) -> Self {
+    pub fn new(title: &str, height: f64) -> Self {
         let mut chart = Self { height, title: escaped(title), body: String::new() };
         chart.strong([8.0, 20.0], title);
         chart
@@ -66,7 +67,7 @@ impl Chart {
     }
 
     /// Text in a colour.
-    pub(super) fn text(&mut self, [x, y]: Place, anchor: Anchor, colour: usize, words: &str) {
+    pub fn text(&mut self, [x, y]: Place, anchor: Anchor, colour: usize, words: &str) {
         let anchor = match anchor {
             Anchor::Start => "",
             Anchor::Middle => " text-anchor=\"middle\"",
@@ -77,26 +78,26 @@ impl Chart {
     }
 
     /// Emphasized text.
-    pub(super) fn strong(&mut self, [x, y]: Place, words: &str) {
+    pub fn strong(&mut self, [x, y]: Place, words: &str) {
         let words = escaped(words);
         self.add(format_args!("<text x=\"{x:.1}\" y=\"{y:.1}\" class=\"strong\">{words}</text>"));
     }
 
     /// A line with additional classes: `grid`, `thick`, `dashed`, `s0` to `s4` for colours.
-    pub(super) fn line(&mut self, [x, y]: Place, [u, v]: Place, class: &str) {
+    pub fn line(&mut self, [x, y]: Place, [u, v]: Place, class: &str) {
         self.add(format_args!(
             "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{u:.1}\" y2=\"{v:.1}\" class=\"{class}\"/>"
         ));
     }
 
     /// A line through places.
-    pub(super) fn curve(&mut self, places: &[Place], class: &str) {
+    pub fn curve(&mut self, places: &[Place], class: &str) {
         let places: Vec<_> = places.iter().map(|[x, y]| format!("{x:.1} {y:.1}")).collect();
         self.add(format_args!("<path d=\"M{}\" class=\"{class}\"/>", places.join("L")));
     }
 
     /// A point.
-    pub(super) fn mark(&mut self, [x, y]: Place, mark: Mark, colour: usize) {
+    pub fn mark(&mut self, [x, y]: Place, mark: Mark, colour: usize) {
         match mark {
             Mark::Dot => {
                 self.add(format_args!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" class=\"f{colour}\"/>"));
@@ -112,7 +113,7 @@ impl Chart {
     }
 
     /// The lines, ticks, units and names of both axes.
-    pub(super) fn frame(&mut self, x: &Axis, y: &Axis) {
+    pub fn frame(&mut self, x: &Axis, y: &Axis) {
         let ([left, right], [bottom, top]) = (x.pixels, y.pixels);
         for (value, label) in x.ticks() {
             let at = x.at(value);
@@ -131,7 +132,7 @@ impl Chart {
     }
 
     /// The chart as SVG.
-    pub(super) fn svg(self) -> String {
+    pub fn svg(self) -> String {
         let Self { height, title, body } = self;
         let wide = 640.0;
         format!(
@@ -150,7 +151,7 @@ fn tenth(x: f64) -> String {
 /// Separates heights or lengths so that labels do not overlap: each at least `gap` from the next, all within the range.
 ///
 /// They keep their order and move as little as a sweep in both directions requires.
-pub(super) fn apart(wanted: &[f64], gap: f64, [low, high]: [f64; 2]) -> Vec<f64> {
+pub fn apart(wanted: &[f64], gap: f64, [low, high]: [f64; 2]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|&a, &b| wanted[a].total_cmp(&wanted[b]));
     let mut placed = wanted.to_vec();

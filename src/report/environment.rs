@@ -75,7 +75,8 @@ impl Environment {
     }
 
     /// A table of the environment, with additional rows.
-    pub(super) fn table(&self, more: Vec<(&str, String)>) -> Block {
+    #[doc(hidden)]
+    pub fn table(&self, more: Vec<(&str, String)>) -> Block {
         let pairs = [
             ("CPU", format!("{}, {} cores", self.cpu, self.cores)),
             ("kernel", self.kernel.clone()),

@@ -6,32 +6,6 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReportError {
-    /// Criterion has not run, or not in this directory.
-    #[error("no measurements in {}: run `cargo bench` first", .directory.display())]
-    NoMeasurements {
-        /// The directory that was searched.
-        directory: PathBuf,
-    },
-    /// The benches have not written their verdicts.
-    #[error("no verdicts in {}: run `cargo bench` first", .path.display())]
-    NoVerdicts {
-        /// The file that is missing.
-        path: PathBuf,
-    },
-    /// A scenario was verified but not timed afterwards.
-    #[error("{scenario} was not timed after it was verified: run `cargo bench` without a filter")]
-    NotTimed {
-        /// The scenario.
-        scenario: String,
-    },
-    /// The verification of a scenario failed.
-    #[error("{scenario} is off by {share:e} times what is allowed, and nothing wrong is timed")]
-    Wrong {
-        /// The scenario.
-        scenario: String,
-        /// The largest error over its tolerance.
-        share: f64,
-    },
     /// The source has uncommitted changes.
     #[error(
         "the source has changes that are not committed: commit them, as a report names its commit, or pass --allow-dirty"

@@ -2,17 +2,17 @@
 
 /// A count as a number.
 #[expect(clippy::cast_precision_loss, reason = "counts, far below 2^53")]
-pub(super) fn number(count: usize) -> f64 {
+pub fn number(count: usize) -> f64 {
     count as f64
 }
 
 /// Rounds x to `digits` significant digits.
-pub(super) fn rounded(x: f64, digits: usize) -> f64 {
+pub fn rounded(x: f64, digits: usize) -> f64 {
     format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x)
 }
 
 /// At least three significant digits, with separated thousands: 0.123, 1.23, 12.3, 123, 12,300.
-pub(super) fn plain(x: f64) -> String {
+pub fn plain(x: f64) -> String {
     let x = rounded(x, 3);
     let decimals = match x.abs() {
         size if size < 1.0 => 3,
@@ -25,7 +25,7 @@ pub(super) fn plain(x: f64) -> String {
 }
 
 /// Two significant digits, with separated thousands: 0.12, 1.2, 12, 120, 1,200.
-pub(super) fn two_digits(x: f64) -> String {
+pub fn two_digits(x: f64) -> String {
     let x = rounded(x, 2);
     match x.abs() {
         size if size < 1.0 => format!("{x:.2}"),
@@ -35,7 +35,7 @@ pub(super) fn two_digits(x: f64) -> String {
 }
 
 /// A count with separated thousands.
-pub(super) fn count(n: u64) -> String {
+pub fn count(n: u64) -> String {
     thousands(&n.to_string())
 }
 
@@ -51,7 +51,7 @@ fn thousands(digits: &str) -> String {
 }
 
 /// A time in nanoseconds, in a suitable unit.
-pub(super) fn time(ns: f64) -> String {
+pub fn time(ns: f64) -> String {
     match ns {
         _ if ns < 999.5 => format!("{} ns", plain(ns)),
         _ if ns < 999.5e3 => format!("{} µs", plain(ns * 1e-3)),
@@ -60,7 +60,7 @@ pub(super) fn time(ns: f64) -> String {
 }
 
 /// An error, to two digits. A missing error is written as not a number.
-pub(super) fn error(error: Option<f64>) -> String {
+pub fn error(error: Option<f64>) -> String {
     error.map_or_else(
         || "not a number".to_owned(),
         |error| if error == 0.0 { "0".to_owned() } else { format!("{error:.1e}") },
@@ -68,6 +68,6 @@ pub(super) fn error(error: Option<f64>) -> String {
 }
 
 /// A number that JSON can represent. JSON has no infinity.
-pub(super) fn finite(x: f64) -> Option<f64> {
+pub fn finite(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
 }

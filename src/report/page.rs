@@ -10,13 +10,13 @@ pub use text::Table;
 /// A page: a title and its contents.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
-    pub(super) title: String,
-    pub(super) blocks: Vec<Block>,
+    pub title: String,
+    pub blocks: Vec<Block>,
 }
 
 /// A block of a page. Texts may contain `**strong**`, `*emphasis*`, `` `code` `` and `[links](file)` and nothing else.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Block {
+pub enum Block {
     /// A heading below the page's title.
     Heading(String),
     /// A heading below a heading.
@@ -53,24 +53,24 @@ pub(super) enum Block {
 }
 
 impl Block {
-    pub(super) fn heading(text: &str) -> Self {
+    pub fn heading(text: &str) -> Self {
         Self::Heading(text.to_owned())
     }
 
-    pub(super) fn text(text: &str) -> Self {
+    pub fn text(text: &str) -> Self {
         Self::Text(text.to_owned())
     }
 
-    pub(super) fn list(points: &[&str]) -> Self {
+    pub fn list(points: &[&str]) -> Self {
         Self::List(points.iter().map(ToString::to_string).collect())
     }
 
-    pub(super) fn details(summary: &str, blocks: Vec<Self>) -> Self {
+    pub fn details(summary: &str, blocks: Vec<Self>) -> Self {
         Self::Details { summary: summary.to_owned(), blocks }
     }
 
     /// A table. The names of columns of numbers start with a `#`, which is not displayed.
-    pub(super) fn table<S: AsRef<str>>(head: &[S], rows: Vec<Vec<String>>) -> Self {
+    pub fn table<S: AsRef<str>>(head: &[S], rows: Vec<Vec<String>>) -> Self {
         let name = |name: &str| match name.strip_prefix('#') {
             Some(name) => (name.to_owned(), true),
             None => (name.to_owned(), false),
@@ -91,7 +91,7 @@ impl Block {
 }
 
 impl Page {
-    pub(super) fn new(title: &str, blocks: Vec<Block>) -> Self {
+    pub fn new(title: &str, blocks: Vec<Block>) -> Self {
         Self { title: title.to_owned(), blocks }
     }
 

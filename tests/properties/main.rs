@@ -3,7 +3,6 @@
 mod adapters;
 mod allocation;
 mod batches;
-mod benchmarks;
 mod bounded;
 mod bounds;
 mod candidate;

@@ -5,8 +5,8 @@ use beamgap::equations;
 use beamgap::faults::{Check, Operations};
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, Benchmark, Bounds, Crosscheck, Derivation, Environment, Equations, Explain, Faults, Record,
-    Verify, front_page, picture, symbols,
+    Accuracy, Bounds, Crosscheck, Derivation, Environment, Equations, Explain, Faults, Record, Verify,
+    front_page, picture, symbols,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::{Code, Rewrite, Variant};
@@ -48,10 +48,6 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     let verified = Verify::from_json(&committed("verify.json")).unwrap();
     is_committed("verify.md", &verified.page().to_markdown());
     is_committed("beams.svg", &picture().unwrap());
-    let benchmark = Benchmark::from_json(&committed("benchmark.json")).unwrap();
-    for (name, text) in benchmark.pages() {
-        is_committed(&name, &text);
-    }
 }
 
 #[test]
@@ -69,9 +65,6 @@ fn committed_records_are_written_again_as_they_are() {
     assert!(Faults::from_json(&json).unwrap().to_json().unwrap() == json);
     let json = committed("accuracy.json");
     assert!(Accuracy::from_json(&json).unwrap().to_json().unwrap() == json);
-    let json = committed("benchmark.json");
-    assert!(Benchmark::from_json(&json).unwrap().to_json().unwrap() == json);
-    assert!(json.len() < 300_000, "{} bytes", json.len());
 }
 
 /// The results of the report, the check and the proof depend on the seed only, not on the number of threads.
@@ -93,14 +86,12 @@ fn threads_do_not_matter() {
     assert!(one == found(2) && one == found(5));
 }
 
-/// The front page states the claims of the benchmark record, in the words generated from the record.
+/// The front page states what the checks found, in words made from their records.
 #[test]
-fn the_front_page_claims_what_was_measured() {
+fn the_front_page_claims_what_was_found() {
     let front = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let mut claims = Benchmark::from_json(&committed("benchmark.json")).unwrap().claims();
-    claims.extend(claims_of_the_table());
-    for claim in claims {
+    for claim in claims_of_the_table() {
         assert!(words(&front).contains(&claim), "README.md is to say:\n{claim}");
     }
 }

@@ -22,7 +22,7 @@ use error::Error;
 
 pub(crate) use checks::check;
 
-use beamgap::report::{Task, Verdict};
+use beamgap_benches::{Task, Verdict};
 use std::fmt;
 
 /// One method for one task with one kind of beams.

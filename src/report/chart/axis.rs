@@ -1,31 +1,33 @@
 //! A logarithmic axis: every axis of the reports covers powers of ten.
 
+use crate::report::number::error;
 /// A logarithmic axis.
-pub(in super::super) struct Axis<'a> {
+#[derive(Clone, Copy, Debug)]
+pub struct Axis<'a> {
     /// The first and the last value.
-    pub(in super::super) range: [f64; 2],
+    pub range: [f64; 2],
     /// The pixels of these values.
-    pub(in super::super) pixels: [f64; 2],
+    pub pixels: [f64; 2],
     /// The quantity on the axis, with its unit.
-    pub(in super::super) name: &'a str,
+    pub name: &'a str,
     /// The maximum number of powers of ten that are ticks.
-    pub(in super::super) room: usize,
+    pub room: usize,
     /// The ticks, if they are not powers of ten.
-    pub(in super::super) given: &'a [f64],
+    pub given: &'a [f64],
     /// The format of the values.
-    pub(in super::super) label: fn(f64) -> String,
+    pub label: fn(f64) -> String,
 }
 
 impl Axis<'_> {
     /// The smallest and the largest of the positive `values`; 1 and 10 if there are none.
-    pub(in super::super) fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    pub fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
         let positive = values.filter(|value| *value > 0.0 && value.is_finite());
         let ends = positive.fold([f64::INFINITY, 0.0_f64], |[least, most], x| [least.min(x), most.max(x)]);
         if ends[0] > ends[1] { [1.0, 10.0] } else { ends }
     }
 
     /// The powers of ten that enclose all positive `values`. Other values are ignored.
-    pub(in super::super) fn decades(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    pub fn decades(values: impl Iterator<Item = f64>) -> [f64; 2] {
         let [least, most] = Self::ends(values);
         // A value at a power of ten is at the end of the axis, independently of the rounding of its logarithm.
         let low = (least.log10() + 1e-9).floor();
@@ -34,7 +36,7 @@ impl Axis<'_> {
     }
 
     /// The values 1, 2 and 5 times powers of ten from below the smallest of `values` to above the largest.
-    pub(in super::super) fn steps(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    pub fn steps(values: impl Iterator<Item = f64>) -> Vec<f64> {
         let [least, most] = Self::ends(values);
         let [low, high] = Self::decades([least, most].into_iter());
         let mut steps = vec![low];
@@ -49,13 +51,13 @@ impl Axis<'_> {
     }
 
     /// The pixel of a value.
-    pub(in super::super) fn at(&self, value: f64) -> f64 {
+    pub fn at(&self, value: f64) -> f64 {
         let ([low, high], [from, to]) = (self.range, self.pixels);
         from + (to - from) * (value / low).ln() / (high / low).ln()
     }
 
     /// The values of the ticks, with their labels.
-    pub(in super::super) fn ticks(&self) -> Vec<(f64, String)> {
+    pub fn ticks(&self) -> Vec<(f64, String)> {
         let [low, high] = self.range.map(f64::log10);
         #[expect(clippy::cast_possible_truncation, reason = "exponents of f64")]
         let [first, last] = [(low - 1e-9).ceil() as i32, (high + 1e-9).floor() as i32];
@@ -67,6 +69,12 @@ impl Axis<'_> {
         };
         values.into_iter().map(|value| (value, (self.label)(value))).collect()
     }
+}
+
+/// An axis of relative errors.
+pub fn errors(range: [f64; 2], pixels: [f64; 2], name: &str, room: usize) -> Axis<'_> {
+    let label = |value: f64| error(Some(value)).replace(".0e", "e");
+    Axis { range, pixels, name, room, given: &[], label }
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Accuracy over time: one point for each method, for all but the slips.
 
-use super::{errors, times};
-use crate::report::benchmark::Benchmark;
-use crate::report::chart::{Anchor, Axis, Chart, Mark, WIDTH, apart};
-use crate::report::methods::Kind;
+use super::times;
+use crate::benchmark::Benchmark;
+use crate::methods::Kind;
+use beamgap::report::chart::{Anchor, Axis, Chart, Mark, WIDTH, apart, errors};
 
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 24.0;
@@ -14,7 +14,7 @@ const LABEL: f64 = 17.0;
 
 impl Benchmark {
     /// Error over time; none if no peers were measured.
-    pub(in super::super) fn trade_to_svg(&self) -> Option<String> {
+    pub(crate) fn trade_to_svg(&self) -> Option<String> {
         let timed = self.peers.as_ref()?.timed();
         // Four pairs at once and the term by term form are variants. The first figure shows them.
         let shown =

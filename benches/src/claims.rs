@@ -1,8 +1,8 @@
 //! The claims of the front page about the benchmarks, made from the record alone.
 
-use super::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
-use super::number::{count, error, number, plain, time};
-use super::{Peers, Task};
+use crate::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
+use crate::{Peers, Task};
+use beamgap::report::number::{count, error, number, plain, time};
 
 /// The method in which CasADi has the derivatives of the closest point.
 const ENVELOPE: &str = "CasADi, envelope theorem";
@@ -20,7 +20,7 @@ impl Benchmark {
     }
 
     /// The recommended method, in three sentences.
-    pub(super) fn conclusion(&self) -> String {
+    pub(crate) fn conclusion(&self) -> String {
         let [d, all] = [Task::Distance, Task::All].map(|task| {
             let closed = self.of_hermites(task).find(|of| of.method == CLOSED_FORM);
             closed.map_or_else(String::new, |of| time(of.median))
@@ -48,7 +48,7 @@ impl Benchmark {
     }
 
     /// The times of the other methods, and of the closest point, which all of them need.
-    pub(super) fn others(&self) -> String {
+    pub(crate) fn others(&self) -> String {
         [self.automatic(), self.differences(), self.closest_point()].join(" ")
     }
 
@@ -123,7 +123,7 @@ impl Benchmark {
     }
 
     /// The speed-up of the machine in single rounds.
-    pub(super) fn speed_ups_of_arithmetic(&self) -> String {
+    pub(crate) fn speed_ups_of_arithmetic(&self) -> String {
         let methods = [Task::DistanceOfMany, Task::AllOfMany].into_iter().flat_map(|task| self.of(task));
         let (least, most) = range(methods.flat_map(Measured::speed_ups_of_arithmetic));
         format!("{} to {}", plain(least), plain(most))
@@ -170,7 +170,7 @@ impl Benchmark {
     }
 
     /// From the second smallest to the largest Lagrange pair. The smallest has too small a result to spread its cost.
-    pub(super) fn growth(&self) -> String {
+    pub(crate) fn growth(&self) -> String {
         let rows: Vec<_> = self.of(Task::AllBySize).filter(|of| of.family == "lagrange").collect();
         let [_, first, .., last] = &rows[..] else { return String::new() };
         format!(

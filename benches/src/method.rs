@@ -1,12 +1,12 @@
 //! The method of measurement of the benchmarks, and its limits.
 
-use super::benchmark::{Benchmark, CLOSED_FORM};
-use super::number::count;
-use super::page::Block;
+use crate::benchmark::{Benchmark, CLOSED_FORM};
+use beamgap::report::number::count;
+use beamgap::report::page::Block;
 
 impl Benchmark {
     /// The end of the page.
-    pub(super) fn method(&self) -> Vec<Block> {
+    pub(crate) fn method(&self) -> Vec<Block> {
         let samples = self.scenarios.iter().map(|measured| measured.samples.len()).min().unwrap_or(0);
         vec![
             Block::heading("How it was measured"),

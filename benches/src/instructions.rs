@@ -1,6 +1,6 @@
 //! The instructions of the main scenarios, `beamgap-instructions/1`. The load of the machine does not affect the counts.
 
-use super::Record;
+use beamgap::report::Record;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

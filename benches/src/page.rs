@@ -1,10 +1,10 @@
 //! The benchmarks as a page, from the record alone.
 
-use super::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
-use super::methods::{GIVEN, LAYOUTS, method_name};
-use super::number::{count, error, number, plain, time};
-use super::page::{Block, Page};
-use super::{Instructions, Task};
+use crate::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
+use crate::methods::{GIVEN, LAYOUTS, method_name};
+use crate::{Instructions, Peers, Task};
+use beamgap::report::number::{count, error, number, plain, time};
+use beamgap::report::page::{Block, Page};
 
 /// The family that represents all families where only one is shown.
 const STANDARD: &str = "hermite";
@@ -48,7 +48,7 @@ impl Benchmark {
             let tables = vec![Block::text(task.description()), table];
             blocks.push(Block::details(&format!("Closed form: {}", task.name()), tables));
         }
-        blocks.extend(self.peers.iter().flat_map(super::Peers::blocks));
+        blocks.extend(self.peers.iter().flat_map(Peers::blocks));
         blocks.extend(self.instructions.as_ref().map(instructions));
         blocks.extend(self.method());
         Page::new("Benchmark", blocks)
@@ -226,14 +226,14 @@ const SIZES: &str =
     "Gradients and Hessians in all dofs of two Lagrange or cubic B-spline beams. All: all but the slips.";
 
 /// The head of a column of verdicts.
-pub(super) const VERDICT: &str = "#error / tolerance";
+pub(crate) const VERDICT: &str = "#error / tolerance";
 
 /// The largest error over its tolerance.
-pub(super) fn verdict(share: f64) -> String {
+pub(crate) fn verdict(share: f64) -> String {
     format!("{} ({})", error(Some(share)), if share <= 1.0 { "pass" } else { "fail" })
 }
 
-pub(super) fn picture(file: &str, caption: &str, svg: Option<String>) -> Option<Block> {
+pub(crate) fn picture(file: &str, caption: &str, svg: Option<String>) -> Option<Block> {
     Some(Block::Picture { file: file.to_owned(), caption: caption.to_owned(), svg: svg? })
 }
 
@@ -250,7 +250,7 @@ fn instructions(of: &Instructions) -> Block {
 
 impl Ratio {
     /// The ratio with its interval.
-    pub(super) fn in_words(self) -> String {
+    pub(crate) fn in_words(self) -> String {
         let [low, high] = self.interval.map(plain);
         if self.is_different() {
             format!("**{}** ({low} to {high})", plain(self.value))

@@ -1,12 +1,12 @@
 //! All methods in one figure: the time of d and of all but the slips, and the error beside it.
 
-use super::{errors, times};
-use crate::report::Task;
-use crate::report::benchmark::Benchmark;
-use crate::report::chart::{Anchor, Axis, Chart, INK, Mark, WIDTH};
-use crate::report::methods::Kind;
-use crate::report::number::time;
-use crate::report::peers::Peers;
+use super::times;
+use crate::Task;
+use crate::benchmark::Benchmark;
+use crate::methods::Kind;
+use crate::peers::Peers;
+use beamgap::report::chart::{Anchor, Axis, Chart, INK, Mark, WIDTH, errors};
+use beamgap::report::number::time;
 
 /// The top of the rows.
 const TOP: f64 = 62.0;
@@ -32,7 +32,7 @@ struct Row {
 
 impl Benchmark {
     /// The time of every method for d and for all but the slips, with its error; none if no peers were measured.
-    pub(in super::super) fn methods_to_svg(&self) -> Option<String> {
+    pub(crate) fn methods_to_svg(&self) -> Option<String> {
         let mut groups = groups(self.peers.as_ref()?);
         groups.push(("Closest point, which all methods need first".to_owned(), self.searches()));
         let count: usize = groups.iter().map(|(_, rows)| rows.len()).sum();
@@ -77,7 +77,7 @@ impl Benchmark {
     /// The time to find the closest point, for the pair of Hermite beams.
     fn searches(&self) -> Vec<Row> {
         let of_hermites = self.of(Task::ClosestPoint).filter(|of| of.family == "hermite");
-        let row = |of: &crate::report::Measured| Row {
+        let row = |of: &crate::Measured| Row {
             name: match of.method.as_str() {
                 "search for all minima" => "search for all closest points".to_owned(),
                 other => other.replace("Newton from", "Newton's method, started").replace(" off", " away"),

@@ -2,7 +2,7 @@
 
 mod tables;
 
-use super::Record;
+use beamgap::report::Record;
 use serde::{Deserialize, Serialize};
 
 /// Other programs on the same pairs, on one machine, in one run.
@@ -98,8 +98,8 @@ impl Record for Peers {
 #[cfg(test)]
 mod tests {
     use super::{AtGap, Peers};
-    use crate::report::page::Block;
-    use crate::report::{Record, ReportError};
+    use beamgap::report::page::Block;
+    use beamgap::report::{Record, ReportError};
 
     fn peers(over_gaps: Vec<AtGap>) -> Peers {
         let text = String::new;

@@ -1,10 +1,10 @@
 //! Cost over the number of dofs.
 
 use super::times;
-use crate::report::Task;
-use crate::report::benchmark::{Benchmark, Measured};
-use crate::report::chart::{Anchor, Axis, Chart, INK, Mark, Place, apart};
-use crate::report::number::number;
+use crate::Task;
+use crate::benchmark::{Benchmark, Measured};
+use beamgap::report::chart::{Anchor, Axis, Chart, INK, Mark, Place, apart};
+use beamgap::report::number::number;
 
 const LEFT: f64 = 56.0;
 const RIGHT: f64 = 300.0;
@@ -13,7 +13,7 @@ const BOTTOM: f64 = 330.0;
 
 impl Benchmark {
     /// Time over the number of dofs; none if it was not measured.
-    pub(in super::super) fn sizes_to_svg(&self) -> Option<String> {
+    pub(crate) fn sizes_to_svg(&self) -> Option<String> {
         let tasks = [Task::AllBySize, Task::DistanceBySize];
         let all = || tasks.into_iter().flat_map(|task| self.of(task));
         let mut dofs: Vec<f64> = all().map(|of| number(of.dofs)).collect();

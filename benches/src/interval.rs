@@ -1,6 +1,6 @@
 //! Medians with intervals that do not assume a distribution.
 
-use super::number::number;
+use beamgap::report::number::number;
 
 /// The summary of measured times.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! The record of the benchmarks, `beamgap-benchmark/7`.
 
-use super::criterion::{Verdict, Verdicts, rounds, samples};
-use super::number::{number, rounded};
-use super::record::format;
-use super::{Environment, Instructions, Peers, Record, ReportError, Rounds, Task, spread};
+use crate::criterion::{Verdict, Verdicts, rounds, samples};
+use crate::{BenchmarkError, Instructions, Peers, Rounds, Task, spread};
+use beamgap::report::number::{number, rounded};
+use beamgap::report::{Environment, Record, ReportError};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -87,11 +87,12 @@ impl Record for Benchmark {
 
     /// One scenario on each line.
     fn to_json(&self) -> Result<String, ReportError> {
-        let environment = serde_json::to_string(&self.environment).map_err(format::<Self>)?;
-        let instructions = serde_json::to_string(&self.instructions).map_err(format::<Self>)?;
-        let peers = serde_json::to_string(&self.peers).map_err(format::<Self>)?;
+        let format = |source| ReportError::Format { what: Self::SCHEMA.to_owned(), source };
+        let environment = serde_json::to_string(&self.environment).map_err(format)?;
+        let instructions = serde_json::to_string(&self.instructions).map_err(format)?;
+        let peers = serde_json::to_string(&self.peers).map_err(format)?;
         let scenarios: Result<Vec<_>, _> = self.scenarios.iter().map(serde_json::to_string).collect();
-        let scenarios = scenarios.map_err(format::<Self>)?.join(",\n");
+        let scenarios = scenarios.map_err(format)?.join(",\n");
         Ok(format!(
             "{{\n\"schema\": \"{}\",\n\"environment\": {environment},\n\
              \"scenarios\": [\n{scenarios}\n],\n\"instructions\": {instructions},\n\"peers\": {peers}\n}}\n",
@@ -105,7 +106,7 @@ impl Benchmark {
     ///
     /// # Errors
     /// The error of that name, unless every scenario was verified, is correct, and was timed after the verification.
-    pub fn read(directory: &Path) -> Result<Self, ReportError> {
+    pub fn read(directory: &Path) -> Result<Self, BenchmarkError> {
         let found = samples(directory)?;
         let (verdicts, verified) = Verdicts::read(directory)?;
         let mut rounds = rounds(directory, verified)?;
@@ -114,17 +115,17 @@ impl Benchmark {
             let group = verdict.group();
             let scenario = || format!("{group}, {}", verdict.method);
             if !verdict.is_right() {
-                return Err(ReportError::Wrong { scenario: scenario(), share: verdict.share });
+                return Err(BenchmarkError::Wrong { scenario: scenario(), share: verdict.share });
             }
             let key = (group.clone(), verdict.method.clone());
             let timed = found.get(&key);
             let Some(timed) = timed.filter(|timed| timed.written >= verified) else {
-                return Err(ReportError::NotTimed { scenario: scenario() });
+                return Err(BenchmarkError::NotTimed { scenario: scenario() });
             };
             let pairs = number(verdict.pairs);
             let samples: Vec<f64> = timed.times.iter().map(|&time| rounded(time / pairs, 5)).collect();
             let Some(spread) = spread(&samples) else {
-                return Err(ReportError::NotTimed { scenario: scenario() });
+                return Err(BenchmarkError::NotTimed { scenario: scenario() });
             };
             let Verdict { task, family, dofs, method, pairs, error, share } = verdict;
             let mut measured = Measured {
@@ -154,7 +155,7 @@ impl Benchmark {
     }
 
     /// The scenarios of a task, in the order of the record.
-    pub(super) fn of(&self, task: Task) -> impl Iterator<Item = &Measured> {
+    pub(crate) fn of(&self, task: Task) -> impl Iterator<Item = &Measured> {
         self.scenarios.iter().filter(move |measured| measured.task == task.name())
     }
 }
@@ -162,7 +163,7 @@ impl Benchmark {
 impl Measured {
     /// The number of stored entries of a Hessian: all, those of a triangle, or the blocks of both beams, which are alike,
     /// and the block between the beams.
-    pub(super) fn stored(&self) -> usize {
+    pub(crate) fn stored(&self) -> usize {
         let all = self.dofs * self.dofs;
         match self.method.split(", ").nth(1) {
             Some("in full") => all,
@@ -173,11 +174,11 @@ impl Measured {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::{Measured, Rounds};
 
     /// A method with the standard pair.
-    pub(in super::super) fn measured(method: &str, rounds: Vec<Rounds>) -> Measured {
+    pub(crate) fn measured(method: &str, rounds: Vec<Rounds>) -> Measured {
         Measured {
             task: "all but the slips".to_owned(),
             family: "hermite".to_owned(),

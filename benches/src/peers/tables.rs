@@ -1,9 +1,9 @@
 //! The times of other programs as tables and sentences.
 
 use super::{AtGap, LeftOut, Peer, Peers};
-use crate::report::methods::{LAYOUTS, layout_name, reader_name};
-use crate::report::number::{count, error, plain, time};
-use crate::report::page::Block;
+use crate::methods::{LAYOUTS, layout_name, reader_name};
+use beamgap::report::number::{count, error, plain, time};
+use beamgap::report::page::Block;
 
 /// The crate's own method that is compared with other programs.
 const OURS: &str = "beamgap, blocks";
@@ -14,14 +14,14 @@ const TASKS: [(&str, &str); 2] = [("A", "d"), ("B", "d, xi, xi_bar, t, t_bar")];
 
 impl Peers {
     /// The ratio of a program's time, by its fastest method, to that of the closed form. Both write whole matrices.
-    pub(in crate::report) fn over_ours(&self, program: &str, task: &str) -> Option<f64> {
+    pub(crate) fn over_ours(&self, program: &str, task: &str) -> Option<f64> {
         let is_full = |row: &Peer, program: &str| row.method.starts_with(program) && row.layout == "full";
         let full = |program: &str| self.fastest(task, |row| is_full(row, program));
         Some(full(program)? / full(OURS)?)
     }
 
     /// The same for a program that takes four pairs at once, over the time of the closed form for one pair.
-    pub(in crate::report) fn lanes_over_ours(&self, program: &str, task: &str) -> Option<f64> {
+    pub(crate) fn lanes_over_ours(&self, program: &str, task: &str) -> Option<f64> {
         let is_in_lanes = |row: &Peer| row.method.starts_with(program) && row.method.ends_with(IN_LANES);
         let ours = self.fastest(task, |row| row.method == OURS && row.layout == "full");
         Some(self.fastest(task, is_in_lanes)? / ours?)
@@ -34,13 +34,13 @@ impl Peers {
     }
 
     /// The time of a pair by the closed form, for each layout in which one pair is computed after the other.
-    pub(in crate::report) fn times_of_ours(&self, task: &str) -> Vec<(String, f64)> {
+    pub(crate) fn times_of_ours(&self, task: &str) -> Vec<(String, f64)> {
         let rows = self.rows.iter().filter(|row| row.method == OURS && row.task == task);
         rows.map(|row| (layout_name(&row.layout), row.ns_median)).collect()
     }
 
     /// The blocks of the page about the peers, collapsed.
-    pub(in crate::report) fn blocks(&self) -> Vec<Block> {
+    pub(crate) fn blocks(&self) -> Vec<Block> {
         let mut blocks = vec![Block::text(&format!(
             "Other programs compute the same {} pairs of Hermite beams, on one machine in one run of {} rounds: {}. {LAYOUTS} \
              *Four lanes*: four pairs at once, in the lanes of a vector.",

@@ -1,13 +1,51 @@
 //! The samples of criterion and the counts of callgrind are read, summarized and compared correctly.
 
-use crate::reports::committed;
-use beamgap::report::{
-    Benchmark, Count, Difference, Environment, Instructions, Measured, Record, ReportError, Rounds, Spread,
-    Task, VERDICTS, Verdict, Verdicts, median_interval, spread, write_rounds,
+use crate::{
+    Benchmark, BenchmarkError, Count, Difference, Instructions, Measured, Rounds, Spread, Task, VERDICTS,
+    Verdict, Verdicts, median_interval, spread, write_rounds,
 };
+use beamgap::report::{Environment, Record, ReportError};
 use beamgap::test_beam::Family;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+/// The path of a file of the workspace.
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name)
+}
+
+fn committed(name: &str) -> String {
+    let path = path("reports").join(name);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// `BEAMGAP_BLESS=1` writes the pages instead.
+#[test]
+fn committed_pages_are_what_the_committed_record_renders_to() {
+    for (name, text) in Benchmark::from_json(&committed("benchmark.json")).unwrap().pages() {
+        if std::env::var_os("BEAMGAP_BLESS").is_some() {
+            fs::write(path("reports").join(&name), &text).unwrap();
+        }
+        assert!(text == committed(&name), "{name} is stale: BEAMGAP_BLESS=1 writes it again");
+    }
+}
+
+#[test]
+fn the_committed_record_is_written_again_as_it_is() {
+    let json = committed("benchmark.json");
+    assert!(Benchmark::from_json(&json).unwrap().to_json().unwrap() == json);
+    assert!(json.len() < 300_000, "{} bytes", json.len());
+}
+
+/// The front page states the claims of the record, in the words generated from the record.
+#[test]
+fn the_front_page_claims_what_was_measured() {
+    let front = fs::read_to_string(path("README.md")).unwrap();
+    let words = front.split_whitespace().collect::<Vec<_>>().join(" ");
+    for claim in Benchmark::from_json(&committed("benchmark.json")).unwrap().claims() {
+        assert!(words.contains(&claim), "README.md is to say:\n{claim}");
+    }
+}
 
 #[test]
 fn committed_medians_and_intervals_follow_from_the_samples() {
@@ -100,7 +138,7 @@ struct Left(PathBuf);
 
 impl Left {
     fn new(name: &str) -> Self {
-        let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let directory = std::env::temp_dir().join(format!("beamgap-benches-{}-{name}", std::process::id()));
         let _ = fs::remove_dir_all(&directory);
         fs::create_dir_all(&directory).unwrap();
         Self(directory)
@@ -186,21 +224,21 @@ fn what_criterion_left_is_read_and_what_it_should_not_hold_is_passed_over() {
 fn what_is_missing_is_named_with_the_command_that_makes_it() {
     let left = Left::new("pieces");
     let error = || Benchmark::read(&left.0).unwrap_err();
-    assert!(matches!(error(), ReportError::NoMeasurements { .. }));
+    assert!(matches!(error(), BenchmarkError::NoMeasurements { .. }));
     assert!(error().to_string().contains("`cargo bench`"));
 
     left.samples("closed form", 800.0);
-    assert!(matches!(error(), ReportError::NoVerdicts { .. }));
+    assert!(matches!(error(), BenchmarkError::NoVerdicts { .. }));
     assert!(error().to_string().contains("`cargo bench`") && error().to_string().contains(VERDICTS));
 
     // The method is timed before it is verified. The sleep makes the times of the two files differ.
     std::thread::sleep(std::time::Duration::from_millis(20));
     left.verdicts(&[("closed form", 0.1)]);
-    assert!(matches!(error(), ReportError::NotTimed { .. }));
+    assert!(matches!(error(), BenchmarkError::NotTimed { .. }));
     assert!(error().to_string().starts_with("d/hermite, 24 dofs, closed form"));
 
     left.verdicts(&[("closed form", 1.01)]);
-    assert!(matches!(error(), ReportError::Wrong { .. }));
+    assert!(matches!(error(), BenchmarkError::Wrong { .. }));
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! The roofline: the rate of the closed form, compared with the limits of the machine.
 
-use crate::report::benchmark::Benchmark;
-use crate::report::chart::{Anchor, Axis, Chart, INK, Mark, WIDTH, apart};
-use crate::report::number::plain;
-use crate::report::roof::Below;
+use crate::benchmark::Benchmark;
+use crate::roof::Below;
+use beamgap::report::chart::{Anchor, Axis, Chart, INK, Mark, WIDTH, apart};
+use beamgap::report::number::plain;
 
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 12.0;
@@ -14,7 +14,7 @@ const BESIDE: f64 = 16.0;
 
 impl Benchmark {
     /// Multiply-adds in a nanosecond over multiply-adds for each stored byte; none if they were not counted.
-    pub(in super::super) fn roofline_to_svg(&self) -> Option<String> {
+    pub(crate) fn roofline_to_svg(&self) -> Option<String> {
         let rows: Vec<_> = self.below_the_roof().collect();
         let [most, bytes] = self.roof();
         if rows.is_empty() {

@@ -1,27 +1,27 @@
 //! The closed forms of the standard pair, compared with the peak rates of their machine.
 
-use super::benchmark::{Benchmark, Measured};
-use super::methods::method_name;
-use super::number::number;
-use super::{Task, spread};
+use crate::benchmark::{Benchmark, Measured};
+use crate::methods::method_name;
+use crate::{Task, spread};
+use beamgap::report::number::number;
 
 /// A method whose arithmetic is counted.
-pub(super) struct Below<'a> {
-    pub(super) task: Task,
-    pub(super) measured: &'a Measured,
+pub(crate) struct Below<'a> {
+    pub(crate) task: Task,
+    pub(crate) measured: &'a Measured,
     /// The number of multiply-adds for a pair.
-    pub(super) multiply_adds: usize,
-    pub(super) bytes: usize,
+    pub(crate) multiply_adds: usize,
+    pub(crate) bytes: usize,
     /// The nanoseconds of a pair, and those of its multiply-adds and of its bytes alone: medians over the rounds.
-    pub(super) time: f64,
-    pub(super) roofline: [f64; 2],
+    pub(crate) time: f64,
+    pub(crate) roofline: [f64; 2],
     /// The time over the roofline bound: the median of the ratios of each round.
-    pub(super) times: f64,
+    pub(crate) times: f64,
 }
 
 impl Below<'_> {
     /// The task and the layout.
-    pub(super) fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         let task = match self.task {
             Task::Distance | Task::DistanceOfMany => Task::Distance,
             _ => Task::All,
@@ -31,12 +31,12 @@ impl Below<'_> {
     }
 
     /// Multiply-adds for each stored byte.
-    pub(super) fn density(&self) -> f64 {
+    pub(crate) fn density(&self) -> f64 {
         number(self.multiply_adds) / number(self.bytes)
     }
 
     /// Multiply-adds in a nanosecond.
-    pub(super) fn rate(&self) -> f64 {
+    pub(crate) fn rate(&self) -> f64 {
         number(self.multiply_adds) / self.time
     }
 
@@ -48,7 +48,7 @@ impl Below<'_> {
 
 impl Benchmark {
     /// All of these methods: first d, then the other quantities with it.
-    pub(super) fn below_the_roof(&self) -> impl Iterator<Item = Below<'_>> {
+    pub(crate) fn below_the_roof(&self) -> impl Iterator<Item = Below<'_>> {
         let tasks = [(Task::Distance, 1), (Task::DistanceOfMany, 1), (Task::All, 5)];
         tasks.into_iter().flat_map(move |(task, quantities)| {
             self.of(task).filter_map(move |measured| {
@@ -73,7 +73,7 @@ impl Benchmark {
     }
 
     /// The peak rates of multiply-adds and of stored bytes, in a nanosecond.
-    pub(super) fn roof(&self) -> [f64; 2] {
+    pub(crate) fn roof(&self) -> [f64; 2] {
         let highest = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a.max(c), b.max(d)];
         self.below_the_roof().map(|below| below.limits()).fold([0.0; 2], highest)
     }
@@ -81,8 +81,9 @@ impl Benchmark {
 
 #[cfg(test)]
 mod tests {
-    use crate::report::benchmark::tests::measured;
-    use crate::report::{Benchmark, Environment, Record, Rounds};
+    use crate::benchmark::tests::measured;
+    use crate::{Benchmark, Rounds};
+    use beamgap::report::{Environment, Record};
 
     #[test]
     fn a_machine_that_slows_down_changes_no_ratio() {

@@ -1,9 +1,8 @@
 //! The loss of accuracy of each formulation: median errors over the distance and over the angle.
 
-use super::errors;
 use crate::check::{Errors, Level};
 use crate::report::Accuracy;
-use crate::report::chart::{Anchor, Axis, Chart, Place, WIDTH};
+use crate::report::chart::{Anchor, Axis, Chart, Place, WIDTH, errors};
 
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 14.0;

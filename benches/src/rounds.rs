@@ -1,8 +1,8 @@
 //! Interleaved rounds: slow drifts of the clock affect all methods of a round alike.
 
-use super::benchmark::{Measured, Ratio};
-use super::number::{number, rounded};
-use super::spread;
+use crate::benchmark::{Measured, Ratio};
+use crate::spread;
+use beamgap::report::number::{number, rounded};
 use serde::{Deserialize, Serialize};
 
 /// The reference of a method in its rounds, and the times of every round in nanoseconds.
@@ -30,7 +30,7 @@ pub enum Rounds {
 
 impl Rounds {
     /// Rounds the times to the digits of a time.
-    pub(super) fn rounded(self) -> Self {
+    pub(crate) fn rounded(self) -> Self {
         fn all<const K: usize>(samples: Vec<[f64; K]>) -> Vec<[f64; K]> {
             samples.into_iter().map(|round| round.map(|time| rounded(time, 5))).collect()
         }
@@ -46,7 +46,7 @@ impl Rounds {
 
 impl Measured {
     /// The multiply-adds of a pair, and for each round its time and the times of these multiply-adds and of `bytes` bytes.
-    pub(super) fn with_lower_bounds(&self, bytes: f64) -> Option<(usize, Vec<[f64; 3]>)> {
+    pub(crate) fn with_lower_bounds(&self, bytes: f64) -> Option<(usize, Vec<[f64; 3]>)> {
         self.rounds.iter().find_map(|rounds| {
             let Rounds::Roofline { multiply_adds, samples } = rounds else { return None };
             let amount = number(*multiply_adds);
@@ -57,7 +57,7 @@ impl Measured {
     }
 
     /// The time over that of the closed form.
-    pub(super) fn over_closed_form(&self) -> Option<Ratio> {
+    pub(crate) fn over_closed_form(&self) -> Option<Ratio> {
         self.rounds.iter().find_map(|rounds| {
             let Rounds::ClosedForm { samples } = rounds else { return None };
             median(samples, |&[time, of_closed_form]| time / of_closed_form)
@@ -65,7 +65,7 @@ impl Measured {
     }
 
     /// The median times of the method and of the closed form, in the rounds in which both ran.
-    pub(super) fn times_of_rounds(&self) -> Option<[f64; 2]> {
+    pub(crate) fn times_of_rounds(&self) -> Option<[f64; 2]> {
         self.rounds.iter().find_map(|rounds| {
             let Rounds::ClosedForm { samples } = rounds else { return None };
             Some([median(samples, |round| round[0])?.value, median(samples, |round| round[1])?.value])
@@ -73,22 +73,22 @@ impl Measured {
     }
 
     /// The median times by all threads and by one, in the rounds in which both ran.
-    pub(super) fn times_of_threads(&self) -> Option<[f64; 2]> {
+    pub(crate) fn times_of_threads(&self) -> Option<[f64; 2]> {
         Some([self.over_one_thread(|round| round[0])?.value, self.over_one_thread(|round| round[1])?.value])
     }
 
     /// The number of pairs over that of one thread.
-    pub(super) fn speed_up(&self) -> Option<Ratio> {
+    pub(crate) fn speed_up(&self) -> Option<Ratio> {
         self.over_one_thread(|&[by_all, by_one, ..]| by_one / by_all)
     }
 
     /// The number of multiply-adds over that of one thread, for threads that compute multiply-adds alone.
-    pub(super) fn speed_up_of_arithmetic(&self) -> Option<Ratio> {
+    pub(crate) fn speed_up_of_arithmetic(&self) -> Option<Ratio> {
         self.over_one_thread(|&[.., by_all, by_one]| by_one / by_all)
     }
 
     /// The same in each round.
-    pub(super) fn speed_ups_of_arithmetic(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn speed_ups_of_arithmetic(&self) -> impl Iterator<Item = f64> {
         let samples = self.rounds.iter().filter_map(|rounds| {
             let Rounds::OneThread { samples } = rounds else { return None };
             Some(samples)
@@ -113,7 +113,7 @@ fn median<const K: usize>(samples: &[[f64; K]], ratio: impl Fn(&[f64; K]) -> f64
 #[cfg(test)]
 mod tests {
     use super::{Ratio, Rounds};
-    use crate::report::benchmark::tests::measured;
+    use crate::benchmark::tests::measured;
 
     #[test]
     fn methods_are_compared_with_the_closed_form_round_by_round() {

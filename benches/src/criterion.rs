@@ -3,8 +3,9 @@
 //! Of the files of criterion, only the indispensable parts are read: the name of a benchmark, and for each sample the number
 //! of iterations and their time. All other contents of the files and of their directory are ignored.
 
-use super::task::group;
-use super::{Environment, ReportError, Rounds};
+use crate::task::group;
+use crate::{BenchmarkError, Rounds};
+use beamgap::report::{Environment, ReportError, write};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -52,15 +53,15 @@ impl Verdict {
     }
 
     /// The group in criterion.
-    pub(super) fn group(&self) -> String {
+    pub(crate) fn group(&self) -> String {
         group(&self.task, &self.family, self.dofs)
     }
 }
 
 /// The samples of one benchmark, in nanoseconds for each iteration, and the time at which they were written.
-pub(super) struct Samples {
-    pub(super) times: Vec<f64>,
-    pub(super) written: SystemTime,
+pub(crate) struct Samples {
+    pub(crate) times: Vec<f64>,
+    pub(crate) written: SystemTime,
 }
 
 /// The directory of criterion, by the rules of criterion: `CRITERION_HOME`, or `criterion` in the target directory.
@@ -78,13 +79,13 @@ impl Verdicts {
     pub fn write(&self, directory: &Path) -> Result<(), ReportError> {
         let json = serde_json::to_string_pretty(self)
             .map_err(|source| ReportError::Format { what: VERDICTS.to_owned(), source })?;
-        super::write(directory, VERDICTS, &json)
+        write(directory, VERDICTS, &json)
     }
 
     /// Reads the verdicts, with the time at which they were written.
-    pub(super) fn read(directory: &Path) -> Result<(Self, SystemTime), ReportError> {
+    pub(crate) fn read(directory: &Path) -> Result<(Self, SystemTime), BenchmarkError> {
         let path = directory.join(VERDICTS);
-        let Some((text, written)) = read(&path) else { return Err(ReportError::NoVerdicts { path }) };
+        let Some((text, written)) = read(&path) else { return Err(BenchmarkError::NoVerdicts { path }) };
         let verdicts = serde_json::from_str(&text)
             .map_err(|source| ReportError::Format { what: path.display().to_string(), source })?;
         Ok((verdicts, written))
@@ -98,11 +99,11 @@ impl Verdicts {
 pub fn write_rounds(directory: &Path, rounds: &[(String, String, Rounds)]) -> Result<(), ReportError> {
     let json = serde_json::to_string(rounds)
         .map_err(|source| ReportError::Format { what: ROUNDS.to_owned(), source })?;
-    super::write(directory, ROUNDS, &json)
+    write(directory, ROUNDS, &json)
 }
 
 /// The rounds that were measured after `verified`, by group and method.
-pub(super) fn rounds(
+pub(crate) fn rounds(
     directory: &Path,
     verified: SystemTime,
 ) -> Result<BTreeMap<(String, String), Vec<Rounds>>, ReportError> {
@@ -120,7 +121,7 @@ pub(super) fn rounds(
 }
 
 /// All measurements of criterion, by group and function.
-pub(super) fn samples(directory: &Path) -> Result<BTreeMap<(String, String), Samples>, ReportError> {
+pub(crate) fn samples(directory: &Path) -> Result<BTreeMap<(String, String), Samples>, BenchmarkError> {
     #[derive(Deserialize)]
     struct Name {
         group_id: String,
@@ -148,7 +149,7 @@ pub(super) fn samples(directory: &Path) -> Result<BTreeMap<(String, String), Sam
         found.insert((name.group_id, name.function_id.unwrap_or_default()), Samples { times, written });
     }
     if found.is_empty() {
-        return Err(ReportError::NoMeasurements { directory: directory.to_owned() });
+        return Err(BenchmarkError::NoMeasurements { directory: directory.to_owned() });
     }
     Ok(found)
 }

@@ -1,11 +1,11 @@
 //! The methods of differentiation in plain words. Each is named after its input.
 
-use super::Task;
-use super::peers::{Peer, Peers};
+use crate::Task;
+use crate::peers::{Peer, Peers};
 
 /// The kind of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     ClosedForm,
     Generated,
     Automatic,
@@ -13,9 +13,9 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    pub(super) const ALL: [Self; 4] = [Self::ClosedForm, Self::Generated, Self::Automatic, Self::Differences];
+    pub(crate) const ALL: [Self; 4] = [Self::ClosedForm, Self::Generated, Self::Automatic, Self::Differences];
 
-    pub(super) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::ClosedForm => "Closed form, derived by hand",
             Self::Generated => "Generated code",
@@ -26,14 +26,14 @@ impl Kind {
 }
 
 /// A method of the record of the peers.
-pub(super) struct Method {
+pub(crate) struct Method {
     /// Its name in the record.
     record: &'static str,
-    pub(super) kind: Kind,
+    pub(crate) kind: Kind,
     /// Its name on the pages.
-    pub(super) name: &'static str,
+    pub(crate) name: &'static str,
     /// A name for a label.
-    pub(super) short: &'static str,
+    pub(crate) short: &'static str,
 }
 
 const fn method(kind: Kind, record: &'static str, name: &'static str, short: &'static str) -> Method {
@@ -130,7 +130,7 @@ const METHODS: [Method; 23] = [
 ];
 
 /// The inputs of the methods, in words.
-pub(super) const GIVEN: [&str; 6] = [
+pub(crate) const GIVEN: [&str; 6] = [
     "**Envelope theorem**: at the closest point d does not change with xi and xi_bar, to first order. The Hessian of d \
      therefore needs first derivatives of xi and xi_bar only. The user must supply this fact; programs for automatic \
      differentiation do not find it. Quantities other than d use the implicit function theorem.",
@@ -147,7 +147,7 @@ pub(super) const GIVEN: [&str; 6] = [
 ];
 
 /// The name of a method on the pages; that of the record if the method is unknown.
-pub(super) fn reader_name(record: &str) -> String {
+pub(crate) fn reader_name(record: &str) -> String {
     let known = METHODS.iter().find(|method| method.record == record);
     known.map_or_else(
         || record.to_owned(),
@@ -159,7 +159,7 @@ pub(super) fn reader_name(record: &str) -> String {
 }
 
 /// The name of a method of this crate on the pages. Records keep their names, so that counts remain comparable.
-pub(super) fn method_name(task: &str, method: &str) -> String {
+pub(crate) fn method_name(task: &str, method: &str) -> String {
     // The record has the name of the method that `linearize` used before the kernel.
     let method = if task == Task::WithSlips.name() {
         method.replace("term by term", "linearize")
@@ -170,18 +170,18 @@ pub(super) fn method_name(task: &str, method: &str) -> String {
 }
 
 /// The name of a layout on the pages.
-pub(super) fn layout_name(record: &str) -> String {
+pub(crate) fn layout_name(record: &str) -> String {
     record.replace("upper", "blocks").replace("half", "packed")
 }
 
 /// The layouts of a Hessian.
-pub(super) const LAYOUTS: &str = "*Blocks*: the three blocks of the Hessian on and above the diagonal, of beam, bar beam and \
+pub(crate) const LAYOUTS: &str = "*Blocks*: the three blocks of the Hessian on and above the diagonal, of beam, bar beam and \
                                   both. *Full*: the whole matrix. *Packed*: the entries on and above the diagonal.";
 
 /// One method with its rows for d and for all but the slips. Of several layouts, the rows of the full matrices are used.
-pub(super) struct Timed<'a> {
-    pub(super) method: &'static Method,
-    pub(super) tasks: [Option<&'a Peer>; 2],
+pub(crate) struct Timed<'a> {
+    pub(crate) method: &'static Method,
+    pub(crate) tasks: [Option<&'a Peer>; 2],
 }
 
 impl Timed<'_> {
@@ -192,7 +192,7 @@ impl Timed<'_> {
 
 impl Peers {
     /// The methods by kind, each kind from fast to slow.
-    pub(super) fn timed(&self) -> Vec<Timed<'_>> {
+    pub(crate) fn timed(&self) -> Vec<Timed<'_>> {
         let of = |method: &Method, task: &str| {
             let is_it = |row: &&Peer| row.method == method.record && row.task == task;
             self.rows.iter().filter(is_it).min_by_key(|row| row.layout != "full")

@@ -46,7 +46,7 @@ impl Task {
     }
 
     /// The description, in a sentence.
-    pub(super) fn description(self) -> &'static str {
+    pub(crate) fn description(self) -> &'static str {
         match self {
             Self::Distance => {
                 "The distance d with gradient and Hessian: what normal contact without friction needs."
@@ -82,6 +82,6 @@ impl Task {
 }
 
 /// The same for a task of a record.
-pub(super) fn group(task: &str, family: &str, dofs: usize) -> String {
+pub(crate) fn group(task: &str, family: &str, dofs: usize) -> String {
     format!("{task}/{family}, {dofs} dofs")
 }

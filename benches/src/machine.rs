@@ -1,13 +1,13 @@
 //! The limits of the machine: many pairs on several threads, and the roofline.
 
-use super::Task;
-use super::benchmark::{Benchmark, Measured, Ratio};
-use super::benchmark_page::{VERDICT, picture, verdict};
-use super::number::{count, plain, time};
-use super::page::Block;
+use crate::Task;
+use crate::benchmark::{Benchmark, Measured, Ratio};
+use crate::page::{VERDICT, picture, verdict};
+use beamgap::report::number::{count, plain, time};
+use beamgap::report::page::Block;
 
 impl Benchmark {
-    pub(super) fn many(&self) -> Vec<Block> {
+    pub(crate) fn many(&self) -> Vec<Block> {
         let tasks = [Task::DistanceOfMany, Task::AllOfMany];
         let pairs = |task| self.of(task).map(|of| of.pairs as u64);
         let numbers = |[of_d, of_all]: [Option<u64>; 2]| {
@@ -78,7 +78,7 @@ impl Benchmark {
         ]
     }
 
-    pub(super) fn roofline(&self) -> Vec<Block> {
+    pub(crate) fn roofline(&self) -> Vec<Block> {
         let rows = self.below_the_roof().map(|below| {
             let [of_arithmetic, of_stores] = below.roofline.map(time);
             let [multiply_adds, bytes] = [below.multiply_adds, below.bytes].map(|n| count(n as u64));
