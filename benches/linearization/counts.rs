@@ -5,7 +5,7 @@
 use crate::is_given;
 use crate::scenario::{self, Runner, Scenario};
 use beamgap::report::Record;
-use beamgap_benches::{Count, Difference, Instructions, Task};
+use beamgap_benchmark::{Count, Difference, Instructions, Task};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs};

@@ -14,7 +14,7 @@ mod rounds;
 mod scenario;
 
 use beamgap::report::Environment;
-use beamgap_benches::{Verdict, Verdicts, criterion_directory, publish, write_rounds};
+use beamgap_benchmark::{Verdict, Verdicts, criterion_directory, publish, write_rounds};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group};
 use rayon::prelude::*;
 use scenario::Scenario;

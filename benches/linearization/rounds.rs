@@ -2,7 +2,7 @@
 
 use crate::roofline::{multiply_adds_by, roofline};
 use crate::scenario::{Runner, Scenario};
-use beamgap_benches::{CLOSED_FORM, Rounds};
+use beamgap_benchmark::{CLOSED_FORM, Rounds};
 use std::time::{Duration, Instant};
 
 /// The number of rounds with the roofline, and with one thread.

@@ -7,7 +7,7 @@ use super::{Scenario, Task};
 use beamgap::linearization::Derivatives;
 use beamgap::linearization::closed_form::kernel::{self, Full, Gradient, Packed, Targets};
 use beamgap::linearization::closed_form::{Matrices, jets};
-use beamgap_benches::CLOSED_FORM;
+use beamgap_benchmark::CLOSED_FORM;
 
 pub(super) const IN_FULL: &str = "closed form, in full";
 pub(super) const PACKED: &str = "closed form, packed";

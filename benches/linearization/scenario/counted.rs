@@ -12,7 +12,7 @@ use beamgap::linearization::closed_form::kernel::{
 };
 use beamgap::number::OperationCount;
 use beamgap::pair::{DofVector, Pair};
-use beamgap_benches::CLOSED_FORM;
+use beamgap_benchmark::CLOSED_FORM;
 use nalgebra::SVector;
 
 /// The scenarios with the multiply-adds of those of the standard family that are counted.

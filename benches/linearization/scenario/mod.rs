@@ -22,7 +22,7 @@ use error::Error;
 
 pub(crate) use checks::check;
 
-use beamgap_benches::{Task, Verdict};
+use beamgap_benchmark::{Task, Verdict};
 use std::fmt;
 
 /// One method for one task with one kind of beams.

@@ -7,7 +7,7 @@ use super::{Scenario, Task};
 use beamgap::linearization::ad::{self, Route, chord};
 use beamgap::linearization::closed_form::vary;
 use beamgap::linearization::{Quantities, Varied};
-use beamgap_benches::CLOSED_FORM;
+use beamgap_benchmark::CLOSED_FORM;
 
 /// The same families as for the matrices.
 pub(super) fn others(of: &Inputs) -> Vec<Scenario> {

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// The path of a file of the workspace.
 fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
 }
 
 fn committed(name: &str) -> String {
