@@ -16,7 +16,7 @@ impl Accuracy {
             )
         };
         let conclusion = format!(
-            "**At a distance d of 1e-6 beam lengths the median relative error of Delta-delta d, the second variation of the \
+            "How many digits are kept at small distances and angles? **At a distance d of 1e-6 beam lengths the median relative error of Delta-delta d, the second variation of the \
              distance, is {}. At an angle of 1e-5 rad between straight beams the median relative error of Delta-delta xi, the \
              second variation of the parameter, is {}.** At each closest point the library chooses between two formulations that \
              are equal in exact arithmetic. In every row of the tables below the median error of its choice is at most {} times the smaller of the two medians.",
@@ -75,7 +75,7 @@ impl Accuracy {
             Block::text(
                 "An error is relative, in `f64`, at the closest point rounded to `f64`. It is measured against double-double \
                  numbers at the closest point refined there. Each number is a median over random pairs and directions. All \
-                 numbers are in `accuracy.json`, from which alone this page and its figures are made. [Symbols](symbols.md).",
+                 numbers are in `accuracy.json`, from which alone this page and its figures are made.",
             ),
             self.environment.table(vec![("seed", seed), ("pairs at each distance and angle", pairs)]),
         ];

@@ -3,7 +3,7 @@
 use super::bounds::Bounds;
 use super::number::{count, error, finite, two_digits};
 use super::page::{Block, Page};
-use crate::check::{Measured, Points, Regime, Side, Violation};
+use crate::check::{Measured, Order, Points, Regime, Side, Violation};
 
 impl Bounds {
     /// The page. The same record always gives the same page.
@@ -21,11 +21,12 @@ impl Bounds {
             n => format!("In {n} cases an error exceeds its bound"),
         };
         let conclusion = format!(
-            "**{conclusion}: {} closest points, {} numbers with an error.** The check compares two numbers within a tolerance, the \
-             sum of their bounds on rounding error. This report asks two questions. Does an error ever exceed its bound? How \
-             far above the error is the bound?",
+            "Does an error ever exceed its bound, and how far above the error is the bound? **{conclusion}: {} closest points, {} \
+             numbers with an error. In the median, the bounds of the closed form are {}.** The check compares two numbers within a \
+             tolerance, the sum of their bounds on rounding error.",
             count(points),
             count(entries),
+            self.medians().join(", "),
         );
         let mut blocks = vec![Block::text(&conclusion)];
         blocks.extend(self.violations_listed());
@@ -56,12 +57,24 @@ impl Bounds {
         blocks.extend([
             Block::heading("How it was made"),
             Block::text(
-                "Quantiles have an error of at most 1.2 % before they are rounded to two digits. All numbers are in `bounds.json`, from which alone this page is made. \
-                 [Symbols and regimes](symbols.md).",
+                "Quantiles have an error of at most 1.2 % before they are rounded to two digits. All numbers are in `bounds.json`, from which alone this page is made.",
             ),
             self.environment.table(vec![("seed", seed), ("cases of each regime", cases)]),
         ]);
         Page::new("Bounds", blocks)
+    }
+
+    /// The median overestimation factors of the closed form.
+    fn medians(&self) -> Vec<String> {
+        let of_closed_form = self.found.all.iter().filter(|((side, _), _)| *side == Side::ALL[0]);
+        let median = |((_, order), measured): (&(Side, Order), &Measured)| {
+            let factor = two_digits(measured.overestimation?.median);
+            Some(match order {
+                Order::Value => format!("{factor} times the error for values"),
+                _ => format!("{factor} times for {} variations", order.name()),
+            })
+        };
+        of_closed_form.filter_map(median).collect()
     }
 
     fn violations_listed(&self) -> Vec<Block> {

@@ -20,7 +20,7 @@ impl Crosscheck {
             n => format!("Closed form and automatic differentiation differ at {} closest points", count(n)),
         };
         let conclusion = format!(
-            "**{found}: {} closest points of {} random pairs of beams, {} numbers, {} mismatches.** {} points and cases could not \
+            "Do closed form and automatic differentiation agree? **{found}: {} closest points of {} random pairs of beams, {} numbers, {} mismatches.** {} points and cases could not \
              be compared; they count neither as agreeing nor as differing. A mismatch is a difference that exceeds a bound on \
              the rounding of both sides.",
             count(self.found.compared()),
@@ -44,7 +44,7 @@ impl Crosscheck {
             Block::heading("How it was made"),
             Block::text(
                 "A case is drawn from the seed and its number alone. `beamgap check --case N` shows case N. All numbers are in \
-                 `crosscheck.json`, from which alone this page is made. [Symbols and regimes](symbols.md).",
+                 `crosscheck.json`, from which alone this page is made.",
             ),
             self.environment.table(vec![("seed", seed), ("cases of each regime", of_each)]),
         ]);

@@ -16,7 +16,7 @@ impl Equations {
         let (evaluated, others): (Vec<&EquationRow>, Vec<&EquationRow>) =
             table.equations.iter().partition(|entry| !entry.parts.is_empty());
         let conclusion = format!(
-            "**Of the {} equations of the paper {} are misprinted in the scan, and {} more are incomplete for curves that are not \
+            "Which equations of the paper are right? **Of the {} equations of the paper {} are misprinted in the scan, and {} more are incomplete for curves that are not \
              linear in their dofs; as corrected and completed {}.** This report evaluates {} of the equations, as printed and \
              as corrected, and compares them with automatic differentiation by hyper-dual numbers. The others, {}, define, assume or \
              list something; they are judged by their words.",
@@ -39,6 +39,7 @@ impl Equations {
         let [linear, nonlinear] = table.pairs.map(|pairs| count(pairs * table.draws));
         let mut blocks = vec![
             Block::text(&conclusion),
+            Block::table(&["equation", "what is wrong in it"], table.in_short()),
             Block::table(&["verdict", "meaning", "equations"], verdicts.collect()),
             Block::heading("How an equation is tested"),
             Block::list(&[
@@ -80,6 +81,19 @@ impl Equations {
         Page::new("Equations", blocks)
     }
 }
+
+/// What is wrong, in a few words.
+const MISPRINTS: [(u8, &str); 9] = [
+    (16, "δḡ_T is missing from the list"),
+    (32, "a stray −δξ̄ in δt̄, and t̄,ξ̄ for t̄,ξ̄ξ̄ in Δδt̄"),
+    (39, "Δû_C for Δᵤû_C in the last term"),
+    (40, "Δû_C for Δᵤû_C in the last two terms"),
+    (42, "a plus sign and a factor t are missing"),
+    (49, "bars are missing in the last sum of the second row"),
+    (56, "R_Δδ for R̄_Δδ in both second terms"),
+    (57, "Δû_C for Δᵤû_C in the last two terms"),
+    (58, "1/t³ for 1/t, and a factor t is missing"),
+];
 
 impl EquationTable {
     fn made(&self) -> Vec<(&'static str, String)> {
@@ -128,6 +142,17 @@ impl EquationTable {
             "All equations",
             vec![Block::text(words), Block::table(&head, self.equations.iter().map(row).collect())],
         )
+    }
+
+    /// A row for each misprint.
+    fn in_short(&self) -> Vec<Vec<String>> {
+        let misprints = self.equations.iter().filter(|entry| entry.verdict == Verdict::Misprint);
+        let row = |entry: &EquationRow| {
+            let found = MISPRINTS.iter().find(|(number, _)| *number == entry.number);
+            let words = found.map_or("see below", |(_, words)| words);
+            vec![format!("({}) {}", entry.number, entry.says), words.to_owned()]
+        };
+        misprints.map(row).collect()
     }
 
     fn misprints(&self) -> Vec<Block> {

@@ -28,10 +28,25 @@ impl Explain {
                  before. A second fault that changes the answers by less is not searched for.",
             ]),
         ];
-        blocks.extend(self.programs.iter().flat_map(ExplainProgram::blocks));
+        let names = Naming::ALL.map(|naming| format!("#{}", naming.name()));
+        let head: Vec<String> = ["faults", "answers"]
+            .map(str::to_owned)
+            .into_iter()
+            .chain(names)
+            .chain(["#most named".to_owned(), "#left".to_owned()])
+            .collect();
+        blocks.extend([
+            Block::table(&head, self.programs.iter().map(ExplainProgram::row).collect()),
+            Block::List(Naming::ALL.map(|naming| words(naming).to_owned()).to_vec()),
+            Block::text(
+                "*Most named*: the most explanations that are named together. *Left*: the largest deviation that is left where \
+                 the faults alone are named.",
+            ),
+        ]);
         blocks.extend([
             Block::heading("How it was made"),
-            Block::text("All numbers are in `explain.json`, from which alone this page is made."),
+            Block::text("All numbers are in `explain.json`, from which alone this page is made. It lists the programs whose faults are not \
+                 named alone."),
             self.environment.table(vec![("seed", format!("{:#x}", self.seed))]),
         ]);
         Page::new("Explanations", blocks)
@@ -67,7 +82,7 @@ impl Explain {
             )
         };
         format!(
-            "**Of {} programs whose answers show one fault, {} have the fault named alone, and {} have it named with faults that the answers \
+            "How often is the wrong term named? **Of {} programs whose answers show one fault, {} have the fault named alone, and {} have it named with faults that the answers \
              cannot tell from it. {wrong}**{of_two}",
             count(one),
             count(count_of(1, &[Naming::First])),
@@ -77,59 +92,23 @@ impl Explain {
 }
 
 impl ExplainProgram {
-    fn blocks(&self) -> Vec<Block> {
-        let of_naming = |naming| vec![words(naming).to_owned(), count(self.count(naming) as u64)];
-        let mut blocks = vec![
-            Block::heading(&format!(
-                "Programs with {} that answer {}",
-                if self.faults == 1 { "one fault" } else { "two faults" },
-                self.answers
-            )),
-            Block::table(&["explanation", "#programs"], Naming::ALL.into_iter().map(of_naming).collect()),
-            Block::text(&format!(
-                "At most {} explanations are named together. The largest deviation that is left where the faults alone are \
-                 named is {} of its scale.",
-                count(self.largest_set as u64),
-                error(self.largest_left)
-            )),
-        ];
-        let listed = [Naming::Among, Naming::Fewer, Naming::Other, Naming::None].map(Naming::name);
-        let row = |other: &super::NotFirst| {
-            let named: Vec<_> = other.named.iter().map(|name| format!("`{name}`")).collect();
-            let more = other.count - other.named.len();
-            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-            let [before, after] = other.deviation.map(error);
-            vec![
-                format!("`{}`", other.fault),
-                other.naming.clone(),
-                format!("{}{more}", named.join(", ")),
-                before,
-                after,
-            ]
-        };
-        let others = self.others.iter().filter(|other| listed.contains(&other.naming.as_str()));
-        let rows: Vec<_> = others.map(row).collect();
-        if !rows.is_empty() {
-            let head = ["faults", "explanation", "named", "#deviation before", "#deviation after"];
-            blocks.push(Block::details(
-                "The programs whose faults are not named alone",
-                vec![Block::table(&head, rows)],
-            ));
-        }
-        blocks
+    fn row(&self) -> Vec<String> {
+        let numbers = Naming::ALL.map(|naming| count(self.count(naming) as u64));
+        let last = [count(self.largest_set as u64), error(self.largest_left)];
+        [self.faults.to_string(), self.answers.clone()].into_iter().chain(numbers).chain(last).collect()
     }
 }
 
 fn words(naming: Naming) -> &'static str {
     match naming {
-        Naming::First => "first: the faults alone are named",
+        Naming::First => "*first*: the faults alone are named",
         Naming::Equivalent => {
-            "equivalent: they are named with faults that have the same results for all beams"
+            "*equivalent*: they are named with faults that have the same results for all beams"
         }
-        Naming::Among => "among: they are named with other faults that explain these answers as well",
-        Naming::Fewer => "fewer: one of two faults is named; the deviation *after* remains",
-        Naming::Other => "other: only other faults are named",
-        Naming::None => "none: nothing is named",
-        Naming::Undetected => "undetected: the faults change none of these answers",
+        Naming::Among => "*among*: they are named with other faults that explain these answers as well",
+        Naming::Fewer => "*fewer*: one of two faults is named; the deviation *after* remains",
+        Naming::Other => "*other*: only other faults are named",
+        Naming::None => "*none*: nothing is named",
+        Naming::Undetected => "*undetected*: the faults change none of these answers",
     }
 }

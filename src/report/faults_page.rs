@@ -6,17 +6,16 @@ use super::faults::Faults;
 use super::number::{count, error};
 use super::page::{Block, Page};
 use crate::check::Regime;
-use crate::faults::{Check, Detection, Limit, Operations, Sampled, Undetected};
-use crate::linearization::Quantity;
+use crate::faults::{Check, Detection, Limit};
 use crate::variant::{Kind, Rewrite};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 impl Faults {
     /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
         let verdict = if self.holds { "The check detects every fault" } else { "THE CHECK MISSES SOMETHING" };
         let conclusion = format!(
-            "**{verdict}: {} faults in the terms of the closed form, one at a time, in every regime.** It rejects none of {} \
+            "Does the check detect every wrong term? **{verdict}: {} faults in the terms of the closed form, one at a time, in every regime.** It rejects none of {} \
              equivalent formulas. Other checks are measured on the same faults and the same closest points.",
             count(self.terms.faults() as u64),
             Rewrite::ALL.len()
@@ -32,7 +31,6 @@ impl Faults {
         );
         let mut blocks = vec![Block::text(&conclusion), Block::text(&names), self.best_regimes()];
         blocks.push(Block::details("What each check does", vec![what_checks_do()]));
-        blocks.push(Block::details("Detection in every regime", self.detections()));
         let kinds = self.terms.kinds.iter().map(|(kind, number)| {
             vec![kind.name().to_owned(), what_is_wrong(*kind).to_owned(), count(*number as u64)]
         });
@@ -53,8 +51,8 @@ impl Faults {
         blocks.extend([
             Block::heading("How it was made"),
             Block::text(
-                "`faults.json` lists the faults that each check does not detect in each regime, and the detection limits of all \
-                 terms. This page is made from it alone.",
+                "This page is made from `faults.json` alone. There are also the results of each check in every regime, the faults \
+                 that it does not detect, those of single operations by code and place, and all detection limits.",
             ),
             self.environment.table(vec![("seed", format!("{:#x}", self.seed))]),
         ]);
@@ -83,27 +81,6 @@ impl Faults {
         of_check.min_by_key(|row| (row.planted - row.detected, row.rejected))
     }
 
-    fn detections(&self) -> Vec<Block> {
-        let head = [
-            "check",
-            "regime",
-            "#faults detected",
-            "#pairs of faults detected",
-            "#points rejected",
-            "#false positives",
-        ];
-        vec![
-            Block::list(&[
-                "Points rejected: points at which the check rejects the unmodified closed form. At rejected points no fault counts as \
-                 detected. The exact check has one set of points, which counts as one point.",
-                "False positives: equivalent formulas that the check rejects at some point. The points at which it rejects the \
-                 unmodified form count. A check that rejects the unmodified form at one point therefore rejects all of them.",
-                "The exact check and the gate compare matrices too. No fault of the matrices is injected for the other checks.",
-            ]),
-            Block::table(&head, self.terms.detections.iter().map(detection).collect()),
-        ]
-    }
-
     /// The faults that other checks do not detect, in the best regime of each check.
     fn missed(&self) -> Vec<Block> {
         let rows = Check::ALL.into_iter().filter_map(|check| {
@@ -130,15 +107,11 @@ impl Faults {
             .operations
             .iter()
             .fold((0, 0), |(faults, detected), row| (faults + row.faults, detected + row.detected));
-        let row = |row: &Operations| {
-            let reason =
-                |undetected: &Undetected| undetected.reason.clone().unwrap_or("NOT COVERED".to_owned());
-            let reasons: BTreeSet<String> = row.undetected.iter().map(reason).collect();
-            let why = reasons.into_iter().collect::<Vec<_>>().join("; ");
-            let counts = [row.operations, row.faults, row.detected].map(|number| count(number as u64));
-            [row.code.clone(), row.place.to_owned()].into_iter().chain(counts).chain([why]).collect()
-        };
-        let head = ["code", "place", "#operations", "#faults", "#detected", "reason of those not detected"];
+        let mut reasons: BTreeMap<&str, u64> = BTreeMap::new();
+        for undetected in self.operations.iter().flat_map(|row| &row.undetected) {
+            *reasons.entry(undetected.reason.as_deref().unwrap_or("NOT COVERED")).or_default() += 1;
+        }
+        let reasons = reasons.into_iter().map(|(reason, faults)| vec![reason.to_owned(), count(faults)]);
         let sampled = self.sampled.iter().map(|row| {
             let counts = [row.operations, row.faults, row.detected].map(|number| count(number as u64));
             [row.regime.name(), row.code.name()].map(str::to_owned).into_iter().chain(counts).collect()
@@ -148,25 +121,14 @@ impl Faults {
         vec![
             Block::heading("Faults of single operations"),
             Block::text(&format!(
-                "{} faults of single operations were injected over a prime field; {} are detected. The others change no result, and the \
-                 report gives the reason of each. An operation gets the opposite sign, or its result is zero, doubled or \
+                "{} faults of single operations were injected over a prime field; {} are detected. The others change no result, each \
+                 for a reason below. An operation gets the opposite sign, or its result is zero, doubled or \
                  one too large, or it is the result of another run: with directions exchanged, beams exchanged, the beam in \
                  place of the bar beam, or other parameters.",
                 count(faults as u64),
                 count(detected as u64)
             )),
-            Block::details(
-                "By code and place",
-                vec![
-                    Block::text(
-                        "The place is the formulation, or the parameters that are held at an end. *length*: the distance is the \
-                     length of d, and (40) divides by d. *normal*: the distance is measured along the common normal. \
-                     *determinants*: the 2x2 system is solved by determinants. *cross*: it is solved by cross products. *xi at \
-                     an end*: xi is held.",
-                    ),
-                    Block::table(&head, self.operations.iter().map(row).collect()),
-                ],
-            ),
+            Block::table(&["reason of those not detected", "#faults"], reasons.collect()),
             Block::details(
                 "A sample in f64",
                 vec![
@@ -200,45 +162,13 @@ impl Faults {
                  [Symbols](symbols.md) explains the names of terms.",
             ),
             Block::table(&head, rows.collect()),
-            Block::details(
-                "Detection limits of single operations, by quantity",
-                vec![self.limits_by_quantity()],
-            ),
         ]
-    }
-
-    fn limits_by_quantity(&self) -> Block {
-        let is_there = |quantity: &Quantity| self.sampled.iter().any(|row| row.limits.contains_key(quantity));
-        let quantities: Vec<Quantity> = Quantity::ALL.into_iter().filter(is_there).collect();
-        let row = |row: &Sampled| {
-            let median = |quantity: &Quantity| {
-                row.limits.get(quantity).map_or_else(|| "-".to_owned(), |of| error(Some(of.median.0)))
-            };
-            let names = [row.regime.name(), row.code.name()].map(str::to_owned);
-            names.into_iter().chain(quantities.iter().map(median)).collect()
-        };
-        let names = quantities.iter().map(|quantity| format!("#{}", quantity.name()));
-        let head: Vec<String> = ["regime", "code"].map(str::to_owned).into_iter().chain(names).collect();
-        Block::table(&head, self.sampled.iter().map(row).collect())
     }
 }
 
 fn what_checks_do() -> Block {
     let rows = Check::ALL.map(|check| [check.name(), check.what()].map(str::to_owned).to_vec());
     Block::table(&["check", "what it does"], rows.to_vec())
-}
-
-/// A row of the table of detections.
-fn detection(row: &Detection) -> Vec<String> {
-    let of = |part: usize, all: usize| format!("{part} of {all}");
-    vec![
-        row.check.name().to_owned(),
-        regime_of(row),
-        of(row.detected, row.planted),
-        of(row.pairs_detected, row.pairs),
-        of(row.rejected, row.points),
-        of(row.false_positives.len(), Rewrite::ALL.len()),
-    ]
 }
 
 fn regime_of(row: &Detection) -> String {

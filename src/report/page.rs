@@ -163,7 +163,8 @@ mod tests {
         assert_eq!(
             page().to_markdown(),
             "# T\n\n## A < B\n\nIt is **so** by `x & y`, 2 * 3; *see* [there](t.md).\n\n| method | time |\n|---|---:|\n| one | 1 ns |\n\n\
-             <details><summary>More</summary>\n\n- point\n\n| method | time |\n|---|---:|\n| one | 1 ns |\n\n</details>\n"
+             <details><summary>More</summary>\n\n- point\n\n| method | time |\n|---|---:|\n| one | 1 ns |\n\n</details>\n\n\
+             [README](../README.md) · [symbols, names and regimes](symbols.md)\n"
         );
         let html = page().to_html();
         assert!(html.contains(

@@ -3,7 +3,7 @@
 use super::number::count;
 use super::page::{Block, Page};
 use super::verify::{Verify, VerifyRun};
-use crate::check::external::{Loss, RegimeFound, Report};
+use crate::check::external::{Loss, Report};
 
 impl Verify {
     /// The page. The same record always gives the same page.
@@ -24,22 +24,41 @@ impl Verify {
                 "Not answered: the lines of the IPC Toolkit are infinite, so it does not answer cases with a parameter at an end. \
                  CasADi does not answer cases in which its iteration does not converge.",
             ]),
-            Block::heading("How to read the tables"),
-            Block::list(&[
-                "*Worst number*: the number of the regime with the largest error over its size. The size of a gradient or a \
-                 Hessian along the directions is the sum of the absolute values of what is summed.",
-                "*Digits of the worst number*: its correct digits. *Bound for it*: the digits that the best formulas keep at this \
-                 point at least, by their rounding bound. Most numbers have more digits than this bound.",
-                "The worst number need not be wrong. A wrong number can have more digits than the worst number, at a point where \
-                 more digits can be kept.",
-                "*Fewer digits*: closest points at which a number is right, but has fewer digits than the bound of the best \
-                 formulas there. *Digits lost, at most*: the largest number of digits below this bound. It can belong to another \
-                 number than the worst one.",
-                "*First*: delta and Delta. *Second*: Delta-delta. Gradients and Hessians are compared along two pairs of directions, so a closest point has four numbers of the first order and two of the second.",
-                "*Not compared*: numbers whose tolerance exceeds a thousandth of their scale.",
-            ]),
+            Block::heading("Regimes with wrong numbers or fewer digits"),
+            Block::table(
+                &[
+                    "program",
+                    "regime",
+                    "#compared",
+                    "#wrong",
+                    "#fewer digits",
+                    "worst number",
+                    "#its digits",
+                    "#bound",
+                    "#lost",
+                ],
+                self.runs.iter().flat_map(VerifyRun::regimes_with_findings).collect(),
+            ),
+            Block::details(
+                "How to read this table",
+                vec![Block::list(&[
+                    "*Fewer digits*: closest points at which a number is right, but has fewer digits than the bound of the best \
+                     formulas there. *Lost*: the largest number of digits below this bound. It can belong to another number than \
+                     the worst one.",
+                    "*Worst number*: the number of the regime with the largest error over its size. The size of a gradient or a \
+                     Hessian along the directions is the sum of the absolute values of what is summed.",
+                    "*Its digits*: its correct digits. *Bound*: the digits that the best formulas keep at this point at least, by \
+                     their rounding bound. Most numbers have more digits than this bound.",
+                    "The worst number need not be wrong. A wrong number can have more digits than the worst number, at a point \
+                     where more digits can be kept.",
+                    "Gradients and Hessians are compared along two pairs of directions, so a closest point has four numbers of the \
+                     first order and two of the second. Numbers whose tolerance exceeds a thousandth of their scale are not \
+                     compared. The other regimes, and the counts for each quantity, are in `verify.json`.",
+                ])],
+            ),
         ];
-        blocks.extend(self.runs.iter().flat_map(VerifyRun::blocks));
+        let runs = self.runs.iter().flat_map(VerifyRun::blocks).collect();
+        blocks.push(Block::details("The runs one by one", runs));
         blocks.extend([
             Block::heading("How it was made"),
             Block::text("All numbers are in `verify.json`, from which alone this page is made."),
@@ -53,8 +72,8 @@ impl Verify {
         let (agree, differ): (Vec<&VerifyRun>, Vec<&VerifyRun>) =
             self.runs.iter().partition(|run| run.report.wrong == 0);
         let counts = differ.iter().map(|run| {
-            let Report { program, wrong, compared, .. } = &run.report;
-            let name = program.name.clone() + &run.asked();
+            let Report { wrong, compared, .. } = &run.report;
+            let name = run.name();
             format!("{name} at {} of {} closest points", count(*wrong), count(*compared))
         });
         let counts: Vec<_> = counts.collect();
@@ -64,7 +83,7 @@ impl Verify {
             n => format!("{} have wrong numbers: {}", count(n as u64), counts.join(", ")),
         };
         format!(
-            "**Of {} runs of programs that others wrote, {} agree with the reference; {differ}.** `beamgap verify` compared \
+            "Are programs that others wrote right? **Of {} runs of such programs, {} agree with the reference; {differ}.** `beamgap verify` compared \
              them. The programs that ask them for answers are in `examples/verify/public`.",
             count(self.runs.len() as u64),
             count(agree.len() as u64),
@@ -77,30 +96,37 @@ fn digits(error: f64) -> String {
     if error.is_finite() { format!("{:.1}", (-error.log10()).clamp(0.0, 16.0)) } else { "none".into() }
 }
 
-fn regime((regime, of): (&String, &RegimeFound)) -> Vec<String> {
-    let worst = of.worst.as_ref();
-    let of_worst = |show: fn(&Loss) -> String| worst.map_or_else(String::new, show);
-    vec![
-        regime.clone(),
-        count(of.compared),
-        count(of.wrong),
-        count(of.losing),
-        of_worst(|worst| {
-            let number = &worst.judged.comparison;
-            format!("{} of {}", number.part, number.quantity.name())
-        }),
-        of_worst(|worst| digits(worst.error())),
-        of_worst(|worst| digits(worst.judged.attainable / worst.judged.size)),
-        of.loss.as_ref().map_or_else(String::new, |loss| format!("{:.1}", loss.digits())),
-    ]
-}
-
 impl VerifyRun {
     fn row(&self) -> Vec<String> {
         let Report { program, vectors, compared, wrong, missing, unanswered, not_asked, .. } = &self.report;
         let counts = [*vectors, *compared, *wrong, missing + unanswered + not_asked].map(count);
-        let name = program.name.clone() + &self.asked();
-        [name, program.version.clone()].into_iter().chain(counts).collect()
+        [self.name(), program.version.clone()].into_iter().chain(counts).collect()
+    }
+
+    fn name(&self) -> String {
+        self.report.program.name.clone() + &self.asked()
+    }
+
+    /// A row for each regime in which a number is wrong or has fewer digits than it can have.
+    fn regimes_with_findings(&self) -> impl Iterator<Item = Vec<String>> {
+        let found = self.report.regimes.iter().filter(|(_, of)| of.wrong > 0 || of.losing > 0);
+        found.map(|(regime, of)| {
+            let of_worst = |show: fn(&Loss) -> String| of.worst.as_ref().map_or_else(String::new, show);
+            vec![
+                self.name(),
+                regime.clone(),
+                count(of.compared),
+                count(of.wrong),
+                count(of.losing),
+                of_worst(|worst| {
+                    let number = &worst.judged.comparison;
+                    format!("{} of {}", number.part, number.quantity.name())
+                }),
+                of_worst(|worst| digits(worst.error())),
+                of_worst(|worst| digits(worst.judged.attainable / worst.judged.size)),
+                of.loss.as_ref().map_or_else(String::new, |loss| format!("{:.1}", loss.digits())),
+            ]
+        })
     }
 
     /// The digits that were requested, if any.
@@ -123,13 +149,9 @@ impl VerifyRun {
     }
 
     fn blocks(&self) -> Vec<Block> {
-        let Report { program, parts, regimes, degenerate, .. } = &self.report;
-        let parts = parts.iter().map(|((_, quantity, order), of)| {
-            let counts = [of.numbers, of.unclear, of.wrong, of.losing].map(count);
-            [quantity.name().to_owned(), (*order).to_owned()].into_iter().chain(counts).collect()
-        });
+        let Report { program, degenerate, .. } = &self.report;
         let mut blocks = vec![
-            Block::heading(&format!("{} {}{}", program.name, program.version, self.asked())),
+            Block::Subheading(format!("{} {}{}", program.name, program.version, self.asked())),
             Block::text(&format!(
                 "Run as `{}`{}. Verdict: {}.{}",
                 self.answers,
@@ -137,23 +159,6 @@ impl VerifyRun {
                 self.verdict,
                 self.what_is_wrong()
             )),
-            Block::table(
-                &[
-                    "regime",
-                    "#compared",
-                    "#wrong",
-                    "#fewer digits",
-                    "worst number",
-                    "#digits of the worst number",
-                    "#bound for it",
-                    "#digits lost, at most",
-                ],
-                regimes.iter().map(regime).collect(),
-            ),
-            Block::table(
-                &["quantity", "order", "#numbers", "#not compared", "#wrong", "#fewer digits"],
-                parts.collect(),
-            ),
         ];
         let reasons = degenerate.iter().map(|(reason, of)| format!("{} ({reason})", count(*of)));
         let reasons: Vec<_> = reasons.collect();

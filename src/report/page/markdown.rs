@@ -3,11 +3,14 @@
 use super::{Block, Page};
 
 impl Page {
-    /// The page as Markdown.
+    /// The page as Markdown, a file of the directory `reports`.
     pub fn to_markdown(&self) -> String {
-        format!("# {}\n{}", self.title, blocks(&self.blocks))
+        format!("# {}\n{}\n{LINKS}\n", self.title, blocks(&self.blocks))
     }
 }
+
+/// The end of each page.
+const LINKS: &str = "[README](../README.md) · [symbols, names and regimes](symbols.md)";
 
 fn blocks(all: &[Block]) -> String {
     all.iter().flat_map(|block| ["\n".to_owned(), one(block)]).collect()
