@@ -186,7 +186,8 @@ impl EquationTable {
             Block::heading("Terms dropped"),
             Block::text(&format!(
                 "The paper drops {} as of higher order. It is of the order of what is kept. It is zero for curves that are \
-                 linear in their dofs, and missing for all others.",
+                 linear in their dofs: segment, Lagrange, Hermite, Bezier, B-spline, and NURBS with fixed weights. It is \
+                 missing for all others: NURBS with weights as dofs, arc, helix, and every curve with rotations as dofs.",
                 inline(r"\Delta_u\delta_u\mathbf{u}")
             )),
         ];

@@ -58,9 +58,10 @@ impl SelfCheck {
     /// None, as for [`StandardCase::closest_point`].
     pub fn effect(&self) -> Result<Effect, ProjectionError> {
         let case = StandardCase::default();
-        let (right, wrong) = (self.seconds(&case, false)?, self.seconds(&case, true)?);
+        let form = Formulation::paper(case.closest_point()?.held());
+        let (right, wrong) = (self.seconds(&case, form, false)?, self.seconds(&case, form, true)?);
         let exchanged = StandardCase { dq: case.linear_dq, linear_dq: case.dq, ..case };
-        let exchanged = self.seconds(&exchanged, true)?;
+        let exchanged = self.seconds(&exchanged, form, true)?;
         let relative = |i: usize, other: [f64; 4]| ((wrong[i] - other[i]) / right[i]).abs();
         let run = self.in_hessian.map(|name| {
             let label = Label { name, which: Which::Beam };
@@ -78,8 +79,13 @@ impl SelfCheck {
         })
     }
 
-    /// Delta-delta of d, xi, t and g_T by the paper's formulas, with the fault or without it.
-    fn seconds(&self, case: &StandardCase, with_fault: bool) -> Result<[f64; 4], ProjectionError> {
+    /// Delta-delta of d, xi, t and g_T in a formulation, with the fault or without it.
+    fn seconds(
+        &self,
+        case: &StandardCase,
+        form: Formulation,
+        with_fault: bool,
+    ) -> Result<[f64; 4], ProjectionError> {
         let point = case.closest_point()?;
         let StandardCase { pair, q, dq, linear_dq } = case;
         let partial = |q: &_, dq: &_, linear: &_, xi| {
@@ -92,8 +98,41 @@ impl SelfCheck {
         let all: Quantities<Varied<Faulty<f64>>> =
             with_terms(vec![(label, TermChange::Times(factor))], || {
                 let at = (Faulty(point.xi), Faulty(point.xi_bar));
-                variations_in(Formulation::paper(point.held()), &beam, &bar, at, &pair.contact)
+                variations_in(form, &beam, &bar, at, &pair.contact)
             });
         Ok([all.d, all.xi, all.t, all.g_t].map(|varied| varied.second.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SELF_CHECKS;
+    use crate::closest_point::Held;
+    use crate::equations::StandardCase;
+    use crate::linearization::closed_form::Formulation;
+    use crate::linearization::closed_form::formulation::{Distance, System};
+
+    /// What the first exercise, the front page and the guides say about a test of symmetry.
+    #[test]
+    fn symmetry_shows_a_missing_curvature_term_only_by_cross_products_with_40() {
+        let case = StandardCase::default();
+        let exchanged = StandardCase { dq: case.linear_dq, linear_dq: case.dq, ..case };
+        let alike = StandardCase { linear_dq: case.dq, ..case };
+        for distance in [Distance::Length, Distance::Normal { reversed: false }] {
+            for system in [System::Determinants, System::CrossProducts] {
+                let form = Formulation { held: Held::default(), distance, system };
+                let seconds = |case, fault| SELF_CHECKS[0].seconds(case, form, fault).unwrap();
+                let differ = |one: [f64; 4], other: [f64; 4]| {
+                    one.iter().zip(other).any(|(one, other)| (one / other - 1.0).abs() > 1e-11)
+                };
+                let detects = differ(seconds(&case, true), seconds(&exchanged, true));
+                let is_both = distance == Distance::Length && system == System::CrossProducts;
+                assert_eq!(detects, is_both, "{form:?}");
+                assert!(!differ(seconds(&case, false), seconds(&exchanged, false)), "{form:?}");
+                // A Taylor test of d along one direction.
+                let [wrong, right] = [true, false].map(|fault| seconds(&alike, fault)[0]);
+                assert!((wrong / right - 1.0).abs() > 1e-3, "{form:?}");
+            }
+        }
     }
 }

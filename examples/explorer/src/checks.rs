@@ -96,7 +96,7 @@ fn lesson(
             match &blind[..] {
                 [] => "AD, symmetry and the Taylor test detect this fault.".to_owned(),
                 blind => format!(
-                    "AD detects this fault; it is not detected by {}. A check that passes proves only what it can detect.",
+                    "AD detects this fault; here it is not detected by {}. A check that passes proves only what it can detect.",
                     blind.join(" and ")
                 ),
             }

@@ -81,28 +81,32 @@ impl Derivation {
                 if deviation < 1e-12 { "none".to_owned() } else { format!("{:.1} %", 100.0 * deviation) };
             let _ = writeln!(rows, "<tr><th scope=\"row\">{name}</th><td>{deviation}</td></tr>");
         }
-        let symmetry = if effect.is_symmetric {
-            "passes: it does not detect the fault"
-        } else {
-            "fails: it detects the fault"
-        };
+        let symmetry =
+            if effect.is_symmetric { "passes, and does not detect it" } else { "fails, and detects it" };
         let exact = self.newton.first().map_or(0, |run| run.residuals.len().saturating_sub(1));
         let newton = match (effect.in_hessian, effect.iterations) {
             (false, _) => "this term has no counterpart in the matrix form of the example".to_owned(),
-            (true, Some(n)) => format!("Newton's method takes {n} iterations instead of {exact}"),
-            (true, None) => format!(
-                "Newton's method does not converge: {}",
-                effect.stopped.as_deref().unwrap_or_default()
-            ),
+            (true, Some(n)) => format!("{n} iterations instead of {exact}"),
+            (true, None) => format!("does not converge: {}", effect.stopped.as_deref().unwrap_or_default()),
         };
         let table = wide(
             "deviations",
             "<th scope=\"col\">quantity</th><th scope=\"col\">relative deviation</th>",
             &rows,
         );
+        let checks = [
+            ("comparison with automatic differentiation", "fails, and detects it".to_owned()),
+            ("test of symmetry, with the paper's formulas", symmetry.to_owned()),
+            ("Newton's method in the example", newton),
+        ];
+        let checks = checks.iter().fold(String::new(), |rows, (check, result)| {
+            rows + &format!("<tr><th scope=\"row\">{check}</th><td>{result}</td></tr>\n")
+        });
+        let checks =
+            wide("three checks", "<th scope=\"col\">check</th><th scope=\"col\">result</th>", &checks);
         Ok(format!(
             "<details class=\"check\">\n<summary>{}</summary>\n<p>{}</p>\n<p>Injected fault: <code>{}</code>, equation {}. In the \
-             standard case:</p>\n{table}<p>A test of symmetry {symmetry}. In the example, {newton}.</p>\n</details>\n",
+             standard case:</p>\n{table}{checks}</details>\n",
             inline(question)?,
             inline(answer)?,
             escaped(&effect.fault),

@@ -73,7 +73,7 @@ fn by_matrices(
 fn expanded(derivatives: &[Derivatives<f64, 2, 2>]) -> Answers {
     let directions = DIRECTIONS.map(|direction| direction.to_vec());
     let of = |(i, derivatives): (usize, &Derivatives<f64, 2, 2>)| (i, along(derivatives, &directions));
-    PICKED.into_iter().zip(derivatives).map(of).collect()
+    PICKED.zip(derivatives).map(of).collect()
 }
 
 /// Of the closed form, and of automatic differentiation.

@@ -59,7 +59,7 @@ impl Change {
                 }
             }
             Self::Element(element) => {
-                element.apply(&mut all[ENERGY], &varied[Quantity::GN.component()], conventions)
+                element.apply(&mut all[ENERGY], &varied[Quantity::GN.component()], conventions);
             }
             Self::BeamsExchanged => {
                 for axis in 0..3 {
