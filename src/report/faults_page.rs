@@ -109,9 +109,11 @@ impl Faults {
             .fold((0, 0), |(faults, detected), row| (faults + row.faults, detected + row.detected));
         let mut reasons: BTreeMap<&str, u64> = BTreeMap::new();
         for undetected in self.operations.iter().flat_map(|row| &row.undetected) {
-            *reasons.entry(undetected.reason.as_deref().unwrap_or("NOT COVERED")).or_default() += 1;
+            *reasons.entry(undetected.reason.as_deref().unwrap_or("NOT COVERED")).or_default() +=
+                undetected.operations as u64;
         }
-        let reasons = reasons.into_iter().map(|(reason, faults)| vec![reason.to_owned(), count(faults)]);
+        let reasons =
+            reasons.into_iter().map(|(reason, operations)| vec![reason.to_owned(), count(operations)]);
         let sampled = self.sampled.iter().map(|row| {
             let counts = [row.operations, row.faults, row.detected].map(|number| count(number as u64));
             [row.regime.name(), row.code.name()].map(str::to_owned).into_iter().chain(counts).collect()
@@ -128,7 +130,10 @@ impl Faults {
                 count(faults as u64),
                 count(detected as u64)
             )),
-            Block::table(&["reason of those not detected", "#faults"], reasons.collect()),
+            Block::table(
+                &["reason why a fault changes no result", "#operations with such a fault"],
+                reasons.collect(),
+            ),
             Block::details(
                 "A sample in f64",
                 vec![
