@@ -133,17 +133,6 @@ impl Quantity {
         Self::GT,
         Self::GTBar,
     ];
-    /// The points of both beams.
-    pub(crate) const POINTS: [Self; 2] = [Self::X, Self::XBar];
-    /// The tangents of both beams.
-    pub(crate) const TANGENTS: [Self; 2] = [Self::TVector, Self::TBarVector];
-    /// The lengths of the tangents.
-    pub(crate) const LENGTHS: [Self; 2] = [Self::T, Self::TBar];
-    /// The parameters of both beams.
-    pub(crate) const PARAMETERS: [Self; 2] = [Self::Xi, Self::XiBar];
-    /// The slips of both beams.
-    pub(crate) const SLIPS: [Self; 2] = [Self::GT, Self::GTBar];
-
     /// The quantity to which a number of [`Quantities::components`] belongs.
     ///
     /// # Panics
@@ -182,6 +171,21 @@ impl Quantity {
             Self::GTBar => "g_T_bar",
         }
     }
+}
+
+/// Quantities of the beam and of the bar beam.
+#[cfg(feature = "check")]
+impl Quantity {
+    /// The points of both beams.
+    pub(crate) const POINTS: [Self; 2] = [Self::X, Self::XBar];
+    /// The tangents of both beams.
+    pub(crate) const TANGENTS: [Self; 2] = [Self::TVector, Self::TBarVector];
+    /// The lengths of the tangents.
+    pub(crate) const LENGTHS: [Self; 2] = [Self::T, Self::TBar];
+    /// The parameters of both beams.
+    pub(crate) const PARAMETERS: [Self; 2] = [Self::Xi, Self::XiBar];
+    /// The slips of both beams.
+    pub(crate) const SLIPS: [Self; 2] = [Self::GT, Self::GTBar];
 }
 
 /// A quantity with its variations in two directions.

@@ -106,6 +106,7 @@ fn verified(adapter: &Adapter) {
         "{told}"
     );
     assert!(told.contains("In the catalogue: `R: du,xi.d = dropped`\n"), "{told}");
+    assert!(!told.contains("Fewer numbers are wrong"), "the conventions are right: {told}");
     if adapter.language == "cpp" {
         named_in_every_format(vectors, &program, &folder);
     }

@@ -66,7 +66,9 @@ pub fn other_conventions(cases: &[(Vector, Answers)], demands: &Demands) -> Opti
             break;
         }
     }
+    // A few numbers fewer are chance: answers with a wrong term may be nearer in a wrong convention.
+    let is_clear = 10 * fewest <= 9 * wrong_before;
     let found =
         OtherConventions { conventions: best, words: words.join(" and "), wrong: fewest, wrong_before };
-    (!words.is_empty()).then_some(found)
+    (!words.is_empty() && is_clear).then_some(found)
 }
