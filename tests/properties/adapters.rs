@@ -3,7 +3,7 @@
 //! A language without a compiler is skipped. If BEAMGAP_ADAPTERS is set, a missing compiler is an error, but for Julia and
 //! Octave.
 
-use crate::program::{run, shown_in_the_readme, stdout};
+use crate::program::{command, run, shown_in_the_guides, stdout};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -156,18 +156,36 @@ fn the_cpp_program_agrees_until_a_term_is_wrong() {
     verified(&ADAPTERS[2]);
 }
 
-/// The README shows what comes of its commands.
+/// A guide shows what comes of its commands.
 #[test]
-fn the_cpp_program_is_verified_as_the_readme_shows() {
-    let folder = folder("readme");
+fn the_cpp_program_is_verified_as_a_guide_shows() {
+    let folder = folder("guide");
     let vectors = folder.join("vectors.jsonl");
     let vectors = vectors.to_str().unwrap();
     assert!(run(&["export", "--family", "segment", "-o", vectors]).status.success());
     let Some(program) = made(&ADAPTERS[2], &folder, &stdout(&run(&["adapter", "cpp"]))) else { return };
-    shown_in_the_readme(
+    shown_in_the_guides(
         &stdout(&run(&["verify", vectors, "--run", &program])),
         "$ beamgap verify vectors.jsonl --run ./adapter",
     );
+}
+
+#[test]
+fn a_wrong_term_of_the_cpp_program_is_named_as_the_readme_shows() {
+    let (adapter, folder) = (&ADAPTERS[2], folder("readme"));
+    let vectors = folder.join("vectors.jsonl");
+    assert!(run(&["export", "--family", "segment", "-o", vectors.to_str().unwrap()]).status.success());
+    let [right, wrong] = adapter.term;
+    let text = stdout(&run(&["adapter", "cpp"])).replace(right, wrong);
+    if made(adapter, &folder, &text).is_none() {
+        return;
+    }
+    std::fs::copy(folder.join(adapter.language), folder.join("my_element")).unwrap();
+    let mut verify = command(&["verify", "vectors.jsonl", "--run", "./my_element"]);
+    let output = verify.current_dir(&folder).output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let told = String::from_utf8(output.stdout).unwrap();
+    shown_in_the_guides(&told, "$ beamgap verify vectors.jsonl --run ./my_element");
 }
 
 #[test]

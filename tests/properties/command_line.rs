@@ -1,7 +1,7 @@
 //! The command line: its output, its exit codes, and that its output is reproducible.
 
 use crate::program::{
-    blind_json, blind_text, command, golden, has_no_message, json, message, run, shown_in_the_readme, stdout,
+    blind_json, blind_text, command, golden, has_no_message, json, message, run, shown_in_the_guides, stdout,
 };
 use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
@@ -58,14 +58,14 @@ fn one_case_fits_a_terminal_and_shows_what_differs() {
     assert_eq!(run(&["check", "--only-wrong"]).status.code(), Some(2));
 }
 
-/// The README shows what a red check prints last.
+/// A guide shows what a red check prints.
 #[test]
-fn an_injected_fault_is_answered_as_the_readme_shows() {
+fn an_injected_fault_is_answered_as_a_guide_shows() {
     let output = run(&["check", "--cases", "121", "--plant", "a: d.t,xi = dropped"]);
     assert_eq!(output.status.code(), Some(1));
     let command = "$ cargo run --release -- check --cases 121 --plant 'a: d.t,xi = dropped'";
     let text = String::from_utf8(output.stdout).unwrap();
-    shown_in_the_readme(&text, command);
+    shown_in_the_guides(&text, command);
     // A screen, with the cause before the numbers.
     let at = |words: &str| text.find(words).unwrap_or_else(|| panic!("{words:?} is missing in {text}"));
     assert!(text.lines().count() <= 40, "{text}");

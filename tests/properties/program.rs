@@ -37,15 +37,26 @@ pub(crate) fn message(output: &Output) -> String {
     told.replace("\n  ", " ")
 }
 
-/// The lines that the README shows after a command are some that the command prints, without a gap.
-pub(crate) fn shown_in_the_readme(output: &str, command: &str) {
-    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
+/// README.md and the guides in docs, with the links of README.
+pub(crate) fn guides() -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut pages: Vec<_> =
+        std::fs::read_dir(root.join("docs")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    pages.sort();
+    pages.insert(0, root.join("README.md"));
+    let text: String = pages.iter().map(|page| std::fs::read_to_string(page).unwrap()).collect();
+    text.replace("](../", "](")
+}
+
+/// The lines that a guide shows after a command are some that the command prints, without a gap.
+pub(crate) fn shown_in_the_guides(output: &str, command: &str) {
+    let guides = guides();
     let (_, after) =
-        readme.split_once(&format!("{command}\n")).unwrap_or_else(|| panic!("{command} is missing"));
+        guides.split_once(&format!("{command}\n")).unwrap_or_else(|| panic!("{command} is missing"));
     let shown: Vec<&str> = after.lines().take_while(|line| !line.starts_with("```")).collect();
     let lines: Vec<&str> = output.lines().collect();
     let is_printed = !shown.is_empty() && lines.windows(shown.len()).any(|part| part == shown);
-    assert!(is_printed, "README.md shows\n{shown:#?}\nfor\n{output}");
+    assert!(is_printed, "a guide shows\n{shown:#?}\nfor\n{output}");
 }
 
 pub(crate) fn json(output: &Output) -> Value {

@@ -1,4 +1,4 @@
-//! The claims of the front page about the benchmarks, made from the record alone.
+//! The claims of the guides about the benchmarks, made from the record alone.
 
 use crate::benchmark::{Benchmark, CLOSED_FORM, Measured, Ratio};
 use crate::{Peers, Task};
@@ -11,7 +11,7 @@ const IMPLICIT: &str = "CasADi, implicit function theorem";
 const BY_HAND: &str = "C++ with AVX2, by hand";
 
 impl Benchmark {
-    /// The sentences of the front page. All their numbers are from the record.
+    /// The sentences of docs/cost.md. All their numbers are from the record.
     pub fn claims(&self) -> Vec<String> {
         let mut claims = vec![self.closed_form(), self.automatic(), self.differences()];
         claims.extend([self.threads(), self.closest_point(), self.growth()]);
@@ -89,17 +89,12 @@ impl Benchmark {
         };
         let tasks = [Task::Distance, Task::All];
         let [d, all] = tasks.map(|task| closed(task).map_or_else(String::new, |of| time(of.measured.median)));
-        let in_rounds = |task: Task| {
-            closed(task).map_or_else(String::new, |of| {
-                let bound = of.roofline[0].max(of.roofline[1]);
-                format!("{}, {} times the roofline bound of {}", time(of.time), plain(of.times), time(bound))
-            })
-        };
+        let in_rounds = |task: Task| closed(task).map_or_else(String::new, |of| plain(of.times));
         let [d_in_rounds, all_in_rounds] = tasks.map(in_rounds);
         format!(
             "The closed form of two Hermite beams, 24 dofs, on one core: d with gradient and Hessian takes {d}, and all but the \
-             slips take {all}. In rounds with the kernels of the roofline d takes {d_in_rounds}, and all but the slips take \
-             {all_in_rounds}."
+             slips take {all}. In rounds with the kernels of the roofline d takes {d_in_rounds} times its roofline bound, and all \
+             but the slips take {all_in_rounds} times theirs."
         )
     }
 

@@ -37,13 +37,23 @@ fn the_committed_record_is_written_again_as_it_is() {
     assert!(json.len() < 300_000, "{} bytes", json.len());
 }
 
-/// The front page states the claims of the record, in the words generated from the record.
+/// The guide states the claims of the record, in the words generated from the record, and README some of these.
 #[test]
-fn the_front_page_claims_what_was_measured() {
-    let front = fs::read_to_string(path("README.md")).unwrap();
-    let words = front.split_whitespace().collect::<Vec<_>>().join(" ");
+fn the_guide_claims_what_was_measured() {
+    let words = |name: &str| {
+        let text = fs::read_to_string(path(name)).unwrap();
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let (guide, readme) = (words("docs/cost.md"), words("README.md"));
     for claim in Benchmark::from_json(&committed("benchmark.json")).unwrap().claims() {
-        assert!(words.contains(&claim), "README.md is to say:\n{claim}");
+        assert!(guide.contains(&claim), "docs/cost.md is to say:\n{claim}");
+    }
+    let (_, cost) = readme.split_once(" ## Cost - ").unwrap();
+    let (cost, _) = cost.split_once(" ## ").unwrap();
+    let claims: Vec<_> = cost.split(" - ").collect();
+    assert_eq!(claims.len(), 5);
+    for claim in claims {
+        assert!(guide.contains(claim), "docs/cost.md does not say, as README does:\n{claim}");
     }
 }
 
