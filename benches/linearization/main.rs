@@ -69,7 +69,7 @@ fn write_pages() -> ExitCode {
         .and_then(|()| publish(Path::new("reports"), &criterion_directory()));
     match written {
         Ok(record) => {
-            println!("Wrote benchmark to reports. The README must state:");
+            println!("Wrote benchmark to reports. docs/cost.md must state:");
             record.claims().iter().for_each(|claim| println!("- {claim}"));
             ExitCode::SUCCESS
         }
