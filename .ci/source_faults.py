@@ -12,8 +12,8 @@ TARGET = "target/source_faults"
 BEAMGAP = f"{TARGET}/release/beamgap"
 
 # The fault, the command that must see it, and words of its output: the wrong layer and a wrong function.
-CHECK = ["check", "--cases", "121"]
-SEARCH = ["check", "--cases", "1000"]
+CHECK = ["check", "--cases", "121", "--all"]
+SEARCH = ["check", "--cases", "1000", "--all"]
 VERIFY = ["verify", f"{TARGET}/cases.jsonl", "--run", f"{BEAMGAP} evaluate", "--no-explanation"]
 PROVE = ["prove", "--draws", "64"]
 BOUNDS = ["bounds", "--cases", "60"]
