@@ -40,5 +40,5 @@ pub fn likely_cause(variant: &Variant, seed: u64, numbers: &[u64]) -> Option<Lik
             report.add(vector, Some(answers), found);
         }
     }
-    Some(LikelyCause { explanation: explain(&report.kept, &demands)? })
+    Some(LikelyCause { explanation: explain(&report.kept, &report.right, &demands)? })
 }

@@ -23,6 +23,7 @@ mod process;
 mod recent;
 mod report;
 mod shape;
+mod stages;
 mod vectors;
 
 pub use answers::{ANSWERS, AnswerReader, Answers, Program};

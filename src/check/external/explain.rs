@@ -25,6 +25,7 @@ mod wording;
 
 use super::answers::Answers;
 use super::compare::Demands;
+use super::stages::{Reading, Traced, traced};
 use super::vectors::Vector;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::serialized::short;
@@ -39,6 +40,7 @@ use hypothesis::Change;
 use rayon::prelude::*;
 use search::{Equal, KEPT, measured_factor, ranked, search};
 use serde::Serialize;
+use std::cell::OnceCell;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -59,6 +61,11 @@ pub struct Explanation {
     pub cases: usize,
     /// Whether correct answers explain these as well, within their digits. Then there is no cause.
     pub is_faint: bool,
+    /// The first equation that the answers do not satisfy, as a sentence without its full stop, if they were put into the
+    /// equations one after the other.
+    pub place: Option<String>,
+    /// What is wrong beyond it, as sentences.
+    pub beyond: Vec<String>,
 }
 
 /// The best attempt that is no explanation.
@@ -84,12 +91,55 @@ pub struct Cause {
     pub alike: Vec<String>,
 }
 
-/// Explains the answers to these cases; nothing if none of them can be compared.
-pub fn explain(cases: &[(Vector, Answers)], demands: &Demands) -> Option<Explanation> {
-    with_memo(cases, demands, &Memo::default())
+/// Explains the wrong answers to these cases; nothing if none of them can be compared. `right` are cases at which nothing
+/// is wrong.
+///
+/// If no fault of one term of this library's formulas explains them, the answers are put into the equations.
+pub fn explain(
+    cases: &[(Vector, Answers)],
+    right: &[(Vector, Answers)],
+    demands: &Demands,
+) -> Option<Explanation> {
+    let traced = OnceCell::new();
+    let trace = || traced.get_or_init(|| traced_at(cases, right, demands));
+    // Two errors may be two faults of this library's formulas.
+    let is_settled = || trace().as_ref().is_some_and(Traced::is_of_one_error);
+    let found = with_memo(cases, demands, &Memo::default(), is_settled)?;
+    if !found.causes.is_empty() || found.is_faint {
+        return Some(found);
+    }
+    let Some(Some(traced)) = traced.into_inner() else { return Some(found) };
+    let cause = |Reading { name, words, coefficient, .. }: Reading| Cause {
+        name,
+        words,
+        coefficient,
+        alike: Vec::new(),
+    };
+    let is_known = !traced.causes.is_empty();
+    let [before, after] = traced.deviation.map_or([found.before, 0.0], |deviation| deviation);
+    Some(Explanation {
+        causes: traced.causes.into_iter().map(cause).collect(),
+        before,
+        after: traced.deviation.map(|_| after),
+        runner_up: if is_known { None } else { found.runner_up },
+        cases: if is_known { traced.cases } else { found.cases },
+        is_faint: false,
+        place: Some(traced.place),
+        beyond: traced.beyond,
+    })
 }
 
-fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Option<Explanation> {
+/// What the equations say of these answers.
+fn traced_at(cases: &[(Vector, Answers)], right: &[(Vector, Answers)], demands: &Demands) -> Option<Traced> {
+    traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands)
+}
+
+fn with_memo(
+    cases: &[(Vector, Answers)],
+    demands: &Demands,
+    memo: &Memo,
+    is_settled: impl FnOnce() -> bool,
+) -> Option<Explanation> {
     let known: Vec<Known> = cases.iter().filter_map(Known::new).collect();
     let all: Vec<(usize, AnsweredCase)> = (0..known.len())
         .into_par_iter()
@@ -100,7 +150,7 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
         return None;
     }
     let cases: Vec<&AnsweredCase> = clear.iter().map(|(_, case)| case).collect();
-    let mut fits = search(&cases);
+    let mut fits = search(&cases, is_settled);
     // More data are used only to distinguish several explanations.
     if near(&fits).len() > 1 {
         let of_entries: Vec<Known> =
@@ -133,6 +183,8 @@ fn with_memo(cases: &[(Vector, Answers)], demands: &Demands, memo: &Memo) -> Opt
         runner_up: found.runner_up.map(|of| RunnerUp { words: of.change.words(), left: of.worst }),
         cases: cases.len(),
         is_faint: found.is_faint,
+        place: None,
+        beyond: Vec::new(),
     })
 }
 

@@ -76,6 +76,9 @@ pub struct Report {
     /// Cases for the explanation, of as many kinds as possible.
     #[serde(skip)]
     pub kept: Vec<(Vector, Answers)>,
+    /// Cases at which nothing is wrong, for the explanation.
+    #[serde(skip)]
+    pub right: Vec<(Vector, Answers)>,
     /// What was answered, by part.
     #[serde(skip)]
     pub coverage: Coverage,
@@ -149,7 +152,12 @@ impl Report {
                 regime.loss = Some(loss);
             }
         }
-        let Some(&first) = judged.iter().find(is(Judgement::Wrong)) else { return };
+        let Some(&first) = judged.iter().find(is(Judgement::Wrong)) else {
+            if self.right.len() < KEPT {
+                self.right.push((vector, answers));
+            }
+            return;
+        };
         regime.wrong += 1;
         self.wrong += 1;
         self.doubted += u64::from(is_doubted);

@@ -73,7 +73,8 @@ impl Diagnosed {
         }
         let explained = |other: Option<OtherConventions>| {
             let conventions = other.as_ref().map_or(demands.conventions, |other| other.conventions);
-            let explanation = external::explain(&report.kept, &Demands { conventions, ..*demands });
+            let explanation =
+                external::explain(&report.kept, &report.right, &Demands { conventions, ..*demands });
             Self { conventions: other, explanation, ..found.clone() }
         };
         // A term seldom comes nearer in other conventions, so these are tried first.
@@ -197,7 +198,7 @@ fn cause(explanation: &Explanation) -> String {
 }
 
 fn cause_in_long_lines(explanation: &Explanation) -> String {
-    let Explanation { causes, before, after, runner_up, cases, is_faint } = explanation;
+    let Explanation { causes, before, after, runner_up, cases, is_faint, place, beyond } = explanation;
     let after = after.map_or_else(|| "-".into(), error);
     let runner_up = runner_up.as_ref();
     let mut text = String::new();
@@ -218,6 +219,9 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
                 "Cause: not known. No known error explains {}.{best}",
                 counted(*cases, "case")
             );
+            if let Some(place) = place {
+                let _ = writeln!(text, "Look there: {place}; the numbers before it are right.");
+            }
             return text;
         }
         [one] => {
@@ -230,6 +234,22 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
                 let _ = writeln!(text, "  - {}{}", one.words, coefficient(one));
             }
         }
+    }
+    if let Some(place) = place {
+        // The answers were put into the equations.
+        let _ = match explanation.after {
+            Some(left) => writeln!(
+                text,
+                "Of this equation the answers leave {}, and with this error {}.",
+                error(*before),
+                error(left)
+            ),
+            None => writeln!(text, "Without it {place}."),
+        };
+        for sentence in beyond {
+            let _ = writeln!(text, "{sentence} It may be the same error.");
+        }
+        return text;
     }
     let left = runner_up.map_or_else(|| "none".into(), |second| error(second.left));
     let _ = writeln!(

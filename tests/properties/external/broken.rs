@@ -48,7 +48,7 @@ fn one_wrong_number_is_not_explained_by_a_factor() {
         .collect();
     let report = verified(&all, &lines.join("\n"), None).unwrap();
     assert_eq!(report.wrong, 1);
-    let found = explain(&report.kept, &Demands::default()).unwrap();
+    let found = explain(&report.kept, &report.right, &Demands::default()).unwrap();
     assert!(found.causes.is_empty(), "{found:?}");
 }
 

@@ -167,7 +167,9 @@ fn a_contact_element_is_checked_by_its_residual_and_tangent() {
     });
     let report = verified(&all, &gauss_newton, None).unwrap();
     let reader = AnswerReader::new(gauss_newton.as_bytes(), "answers").unwrap();
-    let found = explain(&report.kept, &Demands { conventions: *reader.conventions(), digits: None }).unwrap();
+    let found =
+        explain(&report.kept, &report.right, &Demands { conventions: *reader.conventions(), digits: None })
+            .unwrap();
     assert_eq!(found.causes[0].name, "geometric-stiffness-missing", "{found:?}");
     // The tangent with the opposite sign.
     let negative = only(&text, &|line, k| -line["tangent"][k].as_f64().unwrap());

@@ -17,7 +17,7 @@ fn cause(all: &[Vector], faults: &[&str], digits: Option<u8>) -> String {
         ..Evaluator::default()
     };
     let report = verified(all, &answers(&program, all), digits).unwrap();
-    let found = explain(&report.kept, &Demands { digits, ..Demands::default() }).unwrap();
+    let found = explain(&report.kept, &report.right, &Demands { digits, ..Demands::default() }).unwrap();
     found.causes.into_iter().map(|cause| cause.name).collect::<Vec<_>>().join(", ")
 }
 
@@ -51,7 +51,7 @@ fn two_wrong_terms_are_named() {
         *line = serde_json::json!({ "id": line["id"], "xi": xi, "xi_bar": xi_bar, "t": t });
     });
     let report = verified(&all, &text, None).unwrap();
-    let found = explain(&report.kept, &Demands::default()).unwrap();
+    let found = explain(&report.kept, &report.right, &Demands::default()).unwrap();
     assert_eq!(found.causes[0].name, faults.join(" and "), "{found:?}");
 }
 
@@ -66,7 +66,7 @@ fn two_wrong_terms_of_one_quantity_are_named() {
         *line = serde_json::json!({ "id": line["id"], "d": d });
     });
     let report = verified(&all, &text, None).unwrap();
-    let found = explain(&report.kept, &Demands::default()).unwrap();
+    let found = explain(&report.kept, &report.right, &Demands::default()).unwrap();
     assert!(found.causes.iter().any(|cause| cause.name == faults.join(" and ")), "{found:?}");
 }
 
@@ -82,7 +82,8 @@ fn gradients_and_hessians_of_few_digits_tell_terms_apart() {
             *line = serde_json::json!({ "id": line["id"], "d": d });
         });
         let report = verified(&all, &text, Some(6)).unwrap();
-        let found = explain(&report.kept, &Demands { digits: Some(6), ..Demands::default() }).unwrap();
+        let found =
+            explain(&report.kept, &report.right, &Demands { digits: Some(6), ..Demands::default() }).unwrap();
         assert!(!found.is_faint);
         found.causes.into_iter().map(|cause| cause.name).collect::<Vec<_>>()
     };
@@ -98,7 +99,7 @@ fn a_cause_is_not_named_where_nothing_is_wrong() {
     let mut reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
     let cases: Vec<_> =
         all.iter().map(|vector| (vector.clone(), reader.next_answers().unwrap().unwrap())).collect();
-    let found = explain(&cases, &Demands::default()).unwrap();
+    let found = explain(&cases, &[], &Demands::default()).unwrap();
     assert!(found.is_faint && found.causes.is_empty(), "{found:?}");
 }
 
@@ -108,7 +109,7 @@ fn simplifications_and_factors_are_named() {
     let text = answers(&Evaluator { formulas: Formulas::Paper, ..Evaluator::default() }, &all);
     let named = |text: &str| {
         let report = verified(&all, text, None).unwrap();
-        explain(&report.kept, &Demands::default()).unwrap()
+        explain(&report.kept, &report.right, &Demands::default()).unwrap()
     };
     let third = changed(&text, |line| {
         *line = serde_json::json!({ "id": line["id"], "d": line["d"]["value"], "xi": {

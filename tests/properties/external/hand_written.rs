@@ -43,7 +43,7 @@ fn explained(digits: Option<u8>, change: impl Fn(&mut Value)) -> Explanation {
         *line = rest;
     });
     let report = verified(&all, &text, digits).unwrap();
-    explain(&report.kept, &Demands { digits, ..Demands::default() }).unwrap()
+    explain(&report.kept, &report.right, &Demands { digits, ..Demands::default() }).unwrap()
 }
 
 fn names(found: &Explanation) -> Vec<&str> {
@@ -119,7 +119,7 @@ fn wrong_parts_of_a_contact_element_are_named() {
         let reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
         let report = verified(&all, text, None).unwrap();
         let demands = Demands { conventions: *reader.conventions(), digits: None };
-        explain(&report.kept, &demands).unwrap().causes.remove(0)
+        explain(&report.kept, &report.right, &demands).unwrap().causes.remove(0)
     };
     let stiffness = text.replace("\"penalty_stiffness\":250", "\"penalty_stiffness\":125");
     let cause = named(&stiffness);

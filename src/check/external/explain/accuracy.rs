@@ -153,7 +153,7 @@ fn explained(
             }
         }
         if report.wrong > 0 {
-            found = with_memo(&report.kept, demands, memo);
+            found = with_memo(&report.kept, demands, memo, || false);
             break;
         }
     }

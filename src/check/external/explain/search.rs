@@ -107,7 +107,9 @@ pub(super) struct Found {
 }
 
 /// The changes that explain the answers best, by the sums of squares, tried at all these cases.
-pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
+///
+/// If no single fault does, and `is_settled` says so, factors and pairs are not looked for.
+pub(super) fn search(cases: &[&AnsweredCase], is_settled: impl FnOnce() -> bool) -> Vec<Fit> {
     let before = before(cases);
     let is_found = |fits: &[Fit]| {
         // If correct answers are among the best, two faults explain no more. If a fault explains all, but leaves more
@@ -136,12 +138,13 @@ pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
     let after_singles = 2 * labels().len() * Kind::ALL.len();
     let summands = SummandFit::new(cases);
     fits = with(fits, raced(after_singles, summands.of_one()));
-    if !is_found(&fits) {
-        let fitted = &cases[..cases.len().min(FITTED)];
-        let weighted = |label: Label| Some(Change::Variant(Variant::Weighted(label, weight(fitted, label)?)));
-        let weighted = labels().into_par_iter().filter_map(weighted).collect();
-        fits = with(fits, raced(2 * after_singles, weighted));
+    if is_found(&fits) || is_settled() {
+        return fits;
     }
+    let fitted = &cases[..cases.len().min(FITTED)];
+    let weighted = |label: Label| Some(Change::Variant(Variant::Weighted(label, weight(fitted, label)?)));
+    let weighted = labels().into_par_iter().filter_map(weighted).collect();
+    fits = with(fits, raced(2 * after_singles, weighted));
     if !is_found(&fits) {
         fits = with(fits, raced(3 * after_singles, pairs(cases)));
     }

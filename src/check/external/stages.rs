@@ -1,0 +1,210 @@
+//! The cause of wrong answers: the numbers of the program in each equation.
+//!
+//! The equations follow each other: closest point, d and g_N, first order of xi and d, second order of both, tangents,
+//! slips, contact element. In each the numbers of the program stand for all that came before. So its residual is zero to
+//! rounding if this step of the program is right, whatever was wrong before. A residual that is not zero is a sum of few terms
+//! with the same factors in all cases: a term that is missing, that has the wrong sign, in which something else stands in
+//! the place of a factor. Gradients and Hessians are contracted with random directions, so that each term is a number.
+//!
+//! Errors of the curves are in all equations. They are tried first, as changes of the vectors that the equations are
+//! made of. A wrong Hessian whose one triangle was computed and mirrored is compared entry by entry.
+
+mod condition;
+mod equations;
+mod inputs;
+mod judgement;
+mod point;
+mod rows;
+mod sample;
+mod search;
+mod sentences;
+mod terms;
+mod words;
+
+use super::answers::Answers;
+use super::compare::Demands;
+use super::vectors::Vector;
+use equations::{CLOSEST_POINT, Equation, equations};
+use judgement::{Status, examined, judged};
+use point::Point;
+use rayon::prelude::*;
+use sample::{Along, Sample, samples};
+use sentences::{of_curves, of_status, result_words};
+use std::cell::OnceCell;
+
+/// What the equations say of the answers of a program.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Traced {
+    /// The errors that explain the first equation that is not satisfied: several if they yield the same numbers.
+    pub(super) causes: Vec<Reading>,
+    /// The largest residual of this equation over the size of its terms, and what the errors leave of it.
+    pub(super) deviation: Option<[f64; 2]>,
+    /// The number of cases.
+    pub(super) cases: usize,
+    /// The first equation that is not satisfied, as a sentence without its full stop.
+    pub(super) place: String,
+    /// What is wrong beyond it, as sentences.
+    pub(super) beyond: Vec<String>,
+}
+
+impl Traced {
+    /// Whether one error explains everything.
+    pub(super) fn is_of_one_error(&self) -> bool {
+        self.causes.first().is_some_and(|cause| cause.errors == 1) && self.beyond.is_empty()
+    }
+}
+
+/// One or two errors that explain the numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Reading {
+    /// The number of errors.
+    pub(super) errors: usize,
+    /// Its name.
+    pub(super) name: String,
+    /// What is wrong, as a sentence without its full stop.
+    pub(super) words: String,
+    /// The factor of a term less one.
+    pub(super) coefficient: Option<f64>,
+}
+
+/// The number of equations in which pairs of errors are looked for.
+const WITH_PAIRS: usize = 2;
+/// The number of sentences on what is wrong beyond the first equation.
+const BEYOND: usize = 1;
+
+/// The first equation that the answers do not satisfy, and the error that explains it; nothing if all are satisfied.
+pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<Traced> {
+    let of = |along: Along| -> Vec<Sample> {
+        let numbered: Vec<_> = cases.par_iter().enumerate().collect();
+        numbered
+            .into_par_iter()
+            .flat_map_iter(|(i, (vector, answers))| samples(i, vector, answers, demands, along))
+            .collect()
+    };
+    let random = of(Along::Random);
+    let has_arrays = random.first()?.has_arrays;
+    let equations = equations(has_arrays);
+    let points: Vec<Point> = random.iter().map(Point::new).collect();
+    let is_wrong = |e: &usize| {
+        let (wrong, right) = judged(&equations[*e], &points);
+        wrong.len() > 1 || (!wrong.is_empty() && right.is_empty())
+    };
+    let wrong: Vec<usize> = (0..equations.len()).filter(is_wrong).collect();
+    let first = &equations[*wrong.first()?];
+    let (of_first, others) = judged(first, &points);
+    let mut traced = Traced {
+        cases: of_first.len() + others.len(),
+        place: format!(
+            "{} does not satisfy its equation{} at {} of {} cases",
+            result_words(first),
+            sentences::number(first),
+            of_first.len(),
+            of_first.len() + others.len()
+        ),
+        ..Traced::default()
+    };
+    if wrong.iter().all(|e| equations[*e].number == CLOSEST_POINT) {
+        traced.place = "all equations but those of the closest point are satisfied".into();
+        traced.causes = vec![sentences::of_closest_point(&points, &of_first, &others)];
+        return Some(traced);
+    }
+    if wrong.len() > 1 {
+        traced.causes =
+            inputs::found(&equations, &random, &wrong).iter().map(|words| of_curves(words)).collect();
+        if !traced.causes.is_empty() {
+            return Some(traced);
+        }
+    }
+    let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
+    let mut with_pairs = 0;
+    for &e in &wrong {
+        let equation = &equations[e];
+        let (mut found, mut words_of_triangle) = (examined(equation, &points, false), "");
+        let in_entries = |with_pairs: bool| {
+            let is_matrix = has_arrays && equation.results.iter().all(|(_, part)| *part == 3);
+            entries.iter().filter(|_| is_matrix).find_map(|(along, samples)| {
+                let points: Vec<Point> = samples.get_or_init(|| of(*along)).iter().map(Point::new).collect();
+                let found = examined(equation, &points, with_pairs);
+                let words = if *along == Along::Lower { "below" } else { "above" };
+                is_known(&found).then_some((found, words))
+            })
+        };
+        if !is_known(&found)
+            && let Some(in_entries) = in_entries(false)
+        {
+            (found, words_of_triangle) = in_entries;
+        }
+        if !is_known(&found) && with_pairs < WITH_PAIRS {
+            with_pairs += 1;
+            found = examined(equation, &points, true);
+            if !is_known(&found)
+                && let Some(in_entries) = in_entries(true)
+            {
+                (found, words_of_triangle) = in_entries;
+            }
+        }
+        add(&mut traced, equation, &found, &points, words_of_triangle, e == wrong[0]);
+    }
+    Some(traced)
+}
+
+fn is_known(found: &[Status]) -> bool {
+    !found.iter().any(|status| matches!(status, Status::Unknown))
+}
+
+/// Adds what was found of an equation.
+fn add(
+    traced: &mut Traced,
+    equation: &Equation,
+    found: &[Status],
+    points: &[Point],
+    triangle: &str,
+    is_first: bool,
+) {
+    for status in found {
+        let readings = of_status(equation, status, points, &judged(equation, points), triangle);
+        let is_new =
+            |known: &[Reading]| readings.iter().all(|of| known.iter().all(|known| known.name != of.name));
+        if is_first && traced.causes.is_empty() && !readings.is_empty() {
+            traced.causes = readings;
+            if let Status::Explained(cause) = status {
+                traced.deviation = Some(cause.deviation);
+            }
+        } else if let [of, ..] = &readings[..]
+            && is_new(&traced.causes)
+            && traced.beyond.len() < BEYOND
+        {
+            let sentence = format!("Beyond it {}.", of.words);
+            if !traced.beyond.contains(&sentence) {
+                traced.beyond.push(sentence);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::traced;
+    use crate::check::Regime;
+    use crate::check::external::{AnswerReader, Demands, Drawing, Evaluator};
+    use crate::test_beam::Family;
+
+    /// Right answers satisfy all equations: of all families, in all regimes, also with few digits.
+    #[test]
+    fn right_answers_satisfy_all_equations() {
+        let (seed, families) = (11, Family::ALL.to_vec());
+        let drawing = Drawing { seed, regimes: Regime::ALL.to_vec(), families, cases: 6, penetrating: false };
+        let vectors: Vec<_> = (0..drawing.count()).map(|number| drawing.vector(number)).collect();
+        for digits in [None, Some(8)] {
+            let program = Evaluator { digits: digits.map(usize::from), ..Evaluator::default() };
+            let lines: Vec<_> = vectors.iter().map(|vector| program.line(vector)).collect();
+            let text = format!("{}\n{}\n", program.head(), lines.join("\n"));
+            let mut reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
+            let answers = std::iter::from_fn(|| reader.next_answers().unwrap());
+            let cases: Vec<_> = vectors.iter().cloned().zip(answers).collect();
+            assert_eq!(cases.len(), vectors.len());
+            let demands = Demands { digits, ..Demands::default() };
+            assert_eq!(traced(&cases.iter().collect::<Vec<_>>(), &demands), None, "{digits:?} digits");
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! Wrong shape functions. By how much one is wrong is an unknown of each case and beam, found by Gauss-Newton iterations.
+
+use super::{BEAMS, OF, ORDERS, Of, add};
+use crate::check::external::stages::equations::Equation;
+use crate::check::external::stages::point::Point;
+use crate::check::external::stages::sample::Sample;
+use crate::check::external::stages::terms::{Beam, Earlier, Reading};
+use crate::number::RunningError;
+use nalgebra::{DMatrix, DVector};
+
+/// The number of cases that are tried.
+const TRIED: usize = 16;
+/// The number of iterations.
+const STEPS: usize = 25;
+/// The step of differences.
+const STEP: f64 = 1e-5;
+/// The part of the residuals that an iteration may leave.
+const LEFT: f64 = 1e-7;
+
+/// A derivative of a polynomial.
+pub(super) fn polynomial(coefficients: &[f64; 4], order: usize, xi: f64) -> f64 {
+    derivative(coefficients, order).iter().rev().fold(0.0, |sum, c| sum * xi + c)
+}
+
+/// The coefficients of a derivative of a polynomial.
+fn derivative(coefficients: &[f64; 4], order: usize) -> [f64; 4] {
+    (0..order).fold(*coefficients, |[_, a, b, c], _| [a, 2.0 * b, 3.0 * c, 0.0])
+}
+
+/// A shape function whose derivative of this order is wrong.
+#[derive(Clone, Copy)]
+struct Shape {
+    node: usize,
+    order: usize,
+    of: Of,
+    beams: &'static [Beam],
+}
+
+impl Shape {
+    fn point<'a>(&self, sample: &'a Sample, by: [f64; 2]) -> Point<'a> {
+        let mut vectors = (sample.geometry, sample.moved);
+        for &beam in self.beams {
+            if let Some(node) = sample.nodes[beam].get(self.node) {
+                add(&mut vectors, (beam, self.order), by[beam], node.vectors, self.of);
+            }
+        }
+        Point::with(sample, &vectors.0, &vectors.1)
+    }
+
+    /// The residuals of the equations in their first form.
+    fn residuals(&self, equations: &[&Equation], samples: &[&Sample], by: [f64; 2]) -> Vec<RunningError> {
+        let points: Vec<Point> = samples.iter().map(|sample| self.point(sample, by)).collect();
+        let of_equation = |equation: &&Equation| {
+            let reading = Reading { results: &equation.results, earlier: Earlier::Own };
+            let points = points.iter().filter(|point| equation.at.holds(point.sample.held));
+            let values = points.flat_map(|point| {
+                equation.forms[0].iter().filter_map(|zero| point.value(&zero.terms, &reading))
+            });
+            values.collect::<Vec<_>>()
+        };
+        equations.iter().flat_map(of_equation).collect()
+    }
+
+    /// By how much the derivative is wrong at a case, for each beam, if that explains these equations.
+    fn solved(&self, equations: &[&Equation], samples: &[&Sample]) -> Option<[f64; 2]> {
+        let mut by = [0.0; 2];
+        let first = self.residuals(equations, samples, by);
+        let weights: Vec<f64> = first.iter().map(|r| 1.0 / (r.value.abs() + 1e3 * r.bound)).collect();
+        let weighted = |by: [f64; 2]| {
+            let residuals = self.residuals(equations, samples, by);
+            DVector::from_iterator(weights.len(), residuals.iter().zip(&weights).map(|(r, w)| r.value * w))
+        };
+        for _ in 0..STEPS {
+            let here = weighted(by);
+            let mut slopes = DMatrix::zeros(here.len(), 2);
+            for &beam in self.beams {
+                let mut next = by;
+                next[beam] += STEP;
+                slopes.set_column(beam, &((weighted(next) - &here) / STEP));
+            }
+            if here.is_empty() || !here.iter().chain(&slopes).all(|number| number.is_finite()) {
+                return None;
+            }
+            let step = slopes.svd(true, true).solve(&here, 1e-9).ok()?;
+            if !step.iter().all(|s| s.is_finite() && s.abs() < 1e3) {
+                return None;
+            }
+            (by[0], by[1]) = (by[0] - step[0], by[1] - step[1]);
+            if (0..2).all(|i| step[i].abs() <= 1e-10 * by[i].abs().max(1e-3)) {
+                break;
+            }
+        }
+        let left = self.residuals(equations, samples, by);
+        let is_small = |(left, first): (&RunningError, &RunningError)| {
+            left.value.abs() <= 4.0 * left.bound + LEFT * first.value.abs()
+        };
+        left.iter().zip(&first).all(is_small).then_some(by)
+    }
+
+    /// By how much it is wrong at each parameter, if that explains at least half of these cases.
+    fn errors(
+        &self,
+        equations: &[&Equation],
+        samples: &[Sample],
+        cases: &[usize],
+    ) -> Option<Vec<(f64, f64)>> {
+        let (mut tried, mut solved, mut errors) = (0, 0, Vec::new());
+        for case in cases.iter().step_by((cases.len() / TRIED).max(1)).take(TRIED) {
+            let here: Vec<&Sample> = samples.iter().filter(|sample| sample.case == *case).collect();
+            if here[0].held != [false; 2] {
+                continue;
+            }
+            tried += 1;
+            if let Some(by) = self.solved(equations, &here) {
+                solved += 1;
+                errors.extend(self.beams.iter().map(|&beam| (here[0].xi[beam].value, by[beam])));
+            } else if tried >= 3 && solved == 0 {
+                return None;
+            }
+        }
+        (solved >= 3 && 2 * solved >= tried).then_some(errors)
+    }
+
+    /// What is wrong, in words: a polynomial, if the error is one.
+    fn words(&self, samples: &[Sample], errors: &[(f64, f64)]) -> String {
+        let node = |sample: &Sample| sample.nodes[self.beams[0]].get(self.node)?.coefficients;
+        let Some(coefficients) = samples.iter().find_map(node) else { return "it is wrong".into() };
+        let right = derivative(&coefficients, self.order);
+        let count = (errors.len() / 2).clamp(1, 4);
+        let powers =
+            DMatrix::from_fn(errors.len(), count, |i, j| (0..j).fold(1.0, |power, _| power * errors[i].0));
+        let values = DVector::from_fn(errors.len(), |i, _| errors[i].1);
+        if !values.iter().chain(&powers).all(|number| number.is_finite()) {
+            return "it is wrong".into();
+        }
+        let Ok(fit) = powers.clone().svd(true, true).solve(&values, 1e-12) else {
+            return "it is wrong".into();
+        };
+        if (&powers * &fit - &values).amax() > 1e-6 * values.amax() {
+            return "it is wrong".into();
+        }
+        // The error is a multiple of the whole, or of one term.
+        let whole = (0..count).find(|i| right[*i] != 0.0).map(|i| fit[i] / right[i]);
+        if let Some(by) = whole.filter(|by| (0..count).all(|i| (fit[i] - by * right[i]).abs() < 1e-7)) {
+            return format!("it {}", factor_words(by));
+        }
+        let names = ["constant", "term of xi", "term of xi^2", "term of xi^3"];
+        let wrong: Vec<usize> = (0..count).filter(|i| fit[*i].abs() > 1e-7).collect();
+        match wrong[..] {
+            [i] if right[i] != 0.0 => format!("its {} {}", names[i], factor_words(fit[i] / right[i])),
+            _ => {
+                let term = |i: &usize| format!("{:+.4} in its {}", fit[*i], names[*i]);
+                format!("it is wrong by {}", wrong.iter().map(term).collect::<Vec<_>>().join(" and "))
+            }
+        }
+    }
+}
+
+/// A factor less one, in words.
+fn factor_words(by: f64) -> String {
+    let known = super::FACTORS.into_iter().find(|(known, _)| (by - known).abs() < 1e-6);
+    known.map_or_else(|| format!("is multiplied by {:.4}", 1.0 + by), |(_, words)| words.to_owned())
+}
+
+/// The shape functions whose errors leave only rounding in these equations, in words.
+pub(super) fn found(
+    equations: &[Equation],
+    samples: &[Sample],
+    wrong: &[usize],
+    cases: &[usize],
+) -> Vec<String> {
+    // Of equations with several forms the implicit ones are valid in any program.
+    let is_used =
+        |equation: &&Equation| equation.forms.len() == 1 || matches!(equation.number, "(50)" | "(55)");
+    let which: Vec<&Equation> = wrong.iter().map(|e| &equations[*e]).filter(is_used).collect();
+    let count = |beam: Beam| samples.iter().map(|sample| sample.nodes[beam].len()).max().unwrap_or(0);
+    let mut found = Vec::new();
+    for (of, scope) in OF {
+        for (beams, of_beams) in BEAMS.into_iter().filter(|_| !which.is_empty()) {
+            for (node, order) in (0..count(beams[0])).flat_map(|node| (0..4).map(move |order| (node, order)))
+            {
+                let shape = Shape { node, order, of, beams };
+                if let Some(errors) = shape.errors(&which, samples, cases) {
+                    let words = shape.words(samples, &errors);
+                    found.push(format!(
+                        "{}shape function {} of {of_beams}{scope}: {words}",
+                        ORDERS[order],
+                        node + 1
+                    ));
+                }
+            }
+        }
+        if !found.is_empty() {
+            break;
+        }
+    }
+    found
+}

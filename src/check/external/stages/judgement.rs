@@ -1,0 +1,193 @@
+//! What is found of an equation: it is right, or an error explains the numbers, or nothing does.
+
+use super::equations::{Equation, Zero};
+use super::point::Point;
+use super::rows::{Row, What, leaves_a_result, rows};
+use super::search::{System, cases, is_common};
+use super::terms::Earlier;
+use std::cell::OnceCell;
+
+/// The cases at which an equation is wrong, and the others.
+pub(super) type Cases = (Vec<usize>, Vec<usize>);
+
+/// An error that explains the numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Cause {
+    /// The largest residual over the size of its terms, and what the errors leave of it.
+    pub(super) deviation: [f64; 2],
+    /// The errors with their factors. Several readings if they yield the same numbers.
+    pub(super) readings: Vec<Vec<(Row, f64)>>,
+    /// Whether all cases have the error, or only those at which the equation is wrong.
+    pub(super) everywhere: bool,
+    /// The numbers that the program used of earlier equations.
+    earlier: Earlier,
+}
+
+/// What was found of a sum.
+#[derive(Clone, Debug)]
+pub(super) enum Status {
+    /// It is zero.
+    Right,
+    /// The numbers satisfy another equation, which is not valid there.
+    WrongForm(&'static str),
+    /// An error explains the numbers.
+    Explained(Cause),
+    /// No error does.
+    Unknown,
+}
+
+impl Status {
+    /// The simplest explanation has the smallest cost.
+    fn cost(&self) -> u32 {
+        match self {
+            Self::Right => 0,
+            Self::WrongForm(_) => 1,
+            Self::Explained(cause) => {
+                1 + u32::from(!cause.everywhere)
+                    + 3 * u32::from(cause.readings[0].len() > 1)
+                    + 2 * u32::from(cause.earlier == Earlier::Exact)
+            }
+            Self::Unknown => UNKNOWN,
+        }
+    }
+}
+
+/// The cost of a sum that is not explained.
+const UNKNOWN: u32 = 100;
+
+/// The cases at which an equation is right in none of its forms, and the others.
+pub(super) fn judged(equation: &Equation, points: &[Point]) -> Cases {
+    let mut wrong: Option<Vec<usize>> = None;
+    let mut all: Vec<usize> = Vec::new();
+    let is_valid = |form: &&Vec<Zero>| form.iter().all(|zero| zero.is_wrong_form.is_none());
+    for earlier in [Earlier::Own, Earlier::Exact] {
+        for form in equation.forms.iter().filter(is_valid) {
+            let mut of_form: Vec<usize> = Vec::new();
+            for zero in form {
+                let system = System::new(equation, zero, points, earlier);
+                of_form.extend(system.wrong_cases());
+                if all.is_empty() {
+                    all = cases(&system.points);
+                }
+            }
+            of_form.sort_unstable();
+            of_form.dedup();
+            match &mut wrong {
+                Some(wrong) => wrong.retain(|case| of_form.contains(case)),
+                None => wrong = Some(of_form),
+            }
+            if wrong.as_ref().is_some_and(Vec::is_empty) {
+                return (Vec::new(), all);
+            }
+        }
+    }
+    let wrong = wrong.unwrap_or_default();
+    let right = all.into_iter().filter(|case| !wrong.contains(case)).collect();
+    (wrong, right)
+}
+
+/// What was found of each sum of an equation, in the form that explains most.
+pub(super) fn examined(equation: &Equation, points: &[Point], with_pairs: bool) -> Vec<Status> {
+    let (wrong, right) = judged(equation, points);
+    // One case may be wrong by chance.
+    if wrong.is_empty() || (wrong.len() < 2 && right.len() > 1) {
+        return vec![Status::Right; equation.forms[0].len()];
+    }
+    let examination = Examination { equation, points, wrong: &wrong, right: &right };
+    let mut best: Option<(u32, Vec<Status>)> = None;
+    for form in &equation.forms {
+        if let Some(words) = form[0].is_wrong_form {
+            if form.iter().all(|zero| examination.is_right(zero, &[Earlier::Own])) {
+                return vec![Status::WrongForm(words)];
+            }
+            continue;
+        }
+        let found: Vec<Status> = form.iter().map(|zero| examination.status(zero, with_pairs)).collect();
+        let cost = found.iter().map(Status::cost).sum();
+        if best.as_ref().is_none_or(|(known, _)| cost < *known) {
+            best = Some((cost, found));
+        }
+    }
+    best.map(|(_, found)| found).unwrap_or_default()
+}
+
+/// An equation that is wrong.
+struct Examination<'a> {
+    equation: &'a Equation,
+    points: &'a [Point<'a>],
+    wrong: &'a [usize],
+    right: &'a [usize],
+}
+
+impl Examination<'_> {
+    /// Whether a sum is zero at the cases at which the equation is wrong.
+    fn is_right(&self, zero: &Zero, of: &[Earlier]) -> bool {
+        of.iter().any(|earlier| {
+            let mut system = System::new(self.equation, zero, self.points, *earlier);
+            system.retain(|case| self.wrong.contains(&case));
+            system.wrong_cases().is_empty() && !system.points.is_empty()
+        })
+    }
+
+    fn status(&self, zero: &Zero, with_pairs: bool) -> Status {
+        if self.is_right(zero, &[Earlier::Own, Earlier::Exact]) {
+            return Status::Right;
+        }
+        let table = OnceCell::new();
+        for earlier in [Earlier::Own, Earlier::Exact] {
+            for everywhere in [true, false] {
+                if let Some(cause) = self.cause(zero, earlier, everywhere, false, &table) {
+                    return Status::Explained(cause);
+                }
+            }
+        }
+        // Pairs of errors are looked for with the numbers of the program, and among single terms alone.
+        let is_tried = with_pairs && zero.is_elementary;
+        let cause = || self.cause(zero, Earlier::Own, self.right.is_empty(), true, &table);
+        is_tried.then(cause).flatten().map_or(Status::Unknown, Status::Explained)
+    }
+
+    /// The errors that explain the residuals of a sum, at all cases or where the equation is wrong.
+    fn cause(
+        &self,
+        zero: &Zero,
+        earlier: Earlier,
+        everywhere: bool,
+        in_pairs: bool,
+        table: &OnceCell<Vec<Row>>,
+    ) -> Option<Cause> {
+        let mut system = System::new(self.equation, zero, self.points, earlier);
+        if !everywhere {
+            if self.right.is_empty() {
+                return None;
+            }
+            system.retain(|case| self.wrong.contains(&case));
+        }
+        let results = &self.equation.results;
+        let table = table.get_or_init(|| rows(zero, results));
+        let found = if in_pairs { system.pairs(table) } else { system.singles(table) };
+        let says_something = |errors: &Vec<(&Row, f64)>| {
+            errors.iter().all(|error| is_plausible(*error)) && leaves_a_result(zero, results, errors)
+        };
+        let of_rows = |of: Vec<(usize, f64)>| of.into_iter().map(|(k, by)| (&table[k], by)).collect();
+        let mut readings: Vec<Vec<(&Row, f64)>> =
+            found.into_iter().map(of_rows).filter(says_something).collect();
+        // A term that exists is meant rather than one that does not.
+        let is_factor = |of: &Vec<(&Row, f64)>| of.iter().all(|(row, _)| matches!(row.what, What::Factor(_)));
+        if readings.iter().any(is_factor) {
+            readings.retain(is_factor);
+        }
+        let owned = |of: Vec<(&Row, f64)>| of.into_iter().map(|(row, by)| (row.clone(), by)).collect();
+        let readings: Vec<Vec<(Row, f64)>> = readings.into_iter().map(owned).collect();
+        let deviation = system.deviations(readings.first()?);
+        Some(Cause { deviation, readings, everywhere, earlier })
+    }
+}
+
+/// What stands in the place of a term has the factor 1.
+fn is_plausible((row, by): (&Row, f64)) -> bool {
+    match row.what {
+        What::Replaced { .. } => (by - 1.0).abs() < f64::EPSILON,
+        What::Factor(_) => is_common(by),
+    }
+}

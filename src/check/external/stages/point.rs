@@ -1,0 +1,147 @@
+//! The values of terms at a sample.
+
+use super::sample::Sample;
+use super::terms::{Beam, Earlier, Factor, Number, Reading, Term, Vector};
+use crate::linearization::Quantity;
+use crate::number::{Real, RunningError};
+use nalgebra::Vector3;
+
+const fn exact(value: f64) -> RunningError {
+    RunningError { value, bound: 0.0 }
+}
+
+/// The number of vectors in the table of a point, without those with moved components.
+const VECTORS: usize = 29;
+
+/// The place of a vector in the table.
+pub(super) fn place(of: Vector) -> Option<usize> {
+    Some(match of {
+        Vector::D => 0,
+        Vector::X(beam) => 1 + beam,
+        Vector::T(beam, order) => 3 + 3 * beam + order,
+        Vector::U(side, beam, order) => 9 + 6 * side + 3 * beam + order,
+        Vector::Mixed(beam, order) => 21 + 2 * beam + order,
+        Vector::Axis(axis) => 25 + axis,
+        Vector::Cross => 28,
+        Vector::Permuted(..) => return None,
+    })
+}
+
+/// A sample with its vectors and their scalar products.
+#[derive(Clone, Debug)]
+pub(super) struct Point<'a> {
+    pub(super) sample: &'a Sample,
+    vectors: Vec<Vector3<RunningError>>,
+    dots: Vec<RunningError>,
+}
+
+impl<'a> Point<'a> {
+    pub(super) fn new(sample: &'a Sample) -> Self {
+        Self::with(sample, &sample.geometry, &sample.moved)
+    }
+
+    /// The sample with other vectors.
+    pub(super) fn with(
+        sample: &'a Sample,
+        geometry: &[[Vector3<RunningError>; 4]; 2],
+        moved: &[[[Vector3<RunningError>; 3]; 2]; 2],
+    ) -> Self {
+        let mut vectors = vec![geometry[0][0] - geometry[1][0], geometry[0][0], geometry[1][0]];
+        vectors.extend(geometry.iter().flat_map(|of| of[1..].to_vec()));
+        vectors.extend(moved.iter().flatten().flatten());
+        vectors.extend(sample.mixed.iter().flatten());
+        vectors.extend((0..3).map(|axis| Vector3::from_fn(|c, _| exact(if c == axis { 1.0 } else { 0.0 }))));
+        let cross = vectors[3].cross(&vectors[6]);
+        let side = if cross.dot(&vectors[0]).value < 0.0 { -1.0 } else { 1.0 };
+        vectors.push(cross * exact(side));
+        let mut dots = vec![exact(0.0); VECTORS * VECTORS];
+        for i in 0..VECTORS {
+            for j in 0..=i {
+                let dot = vectors[i].dot(&vectors[j]);
+                (dots[i * VECTORS + j], dots[j * VECTORS + i]) = (dot, dot);
+            }
+        }
+        Self { sample, vectors, dots }
+    }
+
+    pub(super) fn vector(&self, of: Vector) -> Vector3<RunningError> {
+        match of {
+            Vector::Permuted(of, order) => {
+                let v = self.vectors[of];
+                Vector3::from_fn(|c, _| v[order[c]])
+            }
+            _ => self.vectors[place(of).unwrap_or(0)],
+        }
+    }
+
+    fn dot(&self, v: Vector, w: Vector) -> RunningError {
+        match (place(v), place(w)) {
+            (Some(i), Some(j)) => self.dots[i * VECTORS + j],
+            _ => self.vector(v).dot(&self.vector(w)),
+        }
+    }
+
+    /// A number; nothing if it is a result that the program does not answer.
+    fn number(&self, of: Number, reading: &Reading) -> Option<RunningError> {
+        let sample = self.sample;
+        let beam_of = |beam: Beam| [Quantity::Xi, Quantity::XiBar][beam];
+        let reference = |beam: Beam| exact([sample.contact.xi_0, sample.contact.xi_bar_0][beam]);
+        Some(match of {
+            Number::Of(quantity, part) => {
+                let at = quantity.component();
+                let own = sample.own[at][part];
+                if reading.results.contains(&(quantity, part)) {
+                    own?
+                } else if reading.earlier == Earlier::Own {
+                    own.unwrap_or(sample.exact[at][part])
+                } else {
+                    sample.exact[at][part]
+                }
+            }
+            Number::Component(quantity, axis, part) => sample.own[quantity.component() + axis][part]?,
+            Number::Length(of) => self.dot(of, of).sqrt(),
+            Number::Radius(beam) => exact([sample.contact.radius, sample.contact.radius_bar][beam]),
+            Number::Moved(beam) => self.number(Number::Of(beam_of(beam), 0), reading)? - reference(beam),
+            Number::MovedFrom(beam, other) => {
+                self.number(Number::Of(beam_of(beam), 0), reading)? - reference(other)
+            }
+            Number::Stiffness => exact(sample.element?.stiffness),
+            Number::Element(k) => sample.element?.numbers[k]?,
+        })
+    }
+
+    fn factor(&self, of: Factor, reading: &Reading) -> Option<RunningError> {
+        let size = |of: RunningError| RunningError { value: of.value.abs(), ..of };
+        Some(match of {
+            Factor::Dot(v, w) => self.dot(v, w),
+            Factor::Size(v, w) => size(self.dot(v, w)),
+            Factor::Entry(v, i, w, j) => self.vector(v)[i] * self.vector(w)[j],
+            Factor::Number(number) => self.number(number, reading)?,
+            Factor::SizeOf(number) => size(self.number(number, reading)?),
+            Factor::Power(of, n) => {
+                let length = self.number(Number::Of(of, 0), reading)?;
+                let power = (1..n.abs()).fold(length, |power, _| power * length);
+                if n > 0 { power } else { exact(1.0) / power }
+            }
+        })
+    }
+
+    /// The sum of the absolute values of terms.
+    pub(super) fn size(&self, terms: &[Term], reading: &Reading) -> f64 {
+        let size = |term| self.value(std::slice::from_ref(term), reading).map_or(0.0, |of| of.value.abs());
+        terms.iter().map(size).sum()
+    }
+
+    /// The value of a sum of terms; nothing if a result is not answered.
+    pub(super) fn value(&self, terms: &[Term], reading: &Reading) -> Option<RunningError> {
+        let mut sum = exact(0.0);
+        for term in terms {
+            let mut product = exact(term.coefficient);
+            for factor in &term.factors {
+                product *= self.factor(*factor, reading)?;
+            }
+            sum += product;
+        }
+        Some(sum)
+    }
+}

@@ -1,0 +1,140 @@
+//! Possible errors of an equation: each changes some of its terms.
+
+mod replaced;
+
+use super::equations::Zero;
+use super::terms::{Factor, Number, Part, Tag, Term, Terms};
+use super::words::words;
+use crate::linearization::Quantity;
+use replaced::replaced;
+
+/// A possible error: the sum that a program with it adds to the equation.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    pub(super) what: What,
+    pub(super) terms: Terms,
+}
+
+/// What is wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum What {
+    /// These terms have another factor.
+    Factor(String),
+    /// Something is wrong in these terms, as the words say.
+    Replaced {
+        /// The terms.
+        of: String,
+        /// What is wrong in them.
+        words: String,
+    },
+}
+
+/// All possible errors of a form of an equation.
+pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (words, terms) in &form.extras {
+        rows.push(Row {
+            what: What::Replaced { of: String::new(), words: words.clone() },
+            terms: terms.clone(),
+        });
+    }
+    let groups = groups(form, results);
+    for (name, group) in &groups {
+        rows.push(Row { what: What::Factor(name.clone()), terms: group.clone() });
+    }
+    in_both(form, &mut rows);
+    for (name, group) in &groups {
+        replaced(name, group, &mut rows);
+    }
+    rows.retain(|row| !row.terms.is_empty());
+    rows
+}
+
+/// Terms with a tag in common, and single terms. Small groups come first.
+fn groups(form: &Zero, results: &[(Quantity, Part)]) -> Vec<(String, Terms)> {
+    let mut groups: Vec<(String, Terms)> = Vec::new();
+    let mut add = |name: String, group: Terms| {
+        if !group.is_empty() && !groups.iter().any(|(_, known)| *known == group) {
+            groups.push((name, group));
+        }
+    };
+    let mut tags: Vec<Tag> = form.terms.iter().flat_map(|term| term.tags.clone()).collect();
+    tags.sort_unstable();
+    tags.dedup();
+    for tag in tags {
+        add(tag.into(), form.terms.iter().filter(|term| term.tags.contains(&tag)).cloned().collect());
+    }
+    if form.is_elementary {
+        for term in &form.terms {
+            add(words(term), vec![term.clone()]);
+        }
+        let is_result = |term: &&Term| {
+            let of = |factor: &Factor| match factor {
+                Factor::Number(Number::Of(q, p) | Number::Component(q, _, p)) => results.contains(&(*q, *p)),
+                _ => false,
+            };
+            term.factors.iter().any(of)
+        };
+        let rest: Terms = form.terms.iter().filter(|term| !is_result(term)).cloned().collect();
+        let result: Terms = form.terms.iter().filter(is_result).cloned().collect();
+        add("the result".into(), result);
+        add("the right-hand side".into(), rest);
+    }
+    groups.sort_by_key(|(_, group)| group.len());
+    groups
+}
+
+/// A part that occurs in both factors of a product, with another factor.
+fn in_both(form: &Zero, rows: &mut Vec<Row>) {
+    let mut tags: Vec<Tag> = form.terms.iter().flat_map(|term| term.tags.clone()).collect();
+    tags.sort_unstable();
+    tags.dedup();
+    for tag in tags {
+        let count =
+            |term: &Term| i32::try_from(term.tags.iter().filter(|of| **of == tag).count()).unwrap_or(0);
+        if form.terms.iter().all(|term| count(term) < 2) {
+            continue;
+        }
+        for (factor, words) in [(-1.0, "has the wrong sign"), (2.0, "counts twice"), (0.5, "is halved")] {
+            let terms = form
+                .terms
+                .iter()
+                .filter(|term| count(term) > 0)
+                .map(|term| Term {
+                    coefficient: term.coefficient * (f64::powi(factor, count(term)) - 1.0),
+                    ..term.clone()
+                })
+                .filter(|term| term.coefficient != 0.0)
+                .collect();
+            rows.push(Row {
+                what: What::Replaced { of: tag.into(), words: format!("it {words}, in both factors") },
+                terms,
+            });
+        }
+    }
+}
+
+/// Whether a result stays in the equation if these errors are made, so that they say something.
+pub(super) fn leaves_a_result(form: &Zero, results: &[(Quantity, Part)], errors: &[(&Row, f64)]) -> bool {
+    let mut sum: Vec<(Vec<Factor>, f64)> = Vec::new();
+    let mut add = |term: &Term, by: f64| {
+        let mut factors = term.factors.clone();
+        factors.sort_by_cached_key(|factor| format!("{factor:?}"));
+        match sum.iter_mut().find(|(known, _)| *known == factors) {
+            Some((_, c)) => *c += by * term.coefficient,
+            None => sum.push((factors, by * term.coefficient)),
+        }
+    };
+    form.terms.iter().for_each(|term| add(term, 1.0));
+    for (row, by) in errors {
+        row.terms.iter().for_each(|term| add(term, *by));
+    }
+    let is_result = |factor: &Factor| match factor {
+        Factor::Number(Number::Of(q, p) | Number::Component(q, _, p)) => results.contains(&(*q, *p)),
+        Factor::Number(Number::Element(_)) => true,
+        _ => false,
+    };
+    let left = || sum.iter().filter(|(_, c)| c.abs() > 1e-12);
+    let had_result = form.terms.iter().any(|term| term.factors.iter().any(is_result));
+    left().any(|(factors, _)| !had_result || factors.iter().any(is_result))
+}
