@@ -1,4 +1,4 @@
-//! LaTeX as lines of UTF-8, for a terminal.
+//! LaTeX as lines of UTF-8, for a terminal: the layout of what `pulldown-latex` parses.
 //!
 //! It supports the syntax of the paper: accents, indices, fractions in a line, matrices, cases and aligned rows.
 
@@ -7,21 +7,22 @@ mod letters;
 
 use area::{Area, columns};
 use letters::{bold, bracketed, subscript, superscript};
+use pulldown_latex::event::{
+    Content, EnvironmentFlow, Event, Font, Grouping, ScriptType, StateChange, Visual,
+};
+use pulldown_latex::{Parser, Storage};
 
 /// The width of a line.
 const WIDTH: usize = 76;
 
 /// The lines of a formula; the error names the part that is not supported.
 pub(super) fn lines(latex: &str) -> Result<Vec<String>, String> {
-    let mut parser = Parser { rest: latex };
-    let area = parser.sequence()?;
-    if !parser.rest.trim().is_empty() {
-        return Err(format!("`{}` was not expected", parser.rest));
-    }
-    let trimmed = |row: &String| row.trim_end().to_owned();
+    let storage = Storage::new();
+    let mut layout = Layout { events: Parser::new(latex, &storage), is_bold: false };
+    let area = arranged(&Grouping::Normal, layout.cells()?)?;
     Ok(match &area.rows[..] {
         [row] => wrapped(row.trim(), WIDTH),
-        rows => rows.iter().map(trimmed).collect(),
+        rows => rows.iter().map(|row| row.trim_end().to_owned()).collect(),
     })
 }
 
@@ -47,180 +48,142 @@ fn wrapped(row: &str, width: usize) -> Vec<String> {
     lines
 }
 
-struct Parser<'a> {
-    rest: &'a str,
+/// The places of what is parsed.
+struct Layout<'a> {
+    events: Parser<'a>,
+    is_bold: bool,
 }
 
-impl<'a> Parser<'a> {
-    /// Everything to the end of the group, the cell or the environment.
-    fn sequence(&mut self) -> Result<Area, String> {
-        let mut area = Area::default();
-        loop {
-            self.rest = self.rest.trim_start_matches([' ', '\n']);
-            let ends = ["}", "&", r"\\", r"\end"];
-            if self.rest.is_empty() || ends.iter().any(|end| self.rest.starts_with(end)) {
-                return Ok(area);
-            }
-            let next = self.atom()?;
-            area = area.beside(&next);
-        }
-    }
-
-    /// One letter, command or group, with its indices.
-    fn atom(&mut self) -> Result<Area, String> {
-        let Some(first) = self.rest.chars().next() else { return Err("something is missing".to_owned()) };
-        let after = &self.rest[first.len_utf8()..];
-        let area = match first {
-            '\\' => self.command()?,
-            '{' => self.group()?,
-            '+' | '=' => {
-                self.rest = after;
-                Area::operator(first)
-            }
-            '-' => {
-                self.rest = after;
-                Area::operator('−')
-            }
-            ',' => {
-                self.rest = after;
-                Area::text(", ")
-            }
-            _ => {
-                self.rest = after;
-                Area::text(&first.to_string())
-            }
-        };
-        self.with_indices(area)
-    }
-
-    fn with_indices(&mut self, mut area: Area) -> Result<Area, String> {
-        while let Some(mark) = self.rest.chars().next().filter(|&c| c == '_' || c == '^') {
-            self.rest = &self.rest[1..];
-            // In an index a comma does not separate terms.
-            let index = self.argument()?.line()?.replace(", ", ",");
-            area =
-                area.beside(&Area::text(&if mark == '_' { subscript(&index) } else { superscript(&index)? }));
-        }
-        Ok(area)
-    }
-
-    /// The argument of a command: a group, a command or a letter, without indices.
-    fn argument(&mut self) -> Result<Area, String> {
-        self.rest = self.rest.trim_start();
-        match self.rest.chars().next() {
-            Some('{') => self.group(),
-            Some('\\') => self.command(),
-            Some(letter) => {
-                self.rest = &self.rest[letter.len_utf8()..];
-                Ok(Area::text(&letter.to_string()))
-            }
-            None => Err("an argument is missing".to_owned()),
-        }
-    }
-
-    fn group(&mut self) -> Result<Area, String> {
-        self.rest = &self.rest[1..];
-        let area = self.sequence()?;
-        self.rest = self.rest.strip_prefix('}').ok_or("a `}` is missing")?;
-        Ok(area)
-    }
-
-    /// The name after a backslash.
-    fn name(&mut self) -> &'a str {
-        let rest = &self.rest[1..];
-        let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
-        let length = if letters == 0 { rest.chars().next().map_or(0, char::len_utf8) } else { letters };
-        let (name, after) = rest.split_at(length);
-        self.rest = after;
-        name
-    }
-
-    fn command(&mut self) -> Result<Area, String> {
-        let name = self.name();
-        Ok(match name {
-            "mathbf" => Area::text(&self.argument()?.line()?.chars().map(bold).collect::<String>()),
-            "mathrm" => self.argument()?,
-            "bar" => Area::text(&match self.argument()?.line()?.as_str() {
-                // Terminals draw a precomposed letter with a bar better than a combining bar.
-                "a" => "ā".to_owned(),
-                "g" => "ḡ".to_owned(),
-                letter => format!("{letter}\u{304}"),
-            }),
-            "hat" => Area::text(&format!("{}\u{302}", self.argument()?.line()?)),
-            "frac" => {
-                let [above, below] =
-                    [self.argument()?.line()?, self.argument()?.line()?].map(|part| bracketed(&part));
-                Area::text(&format!("{above}/{below}")).beside(&Area::text(" "))
-            }
-            "sqrt" => Area::text(&format!("√({})", self.argument()?.line()?)),
-            "int" => {
-                let mut limits = [String::new(), String::new()];
-                for (limit, mark) in limits.iter_mut().zip(['_', '^']) {
-                    self.rest = self.rest.strip_prefix(mark).ok_or("an integral has two limits")?;
-                    *limit = self.argument()?.line()?;
+impl Layout<'_> {
+    /// The cells of each row, to the end of the group. A group that is no environment has one cell.
+    fn cells(&mut self) -> Result<Vec<Vec<Area>>, String> {
+        let is_bold = self.is_bold;
+        let (mut rows, mut row, mut cell) = (Vec::new(), Vec::new(), Area::default());
+        while let Some(event) = self.events.next() {
+            match event.map_err(|error| error.to_string())? {
+                Event::End => break,
+                Event::StateChange(StateChange::Font(font)) => self.is_bold = font == Some(Font::Bold),
+                Event::EnvironmentFlow(EnvironmentFlow::Alignment) => row.push(std::mem::take(&mut cell)),
+                Event::EnvironmentFlow(_) => {
+                    row.push(std::mem::take(&mut cell));
+                    rows.push(std::mem::take(&mut row));
                 }
-                Area::text(&format!("∫[{} .. {}] ", limits[0], limits[1]))
+                event => cell = cell.beside(&self.element(event)?),
             }
-            "begin" => self.environment()?,
-            "left" | "right" => Area::default(),
-            "xi" => Area::text("ξ"),
-            "delta" => Area::variation("δ"),
-            "Delta" => Area::variation("Δ"),
-            "cdot" => Area::text("·"),
-            "lVert" | "rVert" => Area::text("‖"),
-            "ldots" => Area::text("…"),
-            "min" => Area::text("min "),
-            "approx" => Area::operator('≈'),
-            "Rightarrow" => Area::operator('⇒'),
-            "," | ";" | " " | "\n" => Area::text(" "),
-            "quad" => Area::text("   "),
-            "qquad" => Area::text("     "),
-            _ => return Err(format!("`\\{name}` is not known")),
-        })
+        }
+        row.push(cell);
+        rows.push(row);
+        self.is_bold = is_bold;
+        Ok(rows)
     }
 
-    fn environment(&mut self) -> Result<Area, String> {
-        let rest = self.rest.strip_prefix('{').ok_or("`\\begin` has no name")?;
-        let (name, rest) = rest.split_once('}').ok_or("`\\begin` has no name")?;
-        self.rest = rest;
-        let end = format!("\\end{{{name}}}");
-        let mut rows = vec![Vec::new()];
-        loop {
-            let cell = self.sequence()?;
-            if let Some(row) = rows.last_mut() {
-                row.push(cell);
+    /// The next element: a base, an index or an argument.
+    fn next(&mut self) -> Result<Area, String> {
+        let event = self.events.next().ok_or("an argument is missing")?;
+        self.element(event.map_err(|error| error.to_string())?)
+    }
+
+    /// The element that begins with an event.
+    fn element(&mut self, event: Event) -> Result<Area, String> {
+        match event {
+            Event::Content(content) => Ok(self.content(content)),
+            Event::Begin(grouping) => arranged(&grouping, self.cells()?),
+            Event::Visual(Visual::Fraction(_)) => {
+                let [above, below] = [self.next()?.line()?, self.next()?.line()?];
+                Ok(Area::text(&format!("{}/{} ", bracketed(&above), bracketed(&below))))
             }
-            if let Some(rest) = self.rest.strip_prefix('&') {
-                self.rest = rest;
-            } else if let Some(rest) = self.rest.strip_prefix(r"\\") {
-                self.rest = rest;
-                rows.push(Vec::new());
-            } else {
-                self.rest =
-                    self.rest.strip_prefix(end.as_str()).ok_or_else(|| format!("`{end}` is missing"))?;
-                return arranged(name, &rows);
+            Event::Visual(Visual::SquareRoot) => Ok(Area::text(&format!("√({})", self.next()?.line()?))),
+            Event::Script { ty, .. } => {
+                let base = self.next()?;
+                // In an index a comma does not separate terms.
+                let mut index = || Ok::<_, String>(self.next()?.line()?.replace(", ", ","));
+                let [below, above] = match ty {
+                    ScriptType::Subscript => [index()?, String::new()],
+                    ScriptType::Superscript => [String::new(), index()?],
+                    ScriptType::SubSuperscript => [index()?, index()?],
+                };
+                scripted(&base, &below, &above)
             }
+            Event::Space { width, .. } => {
+                let blanks = match width.map_or(0., |width| width.value) {
+                    ..0.5 => " ",
+                    ..1.5 => "   ",
+                    _ => "     ",
+                };
+                Ok(Area::text(blanks))
+            }
+            other => Err(format!("{other:?} has no text")),
+        }
+    }
+
+    fn content(&self, content: Content) -> Area {
+        match content {
+            Content::Ordinary { content: letter @ ('δ' | 'Δ'), .. } => Area::variation(letter),
+            Content::Ordinary { content: letter, .. } => {
+                Area::text(&if self.is_bold { bold(letter) } else { letter }.to_string())
+            }
+            // This is how the parser writes `\ `.
+            Content::Text("&nbsp;") => Area::text(" "),
+            Content::Text(text) | Content::Number(text) => Area::text(text),
+            Content::Function(name) => Area::text(&format!("{name} ")),
+            Content::BinaryOp { content: '⋅', .. } => Area::text("·"),
+            Content::BinaryOp { content, .. } => Area::operator(&content.to_string()),
+            Content::Relation { content, .. } => {
+                Area::operator(&String::from_utf8_lossy(content.encode_utf8_to_buf(&mut [0; 8])))
+            }
+            Content::LargeOp { content, .. } | Content::Delimiter { content, .. } => {
+                Area::text(&content.to_string())
+            }
+            Content::Punctuation(mark) => Area::text(&format!("{mark} ")),
         }
     }
 }
 
-/// The rows of an environment.
-fn arranged(name: &str, rows: &[Vec<Area>]) -> Result<Area, String> {
-    if name == "bmatrix" {
-        return Ok(Area::matrix(rows)?.enclosed(["⎡", "⎢", "⎣", "["], Some(["⎤", "⎥", "⎦", "]"])));
+/// A base with an index below and above, each of which may be empty; or a letter with an accent above.
+fn scripted(base: &Area, below: &str, above: &str) -> Result<Area, String> {
+    let text = match (base.line()?.as_str(), above) {
+        // Terminals draw a precomposed letter with a bar better than a combining bar.
+        ("a", "‾") => "ā".to_owned(),
+        ("g", "‾") => "ḡ".to_owned(),
+        (letter, "‾") => format!("{letter}\u{304}"),
+        (letter, "^") => format!("{letter}\u{302}"),
+        ("∫", _) => format!("∫[{below} .. {above}] "),
+        (letter, _) => format!("{letter}{}{}", subscript(below), superscript(above)?),
+    };
+    Ok(Area::text(&text))
+}
+
+/// The rows of an environment, or the only cell of another group.
+fn arranged(grouping: &Grouping, mut rows: Vec<Vec<Area>>) -> Result<Area, String> {
+    match grouping {
+        Grouping::Matrix { .. } => Area::matrix(&rows),
+        Grouping::Aligned => in_lines(&rows),
+        Grouping::Cases { left: true } => Ok(in_lines(&rows)?.enclosed(["⎧ ", "⎪ ", "⎩ ", "{ "], [""; 4])),
+        Grouping::Normal | Grouping::LeftRight(..) => {
+            let cell = rows.pop().and_then(|mut row| row.pop()).unwrap_or_default();
+            Ok(match grouping {
+                Grouping::LeftRight(Some('['), Some(']')) => {
+                    cell.enclosed(["⎡", "⎢", "⎣", "["], ["⎤", "⎥", "⎦", "]"])
+                }
+                Grouping::LeftRight(left, right) => {
+                    let [left, right] = [left, right].map(|side| side.map(String::from).unwrap_or_default());
+                    Area::text(&format!("{left}{}{right}", cell.line()?))
+                }
+                _ => cell,
+            })
+        }
+        other => Err(format!("the environment {other:?} is not known")),
     }
+}
+
+/// The rows of an environment as lines.
+fn in_lines(rows: &[Vec<Area>]) -> Result<Area, String> {
     let mut lines = Vec::new();
     for row in rows {
-        let cells =
-            row.iter().map(|cell| Ok(cell.line()?.trim().to_owned())).collect::<Result<Vec<_>, String>>()?;
-        lines.extend(wrapped(&joined(&cells), WIDTH - 4));
+        let cells = row.iter().map(|cell| Ok(cell.line()?.trim().to_owned()));
+        lines.extend(wrapped(&joined(&cells.collect::<Result<Vec<_>, String>>()?), WIDTH - 4));
     }
-    let area = Area::of(lines);
-    match name {
-        "aligned" => Ok(area),
-        "cases" => Ok(area.enclosed(["⎧ ", "⎪ ", "⎩ ", "{ "], None)),
-        _ => Err(format!("the environment {name} is not known")),
-    }
+    Ok(Area::of(lines))
 }
 
 /// The cells of a row. A cell that begins with an operator is joined to the cell before.

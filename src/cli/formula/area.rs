@@ -4,10 +4,18 @@
 #[derive(Clone, Debug, Default)]
 pub(super) struct Area {
     pub(super) rows: Vec<String>,
-    /// Whether it begins with δ or Δ.
-    variation: bool,
-    /// Whether it is an operator between two operands.
-    operator: bool,
+    kind: Kind,
+}
+
+/// What decides about the blanks before and after.
+#[derive(Clone, Copy, Debug, Default)]
+enum Kind {
+    #[default]
+    Plain,
+    /// δ or Δ.
+    Variation,
+    /// An operator between two operands.
+    Operator,
 }
 
 /// The base line: the middle row, or the upper one of two middle rows.
@@ -30,13 +38,13 @@ impl Area {
     }
 
     /// δ or Δ, which is separated by a blank from the factor before.
-    pub(super) fn variation(text: &str) -> Self {
-        Self { variation: true, ..Self::text(text) }
+    pub(super) fn variation(letter: char) -> Self {
+        Self { kind: Kind::Variation, ..Self::text(&letter.to_string()) }
     }
 
     /// An operator with a blank on both sides, or without blanks if nothing precedes it.
-    pub(super) fn operator(sign: char) -> Self {
-        Self { operator: true, ..Self::text(&sign.to_string()) }
+    pub(super) fn operator(sign: &str) -> Self {
+        Self { kind: Kind::Operator, ..Self::text(sign) }
     }
 
     /// The row, if there is only one.
@@ -48,7 +56,7 @@ impl Area {
         }
     }
 
-    /// Both areas side by side.
+    /// Both areas side by side, with blanks around an operator and before a variation.
     pub(super) fn beside(&self, next: &Self) -> Self {
         if self.rows.is_empty() {
             return next.clone();
@@ -57,40 +65,27 @@ impl Area {
             return self.clone();
         }
         let end = self.rows[base(self.rows.len())].chars().rev().find(|c| columns(&c.to_string()) > 0);
-        let opens = end.is_none_or(|end| ['(', '[', '{', '=', '⇒', ' '].contains(&end));
-        let lone_sign = self.operator && self.rows.len() == 1;
-        let gap = if next.operator {
-            if opens && end != Some(' ') && !['=', '⇒'].contains(&end.unwrap_or(' ')) {
-                ["", ""]
-            } else {
-                [" ", " "]
-            }
-        } else if next.variation
-            && !opens
-            && !lone_sign
-            && !['δ', 'Δ', 'ᵤ', '·', '−', '√', '/'].contains(&end.unwrap_or(' '))
-        {
-            [" ", ""]
-        } else {
-            ["", ""]
+        let follows = |marks: &str| end.is_none_or(|end| marks.contains(end));
+        let [left, right] = match next.kind {
+            Kind::Operator if !follows("([{") => [" ", " "],
+            Kind::Variation if !follows("([{=⇒≈+− δΔᵤ·√/") => [" ", ""],
+            _ => ["", ""],
         };
         let tall = self.rows.len().max(next.rows.len());
-        let wide = |area: &Self| area.rows.iter().map(|row| columns(row)).max().unwrap_or_default();
         let row = |area: &Self, i: usize| {
             let first = base(tall) - base(area.rows.len());
             let text = i.checked_sub(first).and_then(|i| area.rows.get(i)).cloned().unwrap_or_default();
-            let blanks = wide(area) - columns(&text);
+            let wide = area.rows.iter().map(|row| columns(row)).max().unwrap_or_default();
+            let blanks = wide - columns(&text);
             text + &" ".repeat(blanks)
         };
         let join = |i: usize| {
-            let before = row(self, i);
+            let mut before = row(self, i);
             // Avoids two blanks where an operator follows a blank.
-            let before = if gap[0] == " " && before.ends_with(' ') && tall == 1 {
-                before.trim_end().to_owned()
-            } else {
-                before
-            };
-            format!("{before}{}{}{}", gap[0], row(next, i), gap[1])
+            if tall == 1 && !left.is_empty() {
+                before.truncate(before.trim_end().len());
+            }
+            before + left + &row(next, i) + right
         };
         Self::of((0..tall).map(join).collect())
     }
@@ -114,19 +109,15 @@ impl Area {
     }
 
     /// The area in brackets of its height: pieces for the top, the middle and the bottom, and for a single row.
-    pub(super) fn enclosed(&self, left: [&str; 4], right: Option<[&str; 4]>) -> Self {
+    pub(super) fn enclosed(&self, left: [&str; 4], right: [&str; 4]) -> Self {
         let last = self.rows.len().saturating_sub(1);
-        let piece = |[top, middle, bottom, only]: [&str; 4], i: usize| -> String {
-            match i {
-                _ if last == 0 => only.to_owned(),
-                0 => top.to_owned(),
-                i if i == last => bottom.to_owned(),
-                _ => middle.to_owned(),
-            }
+        let piece = |i: usize| match i {
+            _ if last == 0 => 3,
+            0 => 0,
+            _ if i == last => 2,
+            _ => 1,
         };
-        let row = |(i, row): (usize, &String)| {
-            format!("{}{row}{}", piece(left, i), right.map_or_else(String::new, |right| piece(right, i)))
-        };
+        let row = |(i, row): (usize, &String)| format!("{}{row}{}", left[piece(i)], right[piece(i)]);
         Self::of(self.rows.iter().enumerate().map(row).collect())
     }
 }

@@ -20,6 +20,7 @@ pub(super) fn bold(letter: char) -> char {
 /// A letter or a derivative as a subscript.
 pub(super) fn subscript(index: &str) -> String {
     match index {
+        "" => String::new(),
         "u" => "ᵤ".to_owned(),
         "0" => "₀".to_owned(),
         _ if index.starts_with(',') => index.to_owned(),
@@ -30,6 +31,7 @@ pub(super) fn subscript(index: &str) -> String {
 /// An exponent as a superscript.
 pub(super) fn superscript(index: &str) -> Result<String, String> {
     match index {
+        "" => Ok(String::new()),
         "2" => Ok("²".to_owned()),
         "3" => Ok("³".to_owned()),
         _ => Err(format!("the exponent {index} is not known")),

@@ -1,6 +1,8 @@
 //! The letters of the page, each explained once.
 
-use super::math::{expand, mathml};
+use super::math::{mathml, parsed, with_macros};
+use pulldown_latex::Storage;
+use pulldown_latex::event::{Content, Event, Font, ScriptPosition, ScriptType, StateChange, Visual};
 
 /// A letter.
 pub(super) struct Symbol {
@@ -35,145 +37,128 @@ pub(super) fn all() -> Result<Vec<Symbol>, String> {
         .collect()
 }
 
-/// The letters of a formula in their order, each with its subscript and without bars, with a space around each:
-/// `\bar g_N=\frac d2\vt_{,\xi}` has ` g_N = \frac d 2 \mathbf{t}_,\xi \xi `.
+/// The letters of a formula in their order, each with its index and without bars, with a space around each:
+/// `\bar g_N=\frac d2\vt_{,\xi}` has ` g_N = d 2 \mathbf{t}_,ξ ξ `.
 ///
-/// The arguments of commands for words, superscripts, and subscripts that are not derivatives contain no letters.
-fn letters(latex: &str) -> String {
-    let text: Vec<char> = expand(latex).chars().collect();
-    let mut found = vec![String::new()];
-    read(&text, &mut found);
-    found.push(String::new());
-    found.join(" ")
+/// Superscripts, and indices that are not derivatives, contain no letters.
+fn letters(latex: &str) -> Result<String, String> {
+    let (source, storage) = (with_macros(latex), Storage::new());
+    let events = parsed(&source, &storage)?.into_iter();
+    let mut reader = Reader { events, found: Vec::new(), font: None };
+    reader.group();
+    Ok(format!(" {} ", reader.found.join(" ")))
 }
 
-/// The argument of a command, a `_` or a `^`: a group without its braces, a command with its argument, or one character.
-fn argument(text: &[char], mut at: usize) -> (&[char], usize) {
-    while text.get(at).is_some_and(|c| c.is_whitespace()) {
-        at += 1;
-    }
-    match text.get(at) {
-        Some('{') => {
-            let mut depth = 0;
-            let end = text[at..].iter().position(|c| {
-                depth += i32::from(*c == '{') - i32::from(*c == '}');
-                depth == 0
-            });
-            let end = end.map_or(text.len(), |end| at + end);
-            (&text[(at + 1).min(end)..end], (end + 1).min(text.len()))
+/// Reads the letters of what is parsed.
+struct Reader<'a> {
+    events: std::vec::IntoIter<Event<'a>>,
+    found: Vec<String>,
+    font: Option<Font>,
+}
+
+impl Reader<'_> {
+    /// Reads to the end of the group.
+    fn group(&mut self) {
+        let font = self.font;
+        while let Some(event) = self.events.next().filter(|event| *event != Event::End) {
+            self.element(&event);
         }
-        Some('\\') => {
-            let end = after_name(text, at + 1);
-            let is_accent = ["bar", "hat", "mathbf", "mathsf", "mathrm"].map(|name| format!("\\{name}"));
-            let name: String = text[at..end].iter().collect();
-            let end = if is_accent.contains(&name) { argument(text, end).1 } else { end };
-            (&text[at..end], end)
-        }
-        Some(_) => (&text[at..=at], at + 1),
-        None => (&[], at),
+        self.font = font;
     }
-}
 
-/// The end of the name of a command: one character that is not a letter, or all letters.
-fn after_name(text: &[char], at: usize) -> usize {
-    let letters = text[at..].iter().take_while(|c| c.is_ascii_alphabetic()).count();
-    (at + letters.max(1)).min(text.len())
-}
-
-fn read(text: &[char], found: &mut Vec<String>) {
-    let mut at = 0;
-    while let Some(&c) = text.get(at) {
-        match c {
-            '{' => {
-                let (group, end) = argument(text, at);
-                read(group, found);
-                at = end;
+    fn element(&mut self, event: &Event) {
+        match event {
+            Event::Begin(_) => self.group(),
+            Event::StateChange(StateChange::Font(font)) => self.font = *font,
+            Event::Content(content) => self.found.extend(self.letter(*content)),
+            Event::Script { position: ScriptPosition::AboveBelow, .. } => {
+                let (base, accent) = (self.apart(), self.apart());
+                let is_hat = accent == ["^"];
+                self.found
+                    .extend(base.into_iter().map(|letter| if is_hat { "\\hat".to_owned() } else { letter }));
             }
-            '^' => at = argument(text, at + 1).1,
-            '_' => {
-                let (group, end) = argument(text, at + 1);
-                at = end;
-                // The limit of an integral is not an index.
-                if found.last().is_some_and(|last| last == "\\int") {
-                    read(group, found);
-                    continue;
+            Event::Script { ty, .. } => {
+                self.next();
+                if *ty != ScriptType::Superscript {
+                    self.index();
                 }
-                let plain: String = group.iter().collect();
-                let plain = plain.replace("\\bar", "").replace(['{', '}', ' '], "");
-                if let Some(last) = found.last_mut() {
-                    *last += "_";
-                    *last += &plain;
-                }
-                if plain.contains(',') {
-                    found.extend(plain.contains("\\xi").then(|| "\\xi".to_owned()));
+                if *ty != ScriptType::Subscript {
+                    self.apart();
                 }
             }
-            '\\' => {
-                let end = after_name(text, at + 1);
-                let name: String = text[at + 1..end].iter().collect();
-                at = command(&name, text, end, found);
+            Event::Visual(visual) => {
+                self.next();
+                if matches!(visual, Visual::Fraction(_) | Visual::Root) {
+                    self.next();
+                }
             }
-            _ if c.is_whitespace() || c == '&' => at += 1,
-            _ => {
-                found.push(c.to_string());
-                at += 1;
+            _ => {}
+        }
+    }
+
+    fn next(&mut self) {
+        if let Some(event) = self.events.next() {
+            self.element(&event);
+        }
+    }
+
+    /// The letters of the next element alone.
+    fn apart(&mut self) -> Vec<String> {
+        let before = std::mem::take(&mut self.found);
+        self.next();
+        std::mem::replace(&mut self.found, before)
+    }
+
+    /// Adds the next element to the last letter. In a derivative, it is a letter too.
+    fn index(&mut self) {
+        let index = self.apart();
+        match self.found.last_mut() {
+            // The limit of an integral is not an index.
+            Some(last) if last != "∫" => {
+                last.push('_');
+                last.push_str(&index.concat());
             }
+            _ => return self.found.extend(index),
+        }
+        if index.iter().any(|letter| letter == ",") {
+            self.found.extend(index.into_iter().find(|letter| letter == "ξ"));
+        }
+    }
+
+    fn letter(&self, content: Content) -> Option<String> {
+        let of = |letter: char| Some(letter.to_string());
+        match content {
+            Content::Ordinary { content, .. } => match self.font {
+                None => of(content),
+                Some(Font::Bold) => Some(format!("\\mathbf{{{content}}}")),
+                // A word is a letter that is no symbol of the page.
+                Some(_) => Some("word".to_owned()),
+            },
+            Content::Text("&nbsp;") => None,
+            Content::Text(_) | Content::Function(_) => Some("word".to_owned()),
+            Content::Number(digits) => Some(digits.to_owned()),
+            Content::Relation { content, .. } => {
+                Some(String::from_utf8_lossy(content.encode_utf8_to_buf(&mut [0; 8])).into_owned())
+            }
+            Content::LargeOp { content, .. }
+            | Content::BinaryOp { content, .. }
+            | Content::Delimiter { content, .. }
+            | Content::Punctuation(content) => of(content),
         }
     }
 }
-
-/// Reads a command whose name ends at `end`. Returns the position after it.
-fn command(name: &str, text: &[char], end: usize, found: &mut Vec<String>) -> usize {
-    match name {
-        "bar" => {
-            let (group, end) = argument(text, end);
-            read(group, found);
-            end
-        }
-        "mathbf" | "hat" => {
-            let (group, end) = argument(text, end);
-            let mut inner = Vec::new();
-            read(group, &mut inner);
-            let inner = inner.into_iter().map(|letter| {
-                if name == "hat" { "\\hat".to_owned() } else { format!("\\mathbf{{{letter}}}") }
-            });
-            found.extend(inner);
-            end
-        }
-        // A word is a letter that is no symbol of the page.
-        "mathrm" | "mathsf" | "text" | "operatorname" => {
-            found.push("word".to_owned());
-            argument(text, end).1
-        }
-        "begin" | "end" => argument(text, end).1,
-        "\\" => {
-            let skip = text.get(end) == Some(&'[');
-            let close = text[end..].iter().position(|c| *c == ']').filter(|_| skip);
-            close.map_or(end, |close| end + close + 1)
-        }
-        _ if !name.starts_with(|c: char| c.is_ascii_alphabetic()) => end,
-        _ => {
-            found.push(format!("\\{name}"));
-            end
-        }
-    }
-}
-
-/// Commands that are letters or change the meaning of a letter, and are not symbols of the page.
-const OTHERS: [&str; 5] = ["\\nabla", "\\partial", "\\varepsilon", "\\epsilon", "\\theta"];
 
 /// Whether the page does not explain the letter.
 fn is_other(letter: &str, symbols: &[Symbol]) -> bool {
-    let alone = letter.chars().count() == 1 && letter.chars().all(char::is_alphabetic);
-    let base = letter.split('_').next().unwrap_or(letter);
-    let is_letter = alone || letter == "word" || letter.starts_with("\\mathbf") || OTHERS.contains(&base);
+    let alone = letter.chars().count() == 1 && letter.chars().all(|c| c.is_alphabetic() || "∇∂".contains(c));
+    let is_letter = alone || letter == "word" || letter.starts_with("\\mathbf");
     let has_index = letter.contains('_') && !letter.starts_with('\\');
     (is_letter || has_index) && !symbols.iter().any(|symbol| symbol.is_in(&format!(" {letter} ")))
 }
 
 /// Links to the letters that an equation uses.
 pub(super) fn used(latex: &str) -> Result<String, String> {
-    let letters = letters(latex);
+    let letters = letters(latex)?;
     let link = |Symbol { id, latex, name, .. }: &Symbol| {
         Ok(format!("<a href=\"#sym-{id}\">{} {name}</a>", mathml(latex, false)?))
     };
@@ -188,7 +173,7 @@ pub(super) fn of_letter(latex: &str) -> Result<Option<Symbol>, String> {
     if let Some(at) = symbols.iter().position(is_letter) {
         return Ok(Some(symbols.swap_remove(at)));
     }
-    let letters = letters(latex);
+    let letters = letters(latex)?;
     if letters.split(' ').any(|letter| is_other(letter, &symbols)) {
         return Ok(None);
     }
@@ -208,10 +193,11 @@ mod tests {
 
     #[test]
     fn letters_are_read_with_their_subscripts_and_without_bars() {
-        assert_eq!(letters(r"\bar g_N=\frac d2\vt_{,\xi}"), r" g_N = \frac d 2 \mathbf{t}_,\xi \xi ");
-        assert_eq!(letters(r"\begin{aligned}\xb_{\bar C_0}\\[2pt]&\uh^2\end{aligned}"), r" \xi_C_0 \hat_C ");
+        let letters = |latex| letters(latex).unwrap();
+        assert_eq!(letters(r"\bar g_N=\frac d2\vt_{,\xi}"), r" g_N = d 2 \mathbf{t}_,ξ ξ ");
+        assert_eq!(letters(r"\begin{aligned}\xb_{\bar C_0}\\[2pt]&\uh^2\end{aligned}"), r" ξ_C_0 \hat_C ");
         assert_eq!(
-            letters(r"\mathbf X+\mathrm{Hess}\,\bar{\mathbf{x}}_{\bar C}"),
+            letters(r"\mathbf X+\operatorname{Hess}\,\bar{\mathbf{x}}_{\bar C}"),
             r" \mathbf{X} + word \mathbf{x}_C "
         );
     }
@@ -234,7 +220,7 @@ mod tests {
         assert_eq!(ids(r"\begin{aligned}\delta g_N,\qquad\bar g_T\end{aligned}"), ["gN", "gT", "delta"]);
         assert_eq!(ids(r"J_d=G+\vt g^{\mathsf T}"), ["t", "A", "g", "J"]);
         assert_eq!(ids(r"\Delta_u\delta_u\uh"), ["delta", "Delta", "uhat", "K"]);
-        assert_eq!(ids(r"\vn=\vd/d"), ["d", "n"]);
+        assert_eq!(ids(r"\vn=\vd/d^\frac{t}{2}"), ["d", "n"]);
         assert_eq!(ids(r"\vt=\vx_{C,\xi}"), ["x", "xi", "t"]);
     }
 }

@@ -1,85 +1,67 @@
 //! LaTeX as MathML, with the letters of the two beams and of the distance in colour.
 
 use pulldown_latex::config::{DisplayMode, RenderConfig};
+use pulldown_latex::event::Event;
 use pulldown_latex::{Parser, Storage, push_mathml};
 
 /// Short names in the prose for long LaTeX commands.
-const MACROS: [(&str, &str); 26] = [
-    ("vd", r"\mathbf{d}"),
-    ("vt", r"\mathbf{t}"),
-    ("vtb", r"\bar{\mathbf{t}}"),
-    ("vx", r"\mathbf{x}"),
-    ("vxb", r"\bar{\mathbf{x}}"),
-    ("vu", r"\mathbf{u}"),
-    ("vub", r"\bar{\mathbf{u}}"),
-    ("uh", r"\hat{\mathbf{u}}_C"),
-    ("vn", r"\mathbf{n}"),
-    ("vv", r"\mathbf{v}"),
-    ("vw", r"\mathbf{w}"),
-    ("xb", r"\bar\xi"),
-    ("tx", r"\mathbf{t}_{,\xi}"),
-    ("tbx", r"\bar{\mathbf{t}}_{,\bar\xi}"),
-    ("txx", r"\mathbf{t}_{,\xi\xi}"),
-    ("tbxx", r"\bar{\mathbf{t}}_{,\bar\xi\bar\xi}"),
-    ("ux", r"\mathbf{u}_{C,\xi}"),
-    ("ubx", r"\bar{\mathbf{u}}_{\bar C,\bar\xi}"),
-    ("uxx", r"\mathbf{u}_{C,\xi\xi}"),
-    ("ubxx", r"\bar{\mathbf{u}}_{\bar C,\bar\xi\bar\xi}"),
-    ("uc", r"\mathbf{u}_C"),
-    ("ubc", r"\bar{\mathbf{u}}_{\bar C}"),
-    ("Rd", r"R_\delta"),
-    ("Rdb", r"\bar R_\delta"),
-    ("Rdd", r"R_{\Delta\delta}"),
-    ("Rddb", r"\bar R_{\Delta\delta}"),
-];
+const MACROS: &str = r"
+    \def\vd{{\mathbf{d}}}
+    \def\vt{{\mathbf{t}}}
+    \def\vtb{{\bar{\mathbf{t}}}}
+    \def\vx{{\mathbf{x}}}
+    \def\vxb{{\bar{\mathbf{x}}}}
+    \def\vu{{\mathbf{u}}}
+    \def\vub{{\bar{\mathbf{u}}}}
+    \def\uh{{\hat{\mathbf{u}}_C}}
+    \def\vn{{\mathbf{n}}}
+    \def\vv{{\mathbf{v}}}
+    \def\vw{{\mathbf{w}}}
+    \def\xb{{\bar\xi}}
+    \def\tx{{\mathbf{t}_{,\xi}}}
+    \def\tbx{{\bar{\mathbf{t}}_{,\bar\xi}}}
+    \def\txx{{\mathbf{t}_{,\xi\xi}}}
+    \def\tbxx{{\bar{\mathbf{t}}_{,\bar\xi\bar\xi}}}
+    \def\ux{{\mathbf{u}_{C,\xi}}}
+    \def\ubx{{\bar{\mathbf{u}}_{\bar C,\bar\xi}}}
+    \def\uxx{{\mathbf{u}_{C,\xi\xi}}}
+    \def\ubxx{{\bar{\mathbf{u}}_{\bar C,\bar\xi\bar\xi}}}
+    \def\uc{{\mathbf{u}_C}}
+    \def\ubc{{\bar{\mathbf{u}}_{\bar C}}}
+    \def\Rd{{R_\delta}}
+    \def\Rdb{{\bar R_\delta}}
+    \def\Rdd{{R_{\Delta\delta}}}
+    \def\Rddb{{\bar R_{\Delta\delta}}}
+";
+
+/// The LaTeX with the definitions of the short names before it.
+pub(super) fn with_macros(latex: &str) -> String {
+    MACROS.to_owned() + latex
+}
+
+/// The events of LaTeX with macros.
+///
+/// # Errors
+/// The message of the parser.
+pub(super) fn parsed<'a>(source: &'a str, storage: &'a Storage) -> Result<Vec<Event<'a>>, String> {
+    Parser::new(source, storage).collect::<Result<_, _>>().map_err(|error| error.to_string())
+}
 
 /// The MathML of a formula, as a block or inline.
 ///
 /// # Errors
 /// The message of the parser, with the formula.
 pub(in crate::report) fn mathml(latex: &str, block: bool) -> Result<String, String> {
-    let expanded = expand(latex);
-    let storage = Storage::new();
-    let mut out = String::new();
+    let (source, storage) = (with_macros(latex), Storage::new());
+    let events = parsed(&source, &storage)?;
     let display_mode = if block { DisplayMode::Block } else { DisplayMode::Inline };
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
-    push_mathml(&mut out, Parser::new(&expanded, &storage), config)
+    let mut out = String::new();
+    push_mathml(&mut out, events.into_iter().map(Ok::<_, std::io::Error>), config)
         .map_err(|error| format!("{latex}: {error}"))?;
-    // A formula that cannot be parsed is rendered as an error.
-    if out.contains("<merror") {
-        return Err(format!("{latex} cannot be parsed"));
-    }
     // The renderer escapes the space of `\ ` twice.
     let out = out.replace("<mtext>&amp;nbsp;</mtext>", "<mspace width=\"0.25em\" />");
     Ok(coloured(&out.replace("\"minsize", "\" minsize")))
-}
-
-/// The LaTeX with all short names expanded.
-pub(super) fn expand(latex: &str) -> String {
-    let mut out = String::with_capacity(latex.len() * 2);
-    let mut rest = latex;
-    while let Some(at) = rest.find('\\') {
-        out.push_str(&rest[..at]);
-        rest = &rest[at + 1..];
-        let end = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
-        let name = &rest[..end];
-        if let Some((_, long)) = MACROS.iter().find(|(short, _)| *short == name) {
-            out.push('{');
-            out.push_str(long);
-            out.push('}');
-        } else {
-            out.push('\\');
-            out.push_str(name);
-            // An escaped backslash does not begin a name.
-            if name.is_empty() && rest.starts_with('\\') {
-                out.push('\\');
-                rest = &rest[1..];
-                continue;
-            }
-        }
-        rest = &rest[end..];
-    }
-    out + rest
 }
 
 /// Letters with classes: `b` of the beam, `r` of the bar beam, `d` the distance, `h` the difference of both.
@@ -105,19 +87,14 @@ fn coloured(mathml: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{expand, mathml};
-
-    #[test]
-    fn short_names_are_written_out_and_others_stay() {
-        assert_eq!(expand(r"\vt\cdot\vtb_1 \\ \vtx"), r"{\mathbf{t}}\cdot{\bar{\mathbf{t}}}_1 \\ \vtx");
-        assert_eq!(expand(r"a \\[2pt] \{\xi\}"), r"a \\[2pt] \{\xi\}");
-    }
+    use super::mathml;
 
     #[test]
     fn the_letters_of_each_beam_have_its_class() {
         let math = mathml(r"\vd\cdot\vtb + \delta_u\uh", false).unwrap();
         assert!(math.contains("<mi class=\"d\">𝐝</mi>"), "{math}");
         assert!(math.contains("<mover class=\"r\">") && math.contains("<mover class=\"h\">"), "{math}");
+        assert!(mathml(r"\vtx", false).unwrap_err().contains(r"\vtx"));
         let spaced = mathml(r"a\ b", true).unwrap();
         assert!(spaced.contains("<mspace") && !spaced.contains("nbsp"), "{spaced}");
         assert!(mathml(r"\frac{1}", false).is_err() && mathml(r"\nonsense", true).is_err());
