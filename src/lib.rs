@@ -1,5 +1,7 @@
 #![doc = include_str!("front_page.md")]
 
+#[macro_use]
+mod enumeration;
 mod source_fault;
 
 pub mod closest_point;

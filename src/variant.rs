@@ -77,25 +77,14 @@ pub enum Variant {
     Operation(Code, usize, f64),
 }
 
-/// The code that an operation belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Code {
-    /// The paper's equations.
-    Equations,
-    /// Gradients and Hessians.
-    Matrices,
-}
-
-impl Code {
-    /// Both codes.
-    pub const ALL: [Self; 2] = [Self::Equations, Self::Matrices];
-
-    /// The name, as tables have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Equations => "equations",
-            Self::Matrices => "matrices",
-        }
+enumeration! {
+    /// The code that an operation belongs to.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Code {
+        /// The paper's equations.
+        Equations => "equations",
+        /// Gradients and Hessians.
+        Matrices => "matrices",
     }
 }
 

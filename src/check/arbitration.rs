@@ -12,41 +12,30 @@ use std::collections::BTreeMap;
 /// The name of the third oracle in [`Comparison::against`].
 pub(super) const DIFFERENCES: &str = "differences in double-double";
 
-/// The side that the third oracle finds wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Arbitration {
-    /// The oracles agree with each other and not with the closed form; or the closed form contradicts itself.
-    ClosedForm,
-    /// The differences agree with the closed form and not with AD; or AD's routes contradict each other.
-    Ad,
-    /// The differences agree with neither.
-    Both,
-    /// The differences are not accurate enough to decide, or are not known.
-    Undecided,
+enumeration! {
+    /// The side that the third oracle finds wrong.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Arbitration {
+        /// The oracles agree with each other and not with the closed form; or the closed form contradicts itself.
+        ClosedForm => "closed-form-wrong",
+        /// The differences agree with the closed form and not with AD; or AD's routes contradict each other.
+        Ad => "ad-wrong",
+        /// The differences agree with neither.
+        Both => "both-wrong",
+        /// The differences are not accurate enough to decide, or are not known.
+        Undecided => "undecided",
+    }
 }
 
 by_name!(Arbitration);
 
 impl Arbitration {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::ClosedForm, Self::Ad, Self::Both, Self::Undecided];
-
     /// The wrong side, in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::ClosedForm => "the closed form is wrong",
             Self::Ad => "automatic differentiation is wrong",
             Self::Both => "both are wrong, or the differences are",
-            Self::Undecided => "undecided",
-        }
-    }
-
-    /// The name for programs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ClosedForm => "closed-form-wrong",
-            Self::Ad => "ad-wrong",
-            Self::Both => "both-wrong",
             Self::Undecided => "undecided",
         }
     }

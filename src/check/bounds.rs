@@ -16,28 +16,16 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// The side whose bounds are measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Side {
-    /// The closed form.
-    Closed,
-    /// Our own hyper-dual numbers, lifted by chord steps.
-    Chord,
-    /// The public functions of the kernel, with the beams' own numbers of dofs.
-    Kernel,
-}
-
-impl Side {
-    /// All sides.
-    pub const ALL: [Self; 3] = [Self::Closed, Self::Chord, Self::Kernel];
-
-    /// The name, as tables have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Closed => "closed form",
-            Self::Chord => "AD",
-            Self::Kernel => "kernel",
-        }
+enumeration! {
+    /// The side whose bounds are measured.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Side {
+        /// The closed form.
+        Closed => "closed form",
+        /// Our own hyper-dual numbers, lifted by chord steps.
+        Chord => "AD",
+        /// The public functions of the kernel, with the beams' own numbers of dofs.
+        Kernel => "kernel",
     }
 }
 

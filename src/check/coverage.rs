@@ -14,49 +14,51 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A quantity whose two signs must both occur, because some symmetry of the problem exchanges them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Symmetry {
-    /// d·(t × t_bar): mirror image; the side of the bar beam on which the beam lies; reversal of one parameter.
-    Side,
-    /// t·t_bar: acute or obtuse crossing; reversal of one parameter.
-    Crossing,
-    /// xi: the half of the beam; reversal of xi.
-    Xi,
-    /// xi_bar: the half of the bar beam; reversal of xi_bar.
-    XiBar,
-    /// t·t,xi: the tangent becomes longer or shorter along xi; reversal of xi.
-    Speed,
-    /// t_bar·t_bar,xi_bar, the same for the bar beam.
-    SpeedBar,
-    /// d·t,xi: the beam curves away from the bar beam or towards it.
-    Curvature,
-    /// -d·t_bar,xi_bar, the same for the bar beam.
-    CurvatureBar,
-    /// (t × t,xi)·t,xixi, the torsion of the beam; mirror image.
-    Torsion,
-    /// The torsion of the bar beam.
-    TorsionBar,
-    /// t - t_bar: the beam has the longer tangent, or the bar beam; exchange of the beams.
-    Length,
-    /// r - r_bar: the beam is thicker, or the bar beam; exchange of the beams.
-    Radius,
-    /// xi - xi_C0: the slip is forward or backward.
-    Slip,
-    /// xi_bar - xi_bar_C0, the same for the bar beam.
-    SlipBar,
-    /// g_N: the gap is open or closed.
-    Gap,
-    /// The end at which xi is held, +1 or -1; reversal of xi.
-    End,
-    /// The end at which xi_bar is held.
-    EndBar,
-    /// The first component of d; mirror image.
-    X,
-    /// The second component of d.
-    Y,
-    /// The third component of d.
-    Z,
+enumeration! {
+    /// A quantity whose two signs must both occur, because some symmetry of the problem exchanges them.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Symmetry {
+        /// d·(t × t_bar): mirror image; the side of the bar beam on which the beam lies; reversal of one parameter.
+        Side => "side",
+        /// t·t_bar: acute or obtuse crossing; reversal of one parameter.
+        Crossing => "crossing",
+        /// xi: the half of the beam; reversal of xi.
+        Xi => "xi",
+        /// xi_bar: the half of the bar beam; reversal of xi_bar.
+        XiBar => "xi_bar",
+        /// t·t,xi: the tangent becomes longer or shorter along xi; reversal of xi.
+        Speed => "speed",
+        /// t_bar·t_bar,xi_bar, the same for the bar beam.
+        SpeedBar => "speed_bar",
+        /// d·t,xi: the beam curves away from the bar beam or towards it.
+        Curvature => "curvature",
+        /// -d·t_bar,xi_bar, the same for the bar beam.
+        CurvatureBar => "curvature_bar",
+        /// (t × t,xi)·t,xixi, the torsion of the beam; mirror image.
+        Torsion => "torsion",
+        /// The torsion of the bar beam.
+        TorsionBar => "torsion_bar",
+        /// t - t_bar: the beam has the longer tangent, or the bar beam; exchange of the beams.
+        Length => "length",
+        /// r - r_bar: the beam is thicker, or the bar beam; exchange of the beams.
+        Radius => "radius",
+        /// xi - xi_C0: the slip is forward or backward.
+        Slip => "slip",
+        /// xi_bar - xi_bar_C0, the same for the bar beam.
+        SlipBar => "slip_bar",
+        /// g_N: the gap is open or closed.
+        Gap => "gap",
+        /// The end at which xi is held, +1 or -1; reversal of xi.
+        End => "end",
+        /// The end at which xi_bar is held.
+        EndBar => "end_bar",
+        /// The first component of d; mirror image.
+        X => "x",
+        /// The second component of d.
+        Y => "y",
+        /// The third component of d.
+        Z => "z",
+    }
 }
 
 by_name!(Symmetry);
@@ -65,56 +67,6 @@ by_name!(Symmetry);
 const ZERO: f64 = 1e-9;
 
 impl Symmetry {
-    /// All symmetries.
-    pub const ALL: [Self; 20] = [
-        Self::Side,
-        Self::Crossing,
-        Self::Xi,
-        Self::XiBar,
-        Self::Speed,
-        Self::SpeedBar,
-        Self::Curvature,
-        Self::CurvatureBar,
-        Self::Torsion,
-        Self::TorsionBar,
-        Self::Length,
-        Self::Radius,
-        Self::Slip,
-        Self::SlipBar,
-        Self::Gap,
-        Self::End,
-        Self::EndBar,
-        Self::X,
-        Self::Y,
-        Self::Z,
-    ];
-
-    /// The name in tables and records.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Side => "side",
-            Self::Crossing => "crossing",
-            Self::Xi => "xi",
-            Self::XiBar => "xi_bar",
-            Self::Speed => "speed",
-            Self::SpeedBar => "speed_bar",
-            Self::Curvature => "curvature",
-            Self::CurvatureBar => "curvature_bar",
-            Self::Torsion => "torsion",
-            Self::TorsionBar => "torsion_bar",
-            Self::Length => "length",
-            Self::Radius => "radius",
-            Self::Slip => "slip",
-            Self::SlipBar => "slip_bar",
-            Self::Gap => "gap",
-            Self::End => "end",
-            Self::EndBar => "end_bar",
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Z => "z",
-        }
-    }
-
     /// The quantity, and what a positive and a negative sign mean.
     pub fn sides(self) -> [&'static str; 3] {
         match self {

@@ -6,30 +6,32 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// A kind of pair, chosen for the faults that other kinds do not detect.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Regime {
-    /// Lengths near 1, moderate bending, crossing at a wide angle.
-    Generic,
-    /// A distance of 1e-4 to 1e-2 of the length.
-    Slender,
-    /// Bent by 1e-6 to 1e-3 radians only. Arcs and helices are then wound about an axis far away.
-    NearlyStraight,
-    /// Bent by 2 to 5 radians.
-    StronglyCurved,
-    /// Crossing at an angle of 1e-4 to 1e-1 radians.
-    NearlyParallel,
-    /// A distance of 1e-8 to 1e-3 of the length.
-    NearlyCrossing,
-    /// The crossing within 1e-6 to 1e-1 of an end of one beam or both, or beyond it.
-    NearEnd,
-    /// A fibre measured in metres: lengths near 1e-6.
-    Metres,
-    /// Measured in millimetres: lengths near 1e3.
-    Millimetres,
-    /// A generic pair with up to three of its dofs, and of its directions, times 1e-8 to 1e8, some of them negative: one
-    /// control point far away, say, or end parameters within 1e-9 of an end.
-    BadlyScaled,
+enumeration! {
+    /// A kind of pair, chosen for the faults that other kinds do not detect.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Regime {
+        /// Lengths near 1, moderate bending, crossing at a wide angle.
+        Generic => "generic",
+        /// A distance of 1e-4 to 1e-2 of the length.
+        Slender => "slender",
+        /// Bent by 1e-6 to 1e-3 radians only. Arcs and helices are then wound about an axis far away.
+        NearlyStraight => "nearly-straight",
+        /// Bent by 2 to 5 radians.
+        StronglyCurved => "strongly-curved",
+        /// Crossing at an angle of 1e-4 to 1e-1 radians.
+        NearlyParallel => "nearly-parallel",
+        /// A distance of 1e-8 to 1e-3 of the length.
+        NearlyCrossing => "nearly-crossing",
+        /// The crossing within 1e-6 to 1e-1 of an end of one beam or both, or beyond it.
+        NearEnd => "near-end",
+        /// A fibre measured in metres: lengths near 1e-6.
+        Metres => "metres",
+        /// Measured in millimetres: lengths near 1e3.
+        Millimetres => "millimetres",
+        /// A generic pair with up to three of its dofs, and of its directions, times 1e-8 to 1e8, some of them negative: one
+        /// control point far away, say, or end parameters within 1e-9 of an end.
+        BadlyScaled => "badly-scaled",
+    }
 }
 
 /// The drawn numbers of a regime.
@@ -59,39 +61,9 @@ pub(super) struct Draw {
 by_name!(Regime);
 
 impl Regime {
-    /// All regimes.
-    pub const ALL: [Self; 10] = [
-        Self::Generic,
-        Self::Slender,
-        Self::NearlyStraight,
-        Self::StronglyCurved,
-        Self::NearlyParallel,
-        Self::NearlyCrossing,
-        Self::NearEnd,
-        Self::Metres,
-        Self::Millimetres,
-        Self::BadlyScaled,
-    ];
-
     /// The regime of this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|regime| regime.name() == name)
-    }
-
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Generic => "generic",
-            Self::Slender => "slender",
-            Self::NearlyStraight => "nearly-straight",
-            Self::StronglyCurved => "strongly-curved",
-            Self::NearlyParallel => "nearly-parallel",
-            Self::NearlyCrossing => "nearly-crossing",
-            Self::NearEnd => "near-end",
-            Self::Metres => "metres",
-            Self::Millimetres => "millimetres",
-            Self::BadlyScaled => "badly-scaled",
-        }
     }
 
     /// The pairs of beams that it draws, in words.

@@ -6,38 +6,22 @@ use crate::source_fault::source_fault;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// The part of a quantity that is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Order {
-    /// The value.
-    Value,
-    /// The first variations, delta and Delta.
-    First,
-    /// The second variation, Delta-delta.
-    Second,
-    /// Delta-delta against itself with the directions exchanged.
-    Symmetry,
-    /// Gradient and Hessian, contracted with the directions, against the variations.
-    Matrix,
-    /// What the library's public functions return, contracted with the directions, against the variations.
-    Function,
-}
-
-impl Order {
-    /// All orders.
-    pub const ALL: [Self; 6] =
-        [Self::Value, Self::First, Self::Second, Self::Symmetry, Self::Matrix, Self::Function];
-
-    /// The name, as tables have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Value => "value",
-            Self::First => "first",
-            Self::Second => "second",
-            Self::Symmetry => "symmetry",
-            Self::Matrix => "matrix",
-            Self::Function => "function",
-        }
+enumeration! {
+    /// The part of a quantity that is compared.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Order {
+        /// The value.
+        Value => "value",
+        /// The first variations, delta and Delta.
+        First => "first",
+        /// The second variation, Delta-delta.
+        Second => "second",
+        /// Delta-delta against itself with the directions exchanged.
+        Symmetry => "symmetry",
+        /// Gradient and Hessian, contracted with the directions, against the variations.
+        Matrix => "matrix",
+        /// What the library's public functions return, contracted with the directions, against the variations.
+        Function => "function",
     }
 }
 

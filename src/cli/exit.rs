@@ -1,7 +1,9 @@
 //! The meaning of the exit code.
 
-/// The exit codes of all subcommands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+use clap::ValueEnum;
+
+/// The exit codes of all subcommands. Clap lists them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 #[repr(u8)]
 pub(crate) enum Exit {
     /// All that was asked is compared and agrees. Points that could not be compared are reported, with a warning if they
@@ -24,16 +26,6 @@ pub(crate) enum Exit {
 }
 
 impl Exit {
-    const ALL: [Self; 7] = [
-        Self::Agree,
-        Self::Disagree,
-        Self::Usage,
-        Self::Input,
-        Self::Nothing,
-        Self::Untrusted,
-        Self::Internal,
-    ];
-
     /// The meaning of the code.
     pub(crate) fn meaning(self) -> &'static str {
         match self {
@@ -49,7 +41,8 @@ impl Exit {
 
     /// The codes, as the help prints them.
     pub(crate) fn help() -> String {
-        let rows = Self::ALL.map(|exit| format!("  {:>2}  {}", exit as u8, exit.meaning()));
+        let row = |exit: &Self| format!("  {:>2}  {}", *exit as u8, exit.meaning());
+        let rows: Vec<String> = Self::value_variants().iter().map(row).collect();
         format!("Exit codes:\n{}", rows.join("\n"))
     }
 }

@@ -110,61 +110,44 @@ pub(super) fn result(mut found: ClosestPoints) -> ClosestPoints {
     found
 }
 
-/// A fault of the search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum SearchFault {
-    /// The bound of the third derivative reads the first dof at every place.
-    BoundOfFirstDof,
-    /// The bound of the third derivative has a fifth of its size.
-    BoundOfFifth,
-    /// A box counts as one with at most one stationary point up to ten times the limit.
-    UniquenessLoosened,
-    /// The end xi = 1 is not searched.
-    EndForgotten,
-    /// The four corners are not searched.
-    CornersForgotten,
-    /// Newton's method starts from xi of the box in both parameters.
-    BarStartsFromBeam,
-    /// The parameters are off by 1e-8, as if the last step was left out.
-    LastStepLeftOut,
-    /// A point at an end is listed if the distance decreases into the beam.
-    MultiplierIgnored,
-    /// Saddles are listed as minima.
-    SaddlesListed,
-    /// The last minimum is listed twice.
-    ListedTwice,
-    /// Only the nearest minimum is listed.
-    OnlyNearest,
-    /// The farthest minimum is listed first.
-    OrderReversed,
-    /// The distance of a minimum is squared.
-    DistanceSquared,
-    /// The distance of an open region is too large by a thousandth.
-    RegionDistance,
-    /// Open regions are not listed.
-    RegionsDropped,
+enumeration! {
+    /// A fault of the search.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum SearchFault {
+        /// The bound of the third derivative reads the first dof at every place.
+        BoundOfFirstDof => "bound-of-first-dof",
+        /// The bound of the third derivative has a fifth of its size.
+        BoundOfFifth => "bound-of-fifth",
+        /// A box counts as one with at most one stationary point up to ten times the limit.
+        UniquenessLoosened => "uniqueness-loosened",
+        /// The end xi = 1 is not searched.
+        EndForgotten => "end-forgotten",
+        /// The four corners are not searched.
+        CornersForgotten => "corners-forgotten",
+        /// Newton's method starts from xi of the box in both parameters.
+        BarStartsFromBeam => "bar-start-of-beam",
+        /// The parameters are off by 1e-8, as if the last step was left out.
+        LastStepLeftOut => "last-step-left-out",
+        /// A point at an end is listed if the distance decreases into the beam.
+        MultiplierIgnored => "multiplier-ignored",
+        /// Saddles are listed as minima.
+        SaddlesListed => "saddles-listed",
+        /// The last minimum is listed twice.
+        ListedTwice => "listed-twice",
+        /// Only the nearest minimum is listed.
+        OnlyNearest => "only-nearest",
+        /// The farthest minimum is listed first.
+        OrderReversed => "order-reversed",
+        /// The distance of a minimum is squared.
+        DistanceSquared => "distance-squared",
+        /// The distance of an open region is too large by a thousandth.
+        RegionDistance => "region-distance",
+        /// Open regions are not listed.
+        RegionsDropped => "regions-dropped",
+    }
 }
 
 impl SearchFault {
-    /// All faults.
-    pub const ALL: [Self; 15] = [
-        Self::BoundOfFirstDof,
-        Self::BoundOfFifth,
-        Self::UniquenessLoosened,
-        Self::EndForgotten,
-        Self::CornersForgotten,
-        Self::BarStartsFromBeam,
-        Self::LastStepLeftOut,
-        Self::MultiplierIgnored,
-        Self::SaddlesListed,
-        Self::ListedTwice,
-        Self::OnlyNearest,
-        Self::OrderReversed,
-        Self::DistanceSquared,
-        Self::RegionDistance,
-        Self::RegionsDropped,
-    ];
-
     /// What is wrong, as a sentence about the search.
     pub fn what(self) -> &'static str {
         match self {
@@ -187,27 +170,6 @@ impl SearchFault {
             Self::DistanceSquared => "gives the square of the distance",
             Self::RegionDistance => "gives a distance of an open region that is too large by a thousandth",
             Self::RegionsDropped => "does not list open regions",
-        }
-    }
-
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::BoundOfFirstDof => "bound-of-first-dof",
-            Self::BoundOfFifth => "bound-of-fifth",
-            Self::UniquenessLoosened => "uniqueness-loosened",
-            Self::EndForgotten => "end-forgotten",
-            Self::CornersForgotten => "corners-forgotten",
-            Self::BarStartsFromBeam => "bar-start-of-beam",
-            Self::LastStepLeftOut => "last-step-left-out",
-            Self::MultiplierIgnored => "multiplier-ignored",
-            Self::SaddlesListed => "saddles-listed",
-            Self::ListedTwice => "listed-twice",
-            Self::OnlyNearest => "only-nearest",
-            Self::OrderReversed => "order-reversed",
-            Self::DistanceSquared => "distance-squared",
-            Self::RegionDistance => "region-distance",
-            Self::RegionsDropped => "regions-dropped",
         }
     }
 }

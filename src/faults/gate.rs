@@ -27,48 +27,24 @@ const ABOVE: f64 = 4.0;
 /// The largest median of the smallest detected errors. It is a thousand times what the tolerances are.
 const LARGEST_MEDIAN: f64 = 1e-9;
 
-/// What the gate compares.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Compared {
-    /// The closest points that the search finds.
-    Minima,
-    /// The values, with three routes of automatic differentiation.
-    Values,
-    /// The first variations.
-    First,
-    /// The second variations.
-    Second,
-    /// The second variations with the directions exchanged.
-    Symmetry,
-    /// Gradients and Hessians.
-    Matrices,
-    /// What the functions of the library return.
-    Functions,
-}
-
-impl Compared {
-    /// All kinds.
-    pub const ALL: [Self; 7] = [
-        Self::Minima,
-        Self::Values,
-        Self::First,
-        Self::Second,
-        Self::Symmetry,
-        Self::Matrices,
-        Self::Functions,
-    ];
-
-    /// The name in tables and records.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Minima => "closest points",
-            Self::Values => "values",
-            Self::First => "first variations",
-            Self::Second => "second variations",
-            Self::Symmetry => "symmetry",
-            Self::Matrices => "gradients and Hessians",
-            Self::Functions => "functions",
-        }
+enumeration! {
+    /// What the gate compares.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Compared {
+        /// The closest points that the search finds.
+        Minima => "closest points",
+        /// The values, with three routes of automatic differentiation.
+        Values => "values",
+        /// The first variations.
+        First => "first variations",
+        /// The second variations.
+        Second => "second variations",
+        /// The second variations with the directions exchanged.
+        Symmetry => "symmetry",
+        /// Gradients and Hessians.
+        Matrices => "gradients and Hessians",
+        /// What the functions of the library return.
+        Functions => "functions",
     }
 }
 

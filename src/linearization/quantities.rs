@@ -84,55 +84,43 @@ impl<S: Scalar> Quantities<S> {
     }
 }
 
-/// The name of a quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum Quantity {
-    /// x_C.
-    X,
-    /// x_bar_C.
-    XBar,
-    /// d, the vector.
-    DVector,
-    /// t = x_C,xi, the vector.
-    TVector,
-    /// t_bar = x_bar_C,xi_bar, the vector.
-    TBarVector,
-    /// d.
-    D,
-    /// t.
-    T,
-    /// t_bar.
-    TBar,
-    /// xi_C.
-    Xi,
-    /// xi_bar_C.
-    XiBar,
-    /// g_N.
-    GN,
-    /// g_T.
-    GT,
-    /// g_T_bar.
-    GTBar,
+enumeration! {
+    /// The name of a quantity, in the order of [`Quantities`].
+    ///
+    /// It ends in `_vector` if a vector and its length have the same letter.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[non_exhaustive]
+    pub enum Quantity {
+        /// x_C.
+        X => "x",
+        /// x_bar_C.
+        XBar => "x_bar",
+        /// d, the vector.
+        DVector => "d_vector",
+        /// t = x_C,xi, the vector.
+        TVector => "t_vector",
+        /// t_bar = x_bar_C,xi_bar, the vector.
+        TBarVector => "t_bar_vector",
+        /// d.
+        D => "d",
+        /// t.
+        T => "t",
+        /// t_bar.
+        TBar => "t_bar",
+        /// xi_C.
+        Xi => "xi",
+        /// xi_bar_C.
+        XiBar => "xi_bar",
+        /// g_N.
+        GN => "g_N",
+        /// g_T.
+        GT => "g_T",
+        /// g_T_bar.
+        GTBar => "g_T_bar",
+    }
 }
 
 impl Quantity {
-    /// All quantities, in the order of [`Quantities`].
-    pub const ALL: [Self; 13] = [
-        Self::X,
-        Self::XBar,
-        Self::DVector,
-        Self::TVector,
-        Self::TBarVector,
-        Self::D,
-        Self::T,
-        Self::TBar,
-        Self::Xi,
-        Self::XiBar,
-        Self::GN,
-        Self::GT,
-        Self::GTBar,
-    ];
     /// The quantity to which a number of [`Quantities::components`] belongs.
     ///
     /// # Panics
@@ -151,25 +139,6 @@ impl Quantity {
     /// The axis of a number of [`Quantities::components`], if it belongs to a vector.
     pub fn axis_of_component(component: usize) -> Option<char> {
         (component < 3 * VECTORS).then(|| ['x', 'y', 'z'][component % 3])
-    }
-
-    /// The name, with `_vector` if a vector and its length have the same letter.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::X => "x",
-            Self::XBar => "x_bar",
-            Self::DVector => "d_vector",
-            Self::TVector => "t_vector",
-            Self::TBarVector => "t_bar_vector",
-            Self::D => "d",
-            Self::T => "t",
-            Self::TBar => "t_bar",
-            Self::Xi => "xi",
-            Self::XiBar => "xi_bar",
-            Self::GN => "g_N",
-            Self::GT => "g_T",
-            Self::GTBar => "g_T_bar",
-        }
     }
 }
 

@@ -8,34 +8,20 @@ use crate::variant::SCALAR_COMPONENTS;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-/// The part of a quantity that is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Layer {
-    /// The value.
-    Value,
-    /// delta and Delta.
-    First,
-    /// Delta-delta.
-    Second,
-    /// Gradient and Hessian, contracted with the directions.
-    Matrix,
-    /// Value, gradient and Hessian by the kernel, contracted in the same way.
-    Kernel,
-}
-
-impl Layer {
-    /// All layers.
-    pub const ALL: [Self; 5] = [Self::Value, Self::First, Self::Second, Self::Matrix, Self::Kernel];
-
-    /// The name, as tables have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Value => "value",
-            Self::First => "first",
-            Self::Second => "second",
-            Self::Matrix => "matrix",
-            Self::Kernel => "kernel",
-        }
+enumeration! {
+    /// The part of a quantity that is compared.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Layer {
+        /// The value.
+        Value => "value",
+        /// delta and Delta.
+        First => "first",
+        /// Delta-delta.
+        Second => "second",
+        /// Gradient and Hessian, contracted with the directions.
+        Matrix => "matrix",
+        /// Value, gradient and Hessian by the kernel, contracted in the same way.
+        Kernel => "kernel",
     }
 }
 

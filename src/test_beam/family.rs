@@ -1,65 +1,35 @@
 //! The curve families of the check: their names, their parameters, and the units of their dofs.
 
-/// A family of curves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Family {
-    /// Straight segment, 6 dofs.
-    Segment,
-    /// Quadratic Lagrange, 9 dofs.
-    Quadratic,
-    /// Cubic Lagrange, 12 dofs.
-    Cubic,
-    /// Cubic Hermite with tangents d x/d xi, 12 dofs.
-    Hermite,
-    /// Cubic Hermite with tangents scaled by a reference length, 12 dofs.
-    HermiteScaled,
-    /// Bezier of degree 5, 18 dofs.
-    Bezier,
-    /// Span of a cubic B-spline, 12 dofs.
-    BSpline,
-    /// Span of a quadratic NURBS with fixed weights, 9 dofs.
-    Nurbs,
-    /// Span of a cubic NURBS with its weights as dofs, 16 dofs.
-    NurbsWeighted,
-    /// Circular arc, 9 dofs.
-    Arc,
-    /// Helix, 10 dofs.
-    Helix,
+enumeration! {
+    /// A family of curves.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Family {
+        /// Straight segment, 6 dofs.
+        Segment => "segment",
+        /// Quadratic Lagrange, 9 dofs.
+        Quadratic => "quadratic",
+        /// Cubic Lagrange, 12 dofs.
+        Cubic => "cubic",
+        /// Cubic Hermite with tangents d x/d xi, 12 dofs.
+        Hermite => "hermite",
+        /// Cubic Hermite with tangents scaled by a reference length, 12 dofs.
+        HermiteScaled => "hermite-scaled",
+        /// Bezier of degree 5, 18 dofs.
+        Bezier => "bezier",
+        /// Span of a cubic B-spline, 12 dofs.
+        BSpline => "bspline",
+        /// Span of a quadratic NURBS with fixed weights, 9 dofs.
+        Nurbs => "nurbs",
+        /// Span of a cubic NURBS with its weights as dofs, 16 dofs.
+        NurbsWeighted => "nurbs-weighted",
+        /// Circular arc, 9 dofs.
+        Arc => "arc",
+        /// Helix, 10 dofs.
+        Helix => "helix",
+    }
 }
 
 impl Family {
-    /// All families.
-    pub const ALL: [Self; 11] = [
-        Self::Segment,
-        Self::Quadratic,
-        Self::Cubic,
-        Self::Hermite,
-        Self::HermiteScaled,
-        Self::Bezier,
-        Self::BSpline,
-        Self::Nurbs,
-        Self::NurbsWeighted,
-        Self::Arc,
-        Self::Helix,
-    ];
-
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Segment => "segment",
-            Self::Quadratic => "quadratic",
-            Self::Cubic => "cubic",
-            Self::Hermite => "hermite",
-            Self::HermiteScaled => "hermite-scaled",
-            Self::Bezier => "bezier",
-            Self::BSpline => "bspline",
-            Self::Nurbs => "nurbs",
-            Self::NurbsWeighted => "nurbs-weighted",
-            Self::Arc => "arc",
-            Self::Helix => "helix",
-        }
-    }
-
     /// Whether its curves are linear in their dofs.
     pub fn is_linear(self) -> bool {
         !matches!(self, Self::NurbsWeighted | Self::Arc | Self::Helix)

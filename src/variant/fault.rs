@@ -4,54 +4,30 @@ use crate::number::Label;
 use std::fmt;
 use thiserror::Error;
 
-/// The kind of error in a term.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Kind {
-    /// It has the wrong sign.
-    Sign,
-    /// It is missing.
-    Dropped,
-    /// It is doubled.
-    Doubled,
-    /// It is halved.
-    Halved,
-    /// Its directions are exchanged, delta for Delta. In a product of Jacobians, their orders are exchanged.
-    Transposed,
-    /// Its beams are exchanged.
-    Swapped,
-    /// It uses the beam instead of the bar beam.
-    BarForgotten,
-    /// It is evaluated at the parameters of the step before.
-    Stale,
+enumeration! {
+    /// The kind of error in a term.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Kind {
+        /// It has the wrong sign.
+        Sign => "sign",
+        /// It is missing.
+        Dropped => "dropped",
+        /// It is doubled.
+        Doubled => "doubled",
+        /// It is halved.
+        Halved => "halved",
+        /// Its directions are exchanged, delta for Delta. In a product of Jacobians, their orders are exchanged.
+        Transposed => "transposed",
+        /// Its beams are exchanged.
+        Swapped => "swapped",
+        /// It uses the beam instead of the bar beam.
+        BarForgotten => "bar-forgotten",
+        /// It is evaluated at the parameters of the step before.
+        Stale => "stale",
+    }
 }
 
 impl Kind {
-    /// All kinds.
-    pub const ALL: [Self; 8] = [
-        Self::Sign,
-        Self::Dropped,
-        Self::Doubled,
-        Self::Halved,
-        Self::Transposed,
-        Self::Swapped,
-        Self::BarForgotten,
-        Self::Stale,
-    ];
-
-    /// The name, as tables and the command line have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sign => "sign",
-            Self::Dropped => "dropped",
-            Self::Doubled => "doubled",
-            Self::Halved => "halved",
-            Self::Transposed => "transposed",
-            Self::Swapped => "swapped",
-            Self::BarForgotten => "bar-forgotten",
-            Self::Stale => "stale",
-        }
-    }
-
     /// The factor on the term; nothing if its operands are wrong instead.
     pub(crate) fn factor(self) -> Option<f64> {
         match self {

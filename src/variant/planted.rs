@@ -6,21 +6,20 @@ use crate::number::{Label, Real, TermChange, recorded_terms, with_terms};
 use crate::pair::Contact;
 use std::rc::Rc;
 
-/// The beams and parameters of an evaluation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Step {
-    /// Both at the closest point.
-    Now,
-    /// Both at the parameters of the step before.
-    Before,
-    /// At the closest point, but the beam in place of the bar beam.
-    Forgotten,
+enumeration! {
+    /// The beams and parameters of an evaluation.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub(crate) enum Step {
+        /// Both at the closest point.
+        Now,
+        /// Both at the parameters of the step before.
+        Before,
+        /// At the closest point, but the beam in place of the bar beam.
+        Forgotten,
+    }
 }
 
 impl Step {
-    /// All steps, in the order of their numbers.
-    pub(crate) const ALL: [Self; 3] = [Self::Now, Self::Before, Self::Forgotten];
-
     /// The beams and parameters of this step, if the given ones are at their closest point.
     pub(crate) fn place<B: ?Sized, T: Real>(self, [beam, bar]: [&B; 2], at: (T, T)) -> ([&B; 2], (T, T)) {
         match self {

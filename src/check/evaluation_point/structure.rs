@@ -9,20 +9,17 @@ use crate::test_beam::{Padded, PaddedBeam, map_padded};
 use crate::variant::{SCALARS, Step, contracted};
 use nalgebra::Vector3;
 
-/// A simplification.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::check) enum Structure {
-    /// The parameters of the closest point do not vary.
-    FixedParameters,
-    /// The curves are straight at the closest point: t,xi and higher derivatives are zero.
-    Straight,
-    /// The curves are linear in their dofs.
-    LinearInDofs,
-}
-
-impl Structure {
-    /// All simplifications.
-    pub(in crate::check) const ALL: [Self; 3] = [Self::FixedParameters, Self::Straight, Self::LinearInDofs];
+enumeration! {
+    /// A simplification.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub(in crate::check) enum Structure {
+        /// The parameters of the closest point do not vary.
+        FixedParameters,
+        /// The curves are straight at the closest point: t,xi and higher derivatives are zero.
+        Straight,
+        /// The curves are linear in their dofs.
+        LinearInDofs,
+    }
 }
 
 impl EvaluationPoint<'_> {

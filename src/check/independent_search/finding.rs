@@ -19,64 +19,34 @@ pub struct SearchFinding {
     pub independent: f64,
 }
 
-/// The kinds of these differences.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum SearchFindingKind {
-    /// A minimum that the independent search found is not listed.
-    NotListed,
-    /// A nearer point exists, and no region that contains it was left open.
-    Nearer,
-    /// The gradient of the distance does not vanish at a listed minimum.
-    NotStationary,
-    /// A listed minimum is a saddle or a maximum.
-    NotMinimum,
-    /// A listed parameter is held at an end, but the distance decreases from there into the beam.
-    HeldInward,
-    /// A listed minimum is none of the minima that the independent search found.
-    Unknown,
-    /// A minimum is listed twice.
-    Twice,
-    /// The listed minima are not in the order of their distances.
-    Order,
-    /// The distance of a listed minimum is wrong.
-    Distance,
-    /// The smallest distance of an open region is wrong.
-    RegionDistance,
+enumeration! {
+    /// The kinds of these differences.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum SearchFindingKind {
+        /// A minimum that the independent search found is not listed.
+        NotListed => "not-listed",
+        /// A nearer point exists, and no region that contains it was left open.
+        Nearer => "nearer",
+        /// The gradient of the distance does not vanish at a listed minimum.
+        NotStationary => "not-stationary",
+        /// A listed minimum is a saddle or a maximum.
+        NotMinimum => "not-minimum",
+        /// A listed parameter is held at an end, but the distance decreases from there into the beam.
+        HeldInward => "held-inward",
+        /// A listed minimum is none of the minima that the independent search found.
+        Unknown => "unknown",
+        /// A minimum is listed twice.
+        Twice => "twice",
+        /// The listed minima are not in the order of their distances.
+        Order => "order",
+        /// The distance of a listed minimum is wrong.
+        Distance => "distance",
+        /// The smallest distance of an open region is wrong.
+        RegionDistance => "region-distance",
+    }
 }
 
 by_name!(SearchFindingKind);
-
-impl SearchFindingKind {
-    /// All kinds.
-    pub const ALL: [Self; 10] = [
-        Self::NotListed,
-        Self::Nearer,
-        Self::NotStationary,
-        Self::NotMinimum,
-        Self::HeldInward,
-        Self::Unknown,
-        Self::Twice,
-        Self::Order,
-        Self::Distance,
-        Self::RegionDistance,
-    ];
-
-    /// The name in tables and in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NotListed => "not-listed",
-            Self::Nearer => "nearer",
-            Self::NotStationary => "not-stationary",
-            Self::NotMinimum => "not-minimum",
-            Self::HeldInward => "held-inward",
-            Self::Unknown => "unknown",
-            Self::Twice => "twice",
-            Self::Order => "order",
-            Self::Distance => "distance",
-            Self::RegionDistance => "region-distance",
-        }
-    }
-}
 
 impl fmt::Display for SearchFinding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -23,42 +23,25 @@ const OF_A_KIND: usize = 2;
 /// The maximum number of cases that are drawn.
 const DRAWN: u64 = 1200;
 
-/// Whether the faults of a program were named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Naming {
-    /// Only they were named.
-    First,
-    /// They were named together with others that yield the same results for all beams.
-    Equivalent,
-    /// They were named together with others that yield the same numbers at these cases, but not elsewhere.
-    Among,
-    /// One of two faults was named. The other one changes the numbers at these cases by no more than a thousandth of the
-    /// deviation.
-    Fewer,
-    /// Only other faults were named.
-    Other,
-    /// Nothing was named.
-    None,
-    /// All answers agree: these cases do not detect the faults.
-    Undetected,
-}
-
-impl Naming {
-    /// All values.
-    pub const ALL: [Self; 7] =
-        [Self::First, Self::Equivalent, Self::Among, Self::Fewer, Self::Other, Self::None, Self::Undetected];
-
-    /// The name, as tables have it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::First => "first",
-            Self::Equivalent => "equivalent",
-            Self::Among => "among",
-            Self::Fewer => "fewer",
-            Self::Other => "other",
-            Self::None => "none",
-            Self::Undetected => "undetected",
-        }
+enumeration! {
+    /// Whether the faults of a program were named.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Naming {
+        /// Only they were named.
+        First => "first",
+        /// They were named together with others that yield the same results for all beams.
+        Equivalent => "equivalent",
+        /// They were named together with others that yield the same numbers at these cases, but not elsewhere.
+        Among => "among",
+        /// One of two faults was named. The other one changes the numbers at these cases by no more than a thousandth of the
+        /// deviation.
+        Fewer => "fewer",
+        /// Only other faults were named.
+        Other => "other",
+        /// Nothing was named.
+        None => "none",
+        /// All answers agree: these cases do not detect the faults.
+        Undetected => "undetected",
     }
 }
 
