@@ -44,7 +44,7 @@ pub use arc::Arc;
 pub use claim::Claim;
 pub use record::{Counts, EquationRow, EquationTable, Part, Run, Score};
 pub use run::{CASES, DRAWS, equation_table};
-pub use source::{Place, SOURCES, named, places};
+pub use source::{Definition, Place, SOURCES, definition, named, places};
 pub use standard::StandardCase;
 pub use table::{Kind, Order, Reading};
 pub use verdict::{Symmetry, Verdict};

@@ -8,7 +8,9 @@ use super::outcome::{Entry, Outcome, Source, State, Verdict as Amounts};
 use super::output::OutputOptions;
 use super::progress::Progress;
 use super::terminal::folded;
-use beamgap::equations::{self as record, CASES, Counts, DRAWS, EquationRow, Order, Run, Score, Verdict};
+use beamgap::equations::{
+    self as record, CASES, Counts, DRAWS, EquationRow, Order, Place, Run, Score, Verdict,
+};
 use beamgap::report::{self, Environment, Equations, Record, Table};
 use clap::{Args, value_parser};
 use std::fmt::Write;
@@ -228,7 +230,15 @@ fn whole(entry: &EquationRow, latex: bool) -> String {
         let _ = writeln!(text, "  {:<14}  slip {}: {:.1e}, {ratio}", arc.family, arc.slip, arc.error);
     }
     text.push_str("\nWhere\n");
-    for place in &entry.places {
+    let definition = record::definition(entry.number);
+    if let Some(record::Definition { file, item, from, to, .. }) = definition {
+        let _ = writeln!(text, "  src/{file}:{from}-{to}  {item}");
+    }
+    // The definition includes its attributes.
+    let is_attribute = |place: &&Place| {
+        definition.is_some_and(|of| place.file == of.file && (of.from..of.line).contains(&place.line))
+    };
+    for place in entry.places.iter().filter(|place| !is_attribute(place)) {
         let _ = writeln!(text, "  src/{}:{}  {}", place.file, place.line, place.item);
     }
     text

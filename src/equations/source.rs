@@ -53,15 +53,51 @@ pub fn places() -> BTreeMap<u8, Vec<Place>> {
         let lines: Vec<&str> = text.lines().collect();
         for (i, line) in lines.iter().enumerate() {
             for number in named(line) {
-                let tag = line.trim_start().starts_with("#[doc(alias");
-                let item = if tag { below(&lines, i) } else { above(&lines, i).or_else(|| below(&lines, i)) };
-                let item = item.unwrap_or_default().to_owned();
+                let item = item(&lines, i).and_then(|at| name(lines[at])).unwrap_or_default().to_owned();
                 let kinds = found.entry(number).or_default();
-                kinds[usize::from(tag)].push(Place { file: (*file).to_owned(), item, line: i + 1 });
+                kinds[usize::from(is_tag(line))].push(Place { file: (*file).to_owned(), item, line: i + 1 });
             }
         }
     }
     found.into_iter().map(|(number, [lines, tags])| (number, [lines, tags].concat())).collect()
+}
+
+/// The function that computes the result of an equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Definition {
+    /// The file, below `src`.
+    pub file: &'static str,
+    /// The name of the function, or of a type if only that has the tag of the equation.
+    pub item: &'static str,
+    /// The first line of its documentation.
+    pub from: usize,
+    /// The line with its name.
+    pub line: usize,
+    /// Its last line.
+    pub to: usize,
+}
+
+/// The first function with the tag of the equation, otherwise the first one with a line that computes it.
+pub fn definition(number: u8) -> Option<Definition> {
+    let found = places().remove(&number)?.into_iter().filter_map(|place| {
+        let (file, text) = SOURCES.iter().find(|(file, _)| *file == place.file)?;
+        let lines: Vec<&str> = text.lines().collect();
+        let at = item(&lines, place.line - 1)?;
+        let (from, to) = span(&lines, at);
+        let is_function = lines[at].split_whitespace().any(|word| word == "fn");
+        let definition = Definition { file, item: name(lines[at])?, from, line: at + 1, to };
+        Some(((!is_function, !is_tag(lines[place.line - 1])), definition))
+    });
+    found.min_by_key(|(order, _)| *order).map(|(_, definition)| definition)
+}
+
+/// The first and the last line of an item with its documentation and attributes.
+fn span(lines: &[&str], at: usize) -> (usize, usize) {
+    let is_about = |line: &&&str| ["///", "#["].iter().any(|mark| line.trim_start().starts_with(mark));
+    let about = lines[..at].iter().rev().take_while(is_about).count();
+    let is_end = |line: &&str| indent(line) == indent(lines[at]) && line.ends_with(['}', ';']);
+    let below = lines[at..].iter().position(is_end).unwrap_or_default();
+    (at - about + 1, at + below + 1)
 }
 
 /// The equations that a line names: `Eq. (4), (5)`, `Eq. (4)-(15)`, `Eq. (40), from (38) and (39)`.
@@ -95,20 +131,33 @@ fn name(line: &str) -> Option<&str> {
     ["fn", "struct", "enum", "trait", "type"].contains(&word).then(|| words.next())?
 }
 
+fn is_tag(line: &str) -> bool {
+    line.trim_start().starts_with("#[doc(alias")
+}
+
+fn indent(line: &str) -> usize {
+    line.len() - line.trim_start().len()
+}
+
+/// The line of the item that a tag or a comment belongs to.
+fn item(lines: &[&str], at: usize) -> Option<usize> {
+    let around = if is_tag(lines[at]) { None } else { above(lines, at) };
+    around.or_else(|| below(lines, at))
+}
+
 /// The function that contains a comment: the nearest above it with less indentation.
-fn above<'a>(lines: &[&'a str], at: usize) -> Option<&'a str> {
-    let indent = |line: &str| line.len() - line.trim_start().len();
-    lines[..at].iter().rev().filter(|line| indent(line) < indent(lines[at])).find_map(|line| name(line))
+fn above(lines: &[&str], at: usize) -> Option<usize> {
+    (0..at).rev().find(|&i| indent(lines[i]) < indent(lines[at]) && name(lines[i]).is_some())
 }
 
 /// The item that follows a tag.
-fn below<'a>(lines: &[&'a str], at: usize) -> Option<&'a str> {
-    lines[at + 1..].iter().find_map(|line| name(line))
+fn below(lines: &[&str], at: usize) -> Option<usize> {
+    (at + 1..lines.len()).find(|&i| name(lines[i]).is_some())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{SOURCES, above, below, name, named, places};
+    use super::{SOURCES, above, below, definition, name, named, places};
 
     #[test]
     fn the_first_word_after_what_begins_an_item_is_its_name() {
@@ -132,10 +181,9 @@ mod tests {
             "    }",
             "    fn after() {}",
         ];
-        assert_eq!(above(&lines, 4), Some("around"));
-        assert_eq!(below(&lines, 4), Some("after"));
+        assert_eq!((above(&lines, 4), below(&lines, 4)), (Some(2), Some(7)));
         assert_eq!((above(&lines, 0), below(&lines, 7)), (None, None));
-        assert_eq!(below(&lines, 1), Some("around"));
+        assert_eq!(below(&lines, 1), Some(2));
     }
 
     #[test]
@@ -158,6 +206,24 @@ mod tests {
         }
         let lines = SOURCES.iter().flat_map(|(_, text)| text.lines());
         assert_eq!(found, lines.map(|line| named(line).len()).sum::<usize>());
+    }
+
+    #[test]
+    fn the_definition_of_an_equation_names_it_and_its_function() {
+        for number in 1..=59 {
+            let definition = definition(number).unwrap();
+            let (_, text) = SOURCES.iter().find(|(file, _)| *file == definition.file).unwrap();
+            let lines: Vec<&str> = text.lines().collect();
+            let shown = &lines[definition.from - 1..definition.to];
+            assert!(shown.iter().any(|line| named(line).contains(&number)), "({number}): {definition:?}");
+            assert_eq!(name(lines[definition.line - 1]), Some(definition.item), "({number})");
+            // It begins with the documentation, and the braces are balanced.
+            assert!(shown[0].trim_start().starts_with("//"), "({number}): {definition:?}");
+            let count = |brace| shown.concat().matches(brace).count();
+            assert_eq!(count('{'), count('}'), "({number}): {definition:?}");
+        }
+        let item = |number| definition(number).unwrap().item;
+        assert_eq!([20, 40, 52, 59].map(item), ["delta_slip", "second_distance", "delta_xi", "second_xi"]);
     }
 
     #[test]

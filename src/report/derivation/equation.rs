@@ -3,7 +3,9 @@
 use super::letters::used;
 use super::source::{Snippet, of_equation};
 use super::text::{escaped, formula, inline, prose};
-use crate::equations::{EquationRow, Order, Reading, Symmetry, Verdict, Worked, WorkedPart, WorkedReading};
+use crate::equations::{
+    Definition, EquationRow, Order, Reading, Symmetry, Verdict, Worked, WorkedPart, WorkedReading, definition,
+};
 use crate::report::number::count;
 use std::fmt::Write;
 
@@ -93,27 +95,26 @@ fn dropped(row: &EquationRow) -> String {
     )
 }
 
-/// The lines of the source.
+/// The function that computes the equation, and the lines that do.
 fn code(snippet: &Snippet, number: u8) -> Result<String, String> {
     let Snippet { file, item, owner, code } = snippet;
-    let place = format!(
-        "<a href=\"../src/{file}\"><code>{}</code></a>, <code>{}</code>",
-        escaped(file),
-        escaped(item)
-    );
-    if code.is_empty() {
-        return Ok(format!("<p class=\"place\">In the code: {place}.</p>\n"));
-    }
+    let definition = definition(number).ok_or_else(|| format!("no function computes ({number})"))?;
+    let link = |file, lines: &str, item| {
+        let (place, item) = (escaped(&format!("{file}{lines}")), escaped(item));
+        format!("<a href=\"../src/{file}\"><code>{place}</code></a>, <code>{item}</code>")
+    };
+    let Definition { from, to, .. } = definition;
+    let mut place = link(definition.file, &format!(":{from}-{to}"), definition.item);
     if *owner != number {
-        return Ok(format!(
-            "<p class=\"place\">In the code: {place}; the lines are shown at {}.</p>\n",
-            inline(&format!("({owner})"))?
-        ));
+        let _ = write!(place, "; the lines are shown at {}.", inline(&format!("({owner})"))?);
+    } else if !code.is_empty() && (definition.file, definition.item) != (*file, item.as_str()) {
+        let _ = write!(place, "; lines of it in {}", link(file, "", item));
     }
-    Ok(format!(
-        "<p class=\"place\">In the code: {place}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n",
-        escaped(code)
-    ))
+    let mut text = format!("<p class=\"place\">In the code: {place}</p>\n");
+    if *owner == number && !code.is_empty() {
+        let _ = writeln!(text, "<pre tabindex=\"0\"><code>{}</code></pre>", escaped(code));
+    }
+    Ok(text)
 }
 
 /// The correct reading: the last of print, correction and completion.
