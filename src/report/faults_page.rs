@@ -10,6 +10,9 @@ use crate::faults::{Check, Detection, Limit};
 use crate::variant::{Kind, Rewrite};
 use std::collections::BTreeMap;
 
+/// The maximum number of formulas in a cell.
+const FORMULAS: usize = 6;
+
 impl Faults {
     /// The page. The same record always gives the same page.
     pub fn page(&self) -> Page {
@@ -40,7 +43,10 @@ impl Faults {
                 "A fault changes one term of one formula in the library's own code. `beamgap faults --list` lists all. \
                  `beamgap check --plant NAME` injects one. [Symbols](symbols.md) explains their names.",
             ),
-            Block::table(&["kind", "the term", "#faults"], kinds.collect()),
+            Block::details(
+                "Faults of each kind",
+                vec![Block::table(&["kind", "the term", "#faults"], kinds.collect())],
+            ),
         ]);
         blocks.extend(self.missed());
         blocks.extend(self.single_operations());
@@ -91,8 +97,10 @@ impl Faults {
             }
             let mut formulas: Vec<_> = formulas.into_iter().collect();
             formulas.sort_by_key(|&(name, count)| (usize::MAX - count, name));
-            let listed: Vec<_> =
-                formulas.iter().map(|(name, count)| format!("{count} in `{name}`")).collect();
+            let others: usize = formulas.iter().skip(FORMULAS).map(|(_, count)| count).sum();
+            let mut listed: Vec<_> =
+                formulas.iter().take(FORMULAS).map(|(name, count)| format!("{count} in `{name}`")).collect();
+            listed.extend((others > 0).then(|| format!("{others} in others")));
             let missed = format!("{} of {}", row.planted - row.detected, row.planted);
             Some(vec![check.name().to_owned(), regime_of(row), missed, listed.join(", ")])
         });
@@ -124,15 +132,15 @@ impl Faults {
             Block::heading("Faults of single operations"),
             Block::text(&format!(
                 "{} faults of single operations were injected over a prime field; {} are detected. The others change no result, each \
-                 for a reason below. An operation gets the opposite sign, or its result is zero, doubled or \
+                 for a stated reason. An operation gets the opposite sign, or its result is zero, doubled or \
                  one too large, or it is the result of another run: with directions exchanged, beams exchanged, the beam in \
                  place of the bar beam, or other parameters.",
                 count(faults as u64),
                 count(detected as u64)
             )),
-            Block::table(
-                &["reason why a fault changes no result", "#operations with such a fault"],
-                reasons.collect(),
+            Block::details(
+                "Why a fault changes no result",
+                vec![Block::table(&["reason", "#operations with such a fault"], reasons.collect())],
             ),
             Block::details(
                 "A sample in f64",
@@ -166,7 +174,7 @@ impl Faults {
                 "A detection limit is the smallest relative error of a term that the check detects, at the most sensitive point. \
                  [Symbols](symbols.md) explains the names of terms.",
             ),
-            Block::table(&head, rows.collect()),
+            Block::details("Detection limits by regime", vec![Block::table(&head, rows.collect())]),
         ]
     }
 }

@@ -96,6 +96,37 @@ fn the_guides_claim_what_was_found() {
     }
 }
 
+/// No report but the table of the equations and the benchmark is longer; details are in the records.
+#[test]
+fn reports_are_short() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
+    for entry in fs::read_dir(folder).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        let is_long = ["equations.md", "benchmark.md"].contains(&name.as_str());
+        if Path::new(&name).extension() == Some("md".as_ref()) && !is_long {
+            assert!(entry.metadata().unwrap().len() <= 12_000, "{name}");
+        }
+    }
+}
+
+#[test]
+fn the_mutants_are_counted_as_they_are_listed() {
+    let record: serde_json::Value = serde_json::from_str(&committed("mutants.json")).unwrap();
+    let rows = |list: &str| record[list].as_array().unwrap();
+    let sum = |list, of: &str| rows(list).iter().map(|row| row[of].as_u64().unwrap()).sum::<u64>();
+    for of in ["tried", "caught", "timeouts", "survived", "unviable"] {
+        assert_eq!(sum("areas", of), sum("files", of), "{of}");
+    }
+    let (caught, survived) = (sum("files", "caught"), sum("files", "survived"));
+    assert_eq!(rows("survivors").len() as u64, survived);
+    let all = caught + survived;
+    #[expect(clippy::cast_precision_loss, reason = "the counts are small")]
+    let share = 100.0 * caught as f64 / all as f64;
+    let claim = format!("{} of {} changes of the code, {share:.1} %", count(caught), count(all));
+    assert!(committed("mutants.md").contains(&claim), "mutants.md is to say: {claim}");
+}
+
 #[test]
 fn the_readme_is_short() {
     let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
