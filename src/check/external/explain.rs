@@ -108,7 +108,7 @@ pub fn explain(
     if !found.causes.is_empty() || found.is_faint {
         return Some(found);
     }
-    let Some(Some(traced)) = traced.into_inner() else { return Some(found) };
+    let Some(traced) = trace().clone() else { return Some(found) };
     let cause = |Reading { name, words, coefficient, .. }: Reading| Cause {
         name,
         words,

@@ -117,9 +117,9 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
     }
     let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
     let mut with_pairs = 0;
-    for &e in &wrong {
-        let equation = &equations[e];
-        let (mut found, mut words_of_triangle) = (examined(equation, &points, false), "");
+    let of_one_error: Vec<_> = wrong.par_iter().map(|e| examined(&equations[*e], &points, false)).collect();
+    for (&e, mut found) in wrong.iter().zip(of_one_error) {
+        let (equation, mut words_of_triangle) = (&equations[e], "");
         let in_entries = |with_pairs: bool| {
             let is_matrix = has_arrays && equation.results.iter().all(|(_, part)| *part == 3);
             entries.iter().filter(|_| is_matrix).find_map(|(along, samples)| {

@@ -81,15 +81,21 @@ impl Diagnosed {
         let Some(other) = other else { return explained(None) };
         let corrects_most = 2 * other.wrong <= other.wrong_before;
         let nearer = explained(Some(other));
-        if nearer.has_cause() {
+        if nearer.has_cause() && !nearer.has_two_errors() {
             return nearer;
         }
         let stated = explained(None);
-        if corrects_most && !stated.has_cause() { nearer } else { stated }
+        if (corrects_most || nearer.has_cause()) && !stated.has_cause() { nearer } else { stated }
     }
 
     fn has_cause(&self) -> bool {
         self.explanation.as_ref().is_some_and(|explanation| !explanation.causes.is_empty())
+    }
+
+    /// Whether the cause is two errors in the equations of the answers.
+    fn has_two_errors(&self) -> bool {
+        let is_pair = |of: &Explanation| of.place.is_some() && of.causes[0].name.contains(" and ");
+        self.has_cause() && self.explanation.as_ref().is_some_and(is_pair)
     }
 
     /// The cause in words, each line after a line break; empty if nothing is known of it.

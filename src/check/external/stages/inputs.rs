@@ -12,12 +12,13 @@ use super::sample::Sample;
 use super::terms::Beam;
 use crate::number::RunningError;
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 /// The vectors of a sample: x, t, t,xi and t,xixi by beam, and the variations by direction, beam and derivative.
 type Vectors = ([[Vector3<RunningError>; 4]; 2], [[[Vector3<RunningError>; 3]; 2]; 2]);
 
 /// A change of the vectors of a sample.
-type Change = Box<dyn Fn(&Sample, &mut Vectors)>;
+type Change = Box<dyn Fn(&Sample, &mut Vectors) + Send + Sync>;
 
 /// A possible error of the curves.
 struct Input {
@@ -26,7 +27,7 @@ struct Input {
 }
 
 impl Input {
-    fn new(words: String, change: impl Fn(&Sample, &mut Vectors) + 'static) -> Self {
+    fn new(words: String, change: impl Fn(&Sample, &mut Vectors) + Send + Sync + 'static) -> Self {
         Self { words, change: Box::new(change) }
     }
 
@@ -110,5 +111,6 @@ pub(super) fn found(equations: &[Equation], samples: &[Sample], wrong: &[usize])
             && holds(input, &few, &wrong)
             && holds(input, &every, &all)
     };
-    tried.into_iter().flatten().filter(is_found).map(|input| input.words).collect()
+    let tried: Vec<Input> = tried.into_iter().flatten().collect();
+    tried.into_par_iter().filter(is_found).map(|input| input.words).collect()
 }

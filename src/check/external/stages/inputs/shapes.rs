@@ -7,6 +7,7 @@ use crate::check::external::stages::sample::Sample;
 use crate::check::external::stages::terms::{Beam, Earlier, Reading};
 use crate::number::RunningError;
 use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 
 /// The number of cases that are tried.
 const TRIED: usize = 16;
@@ -122,37 +123,37 @@ impl Shape {
     }
 
     /// What is wrong, in words: a polynomial, if the error is one.
-    fn words(&self, samples: &[Sample], errors: &[(f64, f64)]) -> String {
+    fn words(&self, samples: &[Sample], errors: &[(f64, f64)]) -> Option<String> {
+        // Second and third derivatives are in few products, so that another vector may have the same.
+        let unknown = || (self.order < 2).then(|| "it is wrong".to_owned());
         let node = |sample: &Sample| sample.nodes[self.beams[0]].get(self.node)?.coefficients;
-        let Some(coefficients) = samples.iter().find_map(node) else { return "it is wrong".into() };
+        let Some(coefficients) = samples.iter().find_map(node) else { return unknown() };
         let right = derivative(&coefficients, self.order);
         let count = (errors.len() / 2).clamp(1, 4);
         let powers =
             DMatrix::from_fn(errors.len(), count, |i, j| (0..j).fold(1.0, |power, _| power * errors[i].0));
         let values = DVector::from_fn(errors.len(), |i, _| errors[i].1);
         if !values.iter().chain(&powers).all(|number| number.is_finite()) {
-            return "it is wrong".into();
+            return unknown();
         }
-        let Ok(fit) = powers.clone().svd(true, true).solve(&values, 1e-12) else {
-            return "it is wrong".into();
-        };
+        let Ok(fit) = powers.clone().svd(true, true).solve(&values, 1e-12) else { return unknown() };
         if (&powers * &fit - &values).amax() > 1e-6 * values.amax() {
-            return "it is wrong".into();
+            return unknown();
         }
         // The error is a multiple of the whole, or of one term.
         let whole = (0..count).find(|i| right[*i] != 0.0).map(|i| fit[i] / right[i]);
         if let Some(by) = whole.filter(|by| (0..count).all(|i| (fit[i] - by * right[i]).abs() < 1e-7)) {
-            return format!("it {}", factor_words(by));
+            return Some(format!("it {}", factor_words(by)));
         }
         let names = ["constant", "term of xi", "term of xi^2", "term of xi^3"];
         let wrong: Vec<usize> = (0..count).filter(|i| fit[*i].abs() > 1e-7).collect();
-        match wrong[..] {
+        Some(match wrong[..] {
             [i] if right[i] != 0.0 => format!("its {} {}", names[i], factor_words(fit[i] / right[i])),
             _ => {
                 let term = |i: &usize| format!("{:+.4} in its {}", fit[*i], names[*i]);
                 format!("it is wrong by {}", wrong.iter().map(term).collect::<Vec<_>>().join(" and "))
             }
-        }
+        })
     }
 }
 
@@ -174,25 +175,21 @@ pub(super) fn found(
         |equation: &&Equation| equation.forms.len() == 1 || matches!(equation.number, "(50)" | "(55)");
     let which: Vec<&Equation> = wrong.iter().map(|e| &equations[*e]).filter(is_used).collect();
     let count = |beam: Beam| samples.iter().map(|sample| sample.nodes[beam].len()).max().unwrap_or(0);
-    let mut found = Vec::new();
     for (of, scope) in OF {
-        for (beams, of_beams) in BEAMS.into_iter().filter(|_| !which.is_empty()) {
-            for (node, order) in (0..count(beams[0])).flat_map(|node| (0..4).map(move |order| (node, order)))
-            {
-                let shape = Shape { node, order, of, beams };
-                if let Some(errors) = shape.errors(&which, samples, cases) {
-                    let words = shape.words(samples, &errors);
-                    found.push(format!(
-                        "{}shape function {} of {of_beams}{scope}: {words}",
-                        ORDERS[order],
-                        node + 1
-                    ));
-                }
-            }
-        }
+        let shapes = BEAMS.into_iter().filter(|_| !which.is_empty()).flat_map(|(beams, of_beams)| {
+            let each = (0..count(beams[0])).flat_map(|node| (0..4).map(move |order| (node, order)));
+            each.map(move |(node, order)| (Shape { node, order, of, beams }, of_beams))
+        });
+        let words = |(shape, of_beams): (Shape, &str)| {
+            let errors = shape.errors(&which, samples, cases)?;
+            let (order, number, words) =
+                (ORDERS[shape.order], shape.node + 1, shape.words(samples, &errors)?);
+            Some(format!("{order}shape function {number} of {of_beams}{scope}: {words}"))
+        };
+        let found: Vec<String> = shapes.collect::<Vec<_>>().into_par_iter().filter_map(words).collect();
         if !found.is_empty() {
-            break;
+            return found;
         }
     }
-    found
+    Vec::new()
 }
