@@ -22,7 +22,7 @@ pub(super) fn general() -> Terms {
     .concat()
 }
 
-/// Eq. (40) with (51) in it.
+/// The form of eq. (40) that has (51) in it.
 pub(super) fn symmetric() -> Terms {
     let pair = |i: Beam, j: Beam| numbers(1.0, &[of(XI[i], 1), of(XI[j], 2)]);
     [
@@ -43,7 +43,7 @@ pub(super) fn symmetric() -> Terms {
     .concat()
 }
 
-/// Eq. (40) as printed.
+/// The form of eq. (40) that is printed.
 pub(super) fn printed() -> Terms {
     let along = |beam: Beam| times(&[of(XI[beam], 2)], Vector::T(beam, 0));
     let turned = |beam: Beam| times(&[of(XI[beam], 2)], Vector::U(0, beam, 1));

@@ -38,7 +38,7 @@ pub(super) fn r_second(beam: Beam) -> Terms {
     tag(["R", "R_bar"][beam], scaled(-1.0, &all.concat()))
 }
 
-/// Eq. (50) or (55): a xi - b xi_bar = R, b xi + a_bar xi_bar = R_bar.
+/// The system, eq. (50) or (55): a xi - b xi_bar = R, b xi + a_bar xi_bar = R_bar.
 pub(super) fn implicit(beam: Beam, part: Part, r: &Terms) -> Terms {
     let [xi, xi_bar] = XI.map(|xi| numbers(1.0, &[of(xi, part)]));
     let left = if beam == 0 {
