@@ -36,7 +36,7 @@ pub(super) fn of_fault(Fault { label, kind }: &Fault) -> String {
 fn base(name: &str) -> &'static str {
     match name.split([':', ' ']).next() {
         Some("H_t") => "|t|",
-        Some("grad") if name != "grad d" => "|t|",
+        Some("grad") if !name.starts_with("grad d") => "|t|",
         Some("H_xi") => "D",
         _ => "|d|",
     }
@@ -147,4 +147,15 @@ pub(super) fn words(wrong: &[WrongSummand]) -> String {
     let said: Vec<_> = (0..wrong.len()).filter(|k| !is_repeated(k)).map(|k| wrong[k].words()).collect();
     let both = if said.len() < wrong.len() { ", in both beams" } else { "" };
     said.join("; and ") + both
+}
+
+#[cfg(test)]
+mod tests {
+    use super::base;
+
+    #[test]
+    fn what_a_term_is_divided_by_is_that_of_its_sum() {
+        let names = ["grad d", "grad d: A0'n", "grad t", "grad t: A1't", "H_t: tt'", "H_xi: R", "H_d: A0'A0"];
+        assert_eq!(names.map(base), ["|d|", "|d|", "|t|", "|t|", "|t|", "D", "|d|"]);
+    }
 }
