@@ -24,8 +24,8 @@ mod words;
 use super::answers::Answers;
 use super::compare::Demands;
 use super::vectors::Vector;
-use equations::{CLOSEST_POINT, Equation, equations};
-use judgement::{Status, examined, judged};
+use equations::{CLOSEST_POINT, equations};
+use judgement::{Cases, Status, examined, is_wrong, judged};
 use point::Point;
 use rayon::prelude::*;
 use sample::{Along, Sample, samples};
@@ -48,6 +48,22 @@ pub(super) struct Traced {
 }
 
 impl Traced {
+    /// Adds what was found of the sums of an equation, with its readings.
+    fn add(&mut self, found: &[Status], readings: Vec<Vec<Reading>>, is_first: bool) {
+        for (status, readings) in found.iter().zip(readings) {
+            let Some(reading) = readings.first() else { continue };
+            let is_known = self.causes.iter().any(|cause| readings.iter().any(|of| of.name == cause.name));
+            if is_first && self.causes.is_empty() {
+                self.causes = readings;
+                if let Status::Explained(cause) = status {
+                    self.deviation = Some(cause.deviation);
+                }
+            } else if !is_known && self.beyond.len() < BEYOND {
+                self.beyond.push(format!("Beyond it {}.", reading.words));
+            }
+        }
+    }
+
     /// Whether one error explains everything.
     pub(super) fn is_of_one_error(&self) -> bool {
         self.causes.first().is_some_and(|cause| cause.errors == 1) && self.beyond.is_empty()
@@ -85,13 +101,14 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
     let has_arrays = random.first()?.has_arrays;
     let equations = equations(has_arrays);
     let points: Vec<Point> = random.iter().map(Point::new).collect();
-    let is_wrong = |e: &usize| {
-        let (wrong, right) = judged(&equations[*e], &points);
-        wrong.len() > 1 || (!wrong.is_empty() && right.is_empty())
+    let judged_at = |e: usize| {
+        let (wrong, right) = judged(&equations[e], &points);
+        is_wrong(&wrong, &right).then_some((e, (wrong, right)))
     };
-    let wrong: Vec<usize> = (0..equations.len()).filter(is_wrong).collect();
-    let first = &equations[*wrong.first()?];
-    let (of_first, others) = judged(first, &points);
+    let all_wrong: Vec<(usize, Cases)> = (0..equations.len()).into_par_iter().filter_map(judged_at).collect();
+    let (first, (of_first, others)) = all_wrong.first()?;
+    let first = &equations[*first];
+    let wrong: Vec<usize> = all_wrong.iter().map(|(e, _)| *e).collect();
     let mut traced = Traced {
         cases: of_first.len() + others.len(),
         place: format!(
@@ -105,7 +122,7 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
     };
     if wrong.iter().all(|e| equations[*e].number == CLOSEST_POINT) {
         traced.place = "all equations but those of the closest point are satisfied".into();
-        traced.causes = vec![sentences::of_closest_point(&points, &of_first, &others)];
+        traced.causes = vec![sentences::of_closest_point(&points, of_first, others)];
         return Some(traced);
     }
     if wrong.len() > 1 {
@@ -117,14 +134,15 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
     }
     let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
     let mut with_pairs = 0;
-    let of_one_error: Vec<_> = wrong.par_iter().map(|e| examined(&equations[*e], &points, false)).collect();
-    for (&e, mut found) in wrong.iter().zip(of_one_error) {
-        let (equation, mut words_of_triangle) = (&equations[e], "");
+    let of_one_error: Vec<_> =
+        all_wrong.par_iter().map(|(e, cases)| examined(&equations[*e], &points, cases, false)).collect();
+    for ((e, cases), mut found) in all_wrong.iter().zip(of_one_error) {
+        let (equation, mut words_of_triangle) = (&equations[*e], "");
         let in_entries = |with_pairs: bool| {
             let is_matrix = has_arrays && equation.results.iter().all(|(_, part)| *part == 3);
             entries.iter().filter(|_| is_matrix).find_map(|(along, samples)| {
                 let points: Vec<Point> = samples.get_or_init(|| of(*along)).iter().map(Point::new).collect();
-                let found = examined(equation, &points, with_pairs);
+                let found = examined(equation, &points, &judged(equation, &points), with_pairs);
                 let words = if *along == Along::Lower { "below" } else { "above" };
                 is_known(&found).then_some((found, words))
             })
@@ -136,50 +154,24 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
         }
         if !is_known(&found) && with_pairs < WITH_PAIRS {
             with_pairs += 1;
-            found = examined(equation, &points, true);
+            found = examined(equation, &points, cases, true);
             if !is_known(&found)
                 && let Some(in_entries) = in_entries(true)
             {
                 (found, words_of_triangle) = in_entries;
             }
         }
-        add(&mut traced, equation, &found, &points, words_of_triangle, e == wrong[0]);
+        let readings: Vec<_> = found
+            .iter()
+            .map(|status| of_status(equation, status, &points, cases, words_of_triangle))
+            .collect();
+        traced.add(&found, readings, *e == wrong[0]);
     }
     Some(traced)
 }
 
 fn is_known(found: &[Status]) -> bool {
     !found.iter().any(|status| matches!(status, Status::Unknown))
-}
-
-/// Adds what was found of an equation.
-fn add(
-    traced: &mut Traced,
-    equation: &Equation,
-    found: &[Status],
-    points: &[Point],
-    triangle: &str,
-    is_first: bool,
-) {
-    for status in found {
-        let readings = of_status(equation, status, points, &judged(equation, points), triangle);
-        let is_new =
-            |known: &[Reading]| readings.iter().all(|of| known.iter().all(|known| known.name != of.name));
-        if is_first && traced.causes.is_empty() && !readings.is_empty() {
-            traced.causes = readings;
-            if let Status::Explained(cause) = status {
-                traced.deviation = Some(cause.deviation);
-            }
-        } else if let [of, ..] = &readings[..]
-            && is_new(&traced.causes)
-            && traced.beyond.len() < BEYOND
-        {
-            let sentence = format!("Beyond it {}.", of.words);
-            if !traced.beyond.contains(&sentence) {
-                traced.beyond.push(sentence);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

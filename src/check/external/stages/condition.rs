@@ -3,73 +3,72 @@
 use super::point::Point;
 use super::terms::Vector;
 
-/// What a case is like.
-fn features(point: &Point) -> Vec<(&'static str, bool)> {
+/// A statement on a case: its words, the words of its opposite, and whether it holds.
+type Statement = (&'static str, &'static str, bool);
+
+/// The maximum number of statements of a condition.
+const STATEMENTS: usize = 3;
+
+fn statements(point: &Point) -> Vec<Statement> {
     let v = |of| point.vector(of).map(|n| n.value);
     let s = point.sample;
     let (d, t, t_bar) = (v(Vector::D), v(Vector::T(0, 0)), v(Vector::T(1, 0)));
     let cross = t.cross(&t_bar);
+    let (angle, side) = (t.dot(&t_bar), d.dot(&cross));
+    let is_parallel = cross.norm() < 0.1 * t.norm() * t_bar.norm();
     vec![
-        ("xi < 0", s.xi[0].value < 0.0),
-        ("xi_bar < 0", s.xi[1].value < 0.0),
-        ("t.t_bar < 0", t.dot(&t_bar) < 0.0),
-        ("d.(t x t_bar) < 0", d.dot(&cross) < 0.0),
-        ("d.t,xi < 0", d.dot(&v(Vector::T(0, 1))) < 0.0),
-        ("d.t_bar,xi < 0", d.dot(&v(Vector::T(1, 1))) < 0.0),
-        ("xi < xi_0", s.xi[0].value < s.contact.xi_0),
-        ("xi_bar < xi_bar_0", s.xi[1].value < s.contact.xi_bar_0),
-        ("xi is held", s.held[0]),
-        ("xi_bar is held", s.held[1]),
-        ("both parameters are held", s.held[0] && s.held[1]),
-        ("a parameter is held", s.held[0] || s.held[1]),
-        ("the tangents are nearly parallel", cross.norm() < 0.1 * t.norm() * t_bar.norm()),
-        ("d_x < 0", d.x < 0.0),
-        ("d_y < 0", d.y < 0.0),
-        ("d_z < 0", d.z < 0.0),
-        ("d.(t x t_bar) and t.t_bar have different signs", d.dot(&cross) * t.dot(&t_bar) < 0.0),
-        ("the gap is closed", d.norm() < s.contact.radius + s.contact.radius_bar),
+        ("xi < 0", "xi >= 0", s.xi[0].value < 0.0),
+        ("xi_bar < 0", "xi_bar >= 0", s.xi[1].value < 0.0),
+        ("t.t_bar < 0", "t.t_bar >= 0", angle < 0.0),
+        ("d.(t x t_bar) < 0", "d.(t x t_bar) >= 0", side < 0.0),
+        ("d.t,xi < 0", "d.t,xi >= 0", d.dot(&v(Vector::T(0, 1))) < 0.0),
+        ("d.t_bar,xi < 0", "d.t_bar,xi >= 0", d.dot(&v(Vector::T(1, 1))) < 0.0),
+        ("xi < xi_0", "xi >= xi_0", s.xi[0].value < s.contact.xi_0),
+        ("xi_bar < xi_bar_0", "xi_bar >= xi_bar_0", s.xi[1].value < s.contact.xi_bar_0),
+        ("xi is held", "xi is free", s.held[0]),
+        ("xi_bar is held", "xi_bar is free", s.held[1]),
+        ("both parameters are held", "a parameter is free", s.held == [true; 2]),
+        ("a parameter is held", "both parameters are free", s.held != [false; 2]),
+        ("the tangents are nearly parallel", "the tangents are not nearly parallel", is_parallel),
+        ("d_x < 0", "d_x >= 0", d.x < 0.0),
+        ("d_y < 0", "d_y >= 0", d.y < 0.0),
+        ("d_z < 0", "d_z >= 0", d.z < 0.0),
+        (
+            "d.(t x t_bar) and t.t_bar have different signs",
+            "d.(t x t_bar) and t.t_bar have the same sign",
+            side * angle < 0.0,
+        ),
+        ("the gap is closed", "the gap is open", d.norm() < s.contact.radius + s.contact.radius_bar),
     ]
 }
 
-/// The simplest statement that holds at the wrong cases and at no right one.
+/// The fewest statements that hold at the wrong cases, and at no right one all of them.
 pub(super) fn condition(points: &[Point], wrong: &[usize], right: &[usize]) -> Option<String> {
-    let of = |case: &usize| points.iter().find(|point| point.sample.case == *case).map(features);
-    let (wrong, right): (Vec<_>, Vec<_>) =
-        (wrong.iter().filter_map(of).collect(), right.iter().filter_map(of).collect());
+    let of = |case: &usize| points.iter().find(|point| point.sample.case == *case).map(statements);
+    let wrong: Vec<Vec<Statement>> = wrong.iter().filter_map(of).collect();
+    let right: Vec<Vec<Statement>> = right.iter().filter_map(of).collect();
     let first = wrong.first()?;
-    // What all wrong cases have in common.
-    let common: Vec<(usize, bool)> = (0..first.len())
-        .map(|k| (k, first[k].1))
-        .filter(|(k, value)| wrong.iter().all(|f| f[*k].1 == *value))
-        .collect();
-    let separates =
-        |of: &[(usize, bool)]| right.iter().all(|f| of.iter().any(|(k, value)| f[*k].1 != *value));
-    let words = |of: &[(usize, bool)]| {
-        of.iter()
-            .map(|(k, value)| format!("{}{}", if *value { "" } else { "not: " }, first[*k].0))
-            .collect::<Vec<_>>()
-            .join(" and ")
-    };
-    for a in &common {
-        if separates(&[*a]) {
-            return Some(words(&[*a]));
-        }
+    let is_common = |k: &usize| wrong.iter().all(|of| of[*k].2 == first[*k].2);
+    let common: Vec<usize> = (0..first.len()).filter(is_common).collect();
+    let found = (1..=STATEMENTS)
+        .find_map(|count| separating(&common, count, &|k| first[k].2, &right.iter().collect::<Vec<_>>()))?;
+    let words = |k: usize| if first[k].2 { first[k].0 } else { first[k].1 };
+    Some(found.into_iter().map(words).collect::<Vec<_>>().join(" and "))
+}
+
+/// So many of these statements, of which at least one does not hold as at the wrong cases at each of the others.
+fn separating(
+    among: &[usize],
+    count: usize,
+    value: &dyn Fn(usize) -> bool,
+    others: &[&Vec<Statement>],
+) -> Option<Vec<usize>> {
+    if count == 0 {
+        return others.is_empty().then(Vec::new);
     }
-    for (i, a) in common.iter().enumerate() {
-        for b in &common[..i] {
-            if separates(&[*b, *a]) {
-                return Some(words(&[*b, *a]));
-            }
-        }
-    }
-    for (i, a) in common.iter().enumerate() {
-        for (j, b) in common[..i].iter().enumerate() {
-            for c in &common[..j] {
-                if separates(&[*c, *b, *a]) {
-                    return Some(words(&[*c, *b, *a]));
-                }
-            }
-        }
-    }
-    None
+    among.iter().enumerate().find_map(|(i, &k)| {
+        let left: Vec<_> = others.iter().copied().filter(|of| of[k].2 == value(k)).collect();
+        let rest = separating(&among[i + 1..], count - 1, value, &left)?;
+        Some([vec![k], rest].concat())
+    })
 }

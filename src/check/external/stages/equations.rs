@@ -202,7 +202,7 @@ impl List {
 
     /// A slip, eq. (15), (20) and (21).
     fn slip(&mut self, beam: Beam) {
-        let (t, xi, slip, moved) = (LENGTH[beam], XI[beam], SLIP[beam], Number::Moved(beam));
+        let (t, xi, slip, moved) = (LENGTH[beam], XI[beam], SLIP[beam], Number::Moved(beam, beam));
         self.one((slip, 0), "(15)", &[numbers(1.0, &[of(slip, 0)]), numbers(-1.0, &[moved, of(t, 0)])]);
         for part in [1, 2] {
             let terms = [

@@ -86,14 +86,22 @@ pub(super) fn judged(equation: &Equation, points: &[Point]) -> Cases {
     (wrong, right)
 }
 
+/// Whether an equation is wrong. One case may be wrong by chance.
+pub(super) fn is_wrong(wrong: &[usize], right: &[usize]) -> bool {
+    wrong.len() > 1 || (!wrong.is_empty() && right.is_empty())
+}
+
 /// What was found of each sum of an equation, in the form that explains most.
-pub(super) fn examined(equation: &Equation, points: &[Point], with_pairs: bool) -> Vec<Status> {
-    let (wrong, right) = judged(equation, points);
-    // One case may be wrong by chance.
-    if wrong.is_empty() || (wrong.len() < 2 && right.len() > 1) {
+pub(super) fn examined(
+    equation: &Equation,
+    points: &[Point],
+    (wrong, right): &Cases,
+    with_pairs: bool,
+) -> Vec<Status> {
+    if !is_wrong(wrong, right) {
         return vec![Status::Right; equation.forms[0].len()];
     }
-    let examination = Examination { equation, points, wrong: &wrong, right: &right };
+    let examination = Examination { equation, points, wrong, right };
     let mut best: Option<(u32, Vec<Status>)> = None;
     for form in &equation.forms {
         if let Some(words) = form[0].is_wrong_form {

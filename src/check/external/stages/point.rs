@@ -101,10 +101,7 @@ impl<'a> Point<'a> {
             Number::Component(quantity, axis, part) => sample.own[quantity.component() + axis][part]?,
             Number::Length(of) => self.dot(of, of).sqrt(),
             Number::Radius(beam) => exact([sample.contact.radius, sample.contact.radius_bar][beam]),
-            Number::Moved(beam) => self.number(Number::Of(beam_of(beam), 0), reading)? - reference(beam),
-            Number::MovedFrom(beam, other) => {
-                self.number(Number::Of(beam_of(beam), 0), reading)? - reference(other)
-            }
+            Number::Moved(beam, of) => self.number(Number::Of(beam_of(beam), 0), reading)? - reference(of),
             Number::Stiffness => exact(sample.element?.stiffness),
             Number::Element(k) => sample.element?.numbers[k]?,
         })

@@ -48,10 +48,8 @@ pub(super) enum Number {
     Length(Vector),
     /// A radius.
     Radius(Beam),
-    /// xi - xi_0.
-    Moved(Beam),
-    /// The parameter of a beam from the reference parameter of another.
-    MovedFrom(Beam, Beam),
+    /// The parameter of a beam less the reference parameter of a beam.
+    Moved(Beam, Beam),
     /// The penalty stiffness, or zero at an open gap.
     Stiffness,
     /// The residual along a direction, or the tangent.
@@ -111,6 +109,11 @@ pub(super) fn tagged(tag: Tag, of: Sum) -> Sum {
             (c, numbers, v, tags)
         })
         .collect()
+}
+
+/// The sum with several tags on each term.
+pub(super) fn all_tagged(tags: &[Tag], of: Sum) -> Sum {
+    tags.iter().fold(of, |sum, tag| tagged(tag, sum))
 }
 
 /// The sum with the opposite sign.

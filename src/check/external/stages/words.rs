@@ -15,7 +15,7 @@ pub(super) fn vector_words(of: Vector) -> String {
         Vector::Cross => "t x t_bar".into(),
         Vector::Permuted(_, order) => {
             let axes: Vec<_> = order.iter().map(|c| ["x", "y", "z"][*c]).collect();
-            format!("its components {}", axes.join(", "))
+            format!("the components {} of it", axes.join(", "))
         }
     }
 }
@@ -28,8 +28,7 @@ pub(super) fn number_words(of: Number) -> String {
         }
         Number::Length(v) => format!("|{}|", vector_words(v)),
         Number::Radius(beam) => ["r", "r_bar"][beam].into(),
-        Number::Moved(beam) => ["xi - xi_0", "xi_bar - xi_bar_0"][beam].into(),
-        Number::MovedFrom(b, c) => format!("{} - {}", ["xi", "xi_bar"][b], ["xi_0", "xi_bar_0"][c]),
+        Number::Moved(b, c) => format!("{} - {}", ["xi", "xi_bar"][b], ["xi_0", "xi_bar_0"][c]),
         Number::Stiffness => "k".into(),
         Number::Element(k) => ["R", "R", "K"][k].into(),
     }

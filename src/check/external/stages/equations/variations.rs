@@ -2,7 +2,7 @@
 
 use super::XI;
 use crate::check::external::stages::terms::{
-    Beam, Number, Part, Side, Sum, Terms, Vector, dot, minus, tagged, times, vector,
+    Beam, Number, Part, Side, Sum, Terms, Vector, all_tagged, dot, minus, tagged, times, vector,
 };
 use crate::linearization::Quantity;
 
@@ -25,13 +25,13 @@ pub(super) fn delta_x(side: Side, beam: Beam) -> Sum {
     let along = tagged(["t dxi of dx", "t_bar dxi_bar of dx_bar"][beam], along);
     let fixed = tagged(["du of dx", "du_bar of dx_bar"][beam], fixed);
     let one_sided = [["dx", "dx_bar"], ["Dx", "Dx_bar"]][side][beam];
-    tagged(one_sided, tagged(["x_C", "x_bar_C"][beam], [along, fixed].concat()))
+    all_tagged(&[["x_C", "x_bar_C"][beam], one_sided], [along, fixed].concat())
 }
 
 /// delta d or Delta d, eq. (32).
 pub(super) fn delta_d(side: Side) -> Sum {
     let of = |beam: Beam| tagged(["dx of dd", "dx_bar of dd"][beam], delta_x(side, beam));
-    tagged("dd and Dd", tagged(["dd", "Dd"][side], [of(0), minus(of(1))].concat()))
+    all_tagged(&[["dd", "Dd"][side], "dd and Dd"], [of(0), minus(of(1))].concat())
 }
 
 /// delta t or Delta t, eq. (32).
@@ -41,7 +41,7 @@ pub(super) fn delta_t(side: Side, beam: Beam) -> Sum {
     let along = tagged(["t,xi dxi of dt", "t_bar,xi dxi_bar of dt_bar"][beam], along);
     let fixed = tagged(["du,xi of dt", "du_bar,xi of dt_bar"][beam], fixed);
     let one_sided = [["dt", "dt_bar"], ["Dt", "Dt_bar"]][side][beam];
-    tagged(["dt and Dt", "dt_bar and Dt_bar"][beam], tagged(one_sided, [along, fixed].concat()))
+    all_tagged(&[one_sided, ["dt and Dt", "dt_bar and Dt_bar"][beam]], [along, fixed].concat())
 }
 
 /// The k-th derivative of x by xi varied twice, eq. (27) and (30), without the second variation of xi.
@@ -64,27 +64,14 @@ pub(super) fn second(beam: Beam, k: usize) -> Sum {
         ["Dxi du,xixi of Ddt", "Dxi_bar du_bar,xixi of Ddt_bar"],
     ][k][beam];
     let rest = [["Ddu of Ddx", "Ddu_bar of Ddx_bar"], ["Ddu,xi of Ddt", "Ddu_bar,xi of Ddt_bar"]][k][beam];
+    let of_delta = ["dxi Du of the beam", "dxi_bar Du_bar of the bar beam"][beam];
+    let of_linear = ["Dxi du of the beam", "Dxi_bar du_bar of the bar beam"][beam];
     let sum = [
         tagged(of_x, times(&[of(xi, 1), of(xi, 2)], Vector::T(beam, k + 1))),
-        tagged(
-            mixed,
-            [
-                tagged(
-                    "dxi Du of all",
-                    tagged(
-                        ["dxi Du of the beam", "dxi_bar Du_bar of the bar beam"][beam],
-                        tagged(one, times(&[of(xi, 1)], Vector::U(1, beam, k + 1))),
-                    ),
-                ),
-                tagged(
-                    "Dxi du of all",
-                    tagged(
-                        ["Dxi du of the beam", "Dxi_bar du_bar of the bar beam"][beam],
-                        tagged(other, times(&[of(xi, 2)], Vector::U(0, beam, k + 1))),
-                    ),
-                ),
-            ]
-            .concat(),
+        all_tagged(&[one, of_delta, "dxi Du of all", mixed], times(&[of(xi, 1)], Vector::U(1, beam, k + 1))),
+        all_tagged(
+            &[other, of_linear, "Dxi du of all", mixed],
+            times(&[of(xi, 2)], Vector::U(0, beam, k + 1)),
         ),
         tagged(rest, vector(Vector::Mixed(beam, k))),
     ]

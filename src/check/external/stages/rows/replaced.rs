@@ -46,6 +46,8 @@ fn with_numbers(group: &Terms, of: impl Fn(Number) -> Number) -> Terms {
     })
 }
 
+/// The beginning of words for several things.
+const MANY: &str = "the components";
 const LENGTHS: [Quantity; 3] = [Quantity::D, Quantity::T, Quantity::TBar];
 
 fn unique<T: PartialEq + Copy>(all: impl Iterator<Item = T>) -> Vec<T> {
@@ -67,7 +69,10 @@ pub(super) fn replaced(name: &str, group: &Terms, rows: &mut Vec<Row>) {
     let dots = unique(factors().filter_map(|f| if let Factor::Dot(v, w) = *f { Some((v, w)) } else { None }));
     let numbers = unique(factors().filter_map(|f| if let Factor::Number(n) = *f { Some(n) } else { None }));
     let vectors = unique(dots.iter().flat_map(|(v, w)| [*v, *w]));
-    let in_place = |w: String, v: String| format!("{w} stands in the place of {v}");
+    let in_place = |w: String, v: String| {
+        let verb = if w.starts_with(MANY) { "stand" } else { "stands" };
+        format!("{w} {verb} in the place of {v}")
+    };
     for &v in &vectors {
         for w in substitutes(v).into_iter().chain(v.permuted()) {
             let terms = with_vectors(group, |of| if of == v { w } else { of });
@@ -92,13 +97,8 @@ pub(super) fn replaced(name: &str, group: &Terms, rows: &mut Vec<Row>) {
             Number::Of(q, part @ 1..) if q == xi[beam] => Number::Of(xi[1 - beam], part),
             of => of,
         });
-        add(
-            in_place(
-                format!("the derivatives of {}", xi[1 - beam].name()),
-                format!("those of {}", xi[beam].name()),
-            ),
-            terms,
-        );
+        let [of, other] = [xi[beam], xi[1 - beam]].map(Quantity::name);
+        add(in_place(format!("the derivative of {other}"), format!("that of {of}")), terms);
         let terms = with_vectors(group, |of| match of {
             Vector::T(b, k) if b == beam => Vector::T(1 - b, k),
             Vector::U(s, b, k) if b == beam => Vector::U(s, 1 - b, k),
@@ -120,7 +120,7 @@ pub(super) fn replaced(name: &str, group: &Terms, rows: &mut Vec<Row>) {
             .into_iter()
             .map(|other| (number_words(other), vec![Factor::Number(other)]))
             .collect();
-        if matches!(number, Number::Moved(_) | Number::Of(_, 1 | 2)) {
+        if matches!(number, Number::Moved(..) | Number::Of(_, 1 | 2)) {
             others.push((format!("|{}|", number_words(number)), vec![Factor::SizeOf(number)]));
         }
         if matches!(number, Number::Of(Quantity::D | Quantity::T | Quantity::TBar, 0)) {
@@ -166,27 +166,27 @@ fn components(group: &Terms, v: Vector, add: &mut impl FnMut(String, Terms)) {
     let axis = ["x", "y", "z"];
     let name = vector_words(v);
     for j in 0..3 {
-        let of_dot = |with: &dyn Fn(Vector, bool) -> Vec<(f64, Factor)>| {
+        let of_dot = |with: &dyn Fn(Vector) -> Vec<(f64, Factor)>| {
             changed(group, |factor| match *factor {
                 Factor::Dot(a, b) if a == v || b == v => {
                     let partner = if a == v { b } else { a };
                     let mut others = vec![(1.0, vec![*factor])];
-                    others.extend(with(partner, a == v).into_iter().map(|(c, factor)| (c, vec![factor])));
+                    others.extend(with(partner).into_iter().map(|(c, factor)| (c, vec![factor])));
                     Some(others)
                 }
                 _ => None,
             })
         };
         let minus = |w: Vector| (-1.0, Factor::Entry(v, j, w, j));
-        add(format!("the component {} of {name} is missing", axis[j]), of_dot(&|w, _| vec![minus(w)]));
+        add(format!("the component {} of {name} is missing", axis[j]), of_dot(&|w| vec![minus(w)]));
         add(
             format!("the component {} of {name} has the wrong sign", axis[j]),
-            of_dot(&|w, _| vec![minus(w), minus(w)]),
+            of_dot(&|w| vec![minus(w), minus(w)]),
         );
         for i in (0..3).filter(|i| *i != j) {
-            let terms = of_dot(&|w, _| vec![minus(w), (1.0, Factor::Entry(v, i, w, j))]);
+            let terms = of_dot(&|w| vec![minus(w), (1.0, Factor::Entry(v, i, w, j))]);
             add(format!("the component {} of {name} stands in the place of {}", axis[i], axis[j]), terms);
-            let terms = of_dot(&|w, _| vec![minus(w), (1.0, Factor::Entry(v, j, w, i))]);
+            let terms = of_dot(&|w| vec![minus(w), (1.0, Factor::Entry(v, j, w, i))]);
             add(
                 format!(
                     "the component {} stands in the place of {} in the products with {name}",
@@ -194,7 +194,7 @@ fn components(group: &Terms, v: Vector, add: &mut impl FnMut(String, Terms)) {
                 ),
                 terms,
             );
-            let terms = of_dot(&|w, _| vec![minus(w), (1.0, Factor::Entry(v, i, w, i))]);
+            let terms = of_dot(&|w| vec![minus(w), (1.0, Factor::Entry(v, i, w, i))]);
             add(
                 format!(
                     "the component {} counts twice, and {} is missing in the products with {name}",
@@ -250,11 +250,11 @@ fn substitutes_of(of: Number) -> Vec<Number> {
             all
         }
         Number::Radius(beam) => vec![Number::Radius(1 - beam)],
-        Number::Moved(beam) => {
+        Number::Moved(beam, _) => {
             vec![
-                Number::Moved(1 - beam),
-                Number::MovedFrom(beam, 1 - beam),
-                Number::MovedFrom(1 - beam, beam),
+                Number::Moved(1 - beam, 1 - beam),
+                Number::Moved(beam, 1 - beam),
+                Number::Moved(1 - beam, beam),
             ]
         }
         _ => vec![],
