@@ -175,28 +175,4 @@ fn is_known(found: &[Status]) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::traced;
-    use crate::check::Regime;
-    use crate::check::external::{AnswerReader, Demands, Drawing, Evaluator};
-    use crate::test_beam::Family;
-
-    /// Right answers satisfy all equations: of all families, in all regimes, also with few digits.
-    #[test]
-    fn right_answers_satisfy_all_equations() {
-        let (seed, families) = (11, Family::ALL.to_vec());
-        let drawing = Drawing { seed, regimes: Regime::ALL.to_vec(), families, cases: 6, penetrating: false };
-        let vectors: Vec<_> = (0..drawing.count()).map(|number| drawing.vector(number)).collect();
-        for digits in [None, Some(8)] {
-            let program = Evaluator { digits: digits.map(usize::from), ..Evaluator::default() };
-            let lines: Vec<_> = vectors.iter().map(|vector| program.line(vector)).collect();
-            let text = format!("{}\n{}\n", program.head(), lines.join("\n"));
-            let mut reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
-            let answers = std::iter::from_fn(|| reader.next_answers().unwrap());
-            let cases: Vec<_> = vectors.iter().cloned().zip(answers).collect();
-            assert_eq!(cases.len(), vectors.len());
-            let demands = Demands { digits, ..Demands::default() };
-            assert_eq!(traced(&cases.iter().collect::<Vec<_>>(), &demands), None, "{digits:?} digits");
-        }
-    }
-}
+mod tests;
