@@ -246,7 +246,7 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
         let _ = match explanation.after {
             Some(left) => writeln!(
                 text,
-                "Of this equation the answers leave {}, and with this error {}.",
+                "The answers leave {} of the terms of this equation, and {} with this error.",
                 error(*before),
                 error(left)
             ),

@@ -69,7 +69,7 @@ fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, 
     };
     let indices: Vec<_> = location.indices.iter().map(|i| (i + first_index).to_string()).collect();
     let differing = if location.differing > 1 {
-        format!("; {} entries differ, this one most", location.differing)
+        format!("  {} entries differ, this one most\n", location.differing)
     } else {
         String::new()
     };
@@ -79,7 +79,7 @@ fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, 
     let is_of_element = matches!(location.what, "residual" | "tangent");
     let open = if is_of_element && comparison.other == 0.0 && location.expected == 0.0 { OPEN } else { "" };
     format!(
-        "First wrong number: entry [{}] of the {matrix}, case {case}\n{}  in the block {}, scaled error {}{differing}\n  \
+        "First wrong number: entry [{}] of the {matrix}, case {case}\n{}  in the block {}, scaled error {}\n{differing}  \
          along two directions: difference {difference}, tolerance {tolerance}\n{antisymmetric}{open}{shape}",
         indices.join(","),
         numbers(location.answered, location.expected),
