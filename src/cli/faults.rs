@@ -123,8 +123,9 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
 fn words(record: &Faults) -> String {
     let faults = record.terms.faults();
     if !record.holds {
-        return "NOT DETECTED: the check misses a fault, rejects an equivalent formula or the search, does\n\
-                not cover an operation, or does not compare everything."
+        return "NOT DETECTED: the check misses a fault, rejects an equivalent formula or the\n\
+                search, does not cover an operation, does not compare everything, or a part of\n\
+                this run is missing."
             .into();
     }
     let rewrites = Rewrite::ALL.len();

@@ -2,9 +2,9 @@
 
 use super::{Environment, Record};
 use crate::check::Regime;
-use crate::faults::{Gate, Injected, Limit, OneSided, Operations, Sampled, SearchFaults};
+use crate::faults::{Check, Gate, Injected, Limit, OneSided, Operations, Sampled, SearchFaults};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The results of the checks for injected faults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -48,11 +48,56 @@ impl Faults {
     /// The record, with whether all of it holds.
     #[must_use]
     pub fn judged(self) -> Self {
-        let holds = self.terms.holds()
+        let holds = self.is_complete()
+            && self.terms.holds()
             && self.operations.iter().all(Operations::is_whole)
             && self.search.iter().all(SearchFaults::holds)
             && self.one_sided.iter().all(OneSided::holds)
             && self.gate.iter().all(Gate::holds);
         Self { holds, ..self }
+    }
+
+    /// Whether each part has all regimes, so that none was left out. Faults of operations over the prime field do not depend
+    /// on the regime, and are injected only with all regimes.
+    fn is_complete(&self) -> bool {
+        let of_gate = self.terms.detections.iter().filter(|of| of.check == Check::Gate);
+        let regimes: BTreeSet<Regime> = of_gate.filter_map(|of| of.regime).collect();
+        let parts: [BTreeSet<Regime>; 4] = [
+            self.search.iter().map(|of| of.regime).collect(),
+            self.gate.iter().map(|of| of.regime).collect(),
+            self.sampled.iter().map(|of| of.regime).collect(),
+            self.limits.values().flat_map(BTreeMap::keys).copied().collect(),
+        ];
+        let is_whole = regimes.len() < Regime::ALL.len() || !self.operations.is_empty();
+        !regimes.is_empty() && parts.iter().all(|of| *of == regimes) && self.one_sided.is_some() && is_whole
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Faults, Record};
+    use std::path::Path;
+
+    #[test]
+    fn a_part_that_is_left_out_is_told() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/faults.json");
+        let whole = Faults::from_json(&std::fs::read_to_string(path).unwrap()).unwrap();
+        assert!(whole.clone().judged().holds);
+        let without: [fn(&mut Faults); 9] = [
+            |of| of.search.clear(),
+            |of| of.search.truncate(1),
+            |of| of.gate.clear(),
+            |of| of.sampled.clear(),
+            |of| of.limits.clear(),
+            |of| of.operations.clear(),
+            |of| of.one_sided = None,
+            |of| of.terms.detections.clear(),
+            |of| of.terms.detections.truncate(2),
+        ];
+        for (i, leave_out) in without.into_iter().enumerate() {
+            let mut part = whole.clone();
+            leave_out(&mut part);
+            assert!(!part.judged().holds, "part {i}");
+        }
     }
 }
