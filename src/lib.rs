@@ -5,6 +5,7 @@ mod enumeration;
 mod source_fault;
 
 pub mod closest_point;
+pub mod contact;
 pub mod curve;
 pub mod linearization;
 pub mod number;

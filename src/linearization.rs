@@ -7,7 +7,7 @@
 pub mod ad;
 pub mod closed_form;
 mod derivatives;
-mod dispatch;
+pub(crate) mod dispatch;
 mod quantities;
 mod reused;
 

@@ -14,7 +14,7 @@ macro_rules! return_with_vectors {
         }
     };
 }
-pub(super) use return_with_vectors;
+pub(crate) use return_with_vectors;
 
 /// Evaluates a kernel with the machine's vector units, if they are supported here, and otherwise without them.
 macro_rules! dispatch_simd {
@@ -23,4 +23,4 @@ macro_rules! dispatch_simd {
         $kernel
     }};
 }
-pub(super) use dispatch_simd;
+pub(crate) use dispatch_simd;

@@ -87,14 +87,24 @@ where
     pub fn write_all(&self, (at, at_bar): (T, T), contact: &Contact, to: &mut Linearization<T, N, M>) {
         let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = to;
         *radii = T::from(contact.radius) + T::from(contact.radius_bar);
+        self.write_without_slips((at, at_bar), [d, t, t_bar, xi, xi_bar]);
+        write_slip(Which::Beam, t, xi, contact.xi_0, g_t);
+        write_slip(Which::Bar, t_bar, xi_bar, contact.xi_bar_0, g_t_bar);
+    }
+
+    /// d, t, t_bar, xi and xi_bar, written over `to`.
+    #[inline]
+    pub(crate) fn write_without_slips(
+        &self,
+        (at, at_bar): (T, T),
+        [d, t, t_bar, xi, xi_bar]: [&mut Derivatives<T, N, M>; 5],
+    ) {
         self.write_d(d);
         (xi.value, xi.gradient) = (at, self.g);
         (xi_bar.value, xi_bar.gradient) = (at_bar, self.g_bar);
         self.write_parameters([&mut xi.hessian, &mut xi_bar.hessian]);
         self.write_t(xi, t);
         self.write_t_bar(xi_bar, t_bar);
-        write_slip(Which::Beam, t, xi, contact.xi_0, g_t);
-        write_slip(Which::Bar, t_bar, xi_bar, contact.xi_bar_0, g_t_bar);
     }
 
     /// t, written over `to`.

@@ -1,0 +1,28 @@
+//! The contact element of two beams: residual R and tangent K of a point contact, with Coulomb friction.
+//!
+//! [`Element::evaluate`] takes the dofs, a closest point and the history of the last converged step. It writes R and K, and
+//! returns the state, the forces and the next history. [`closed_form`] has the formulas over any scalar. [`ad`] computes R and
+//! K once more, from positions and the definitions of friction alone.
+
+pub mod ad;
+pub mod closed_form;
+mod decision;
+mod element;
+mod error;
+mod geometry;
+mod history;
+mod law;
+mod matrix;
+mod parameters;
+
+pub use closed_form::{Contribution, Values};
+pub use decision::{Decision, State};
+pub use element::{Element, Kink, Outcome};
+pub use error::ContactError;
+pub use history::{History, Slips, Start};
+pub use law::{Law, NormalLaw, Piece};
+pub use matrix::BlockMatrix;
+pub use parameters::{Parameters, Work};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,144 @@
+//! Residual and tangent by automatic differentiation of the virtual work.
+//!
+//! The residual along δ is the virtual work −F_N δg_N + T·(t δξ − t̄ δξ̄), evaluated in hyper-dual numbers: positions, the
+//! closest point lifted by Newton steps, the definitions of gap and slip, and the return of the trial force as a vector. Its
+//! derivative along Δ is the tangent. No formula of [`closed_form`](super::closed_form) is used.
+
+use super::{BlockMatrix, Decision, NormalLaw, State, Work};
+use crate::curve::Curve;
+use crate::linearization::Quantities;
+use crate::linearization::ad::{Chord, Perturbed, PositionAt, evaluate};
+use crate::linearization::closed_form::formulation::Distance;
+use crate::number::{Differentiable, Dual, Extends, HyperDual, Real};
+use crate::pair::{DofVector, Pair};
+use nalgebra::{SVector, Vector3};
+
+/// R and K of a decided contact at its closest point.
+pub fn residual_and_tangent<T, A, B, L, const N: usize, const M: usize>(
+    decision: &Decision<'_, L>,
+    pair: &Pair<A, B, N, M>,
+    q: &DofVector<T, N, M>,
+    at: (T, T),
+) -> (DofVector<T, N, M>, BlockMatrix<T, N, M>)
+where
+    T: Differentiable,
+    T::Dual: Differentiable,
+    <T::Dual as Differentiable>::Dual: Extends<T>,
+    A: Curve<N>,
+    B: Curve<M>,
+    L: NormalLaw,
+{
+    let (mut residual, mut tangent) = (DofVector::zeros(), BlockMatrix::zeros());
+    let Pair { curve, curve_bar, .. } = pair;
+    let (beam, bar) = (Perturbed { curve, q: q.beam }, Perturbed { curve: curve_bar, q: q.bar });
+    let chord = Chord::new(&beam, &bar, at, decision.form.held);
+    for i in 0..N + M {
+        for j in 0..N + M {
+            let (delta, linear) = (DofVector::unit(i), DofVector::unit(j));
+            let beam = Perturbed { curve, q: seeded(&q.beam, &delta.beam, &linear.beam) };
+            let bar = Perturbed { curve: curve_bar, q: seeded(&q.bar, &delta.bar, &linear.bar) };
+            let Dual { re, eps } = lifted_work(decision, &chord, &beam, &bar, at);
+            residual.set(i, re);
+            tangent.set(i, j, eps);
+        }
+    }
+    (residual, tangent)
+}
+
+/// q + eps1 dq + eps2 Dq.
+fn seeded<T: Real, const N: usize>(
+    q: &SVector<T, N>,
+    dq: &SVector<T, N>,
+    linear_dq: &SVector<T, N>,
+) -> SVector<HyperDual<T>, N> {
+    SVector::from_fn(|i, _| HyperDual::new(q[i], dq[i], linear_dq[i], T::zero()))
+}
+
+/// The virtual work and its linearization of perturbed beams. Compiled once for each scalar.
+fn lifted_work<T, L>(
+    decision: &Decision<'_, L>,
+    chord: &Chord<T>,
+    beam: &dyn PositionAt<Dual<HyperDual<T>>>,
+    bar: &dyn PositionAt<Dual<HyperDual<T>>>,
+    at: (T, T),
+) -> Dual<T>
+where
+    T: Differentiable,
+    T::Dual: Differentiable,
+    L: NormalLaw,
+{
+    let parameters = chord.lift::<HyperDual<T>, _, _>(beam, bar, at, 2);
+    virtual_work(decision, &evaluate::<HyperDual<T>>(beam, bar, parameters, &decision.contact))
+}
+
+/// A quantity without its variation δ, and the variation δ; both with their linearization.
+fn value<T: Real>(x: HyperDual<T>) -> Dual<T> {
+    Dual::new(x.re, x.eps2)
+}
+
+fn variation<T: Real>(x: HyperDual<T>) -> Dual<T> {
+    Dual::new(x.eps1, x.eps1eps2)
+}
+
+/// −F_N δg_N plus the virtual work of friction.
+fn virtual_work<T: Real, L: NormalLaw>(
+    decision: &Decision<'_, L>,
+    quantities: &Quantities<HyperDual<T>>,
+) -> Dual<T> {
+    let Some((piece, start)) = decision.acting() else { return Dual::from(0.0) };
+    let Decision { parameters, form, state, .. } = decision;
+    let g_n = gap(decision, quantities);
+    let f_n = force(&parameters.law, piece, value(g_n));
+    let normal = -f_n * variation(g_n);
+    let Some(start) = start else { return normal };
+    let Quantities { t_vector, t_bar_vector, t, t_bar, xi, xi_bar, .. } = *quantities;
+    // eq. (15): g_T = t (ξ − ξₙ); a held parameter does not slip.
+    let slip = |t: HyperDual<T>, xi: HyperDual<T>, start: f64, held: bool| {
+        if held { HyperDual::from(0.0) } else { t * (xi - HyperDual::from(start)) }
+    };
+    let (g_t, g_t_bar) =
+        (slip(t, xi, start.xi, form.held.xi), slip(t_bar, xi_bar, start.xi_bar, form.held.xi_bar));
+    let tau = t_vector.map(value) / value(t);
+    let tau_bar = t_bar_vector.map(value) / value(t_bar);
+    let eps_t = Dual::from(parameters.eps_t);
+    let trial = (tau * (value(g_t) + Dual::from(start.e))
+        - tau_bar * (value(g_t_bar) + Dual::from(start.e_bar)))
+        * eps_t;
+    let traction = match state {
+        State::Slip => trial * (Dual::from(parameters.mu) * f_n / trial.dot(&trial).sqrt()),
+        _ => trial,
+    };
+    normal
+        + match parameters.work {
+            Work::Rate => {
+                let moved: Vector3<Dual<T>> =
+                    t_vector.map(value) * variation(xi) - t_bar_vector.map(value) * variation(xi_bar);
+                traction.dot(&moved)
+            }
+            Work::Paper => traction.dot(&tau) * variation(g_t) - traction.dot(&tau_bar) * variation(g_t_bar),
+        }
+}
+
+/// g_N, along d or along the common normal of the tangents.
+fn gap<T: Real, L: NormalLaw>(
+    decision: &Decision<'_, L>,
+    quantities: &Quantities<HyperDual<T>>,
+) -> HyperDual<T> {
+    let Quantities { d_vector, t_vector, t_bar_vector, d, .. } = quantities;
+    let held = decision.form.held;
+    let distance = match decision.form.distance {
+        Distance::Normal { reversed } if !held.xi && !held.xi_bar => {
+            let c = t_vector.cross(t_bar_vector);
+            let distance = d_vector.dot(&c) / c.dot(&c).sqrt();
+            if reversed { -distance } else { distance }
+        }
+        _ => *d,
+    };
+    let distance = if decision.is_crossed { -distance } else { distance };
+    distance - HyperDual::from(decision.contact.radius) - HyperDual::from(decision.contact.radius_bar)
+}
+
+/// F_N = −dE/dg_N, or F_N of a law without energy.
+fn force<T: Real, L: NormalLaw>(law: &L, piece: L::Piece, g_n: T) -> T {
+    law.energy(piece, Dual::new(g_n, T::one())).map_or_else(|| law.force(piece, g_n), |energy| -energy.eps)
+}

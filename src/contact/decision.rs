@@ -1,0 +1,130 @@
+//! The state of a contact, decided once in `f64`. After that both methods evaluate formulas without a branch.
+
+use super::geometry::{Gap, Trial};
+use super::{ContactError, History, NormalLaw, Parameters, Start};
+use crate::closest_point::Held;
+use crate::linearization::closed_form::{Formulation, Points};
+use crate::pair::Contact;
+
+/// The state of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// No contact: residual and tangent are zero.
+    Open,
+    /// Contact without friction: mu = 0, the first step of a contact, or both parameters held.
+    Frictionless,
+    /// The trial force lies in Coulomb's cone.
+    Stick,
+    /// The trial force lies outside, and is scaled back to the cone.
+    Slip,
+}
+
+impl State {
+    /// Whether friction acts.
+    pub fn has_friction(self) -> bool {
+        matches!(self, Self::Stick | Self::Slip)
+    }
+}
+
+/// All that is decided about a contact at a point, and the constants of the step.
+#[derive(Debug)]
+pub struct Decision<'a, L: NormalLaw> {
+    /// The parameters of the element.
+    pub parameters: &'a Parameters<L>,
+    /// The radii.
+    pub contact: Contact,
+    /// The start of the slips, if friction is possible.
+    pub start: Option<Start>,
+    /// The state.
+    pub state: State,
+    /// The piece of the normal law; none if open.
+    pub piece: Option<L::Piece>,
+    /// The held parameters, and the formulas of the geometry.
+    pub form: Formulation,
+    /// Whether the beam is on the other side of the bar beam, so that n is against d and d_s < 0.
+    pub is_crossed: bool,
+}
+
+impl<L: NormalLaw> Clone for Decision<'_, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L: NormalLaw> Copy for Decision<'_, L> {}
+
+/// From this cosine on, the normal tells the side.
+const TURNED: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+impl<'a, L: NormalLaw> Decision<'a, L> {
+    /// Decides at contact points.
+    pub(super) fn new(
+        parameters: &'a Parameters<L>,
+        contact: Contact,
+        points: &Points<f64>,
+        at: (f64, f64),
+        held: Held,
+        history: &History,
+    ) -> Result<Self, ContactError> {
+        let form = Formulation::at(points, held);
+        let mut decision = Self {
+            parameters,
+            contact,
+            start: None,
+            state: State::Open,
+            piece: None,
+            form,
+            is_crossed: false,
+        };
+        let mut gap = Gap::new(points, &decision);
+        if let Some(previous) = history.normal {
+            let cosine = gap.n.dot(&previous);
+            if cosine.abs() < TURNED {
+                return Err(ContactError::NormalTurned { cosine });
+            }
+            decision.is_crossed = cosine < 0.0;
+            if decision.is_crossed {
+                gap = Gap::new(points, &decision);
+            }
+        }
+        decision.piece = parameters.law.piece(gap.g_n);
+        let Some(piece) = decision.piece else { return Ok(decision) };
+        decision.state = State::Frictionless;
+        decision.start =
+            if parameters.mu > 0.0 && !(held.xi && held.xi_bar) { history.start(held) } else { None };
+        let Some(start) = decision.start else { return Ok(decision) };
+        let trial = Trial::new(points, at, held, &start);
+        // eq. (15) of the paper is for the slips; Φ = ε_T γ − μ F_N, and Φ = 0 sticks.
+        let cone = parameters.mu * parameters.law.force(piece, gap.g_n);
+        decision.state = if parameters.eps_t * trial.gamma > cone { State::Slip } else { State::Stick };
+        Ok(decision)
+    }
+
+    /// The same contact in another state with friction.
+    ///
+    /// At the cone both states have the same residual, and the tangents of the two sides.
+    ///
+    /// # Errors
+    /// [`ContactError::BothHeld`] for stick and slip of two ends, and [`ContactError::History`] if there are no slips.
+    pub fn in_state(self, state: State, at: (f64, f64)) -> Result<Self, ContactError> {
+        let Held { xi, xi_bar } = self.form.held;
+        if state.has_friction() && xi && xi_bar {
+            return Err(ContactError::BothHeld { xi: at.0, xi_bar: at.1 });
+        }
+        if state.has_friction() && self.start.is_none() {
+            return Err(ContactError::History { name: "slips", value: f64::NAN });
+        }
+        Ok(Self { state, ..self })
+    }
+
+    /// r + r_bar.
+    pub(super) fn radii(&self) -> f64 {
+        self.contact.radius + self.contact.radius_bar
+    }
+
+    /// The piece of the law and its start, as far as a force acts.
+    pub(super) fn acting(&self) -> Option<(L::Piece, Option<Start>)> {
+        let start = if self.state.has_friction() { self.start } else { None };
+        if self.state == State::Open { None } else { Some((self.piece?, start)) }
+    }
+}
