@@ -2,3 +2,6 @@
 
 mod agreement;
 mod beams;
+mod field;
+mod invariances;
+mod symmetry;

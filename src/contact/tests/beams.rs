@@ -15,8 +15,28 @@ pub(super) trait Movable<const N: usize>: Curve<N> + Copy {
     /// Dofs of a curve of about length 2 along x.
     fn dofs() -> SVector<f64, N>;
 
+    /// The same curve along y: the starts of the vectors among the dofs, and that of a quaternion.
+    const VECTORS: &'static [usize];
+    const QUATERNION: Option<usize> = None;
+
     /// Adds a vector to all points.
     fn translate<T: Real>(q: &mut SVector<T, N>, v: &Vector3<T>);
+}
+
+/// The dofs of a curve along y.
+fn across<C: Movable<N>, const N: usize>() -> SVector<f64, N> {
+    let mut q = C::dofs();
+    for &i in C::VECTORS {
+        (q[i], q[i + 1]) = (-q[i + 1], q[i]);
+    }
+    if let Some(i) = C::QUATERNION {
+        // The product with the quaternion (1, 0, 0, 1).
+        let [w, x, y, z] = [q[i], q[i + 1], q[i + 2], q[i + 3]];
+        for (k, value) in [w - z, x - y, y + x, z + w].into_iter().enumerate() {
+            q[i + k] = value;
+        }
+    }
+    q
 }
 
 /// Adds a vector to the dofs that begin at `starts`.
@@ -29,6 +49,8 @@ fn add<T: Real, const N: usize>(q: &mut SVector<T, N>, v: &Vector3<T>, starts: &
 }
 
 impl Movable<12> for Hermite {
+    const VECTORS: &'static [usize] = &[0, 3, 6, 9];
+
     fn dofs() -> SVector<f64, 12> {
         SVector::from([-1.0, 0.1, 0.0, 1.1, 0.4, 0.2, 1.0, -0.1, 0.1, 0.9, -0.5, 0.3])
     }
@@ -39,6 +61,8 @@ impl Movable<12> for Hermite {
 }
 
 impl Movable<6> for Segment {
+    const VECTORS: &'static [usize] = &[0, 3];
+
     fn dofs() -> SVector<f64, 6> {
         SVector::from([-1.0, 0.2, -0.1, 1.1, 0.0, 0.3])
     }
@@ -49,6 +73,8 @@ impl Movable<6> for Segment {
 }
 
 impl Movable<12> for Bezier<4> {
+    const VECTORS: &'static [usize] = &[0, 3, 6, 9];
+
     fn dofs() -> SVector<f64, 12> {
         SVector::from([-1.0, 0.0, 0.1, -0.4, 0.3, 0.0, 0.3, 0.2, -0.2, 1.1, -0.3, 0.1])
     }
@@ -59,6 +85,9 @@ impl Movable<12> for Bezier<4> {
 }
 
 impl Movable<9> for Arc {
+    const VECTORS: &'static [usize] = &[0];
+    const QUATERNION: Option<usize> = Some(4);
+
     fn dofs() -> SVector<f64, 9> {
         SVector::from([0.0, -1.4, 0.1, 1.5, 0.9, 0.1, -0.2, 0.1, 1.6])
     }
@@ -69,6 +98,9 @@ impl Movable<9> for Arc {
 }
 
 impl Movable<10> for Helix {
+    const VECTORS: &'static [usize] = &[0];
+    const QUATERNION: Option<usize> = Some(3);
+
     fn dofs() -> SVector<f64, 10> {
         SVector::from([0.0, -1.2, 0.0, 0.8, 0.2, -0.1, 0.1, 1.4, 0.9, 1.5])
     }
@@ -79,6 +111,8 @@ impl Movable<10> for Helix {
 }
 
 impl Movable<16> for NurbsWeighted<4> {
+    const VECTORS: &'static [usize] = &[0, 4, 8, 12];
+
     fn dofs() -> SVector<f64, 16> {
         let points = [-1.0, 0.0, 0.1, 1.0, -0.4, 0.3, 0.0, 1.3, 0.3, 0.2, -0.2, 0.8, 1.1, -0.3, 0.1, 1.1];
         SVector::from(points)
@@ -165,7 +199,7 @@ impl<A: Movable<N>, B: Movable<M>, T: Valued, const N: usize, const M: usize> Ca
         let contact = Contact { radius: RADIUS, radius_bar: RADIUS, ..Contact::default() };
         let pair = Pair::new(curve, curve_bar).with_contact(contact);
         let mut number = |value: f64| T::from(value + 0.125 * change());
-        let mut q = DofVector { beam: A::dofs().map(&mut number), bar: B::dofs().map(&mut number) };
+        let mut q = DofVector { beam: A::dofs().map(&mut number), bar: across::<B, M>().map(&mut number) };
         let at = |held: bool, end: f64, inside: f64| T::from(if held { end } else { inside });
         let at = (at(wish.held.xi, -1.0, 0.1875), at(wish.held.xi_bar, 1.0, -0.3125));
         let (jet, jet_bar) = jets(&pair, &q, at);
