@@ -7,7 +7,14 @@ use thiserror::Error;
 
 /// A beam of `N` dofs and a bar beam of `M` dofs; the two may be of different families.
 ///
-/// [`Pair::closest_points`] finds where the two are closest, [`Pair::linearize`] linearizes the gap there.
+/// | function | result |
+/// |---|---|
+/// | [`Pair::closest_points`], [`Pair::refine`] | where the two are closest |
+/// | [`Pair::linearize`], [`Pair::linearize_into`] | there, all scalar quantities with gradients and Hessians |
+/// | [`Pair::write`] | the wanted ones of these, or gradients alone, in the caller's layout |
+/// | [`write_d_batch`](crate::linearization::closed_form::kernel::write_d_batch) | d of many pairs, four at a time |
+/// | [`closed_form::vary`](crate::linearization::closed_form::vary) | the variations of all quantities along two directions |
+/// | [`ad`](crate::linearization::ad) | all of these by automatic differentiation |
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pair<A, B, const N: usize, const M: usize> {
     /// The curve of the beam.

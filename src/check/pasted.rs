@@ -68,7 +68,7 @@ fn {name}{of_case}() {{
 
 /// Whether the number is what the function for d alone returns.
 fn is_d_alone(entry: &Comparison) -> bool {
-    entry.order == Order::Function && entry.against.starts_with("write_d, ")
+    entry.order == Order::Function && entry.against.starts_with("write DistanceAlone, ")
 }
 
 /// The reference of the number, as an expression.
@@ -87,7 +87,7 @@ fn other(entry: &Comparison) -> String {
             if is_d_alone(entry) {
                 return format!(
                     "{{\n        let mut d = beamgap::linearization::Derivatives::zero();\n        \
-                     closed_form::kernel::write_d(&pair, &q, point, &mut d);\n        d.{contracted}\n    }}"
+                     pair.write(&q, point, closed_form::kernel::DistanceAlone {{ d: &mut d }});\n        d.{contracted}\n    }}"
                 );
             }
             let scalar = match entry.quantity {

@@ -13,7 +13,9 @@ use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, Jet};
 use crate::linearization::{Linearization, Linearized, Quantities, Varied};
 use crate::number::Real;
-use crate::pair::{DofVector, Pair};
+use crate::pair::{Contact, DofVector, Pair};
+use crate::source_fault::source_fault;
+use kernel::WithSlips;
 
 #[doc = include_str!("closed_form/derivation.md")]
 pub mod derivation {}
@@ -48,17 +50,21 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
     /// See the crate's front page.
     #[must_use]
     pub fn linearize(&self, q: &DofVector<f64, N, M>, point: &ClosestPoint) -> Linearized<N, M> {
-        Linearized::written(|to| kernel::write_linearization(self, q, point, to))
+        Linearized::written(|to| self.linearize_into(q, point, to))
     }
 
     /// The same results, written over `to`.
+    #[inline]
     pub fn linearize_into(
         &self,
         q: &DofVector<f64, N, M>,
         point: &ClosestPoint,
         to: &mut Linearization<f64, N, M>,
     ) {
-        kernel::write_linearization(self, q, point, to);
+        let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = to;
+        let Contact { radius, radius_bar, .. } = self.contact;
+        *radii = radius + source_fault!("radius-twice": radius, radius_bar);
+        self.write(q, point, WithSlips { d, xi, xi_bar, t, t_bar, g_t, g_t_bar });
     }
 }
 

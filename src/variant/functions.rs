@@ -46,7 +46,7 @@ macro_rules! for_dofs {
                 [
                     concat!("linearize, ", $n, " + ", $m, " dofs"),
                     concat!("linearize_into, ", $n, " + ", $m, " dofs"),
-                    concat!("write_d, ", $n, " + ", $m, " dofs"),
+                    concat!("write DistanceAlone, ", $n, " + ", $m, " dofs"),
                 ],
                 $beams,
             ),)*
@@ -69,16 +69,16 @@ macro_rules! in_layouts {
                     { ($n + $m) * ($n + $m + 1) / 2 },
                 >(
                     [
-                        concat!("write_all_with_slips, blocks of ", $n, " + ", $m),
-                        concat!("write_all_with_slips, full, ", $n, " + ", $m),
-                        concat!("write_all_with_slips, packed, ", $n, " + ", $m),
-                        concat!("write_all_with_slips, gradients, ", $n, " + ", $m),
-                        concat!("write_all, gradients, ", $n, " + ", $m),
-                        concat!("write_d, full, ", $n, " + ", $m),
-                        concat!("write_d, packed, ", $n, " + ", $m),
-                        concat!("write_all_with_slips_over, ", $n, " + ", $m),
-                        concat!("write_all_over, ", $n, " + ", $m),
-                        concat!("write_d_over, ", $n, " + ", $m),
+                        concat!("write WithSlips, blocks of ", $n, " + ", $m),
+                        concat!("write WithSlips, full, ", $n, " + ", $m),
+                        concat!("write WithSlips, packed, ", $n, " + ", $m),
+                        concat!("write WithSlips, gradients, ", $n, " + ", $m),
+                        concat!("write WithoutSlips, gradients, ", $n, " + ", $m),
+                        concat!("write DistanceAlone, full, ", $n, " + ", $m),
+                        concat!("write DistanceAlone, packed, ", $n, " + ", $m),
+                        concat!("write_over WithSlips, ", $n, " + ", $m),
+                        concat!("write_over WithoutSlips, ", $n, " + ", $m),
+                        concat!("write_over DistanceAlone, ", $n, " + ", $m),
                     ],
                     $beams,
                 );

@@ -4,7 +4,7 @@ use super::SCALARS;
 use super::layouts::Second;
 use super::read::{Contracted, Directions, Read, along};
 use crate::linearization::closed_form::Formulation;
-use crate::linearization::closed_form::kernel::{Gradient, Target, write_all_by_shapes_over};
+use crate::linearization::closed_form::kernel::{Gradient, Target, WithSlips, write_by_shapes_over};
 use crate::number::{Real, RunningError};
 use crate::pair::{Contact, DofVector};
 use crate::test_beam::{DOFS, PaddedBeam};
@@ -67,10 +67,15 @@ pub(crate) fn kernel<T: Real, W: Target<T, N, M>, const N: usize, const M: usize
     let [(jet, [q, ..]), (jet_bar, [q_bar, ..])] = beams;
     let q = DofVector { beam: SVector::from_fn(|i, _| q[i]), bar: SVector::from_fn(|i, _| q_bar[i]) };
     let (beam, bar) = (jet.dofs.all_shapes()?, jet_bar.dofs.all_shapes()?);
-    let shapes = [beam.map(|shapes| &shapes[..N / 3]), bar.map(|shapes| &shapes[..M / 3])];
+    let shapes = (beam.map(|shapes| &shapes[..N / 3]), bar.map(|shapes| &shapes[..M / 3]));
     let mut all = std::array::from_fn(|_| memory());
-    write_all_by_shapes_over(shapes, &q, at, form, contact, &mut all);
+    write_by_shapes_over(shapes, &q, at, form, contact, &mut with_slips(&mut all));
     Some(all)
+}
+
+/// The request of all scalars.
+pub(super) fn with_slips<W>([d, t, t_bar, xi, xi_bar, g_t, g_t_bar]: &mut [W; SCALARS]) -> WithSlips<'_, W> {
+    WithSlips { d, xi, xi_bar, t, t_bar, g_t, g_t_bar }
 }
 
 /// With bounds that hold in every layout, in the given formulation; nothing if a curve has no shape functions.

@@ -2,14 +2,14 @@
 
 #![expect(clippy::large_stack_arrays, reason = "five quantities of 24 dofs")]
 
-use crate::kernel::{brought_near, targets, tolerances};
+use crate::kernel::{brought_near, tolerances, without_slips};
 use crate::pairs::{Contacting, Movable, contacting, hermite};
 use crate::strategies::vector;
 use beamgap::closest_point::Held;
 use beamgap::curve::{Bezier, Hermite, Segment};
 use beamgap::linearization::closed_form::Formulation;
 use beamgap::linearization::closed_form::kernel::{
-    Gradient, Packed, PairAtPoint, write_all_over, write_d, write_d_batch,
+    DistanceAlone, Gradient, Packed, PairAtPoint, write_d_batch,
 };
 use beamgap::number::Lanes;
 use beamgap::pair::{DofVector, Pair};
@@ -26,7 +26,7 @@ fn equal_in_lanes(cases: &[Contacting<Hermite, Hermite, 12, 12>]) {
     for (i, case) in cases.iter().enumerate() {
         let Contacting { pair, q, point, .. } = case;
         let mut one = Packed::<f64, 24, 300>::zeros();
-        write_d(pair, q, point, &mut one);
+        pair.write(q, point, DistanceAlone { d: &mut one });
         near(&alone(&one), &lane(&d[i / 4], i % 4), &tolerances::<_, _, 12, 12, 24>(case)[0], 24);
     }
 }
@@ -84,10 +84,10 @@ proptest! {
         };
         let at = (in_lanes(|case, _| case.point.xi, 0), in_lanes(|case, _| case.point.xi_bar, 0));
         let mut four = [Packed::<Lanes, 24, 300>::zeros(); 5];
-        prop_assert!(write_all_over(&cases[0].pair, &q, at, form, &mut targets(&mut four)));
+        prop_assert!(cases[0].pair.write_over(&q, at, form, without_slips(&mut four)));
         for (i, Contacting { pair, q, point, .. }) in cases.iter().enumerate() {
             let mut one = [Packed::<f64, 24, 300>::zeros(); 5];
-            prop_assert!(write_all_over(pair, q, (point.xi, point.xi_bar), form, &mut targets(&mut one)));
+            prop_assert!(pair.write_over(q, (point.xi, point.xi_bar), form, without_slips(&mut one)));
             for (four, one) in four.iter().zip(&one) {
                 let bits = |numbers: Vec<f64>| numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>();
                 prop_assert_eq!(bits(lane(four, i)), bits(alone(one)));
@@ -105,7 +105,7 @@ proptest! {
         for (i, case) in cases.iter().enumerate() {
             let Contacting { pair, q, point, .. } = case;
             let mut one = Packed::<f64, 24, 300>::zeros();
-            write_d(pair, q, point, &mut one);
+            pair.write(q, point, DistanceAlone { d: &mut one });
             near(&alone(&one), &lane(&four[0], i), &tolerances::<_, _, 18, 6, 24>(case)[0], 24);
         }
     }

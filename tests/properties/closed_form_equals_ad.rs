@@ -1,13 +1,13 @@
 //! The closed form, in every layout of its kernel, and every method of automatic differentiation, tested by the
 //! check for linearizations of users: in every regime, within tolerances derived from rounding.
 
-use crate::kernel::targets;
+use crate::kernel::without_slips;
 use beamgap::check::{self, Answer, Case, CheckConfig, Family, Situation, Verdict, compare};
 use beamgap::closest_point::ClosestPoint;
 use beamgap::curve::{Arc, Curve, Helix, Hermite, NurbsWeighted, Quadratic, Segment};
 use beamgap::linearization::ad::{self, Route};
 use beamgap::linearization::closed_form::kernel::{
-    Full, Gradient, Packed, PairAtPoint, Target, write_all, write_d_batch,
+    Full, Gradient, Packed, PairAtPoint, Target, write_d_batch,
 };
 use beamgap::linearization::closed_form::{self, Matrices, VectorQuantity};
 use beamgap::linearization::{Derivatives, Quantities, Quantity, Varied};
@@ -133,7 +133,7 @@ fn of_kernel<A: Curve<N>, B: Curve<M>, W: Target<f64, N, M> + Copy, const N: usi
     hessian: impl Fn(&W, usize, usize) -> f64,
 ) -> Vec<Answer> {
     let mut all = [zeros; 5];
-    write_all(&at.pair, &at.q, &at.point, &mut targets(&mut all));
+    at.pair.write(&at.q, &at.point, without_slips(&mut all));
     let quantities = [Quantity::D, Quantity::Xi, Quantity::XiBar, Quantity::T, Quantity::TBar];
     let of = |(quantity, memory): (Quantity, &mut W)| {
         let places = || (0..N + M).flat_map(|i| (0..N + M).map(move |j| (i, j)));

@@ -5,9 +5,7 @@ use crate::pairs::{Contacting, Movable, contacting, hermite, quadratic};
 use beamgap::closest_point::Held;
 use beamgap::curve::{BSpline, Hermite, Quadratic, Segment};
 use beamgap::linearization::closed_form::formulation::{Distance, System};
-use beamgap::linearization::closed_form::kernel::{
-    Full, Targets, write_all_over, write_all_with_slips, write_all_with_slips_over, write_d_over,
-};
+use beamgap::linearization::closed_form::kernel::{DistanceAlone, Full, WithSlips, WithoutSlips};
 use beamgap::linearization::closed_form::{Formulation, Matrices, Points, jets};
 use beamgap::linearization::{Derivatives, Linearization};
 use beamgap::number::{PrimeField, Real};
@@ -28,9 +26,14 @@ impl Movable<12> for BSpline<4> {
     const POINTS: &'static [usize] = &[0, 3, 6, 9];
 }
 
-/// All quantities in one layout.
-pub(crate) fn targets<W>([d, xi, xi_bar, t, t_bar]: &mut [W; 5]) -> Targets<'_, W> {
-    Targets { d, xi, xi_bar, t, t_bar }
+/// The request of all quantities except the slips, in one layout.
+pub(crate) fn without_slips<W>([d, xi, xi_bar, t, t_bar]: &mut [W; 5]) -> WithoutSlips<'_, W> {
+    WithoutSlips { d, xi, xi_bar, t, t_bar }
+}
+
+/// The request of all quantities, in one layout.
+fn with_slips<W>([d, xi, xi_bar, t, t_bar, g_t, g_t_bar]: &mut [W; 7]) -> WithSlips<'_, W> {
+    WithSlips { d, xi, xi_bar, t, t_bar, g_t, g_t_bar }
 }
 
 /// Value, gradient and Hessian.
@@ -45,10 +48,9 @@ fn by_blocks<T: Real, A: Movable<N>, B: Movable<M>, const N: usize, const M: usi
     at: (T, T),
     form: Formulation,
 ) -> [Vec<T>; 7] {
-    let (mut full, mut slips) = ([Full::<T, S>::zeros(); 5], [Full::<T, S>::zeros(); 2]);
-    assert!(write_all_with_slips_over(pair, q, at, form, &mut targets(&mut full), slips.each_mut()));
-    let ([d, xi, xi_bar, t, t_bar], [g_t, g_t_bar]) = (full.each_ref(), slips.each_ref());
-    [d, xi, xi_bar, t, t_bar, g_t, g_t_bar].map(flat)
+    let mut full = [Full::<T, S>::zeros(); 7];
+    assert!(pair.write_over(q, at, form, with_slips(&mut full)));
+    full.each_ref().map(flat)
 }
 
 /// The same quantities by the matrices.
@@ -114,8 +116,11 @@ fn equal_over_a_prime_field<A, B, const N: usize, const M: usize, const S: usize
         let blocks = by_blocks::<_, _, _, N, M, S>(pair, &q, at, form);
         assert!(blocks == by_matrices(pair, &q, at, form), "{form:?}");
         let (mut alone, mut all) = (Full::<_, S>::zeros(), [Full::<_, S>::zeros(); 5]);
-        assert!(write_d_over(pair, &q, at, form, &mut alone) && flat(&alone) == blocks[0], "{form:?}");
-        assert!(write_all_over(pair, &q, at, form, &mut targets(&mut all)), "{form:?}");
+        assert!(
+            pair.write_over(&q, at, form, DistanceAlone { d: &mut alone }) && flat(&alone) == blocks[0],
+            "{form:?}"
+        );
+        assert!(pair.write_over(&q, at, form, without_slips(&mut all)), "{form:?}");
         assert!(all.iter().zip(&blocks).all(|(one, other)| flat(one) == *other), "{form:?}");
     }
 }
@@ -167,14 +172,14 @@ fn equal_within_rounding<A: Movable<N>, B: Movable<M>, const N: usize, const M: 
     case: &Contacting<A, B, N, M>,
 ) -> f64 {
     let Contacting { pair, q, point, .. } = case;
-    let (mut five, mut slips) = ([Full::<f64, S>::zeros(); 5], [Full::<f64, S>::zeros(); 2]);
-    write_all_with_slips(pair, q, point, &mut targets(&mut five), slips.each_mut());
+    let mut all = [Full::<f64, S>::zeros(); 7];
+    pair.write(q, point, with_slips(&mut all));
     let form = form_at(case);
     let q = exact_dofs(q);
     let at = parameters(pair, &q, (point.xi, point.xi_bar), point.held());
     let (ours, theirs) = (by_blocks::<_, _, _, N, M, S>(pair, &q, at, form), by_matrices(pair, &q, at, form));
     let mut widest = 0.0_f64;
-    for (i, fast) in five.iter().chain(&slips).enumerate() {
+    for (i, fast) in all.iter().enumerate() {
         let largest = theirs[i].iter().fold(0.0_f64, |largest, x| largest.max(x.value.abs()));
         for ((x, ours), theirs) in flat(fast).iter().zip(&ours[i]).zip(&theirs[i]) {
             let tolerance = ours.bound + theirs.bound;

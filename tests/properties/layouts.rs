@@ -3,10 +3,10 @@
 #![expect(clippy::float_cmp, reason = "layouts hold the same bits")]
 #![expect(clippy::large_stack_arrays, reason = "five quantities of 22 dofs")]
 
-use crate::kernel::{flat, flat_expansion, targets, tolerances};
+use crate::kernel::{flat, flat_expansion, tolerances, without_slips};
 use crate::pairs::{Contacting, any_arc, any_helix, contacting, hermite, quadratic};
 use beamgap::curve::Curve;
-use beamgap::linearization::closed_form::kernel::{Full, Gradient, Packed, write_all, write_d};
+use beamgap::linearization::closed_form::kernel::{DistanceAlone, Full, Gradient, Packed};
 use beamgap::linearization::closed_form::{Formulation, Matrices, Points, jets};
 use beamgap::linearization::{Derivatives, Linearization};
 use beamgap::pair::DofVector;
@@ -19,10 +19,10 @@ proptest! {
         let Contacting { pair, q, point, .. } = &case;
         let (mut full, mut blocks) = ([Full::<f64, 21>::zeros(); 5], [Derivatives::zero(); 5]);
         let (mut packed, mut gradient) = ([Packed::<f64, 21, 231>::zeros(); 5], [Gradient::<f64, 21>::zeros(); 5]);
-        write_all(pair, q, point, &mut targets(&mut full));
-        write_all(pair, q, point, &mut targets(&mut blocks));
-        write_all(pair, q, point, &mut targets(&mut packed));
-        write_all(pair, q, point, &mut targets(&mut gradient));
+        pair.write(q, point, without_slips(&mut full));
+        pair.write(q, point, without_slips(&mut blocks));
+        pair.write(q, point, without_slips(&mut packed));
+        pair.write(q, point, without_slips(&mut gradient));
         let tolerances = tolerances::<_, _, 9, 12, 21>(&case);
         for (i, full) in full.iter().enumerate() {
             let values = [blocks[i].value, packed[i].value, gradient[i].value];
@@ -44,7 +44,7 @@ proptest! {
             }
         }
         let mut d = Full::<f64, 21>::zeros();
-        write_d(pair, q, point, &mut d);
+        pair.write(q, point, DistanceAlone { d: &mut d });
         prop_assert!(d == full[0], "d alone is d");
     }
 
@@ -80,7 +80,7 @@ proptest! {
     fn curves_without_shape_functions(case in contacting(hermite(), any_arc())) {
         let Contacting { pair, q, point, .. } = &case;
         let mut full = [Full::<f64, 21>::zeros(); 5];
-        write_all(pair, q, point, &mut targets(&mut full));
+        pair.write(q, point, without_slips(&mut full));
         let at = (point.xi, point.xi_bar);
         let (jet, jet_bar) = jets(pair, q, at);
         let form = Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), point.held());
@@ -94,8 +94,8 @@ proptest! {
     fn halves_of_curves_without_shape_functions(case in contacting(any_helix(), hermite())) {
         let Contacting { pair, q, point, .. } = &case;
         let (mut full, mut packed) = ([Full::<f64, 22>::zeros(); 5], [Packed::<f64, 22, 253>::zeros(); 5]);
-        write_all(pair, q, point, &mut targets(&mut full));
-        write_all(pair, q, point, &mut targets(&mut packed));
+        pair.write(q, point, without_slips(&mut full));
+        pair.write(q, point, without_slips(&mut packed));
         for (full, packed) in full.iter().zip(&packed) {
             prop_assert!(packed.gradient == full.gradient && packed.value == full.value);
             let half: Vec<f64> = full.hessian.iter().enumerate().flat_map(|(i, row)| row[..=i].to_vec()).collect();

@@ -65,14 +65,20 @@ fn tests_to_be_pasted_are_the_golden_ones() {
     // Only the function for d alone has these numbers.
     let case = small(Family::Hermite);
     let compared = case.compare(&CheckConfig::default()).unwrap();
-    let of_d = compared[0].1.entries().iter().filter(|entry| entry.against == "write_d, 12 + 6 dofs");
+    let of_d =
+        compared[0].1.entries().iter().filter(|entry| entry.against == "write DistanceAlone, 12 + 6 dofs");
     for entry in of_d.filter(|entry| ["value", "Delta-delta"].contains(&entry.part)) {
         let name = entry.part.replace('-', "_").to_lowercase();
         let _ = writeln!(text, "mod d_alone_{name} {{\n{}}}", test_source(&case, 0, entry, None));
     }
-    for needed in
-        ["write_d", "Route::Newton", "Route::Stationary", "Route::Chord", "linearize", "&linear_dq, &dq"]
-    {
+    for needed in [
+        "DistanceAlone",
+        "Route::Newton",
+        "Route::Stationary",
+        "Route::Chord",
+        "linearize",
+        "&linear_dq, &dq",
+    ] {
         assert!(text.contains(needed), "{needed}");
     }
     // The tolerance depends on how the formulas are written, so it is not compared.

@@ -5,7 +5,7 @@ use super::input::{Input, TimedCurve};
 use super::work::{Judge, rows, scenario, written};
 use super::{Scenario, Task};
 use beamgap::linearization::Derivatives;
-use beamgap::linearization::closed_form::kernel::{self, Full, Gradient, Packed, Targets};
+use beamgap::linearization::closed_form::kernel::{DistanceAlone, Full, Gradient, Packed, WithoutSlips};
 use beamgap::linearization::closed_form::{Matrices, jets};
 use beamgap_benchmark::CLOSED_FORM;
 
@@ -42,7 +42,7 @@ pub(super) fn scenarios<
         written(
             (Task::GradientOfDistance, CLOSED_FORM),
             input,
-            |p, to| kernel::write_d(&p.pair, &p.q, &p.point, to),
+            |p, to| p.pair.write(&p.q, &p.point, DistanceAlone { d: to }),
             Gradient::<f64, S>::zeros,
             move |of| gradients(std::slice::from_ref(of)),
             judge.of_gradients(1),
@@ -51,7 +51,7 @@ pub(super) fn scenarios<
             (Task::Gradients, CLOSED_FORM),
             input,
             |p, [d, xi, xi_bar, t, t_bar]: &mut [Gradient<f64, S>; 5]| {
-                kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+                p.pair.write(&p.q, &p.point, WithoutSlips { d, xi, xi_bar, t, t_bar });
             },
             || [Gradient::zeros(); 5],
             move |of| gradients(of),
@@ -67,7 +67,7 @@ pub(super) fn distance<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const
     judge: &Judge,
 ) -> Scenario {
     let work = |p: &Input<A, B, N, M>, to: &mut Derivatives<f64, N, M>| {
-        kernel::write_d(&p.pair, &p.q, &p.point, to);
+        p.pair.write(&p.q, &p.point, DistanceAlone { d: to });
     };
     written((task, CLOSED_FORM), input, work, Derivatives::zero, |of| rows(&[of]), judge.of_first(3))
 }
@@ -80,7 +80,7 @@ pub(super) fn all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: u
 ) -> Scenario {
     let work = |p: &Input<A, B, N, M>, to: &mut [Derivatives<f64, N, M>; 5]| {
         let [d, xi, xi_bar, t, t_bar] = to;
-        kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+        p.pair.write(&p.q, &p.point, WithoutSlips { d, xi, xi_bar, t, t_bar });
     };
     let memory = || [Derivatives::zero(); 5];
     written((task, CLOSED_FORM), input, work, memory, |of| rows(&of.each_ref()), judge.of_first(15))
@@ -126,7 +126,7 @@ pub(super) fn layouts<
         written(
             (Task::Distance, IN_FULL),
             input,
-            |p, to| kernel::write_d(&p.pair, &p.q, &p.point, to),
+            |p, to| p.pair.write(&p.q, &p.point, DistanceAlone { d: to }),
             Full::<f64, S>::zeros,
             move |of| full(std::slice::from_ref(of)),
             judge.of_first(3),
@@ -134,7 +134,7 @@ pub(super) fn layouts<
         written(
             (Task::Distance, PACKED),
             input,
-            |p, to| kernel::write_d(&p.pair, &p.q, &p.point, to),
+            |p, to| p.pair.write(&p.q, &p.point, DistanceAlone { d: to }),
             Packed::<f64, S, H>::zeros,
             move |of| packed(std::slice::from_ref(of)),
             judge.of_first(3),
@@ -143,7 +143,7 @@ pub(super) fn layouts<
             (Task::All, IN_FULL),
             input,
             |p, [d, xi, xi_bar, t, t_bar]: &mut [Full<f64, S>; 5]| {
-                kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+                p.pair.write(&p.q, &p.point, WithoutSlips { d, xi, xi_bar, t, t_bar });
             },
             || [Full::zeros(); 5],
             move |of| full(of),
@@ -153,7 +153,7 @@ pub(super) fn layouts<
             (Task::All, PACKED),
             input,
             |p, [d, xi, xi_bar, t, t_bar]: &mut [Packed<f64, S, H>; 5]| {
-                kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+                p.pair.write(&p.q, &p.point, WithoutSlips { d, xi, xi_bar, t, t_bar });
             },
             || [Packed::zeros(); 5],
             move |of| packed(of),

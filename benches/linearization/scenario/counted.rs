@@ -7,9 +7,7 @@ use super::{Scenario, Task};
 use beamgap::curve::Hermite;
 use beamgap::linearization::Derivatives;
 use beamgap::linearization::closed_form::Formulation;
-use beamgap::linearization::closed_form::kernel::{
-    Full, Packed, Target, Targets, write_all_over, write_d_over,
-};
+use beamgap::linearization::closed_form::kernel::{DistanceAlone, Full, Packed, Target, WithoutSlips};
 use beamgap::number::OperationCount;
 use beamgap::pair::{DofVector, Pair};
 use beamgap_benchmark::CLOSED_FORM;
@@ -40,15 +38,15 @@ fn multiply_adds(task: Task, method: &str) -> Option<usize> {
 
 fn of_d(mut to: impl Target<OperationCount, 12, 12>) -> usize {
     let Given { pair, q, at, form } = given();
-    OperationCount::count(|| assert!(write_d_over(&pair, &q, at, form, &mut to)))
+    OperationCount::count(|| assert!(pair.write_over(&q, at, form, DistanceAlone { d: &mut to })))
 }
 
 fn of_all(to: impl Target<OperationCount, 12, 12> + Copy) -> usize {
     let Given { pair, q, at, form } = given();
     let mut five = [to; 5];
     let [d, xi, xi_bar, t, t_bar] = &mut five;
-    let mut to = Targets { d, xi, xi_bar, t, t_bar };
-    OperationCount::count(|| assert!(write_all_over(&pair, &q, at, form, &mut to)))
+    let to = WithoutSlips { d, xi, xi_bar, t, t_bar };
+    OperationCount::count(|| assert!(pair.write_over(&q, at, form, to)))
 }
 
 struct Given {

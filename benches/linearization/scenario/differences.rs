@@ -6,7 +6,7 @@ use super::work::{Judge, rows, scenario};
 use super::{Error, Scenario, Task, automatic};
 use beamgap::closest_point::ClosestPoint;
 use beamgap::linearization::ad::{Perturbed, evaluate};
-use beamgap::linearization::closed_form::kernel::{self, Gradient, Targets};
+use beamgap::linearization::closed_form::kernel::{DistanceAlone, Gradient, WithoutSlips};
 use beamgap::linearization::{Derivatives, Quantities};
 use beamgap::pair::DofVector;
 
@@ -130,7 +130,7 @@ fn gradient_of_d<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: us
     p: &Input<A, B, N, M>,
 ) -> [Gradient<f64, S>; 1] {
     let mut to = [Gradient::zeros()];
-    kernel::write_d(&p.pair, &p.q, &p.point, &mut to[0]);
+    p.pair.write(&p.q, &p.point, DistanceAlone { d: &mut to[0] });
     to
 }
 
@@ -139,7 +139,7 @@ fn gradients_of_all<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M:
 ) -> [Gradient<f64, S>; 5] {
     let mut to = [Gradient::zeros(); 5];
     let [d, xi, xi_bar, t, t_bar] = &mut to;
-    kernel::write_all(&p.pair, &p.q, &p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    p.pair.write(&p.q, &p.point, WithoutSlips { d, xi, xi_bar, t, t_bar });
     to
 }
 

@@ -7,7 +7,9 @@ use super::work::{Judge, rows};
 use super::{Error, Runner, Scenario, Task};
 use beamgap::curve::Hermite;
 use beamgap::linearization::Derivatives;
-use beamgap::linearization::closed_form::kernel::{self, Packed, PairAtPoint, Targets};
+use beamgap::linearization::closed_form::kernel::{
+    DistanceAlone, Packed, PairAtPoint, WithoutSlips, write_d_batch,
+};
 use beamgap::number::Lanes;
 use beamgap::test_beam::Family;
 use rayon::prelude::*;
@@ -47,9 +49,9 @@ type Four = Packed<Lanes, 24, 300>;
 /// A method for `K` quantities of a pair.
 type One<const K: usize> = fn(&Met, &mut AllDerivatives<K>);
 
-const D: One<1> = |p, [d]| kernel::write_d(p.pair, p.q, p.point, d);
+const D: One<1> = |p, [d]| p.pair.write(p.q, p.point, DistanceAlone { d });
 const ALL: One<5> = |p, [d, xi, xi_bar, t, t_bar]| {
-    kernel::write_all(p.pair, p.q, p.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    p.pair.write(p.q, p.point, WithoutSlips { d, xi, xi_bar, t, t_bar });
 };
 
 /// The scenarios on one thread and on two.
@@ -131,7 +133,7 @@ impl Many {
                     pairs[..IN_CACHE].par_chunks(CHUNK).for_each(|chunk| {
                         let mut to = [Four::zeros()];
                         for four in chunk.chunks(4) {
-                            kernel::write_d_batch(black_box(four), black_box(&mut to));
+                            write_d_batch(black_box(four), black_box(&mut to));
                         }
                     });
                 });
@@ -150,7 +152,7 @@ impl Many {
                 pool.install(|| {
                     let chunks = pairs[..TO_MEMORY].par_chunks(CHUNK).zip(to.par_chunks_mut(CHUNK / 4));
                     chunks.for_each(|(of, to)| {
-                        kernel::write_d_batch(black_box(of), black_box(to));
+                        write_d_batch(black_box(of), black_box(to));
                     });
                 });
             })
@@ -176,7 +178,7 @@ impl Many {
         let pairs = self.pairs.clone();
         move |i| {
             let mut to = vec![Four::zeros(); DIFFERENT / 4];
-            kernel::write_d_batch(&pairs[..DIFFERENT], &mut to);
+            write_d_batch(&pairs[..DIFFERENT], &mut to);
             lane(&to[i / 4], i % 4).into_iter().collect()
         }
     }

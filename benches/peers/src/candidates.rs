@@ -7,7 +7,7 @@ use beamgap::linearization::ad::{
     Route, chord, expand_by_orders, expand_by_sweep, expand_by_vector_dual,
     expand_d_by_orders,
 };
-use beamgap::linearization::closed_form::kernel::{self, PairAtPoint, Full, Packed, Targets};
+use beamgap::linearization::closed_form::kernel::{DistanceAlone, Full, Packed, PairAtPoint, WithoutSlips, write_d_batch};
 use beamgap::linearization::closed_form::{Matrices, jets};
 use beamgap::linearization::{Derivatives, Linearization, Linearized, Quantities};
 use beamgap::number::Lanes;
@@ -88,21 +88,21 @@ candidate!(written_all, written_all_read: Linearization<f64, 12, 12>, |case, to|
 }, |all, full| write(&[&all.d, &all.xi, &all.xi_bar, &all.t, &all.t_bar], full));
 
 candidate!(blocks_d_full, blocks_d_full_read: Row, |case, to| {
-    kernel::write_d(&PAIR, &case.q, &case.point, to);
+    PAIR.write(&case.q, &case.point, DistanceAlone { d: to });
 }, |d, full| write_rows(std::slice::from_ref(d), full));
 
 candidate!(blocks_d_upper, blocks_d_upper_read: Quantity, |case, to| {
-    kernel::write_d(&PAIR, &case.q, &case.point, to);
+    PAIR.write(&case.q, &case.point, DistanceAlone { d: to });
 }, |d, full| write(&[d], full));
 
 candidate!(blocks_all_full, blocks_all_full_read: [Row; 5], |case, to| {
     let [d, xi, xi_bar, t, t_bar] = to;
-    kernel::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    PAIR.write(&case.q, &case.point, WithoutSlips { d, xi, xi_bar, t, t_bar });
 }, |all, full| write_rows(all, full));
 
 candidate!(blocks_all_upper, blocks_all_upper_read: [Quantity; 5], |case, to| {
     let [d, xi, xi_bar, t, t_bar] = to;
-    kernel::write_all(&PAIR, &case.q, &case.point, &mut Targets { d, xi, xi_bar, t, t_bar });
+    PAIR.write(&case.q, &case.point, WithoutSlips { d, xi, xi_bar, t, t_bar });
 }, |all, full| write(&all.each_ref(), full));
 
 /// A quantity of four pairs in the lanes of a vector, with half of its Hessian.
@@ -147,7 +147,7 @@ fn write_lane(of: &Four, lane: usize, block: &mut [f64]) {
 }
 
 four!(four_d, four_d_read: [Four; 1], |cases, to| {
-    kernel::write_d_batch(cases, to);
+    write_d_batch(cases, to);
 });
 
 /// The quantities of task A.

@@ -195,7 +195,7 @@ fn every_function_of_the_library_is_compared() {
             if is_linear && !verdict.entries().is_empty() {
                 // Value, both first variations and the second of seven scalars and of g_N.
                 assert_eq!(
-                    [own("linearize"), own("linearize_into"), own("write_d")],
+                    [own("linearize"), own("linearize_into"), own("write DistanceAlone")],
                     [Some(32), Some(32), Some(4)]
                 );
                 dofs.insert([beam, bar]);
@@ -208,15 +208,23 @@ fn every_function_of_the_library_is_compared() {
     // Two pairs with 15 dofs, which no family has.
     assert_eq!((count("linearize, "), count("linearize, 15"), count("linearize, 12 + 15")), (19, 1, 1));
     // Three pairs in every layout, and in batches.
-    let starts =
-        ["write_all_with_slips, ", "write_all, ", "write_d, full", "write_d, packed", "write_d_batch of"];
+    let starts = [
+        "write WithSlips, ",
+        "write WithoutSlips, ",
+        "write DistanceAlone, full",
+        "write DistanceAlone, packed",
+        "write_d_batch of",
+    ];
     assert_eq!(starts.map(count), [12, 3 + 1, 3, 3, 12]);
-    assert_eq!(["write_all_with_slips_over", "write_all_over", "write_d_over"].map(count), [3; 3]);
+    assert_eq!(
+        ["write_over WithSlips", "write_over WithoutSlips", "write_over DistanceAlone"].map(count),
+        [3; 3]
+    );
     let any = [
         ("closed_form::vary", 92),
         ("linearize, by matrices", 32),
-        ("write_all, by matrices", 20),
-        ("write_d, by matrices", 4),
+        ("write WithoutSlips, by matrices", 20),
+        ("write DistanceAlone, by matrices", 4),
         ("write_d_batch, by matrices", 4),
         ("Matrices::vector", 60),
         ("expand_d_by_orders", 4),

@@ -24,160 +24,80 @@ mod solution;
 mod target;
 
 pub use batch::{PairAtPoint, write_d_batch};
-pub use request::Targets;
+pub use request::{DistanceAlone, Request, WithSlips, WithoutSlips};
 pub use target::{Full, Gradient, Packed, Target};
 
 use super::{Formulation, Matrices, Points, jets};
 use crate::closest_point::ClosestPoint;
 use crate::curve::{Curve, DofDerivatives};
-use crate::linearization::Linearization;
 use crate::linearization::dispatch::return_with_vectors;
 use crate::number::Real;
 use crate::pair::{Contact, DofVector, Pair};
-use crate::source_fault::source_fault;
 use arithmetic::{Arithmetic, ScalarArithmetic};
 #[cfg(target_arch = "x86_64")]
 use avx2::Avx2Arithmetic;
 use choice::{Best, Choice, Given, points};
 use frame::{Frame, Gradients, Products, along};
-use request::{DistanceAlone, Request, WithSlips};
 use side::{Point, Shapes, Side, Spread, shapes, spread};
 use solution::Solution;
 
-/// d with its derivatives, at a closest point of the pair, written over `to`.
-#[inline]
-pub fn write_d<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    to: &mut impl Target<f64, N, M>,
-) {
-    write(pair, q, point, &mut DistanceAlone(to));
-}
-
-/// All scalar quantities except the slips, at a closest point of the pair, written over `to`.
-#[inline]
-pub fn write_all<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    to: &mut Targets<'_, impl Target<f64, N, M>>,
-) {
-    write(pair, q, point, to);
-}
-
-/// All scalar quantities with the slips, at a closest point of the pair, written over `to` and `slips`, g_T and g_T_bar.
-#[inline]
-pub fn write_all_with_slips<
-    A: Curve<N>,
-    B: Curve<M>,
-    W: Target<f64, N, M>,
-    const N: usize,
-    const M: usize,
->(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    to: &mut Targets<'_, W>,
-    slips: [&mut W; 2],
-) {
-    let origin = (pair.contact.xi_0, pair.contact.xi_bar_0);
-    write(pair, q, point, &mut WithSlips { targets: to, slips, origin });
-}
-
-/// [`write_all_with_slips`] into a [`Linearization`].
-#[inline]
-pub fn write_linearization<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    to: &mut Linearization<f64, N, M>,
-) {
-    let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = to;
-    let Contact { radius, radius_bar, .. } = pair.contact;
-    *radii = radius + source_fault!("radius-twice": radius, radius_bar);
-    write_all_with_slips(pair, q, point, &mut Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar]);
-}
-
-/// [`write_d`] over any scalar, in the given formulation. Returns `false` and writes nothing without shape functions.
-///
-/// It serves checks and operation counts. [`write_d`] computes the same, with fused products and sums.
-pub fn write_d_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<T, N, M>,
-    at: (T, T),
-    form: Formulation,
-    to: &mut impl Target<T, N, M>,
-) -> bool {
-    write_over(pair, q, at, form, &mut DistanceAlone(to))
-}
-
-/// [`write_all`] over any scalar, otherwise like [`write_d_over`].
-pub fn write_all_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<T, N, M>,
-    at: (T, T),
-    form: Formulation,
-    to: &mut Targets<'_, impl Target<T, N, M>>,
-) -> bool {
-    write_over(pair, q, at, form, to)
-}
-
-/// [`write_all_with_slips`] over any scalar, otherwise like [`write_d_over`].
-pub fn write_all_with_slips_over<T, A, B, W, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<T, N, M>,
-    at: (T, T),
-    form: Formulation,
-    to: &mut Targets<'_, W>,
-    slips: [&mut W; 2],
-) -> bool
-where
-    T: Real,
-    A: Curve<N>,
-    B: Curve<M>,
-    W: Target<T, N, M>,
-{
-    let origin = (pair.contact.xi_0, pair.contact.xi_bar_0);
-    write_over(pair, q, at, form, &mut WithSlips { targets: to, slips, origin })
-}
-
-/// [`write_all_with_slips_over`] for curves that are given by their shape functions at the closest point.
-#[cfg(feature = "check")]
-pub(crate) fn write_all_by_shapes_over<T: Real, W: Target<T, N, M>, const N: usize, const M: usize>(
-    [of_beam, of_bar]: [Shapes<'_, T>; 2],
-    q: &DofVector<T, N, M>,
-    at: (T, T),
-    form: Formulation,
-    contact: &Contact,
-    [d, t, t_bar, xi, xi_bar, g_t, g_t_bar]: &mut [W; 7],
-) {
-    let targets = &mut Targets { d, xi, xi_bar, t, t_bar };
-    let origin = (contact.xi_0, contact.xi_bar_0);
-    by_one((of_beam, of_bar), q, at, form, &mut WithSlips { targets, slips: [g_t, g_t_bar], origin });
-}
-
-/// Writes the requested quantities by the formulation that loses the fewest digits.
-///
-/// The kernel only knows how many dofs the curves have. It is compiled for these numbers and not for curve families.
-#[inline]
-fn write<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<f64, N, M>,
-    point: &ClosestPoint,
-    request: &mut impl Request<f64, N, M>,
-) {
-    // A curve that is not linear in its dofs has no shape functions, so its jet is not computed here.
-    if A::Dofs::<f64>::LINEAR && B::Dofs::<f64>::LINEAR {
-        let (dofs, dofs_bar) =
-            (pair.curve.jet(&q.beam, point.xi).dofs, pair.curve_bar.jet(&q.bar, point.xi_bar).dofs);
-        if let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar))
-            && write_by_shapes((of_beam, of_bar), q, point, request)
-        {
-            return;
+impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {
+    /// The requested quantities with their derivatives, at a closest point of the pair, written into memory of the caller:
+    /// [`DistanceAlone`], [`WithoutSlips`] or [`WithSlips`], in any layout that is a [`Target`].
+    ///
+    /// The numbers are those of [`Pair::linearize`], by the formulation that loses the fewest digits.
+    ///
+    /// # Example
+    /// ```
+    /// # use beamgap::curve::Segment;
+    /// # use beamgap::linearization::closed_form::kernel::{DistanceAlone, Full};
+    /// # use beamgap::pair::Pair;
+    /// # let pair = Pair::new(Segment::new(), Segment::new());
+    /// # let q = ([-1.0, 0.0, 0.0, 1.0, 0.0, 0.0], [0.0, -1.0, -0.5, 0.0, 1.0, -0.5]).into();
+    /// # let found = pair.closest_points(&q)?;
+    /// # let point = found.interior()?;
+    /// let mut d = Full::<f64, 12>::zeros();
+    /// pair.write(&q, point, DistanceAlone { d: &mut d });
+    /// assert_eq!(d.value, 0.5);
+    /// # Ok::<(), beamgap::closest_point::ProjectionError>(())
+    /// ```
+    // The kernel only knows how many dofs the curves have. It is compiled for these numbers and not for curve families.
+    #[inline]
+    pub fn write(
+        &self,
+        q: &DofVector<f64, N, M>,
+        point: &ClosestPoint,
+        mut request: impl Request<f64, N, M>,
+    ) {
+        // A curve that is not linear in its dofs has no shape functions, so its jet is not computed here.
+        if A::Dofs::<f64>::LINEAR && B::Dofs::<f64>::LINEAR {
+            let (dofs, dofs_bar) =
+                (self.curve.jet(&q.beam, point.xi).dofs, self.curve_bar.jet(&q.bar, point.xi_bar).dofs);
+            if let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar))
+                && write_by_shapes((of_beam, of_bar), q, point, &self.contact, &mut request)
+            {
+                return;
+            }
         }
+        write_by_matrices(self, q, point, &mut request);
     }
-    write_by_matrices(pair, q, point, request);
+
+    /// [`Pair::write`] over any scalar, at the parameters `at`, in the given formulation. Returns `false` and writes
+    /// nothing if a curve has no shape functions.
+    ///
+    /// It serves checks and operation counts. [`Pair::write`] computes the same, with fused products and sums.
+    pub fn write_over<T: Real>(
+        &self,
+        q: &DofVector<T, N, M>,
+        at: (T, T),
+        form: Formulation,
+        mut request: impl Request<T, N, M>,
+    ) -> bool {
+        let (dofs, dofs_bar) = (self.curve.jet(&q.beam, at.0).dofs, self.curve_bar.jet(&q.bar, at.1).dofs);
+        let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar)) else { return false };
+        write_by_shapes_over((of_beam, of_bar), q, at, form, &self.contact, &mut request);
+        true
+    }
 }
 
 /// For curves with shape functions. Returns `false` and writes nothing on an x86-64 without the vector units.
@@ -186,15 +106,17 @@ fn write_by_shapes<const N: usize, const M: usize>(
     shapes: (Shapes<'_, f64>, Shapes<'_, f64>),
     q: &DofVector<f64, N, M>,
     point: &ClosestPoint,
+    contact: &Contact,
     request: &mut impl Request<f64, N, M>,
 ) -> bool {
     let (at, held) = ((point.xi, point.xi_bar), point.held());
-    return_with_vectors!(f: Avx2Arithmetic => evaluate(f, shapes, q, at, Best(held), request).is_some());
+    return_with_vectors!(f: Avx2Arithmetic => evaluate(f, shapes, q, at, Best(held), contact, request).is_some());
     // Few x86-64 processors lack these vector units, so the kernel is not compiled once more for them.
     if cfg!(not(target_arch = "x86_64")) {
         let (beam, bar) =
             (Point::new(ScalarArithmetic, shapes.0, &q.beam), Point::new(ScalarArithmetic, shapes.1, &q.bar));
-        by_one(shapes, q, at, Formulation::at(&points(ScalarArithmetic, (&beam, &bar)), held), request);
+        let form = Formulation::at(&points(ScalarArithmetic, (&beam, &bar)), held);
+        write_by_shapes_over(shapes, q, at, form, contact, request);
     }
     cfg!(not(target_arch = "x86_64"))
 }
@@ -213,30 +135,17 @@ fn write_by_matrices<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     request.copy(&Matrices::in_formulation(&jet, &jet_bar, form), at, &pair.contact);
 }
 
-/// For any scalar. Returns `false` and writes nothing if a curve has no shape functions.
-fn write_over<T: Real, A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
-    pair: &Pair<A, B, N, M>,
-    q: &DofVector<T, N, M>,
-    at: (T, T),
-    form: Formulation,
-    request: &mut impl Request<T, N, M>,
-) -> bool {
-    let (dofs, dofs_bar) = (pair.curve.jet(&q.beam, at.0).dofs, pair.curve_bar.jet(&q.bar, at.1).dofs);
-    let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar)) else { return false };
-    by_one((of_beam, of_bar), q, at, form, request);
-    true
-}
-
 /// Evaluates in scalar arithmetic, one number after the other.
 #[inline(never)]
-fn by_one<T: Real, const N: usize, const M: usize>(
+pub(crate) fn write_by_shapes_over<T: Real, const N: usize, const M: usize>(
     shapes: (Shapes<'_, T>, Shapes<'_, T>),
     q: &DofVector<T, N, M>,
     at: (T, T),
     form: Formulation,
+    contact: &Contact,
     request: &mut impl Request<T, N, M>,
 ) {
-    evaluate(ScalarArithmetic, shapes, q, at, Given(form), request);
+    evaluate(ScalarArithmetic, shapes, q, at, Given(form), contact, request);
 }
 
 /// Returns the lanes, as bits, that need another formulation than the others, or nothing if no lane is written.
@@ -247,6 +156,7 @@ fn evaluate<T: Real, const N: usize, const M: usize>(
     q: &DofVector<T, N, M>,
     at: (T, T),
     choice: impl Choice<T>,
+    contact: &Contact,
     request: &mut impl Request<T, N, M>,
 ) -> Option<u8> {
     let one = T::one();
@@ -265,6 +175,6 @@ fn evaluate<T: Real, const N: usize, const M: usize>(
     let (xi, xi_bar) = along(f, &bar, (u, u_bar), ([-q, -q_bar], products.d));
     let g_bar = Gradients { xi: &xi, xi_bar: &xi_bar };
     let frame = Frame { beam: &beam, bar: &bar, g, g_bar, products, solution };
-    request.write(f, &frame, at);
+    request.write(f, &frame, at, contact);
     Some(exceptions)
 }

@@ -1,7 +1,7 @@
 use super::{BlockHessian, Linearization};
 use crate::closest_point::Held;
 use crate::curve::{Hermite, Segment};
-use crate::linearization::closed_form::kernel::{Packed, write_d};
+use crate::linearization::closed_form::kernel::{DistanceAlone, Packed};
 use crate::pair::{Contact, LengthError, Pair};
 
 #[test]
@@ -48,7 +48,7 @@ fn a_pair_is_linearized_by_the_kernel() {
     assert_eq!(*all, again);
     let (mut packed, mut theirs) = ([0.0; 171], Packed::<f64, 18, 171>::zeros());
     all.d.hessian.write_packed(&mut packed).unwrap();
-    write_d(&pair, &q, point, &mut theirs);
+    pair.write(&q, point, DistanceAlone { d: &mut theirs });
     let largest = packed.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     assert!(packed.iter().zip(&theirs.hessian).all(|(x, y)| (x - y).abs() <= 1e-14 * largest));
     let start = (point.xi + 0.01, point.xi_bar);

@@ -3,14 +3,12 @@
 use super::tabulated::{AtPoint, Image, TabulatedBeams};
 use super::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
-use crate::linearization::closed_form::kernel::{
-    Gradient, Targets, write_all, write_all_over, write_all_with_slips, write_all_with_slips_over, write_d,
-    write_d_batch, write_d_over,
-};
+use crate::linearization::closed_form::kernel::{DistanceAlone, Gradient, WithoutSlips, write_d_batch};
 use crate::linearization::closed_form::{Formulation, Points, jets};
 use crate::linearization::{Derivatives, Linearization};
 use crate::number::Lanes;
 use crate::pair::DofVector;
+use crate::variant::kernel::with_slips;
 use crate::variant::layouts::Second;
 use crate::variant::read::{Directions, Read, along};
 use crate::variant::{G_N, SCALAR_COMPONENTS, SCALARS};
@@ -19,7 +17,7 @@ use nalgebra::{SMatrix, SVector};
 /// The component d.
 pub(super) const D: usize = SCALAR_COMPONENTS[0];
 
-/// `linearize`, `linearize_into` and `write_d`, for the given names.
+/// `linearize`, `linearize_into` and `write` of d, for the given names.
 pub(super) fn linearized<const P: usize, const R: usize, const N: usize, const M: usize>(
     [linearize, linearize_into, d_alone]: [&'static str; 3],
     beams: &TabulatedBeams<'_>,
@@ -28,7 +26,7 @@ pub(super) fn linearized<const P: usize, const R: usize, const N: usize, const M
     let mut into = nowhere();
     pair.linearize_into(&q, beams.point, &mut into);
     let mut d = unwritten();
-    write_d(&pair, &q, beams.point, &mut d);
+    pair.write(&q, beams.point, DistanceAlone { d: &mut d });
     vec![
         Returned::new(linearize, every_scalar(&pair.linearize(&q, beams.point), &directions)),
         Returned::new(linearize_into, every_scalar(&into, &directions)),
@@ -75,61 +73,53 @@ pub(super) fn layouts<
     const S: usize,
     const H: usize,
 >(
-    [blocks, full, packed, gradient, no_slips, full_d, packed_d, over, all_over, d_over]: [&'static str; 10],
+    [blocks, full, packed, gradient, no_slips, full_d, packed_d, over, no_slips_over, d_over]: [&'static str;
+        10],
     beams: &TabulatedBeams<'_>,
 ) -> Vec<Returned> {
     let (pair, q, directions) = (beams.pair::<P, R, N, M>(), beams.vector(0), beams.directions());
-    let with_slips = |memory: fn() -> Second<f64, N, M, S, H>| {
+    let all = |memory: fn() -> Second<f64, N, M, S, H>| {
         let mut all = std::array::from_fn(|_| memory());
-        let (mut to, slips) = targets_and_slips(&mut all);
-        write_all_with_slips(&pair, &q, beams.point, &mut to, slips);
+        pair.write(&q, beams.point, with_slips(&mut all));
         read(&all, &directions)
     };
     let d_alone = |memory: fn() -> Second<f64, N, M, S, H>| {
         let mut d = memory();
-        write_d(&pair, &q, beams.point, &mut d);
+        pair.write(&q, beams.point, DistanceAlone { d: &mut d });
         vec![(D, along(&d, &directions))]
     };
     let mut gradients: [Gradient<f64, S>; SCALARS] = std::array::from_fn(|_| Gradient::zeros());
-    let (mut to, slips) = targets_and_slips(&mut gradients);
-    write_all_with_slips(&pair, &q, beams.point, &mut to, slips);
+    pair.write(&q, beams.point, with_slips(&mut gradients));
     let mut first: [Gradient<f64, S>; 5] = std::array::from_fn(|_| Gradient::zeros());
-    write_all(&pair, &q, beams.point, &mut targets(&mut first));
+    pair.write(&q, beams.point, without_slips(&mut first));
     let [in_blocks, in_full, in_packed] = Second::ALL;
     // Over any scalar, in a formulation that is given.
     let at = (beams.point.xi, beams.point.xi_bar);
     let (jet, jet_bar) = jets(&pair, &q, at);
     let form = Formulation::at(&Points::new(&jet.geometry, &jet_bar.geometry), beams.point.held());
-    let mut with_slips_over = std::array::from_fn(|_| in_blocks());
-    let (mut to, slips) = targets_and_slips(&mut with_slips_over);
-    write_all_with_slips_over(&pair, &q, at, form, &mut to, slips);
+    let mut all_over = std::array::from_fn(|_| in_blocks());
+    pair.write_over(&q, at, form, with_slips(&mut all_over));
     let mut first_over = std::array::from_fn(|_| in_blocks());
-    write_all_over(&pair, &q, at, form, &mut targets(&mut first_over));
+    pair.write_over(&q, at, form, without_slips(&mut first_over));
     let mut d_alone_over = in_blocks();
-    write_d_over(&pair, &q, at, form, &mut d_alone_over);
+    pair.write_over(&q, at, form, DistanceAlone { d: &mut d_alone_over });
     vec![
-        Returned::new(blocks, with_slips(in_blocks)),
-        Returned::new(full, with_slips(in_full)),
-        Returned::new(packed, with_slips(in_packed)),
+        Returned::new(blocks, all(in_blocks)),
+        Returned::new(full, all(in_full)),
+        Returned::new(packed, all(in_packed)),
         Returned::new(gradient, read(&gradients, &directions)),
         Returned::new(no_slips, read(&first, &directions)),
         Returned::new(full_d, d_alone(in_full)),
         Returned::new(packed_d, d_alone(in_packed)),
-        Returned::new(over, read(&with_slips_over, &directions)),
-        Returned::new(all_over, read(&first_over, &directions)),
+        Returned::new(over, read(&all_over, &directions)),
+        Returned::new(no_slips_over, read(&first_over, &directions)),
         Returned::new(d_over, vec![(D, along(&d_alone_over, &directions))]),
     ]
 }
 
-/// The first scalars as targets.
-pub(super) fn targets<W>([d, t, t_bar, xi, xi_bar]: &mut [W; 5]) -> Targets<'_, W> {
-    Targets { d, xi, xi_bar, t, t_bar }
-}
-
-fn targets_and_slips<W>(
-    [d, t, t_bar, xi, xi_bar, g_t, g_t_bar]: &mut [W; SCALARS],
-) -> (Targets<'_, W>, [&mut W; 2]) {
-    (Targets { d, xi, xi_bar, t, t_bar }, [g_t, g_t_bar])
+/// The request of the first scalars.
+pub(super) fn without_slips<W>([d, t, t_bar, xi, xi_bar]: &mut [W; 5]) -> WithoutSlips<'_, W> {
+    WithoutSlips { d, xi, xi_bar, t, t_bar }
 }
 
 /// The first scalars.

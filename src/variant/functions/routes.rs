@@ -1,14 +1,14 @@
 //! The functions that any curve has: the variations, the matrices, and the routes of automatic differentiation.
 
 use super::expansion::Expansion;
-use super::linearized::{D, every_scalar, read, targets, unwritten};
+use super::linearized::{D, every_scalar, read, unwritten, without_slips};
 use super::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::ad::{
     Route, chord, expand_by_orders, expand_by_rows, expand_by_sweep, expand_by_vector_dual,
     expand_d_by_orders, vary,
 };
-use crate::linearization::closed_form::kernel::{Full, PairAtPoint, write_all, write_d, write_d_batch};
+use crate::linearization::closed_form::kernel::{DistanceAlone, Full, PairAtPoint, write_d_batch};
 use crate::linearization::closed_form::{self, Matrices, PartialVariations, VectorQuantity};
 use crate::linearization::{COMPONENTS, Derivatives, Quantities, Quantity, Varied};
 use crate::number::{HyperDualRow, Lanes};
@@ -43,9 +43,9 @@ fn by_matrices(
     let directions = DIRECTIONS.map(|direction| direction.to_vec());
     let linearized = pair.linearize(q, point);
     let mut one = unwritten();
-    write_d(pair, q, point, &mut one);
+    pair.write(q, point, DistanceAlone { d: &mut one });
     let mut first = [unwritten(); 5];
-    write_all(pair, q, point, &mut targets(&mut first));
+    pair.write(q, point, without_slips(&mut first));
     let mut lanes = [Full::<Lanes, 4>::zeros()];
     write_d_batch(&[PairAtPoint { pair, q, point }], &mut lanes);
     let in_lanes = directions.each_ref().map(|of| of.iter().map(|&x| Lanes([x; 4])).collect());
@@ -63,8 +63,8 @@ fn by_matrices(
     let components = vectors.into_iter().flat_map(|quantity| [quantity; 3]).enumerate();
     vec![
         Returned::new("linearize, by matrices", every_scalar(&linearized, &directions)),
-        Returned::new("write_d, by matrices", vec![(D, along(&one, &directions))]),
-        Returned::new("write_all, by matrices", read(&first, &directions)),
+        Returned::new("write DistanceAlone, by matrices", vec![(D, along(&one, &directions))]),
+        Returned::new("write WithoutSlips, by matrices", read(&first, &directions)),
         Returned::new("write_d_batch, by matrices", vec![(D, of_lane)]),
         Returned::new("Matrices::vector", components.map(component).collect()),
     ]

@@ -3,18 +3,18 @@
 //! For all quantities, one pair after another is as fast, because the rows of one pair fill the vectors.
 
 use super::choice::{ALL, Regular};
+use super::evaluate;
 #[cfg(target_arch = "x86_64")]
 use super::lanes::LanesArithmetic;
-use super::request::{DistanceAlone, Request};
+use super::request::DistanceAlone;
 use super::side::{Shapes, shapes};
 use super::target::{Target, fill};
-use super::{evaluate, write_d};
 use crate::closest_point::{ClosestPoint, Held};
 use crate::curve::{Curve, DofDerivatives};
 use crate::linearization::Derivatives;
 use crate::linearization::dispatch::{dispatch_simd, return_with_vectors};
 use crate::number::Lanes;
-use crate::pair::{DofVector, Pair};
+use crate::pair::{Contact, DofVector, Pair};
 use crate::source_fault::source_fault;
 use nalgebra::SVector;
 
@@ -47,9 +47,9 @@ where
     W: Target<Lanes, N, M>,
 {
     each_four(of, to, |of, to| {
-        one_by_one(of, in_lanes(of, &mut DistanceAlone(to)), |lane, PairAtPoint { pair, q, point }| {
+        one_by_one(of, in_lanes(of, to), |lane, PairAtPoint { pair, q, point }| {
             let mut one = Derivatives::zero();
-            write_d(pair, q, point, &mut one);
+            pair.write(q, point, DistanceAlone { d: &mut one });
             fill(&one, to, |to: &mut Lanes, from| to.0[lane] = from);
         });
     })
@@ -89,7 +89,7 @@ fn each_four<E, W>(of: &[E], to: &mut [W], mut write: impl FnMut(&[E], &mut W)) 
 #[inline]
 fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, const M: usize>(
     of: &[PairAtPoint<'_, A, B, N, M>],
-    request: &mut impl Request<Lanes, N, M>,
+    to: &mut impl Target<Lanes, N, M>,
 ) -> u8 {
     let Some(first) = of.first() else { return 0 };
     let alike = |e: &PairAtPoint<'_, A, B, N, M>| {
@@ -105,14 +105,14 @@ fn in_lanes<A: Curve<N> + PartialEq, B: Curve<M> + PartialEq, const N: usize, co
     // Lanes without a pair repeat the first pair.
     let lane = |i| of.get(i).unwrap_or(first);
     let four = [first, lane(1), lane(2), lane(3)];
-    if held == ALL { ALL } else { fast(four, request) | held }
+    if held == ALL { ALL } else { fast(four, to) | held }
 }
 
 /// Writes in lanes, if the machine has vectors for them. Returns the lanes, as bits, that need another formulation.
 #[inline]
 fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
     four: [&PairAtPoint<'_, A, B, N, M>; 4],
-    request: &mut impl Request<Lanes, N, M>,
+    to: &mut impl Target<Lanes, N, M>,
 ) -> u8 {
     #[cfg(target_arch = "x86_64")]
     {
@@ -126,7 +126,7 @@ fn fast<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize>(
         let pair = four[0].pair;
         let (dofs, dofs_bar) = (pair.curve.jet(&q.beam, at.0).dofs, pair.curve_bar.jet(&q.bar, at.1).dofs);
         if let (Some(of_beam), Some(of_bar)) = (shapes(&dofs), shapes(&dofs_bar)) {
-            return fast_by_shapes((of_beam, of_bar), &q, at, request);
+            return fast_by_shapes((of_beam, of_bar), &q, at, to);
         }
     }
     ALL
@@ -139,9 +139,13 @@ fn fast_by_shapes<const N: usize, const M: usize>(
     shapes: (Shapes<'_, Lanes>, Shapes<'_, Lanes>),
     q: &DofVector<Lanes, N, M>,
     at: (Lanes, Lanes),
-    request: &mut impl Request<Lanes, N, M>,
+    to: &mut impl Target<Lanes, N, M>,
 ) -> u8 {
-    return_with_vectors!(f: LanesArithmetic => evaluate(f, shapes, q, at, Regular, request).unwrap_or(ALL));
+    // d does not depend on the contact.
+    let (contact, mut request) = (Contact::default(), DistanceAlone { d: to });
+    return_with_vectors!(f: LanesArithmetic => {
+        evaluate(f, shapes, q, at, Regular, &contact, &mut request).unwrap_or(ALL)
+    });
     ALL
 }
 

@@ -1,5 +1,7 @@
 //! The requested quantities of a pair, and the memory for them.
 
+#![expect(private_interfaces, private_bounds, reason = "types of the kernel seal the trait")]
+
 use super::arithmetic::Arithmetic;
 use super::frame::Frame;
 use super::parameters::Bending;
@@ -11,12 +13,20 @@ use crate::linearization::closed_form::Matrices;
 use crate::number::Real;
 use crate::pair::Contact;
 
-/// Quantities, with the memory for them.
-pub(super) trait Request<T: Real, const N: usize, const M: usize> {
+/// The wanted quantities, and where they go: [`DistanceAlone`], [`WithoutSlips`] or [`WithSlips`].
+pub trait Request<T: Real, const N: usize, const M: usize> {
     /// Writes them, at the parameters `at`.
-    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, at: (T, T));
+    #[doc(hidden)]
+    fn write<A: Arithmetic<T>>(
+        &mut self,
+        f: A,
+        frame: &Frame<'_, T, A::Vector, N, M>,
+        at: (T, T),
+        contact: &Contact,
+    );
 
     /// Writes them from the matrices.
+    #[doc(hidden)]
     fn copy(
         &mut self,
         matrices: &Matrices<'_, T, impl DofDerivatives<T, N>, impl DofDerivatives<T, M>, N, M>,
@@ -25,13 +35,23 @@ pub(super) trait Request<T: Real, const N: usize, const M: usize> {
     );
 }
 
-/// Memory for d.
-pub(super) struct DistanceAlone<'a, W>(pub(super) &'a mut W);
+/// d alone.
+#[derive(Debug)]
+pub struct DistanceAlone<'a, W> {
+    /// d.
+    pub d: &'a mut W,
+}
 
 impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, M> for DistanceAlone<'_, W> {
     #[inline(always)]
-    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, _: (T, T)) {
-        frame.write_d(f, self.0);
+    fn write<A: Arithmetic<T>>(
+        &mut self,
+        f: A,
+        frame: &Frame<'_, T, A::Vector, N, M>,
+        _: (T, T),
+        _: &Contact,
+    ) {
+        frame.write_d(f, self.d);
     }
 
     fn copy(
@@ -40,13 +60,13 @@ impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, 
         _: (T, T),
         _: &Contact,
     ) {
-        copy(&matrices.d(), self.0);
+        copy(&matrices.d(), self.d);
     }
 }
 
-/// Memory for all scalar quantities of a pair except the slips.
+/// All scalar quantities of a pair except the slips.
 #[derive(Debug)]
-pub struct Targets<'a, W> {
+pub struct WithoutSlips<'a, W> {
     /// d.
     pub d: &'a mut W,
     /// xi.
@@ -59,9 +79,15 @@ pub struct Targets<'a, W> {
     pub t_bar: &'a mut W,
 }
 
-impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, M> for Targets<'_, W> {
+impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, M> for WithoutSlips<'_, W> {
     #[inline(always)]
-    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, at: (T, T)) {
+    fn write<A: Arithmetic<T>>(
+        &mut self,
+        f: A,
+        frame: &Frame<'_, T, A::Vector, N, M>,
+        at: (T, T),
+        _: &Contact,
+    ) {
         frame.write_d(f, self.d);
         let bending = Bending::new(f, frame);
         frame.write_xi(f, (at.0, &bending), self.xi, self.t);
@@ -78,7 +104,7 @@ impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, 
     }
 }
 
-impl<W> Targets<'_, W> {
+impl<W> WithoutSlips<'_, W> {
     fn copy_from<T: Real, const N: usize, const M: usize>(&mut self, all: &Linearization<T, N, M>)
     where
         W: Target<T, N, M>,
@@ -92,21 +118,46 @@ impl<W> Targets<'_, W> {
     }
 }
 
-/// Memory for all scalar quantities of a pair, and the reference parameters of the slips.
-pub(super) struct WithSlips<'a, 'b, W> {
-    pub(super) targets: &'b mut Targets<'a, W>,
-    pub(super) slips: [&'b mut W; 2],
-    pub(super) origin: (f64, f64),
+/// All scalar quantities of a pair. g_N has the derivatives of d.
+#[derive(Debug)]
+pub struct WithSlips<'a, W> {
+    /// d.
+    pub d: &'a mut W,
+    /// xi.
+    pub xi: &'a mut W,
+    /// xi_bar.
+    pub xi_bar: &'a mut W,
+    /// t.
+    pub t: &'a mut W,
+    /// t_bar.
+    pub t_bar: &'a mut W,
+    /// g_T.
+    pub g_t: &'a mut W,
+    /// g_T_bar.
+    pub g_t_bar: &'a mut W,
 }
 
-impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, M> for WithSlips<'_, '_, W> {
+impl<W> WithSlips<'_, W> {
     #[inline(always)]
-    fn write<A: Arithmetic<T>>(&mut self, f: A, frame: &Frame<'_, T, A::Vector, N, M>, at: (T, T)) {
-        self.targets.write(f, frame, at);
-        let Targets { xi, xi_bar, t, t_bar, .. } = &mut *self.targets;
+    fn without_slips(&mut self) -> WithoutSlips<'_, W> {
+        let Self { d, xi, xi_bar, t, t_bar, .. } = self;
+        WithoutSlips { d, xi, xi_bar, t, t_bar }
+    }
+}
+
+impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, M> for WithSlips<'_, W> {
+    #[inline(always)]
+    fn write<A: Arithmetic<T>>(
+        &mut self,
+        f: A,
+        frame: &Frame<'_, T, A::Vector, N, M>,
+        at: (T, T),
+        contact: &Contact,
+    ) {
+        self.without_slips().write(f, frame, at, contact);
+        let Self { xi, xi_bar, t, t_bar, g_t, g_t_bar, .. } = self;
         let Frame { g, g_bar, .. } = frame;
-        let [g_t, g_t_bar] = &mut self.slips;
-        let (slip, slip_bar) = (at.0 - T::from(self.origin.0), at.1 - T::from(self.origin.1));
+        let (slip, slip_bar) = (at.0 - T::from(contact.xi_0), at.1 - T::from(contact.xi_bar_0));
         write_slip(f, slip, (g.xi, g_bar.xi), (*xi, *t), *g_t);
         let (xi_bar, t_bar) = (&mut Swapped(*xi_bar), &mut Swapped(*t_bar));
         write_slip(f, slip_bar, (g_bar.xi_bar, g.xi_bar), (xi_bar, t_bar), &mut Swapped(*g_t_bar));
@@ -119,9 +170,8 @@ impl<T: Real, W: Target<T, N, M>, const N: usize, const M: usize> Request<T, N, 
         contact: &Contact,
     ) {
         let all = matrices.all(at, contact);
-        self.targets.copy_from(&all);
-        let [g_t, g_t_bar] = &mut self.slips;
-        copy(&all.g_t, *g_t);
-        copy(&all.g_t_bar, *g_t_bar);
+        self.without_slips().copy_from(&all);
+        copy(&all.g_t, self.g_t);
+        copy(&all.g_t_bar, self.g_t_bar);
     }
 }
