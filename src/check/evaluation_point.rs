@@ -4,7 +4,6 @@ mod dense;
 mod refined;
 mod solved_again;
 mod structure;
-mod summands;
 
 use super::root_enclosure;
 use super::verdict::Inconclusive;
@@ -22,7 +21,6 @@ pub(super) use dense::Dense;
 use refined::Refined;
 use std::sync::OnceLock;
 pub(super) use structure::Structure;
-pub(super) use summands::{Error as SummandError, Increment, Summand};
 
 /// A closest point that has derivatives and is accurate enough.
 #[derive(Debug)]

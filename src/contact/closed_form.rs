@@ -1,7 +1,7 @@
 //! Residual and tangent in closed form, over any scalar and for every curve.
 //!
 //! The formulas are in `docs/contact-element.md`. Gradients and Hessians of the geometry are those of
-//! [`Matrices`](crate::linearization::closed_form::Matrices). "row" is the dof of the residual.
+//! [`Matrices`]. "row" is the dof of the residual.
 
 use super::geometry::{Gap, Trial};
 use super::{BlockMatrix, Decision, NormalLaw, State, Work};

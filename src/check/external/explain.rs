@@ -3,8 +3,8 @@
 //! Each fault of the catalogue is injected, and the answers of the closed form with it are compared with the answers of
 //! the program, at several cases: values, variations along the directions, gradients and Hessians contracted with them,
 //! and single entries of these. A fault that leaves only rounding is an explanation. The simplest is chosen: a fault of
-//! one term, a simplification as a whole, a factor on a quantity, a wrong summand of a Hessian or a factor on a term, two
-//! faults.
+//! one term, a simplification as a whole, a factor on a quantity, two faults. Before two faults are tried, the answers are
+//! put into the equations.
 //!
 //! Answers may have few digits, so that several faults leave only rounding. Deviations are squared and summed, each
 //! over the probable rounding error. The explanation with the smallest sum is the best. Another one is distinct from
@@ -20,7 +20,6 @@ mod fit;
 mod hypothesis;
 mod pairs;
 mod search;
-mod summands;
 mod wording;
 
 use super::answers::Answers;
@@ -38,7 +37,7 @@ pub use equation::equation_of;
 use fit::{near, race};
 use hypothesis::Change;
 use rayon::prelude::*;
-use search::{Equal, KEPT, measured_factor, ranked, search};
+use search::{Equal, KEPT, coefficient, ranked, search};
 use serde::Serialize;
 use std::cell::OnceCell;
 use std::cmp::Reverse;
@@ -94,47 +93,50 @@ pub struct Cause {
 /// Explains the wrong answers to these cases; nothing if none of them can be compared. `right` are cases at which nothing
 /// is wrong.
 ///
-/// If no fault of one term of this library's formulas explains them, the answers are put into the equations.
+/// If no fault of one term of this library's formulas explains them, the answers are put into the equations. Two faults are
+/// tried if an equation remains that nothing explains.
 pub fn explain(
     cases: &[(Vector, Answers)],
     right: &[(Vector, Answers)],
     demands: &Demands,
 ) -> Option<Explanation> {
-    let traced = OnceCell::new();
-    let trace = || traced.get_or_init(|| traced_at(cases, right, demands));
-    // Two errors may be two faults of this library's formulas.
-    let is_settled = || trace().as_ref().is_some_and(Traced::is_of_one_error);
-    let found = with_memo(cases, demands, &Memo::default(), is_settled)?;
-    if !found.causes.is_empty() || found.is_faint {
+    let cell = OnceCell::new();
+    let trace =
+        || cell.get_or_init(|| traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands)).as_ref();
+    let found = of_faults(cases, demands, &Memo::default(), || trace().is_some_and(Traced::is_complete))?;
+    let has_better = cell.get().is_some_and(|traced| traced.as_ref().is_some_and(Traced::is_complete));
+    if (!found.causes.is_empty() && !has_better) || found.is_faint {
         return Some(found);
     }
-    let Some(traced) = trace().clone() else { return Some(found) };
-    let cause = |Reading { name, words, coefficient, .. }: Reading| Cause {
-        name,
-        words,
-        coefficient,
-        alike: Vec::new(),
-    };
-    let is_known = !traced.causes.is_empty();
-    let [before, after] = traced.deviation.map_or([found.before, 0.0], |deviation| deviation);
-    Some(Explanation {
-        causes: traced.causes.into_iter().map(cause).collect(),
-        before,
-        after: traced.deviation.map(|_| after),
-        runner_up: if is_known { None } else { found.runner_up },
-        cases: if is_known { traced.cases } else { found.cases },
-        is_faint: false,
-        place: Some(traced.place),
-        beyond: traced.beyond,
-    })
+    Some(trace().cloned().map_or(found.clone(), |traced| found.with(traced)))
 }
 
-/// What the equations say of these answers.
-fn traced_at(cases: &[(Vector, Answers)], right: &[(Vector, Answers)], demands: &Demands) -> Option<Traced> {
-    traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands)
+impl Explanation {
+    /// The explanation with what the equations say of the answers.
+    fn with(self, traced: Traced) -> Self {
+        let cause = |Reading { names, words, coefficient }: Reading| Cause {
+            name: names.join(" and "),
+            words,
+            coefficient,
+            alike: Vec::new(),
+        };
+        let is_known = !traced.causes.is_empty();
+        let [before, after] = traced.deviation.map_or([self.before, 0.0], |deviation| deviation);
+        Self {
+            causes: traced.causes.into_iter().map(cause).collect(),
+            before,
+            after: traced.deviation.map(|_| after),
+            runner_up: if is_known { None } else { self.runner_up },
+            cases: if is_known { traced.cases } else { self.cases },
+            is_faint: false,
+            place: Some(traced.place),
+            beyond: traced.beyond.iter().take(BEYOND).map(|of| format!("Beyond it {}.", of.words)).collect(),
+        }
+    }
 }
 
-fn with_memo(
+/// The faults that explain the answers.
+fn of_faults(
     cases: &[(Vector, Answers)],
     demands: &Demands,
     memo: &Memo,
@@ -167,10 +169,8 @@ fn with_memo(
     let cause = |Equal { fit: of, alike }: &Equal| {
         let coefficient = match &of.change {
             Change::Variant(Variant::Faulty(faults)) if faults.len() == 1 && found.equal.len() <= 4 => {
-                measured_factor(&cases, faults[0]).map(|factor| factor - 1.0)
+                coefficient(&cases, faults[0])
             }
-            Change::Variant(Variant::Weighted(_, factor)) => Some(factor - 1.0),
-            Change::Summands(wrong) if wrong.len() == 1 => wrong[0].fitted(),
             _ => None,
         };
         let alike = alike.iter().map(Change::name).collect();
@@ -188,6 +188,8 @@ fn with_memo(
     })
 }
 
+/// The number of sentences on what is wrong beyond the first equation.
+const BEYOND: usize = 1;
 /// The number of cases that are used.
 const USED: usize = 24;
 /// The number of these cases at which single entries of gradients and Hessians are used.
@@ -261,37 +263,5 @@ impl Known {
             Some(Self { vector, answers: self.answers.clone(), beams, point: self.point })
         };
         (0..ENTRIES).filter_map(along).collect()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::search::{labels, misfits};
-    use super::{Demands, Known};
-    use crate::check::Regime;
-    use crate::check::external::{AnswerReader, Drawing, Evaluator};
-    use crate::test_beam::Family;
-
-    /// A factor is fitted by one method, which is known by its place among all.
-    #[test]
-    fn every_factor_has_the_same_methods() {
-        let drawing = Drawing {
-            seed: 7,
-            regimes: vec![Regime::Generic],
-            families: vec![Family::Quadratic],
-            cases: 1,
-            penetrating: false,
-        };
-        let (vector, program) = (drawing.vector(0), Evaluator::default());
-        let text = format!("{}\n{}\n", program.head(), program.line(&vector));
-        let mut reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
-        let answers = reader.next_answers().unwrap().unwrap();
-        let known = Known::new(&(vector, answers)).unwrap();
-        let case = known.case(&Demands::default()).unwrap();
-        let methods = |label, factor| misfits(&[&case], label, factor).len();
-        for label in labels() {
-            let count = methods(label, 1.0);
-            assert!([0.0, 1.0001, 2.0].into_iter().all(|factor| methods(label, factor) == count), "{label}");
-        }
     }
 }

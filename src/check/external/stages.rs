@@ -43,40 +43,47 @@ pub(super) struct Traced {
     pub(super) cases: usize,
     /// The first equation that is not satisfied, as a sentence without its full stop.
     pub(super) place: String,
-    /// What is wrong beyond it, as sentences.
-    pub(super) beyond: Vec<String>,
+    /// Whether some equation is not satisfied and not explained.
+    pub(super) leaves_some: bool,
+    /// What is wrong beyond it.
+    pub(super) beyond: Vec<Reading>,
 }
 
 impl Traced {
     /// Adds what was found of the sums of an equation, with its readings.
     fn add(&mut self, found: &[Status], readings: Vec<Vec<Reading>>, is_first: bool) {
+        self.leaves_some |= !is_known(found);
         for (status, readings) in found.iter().zip(readings) {
-            let Some(reading) = readings.first() else { continue };
-            let is_known = self.causes.iter().any(|cause| readings.iter().any(|of| of.name == cause.name));
-            if is_first && self.causes.is_empty() {
+            if is_first && self.causes.is_empty() && !readings.is_empty() {
                 self.causes = readings;
                 if let Status::Explained(cause) = status {
                     self.deviation = Some(cause.deviation);
                 }
-            } else if !is_known && self.beyond.len() < BEYOND {
-                self.beyond.push(format!("Beyond it {}.", reading.words));
+            } else {
+                self.go_beyond(&readings);
             }
         }
     }
 
-    /// Whether one error explains everything.
-    pub(super) fn is_of_one_error(&self) -> bool {
-        self.causes.first().is_some_and(|cause| cause.errors == 1) && self.beyond.is_empty()
+    /// Whether the errors explain everything.
+    pub(super) fn is_complete(&self) -> bool {
+        !self.causes.is_empty() && !self.leaves_some
+    }
+
+    /// Adds the first of these readings, unless one of them is known.
+    fn go_beyond(&mut self, readings: &[Reading]) {
+        let mut known = self.causes.iter().chain(&self.beyond);
+        if !known.any(|known| readings.iter().any(|of| of.names == known.names)) {
+            self.beyond.extend(readings.first().cloned());
+        }
     }
 }
 
 /// One or two errors that explain the numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Reading {
-    /// The number of errors.
-    pub(super) errors: usize,
-    /// Its name.
-    pub(super) name: String,
+    /// The name of each error.
+    pub(super) names: Vec<String>,
     /// What is wrong, as a sentence without its full stop.
     pub(super) words: String,
     /// The factor of a term less one.
@@ -85,10 +92,10 @@ pub(super) struct Reading {
 
 /// The number of equations in which pairs of errors are looked for.
 const WITH_PAIRS: usize = 2;
-/// The number of sentences on what is wrong beyond the first equation.
-const BEYOND: usize = 1;
 
 /// The first equation that the answers do not satisfy, and the error that explains it; nothing if all are satisfied.
+///
+/// Gradients and Hessians are put into the equations first, and then the variations along the directions.
 pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<Traced> {
     let of = |along: Along| -> Vec<Sample> {
         let numbered: Vec<_> = cases.par_iter().enumerate().collect();
@@ -97,10 +104,30 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
             .flat_map_iter(|(i, (vector, answers))| samples(i, vector, answers, demands, along))
             .collect()
     };
-    let random = of(Along::Random);
-    let has_arrays = random.first()?.has_arrays;
+    let mut all = Vec::from([Along::Random, Along::Stated].map(|along| traced_along(along, &of)));
+    all.retain(Option::is_some);
+    all.sort_by_key(|traced| traced.as_ref().is_some_and(|traced| traced.causes.is_empty()));
+    let mut all = all.into_iter().flatten();
+    let mut first = all.next()?;
+    for Traced { causes, beyond, leaves_some, .. } in all {
+        first.leaves_some |= leaves_some;
+        first.go_beyond(&causes);
+        for reading in beyond {
+            first.go_beyond(&[reading]);
+        }
+    }
+    Some(first)
+}
+
+/// The same with the numbers along some of the directions.
+fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Option<Traced> {
+    let samples = of(along);
+    if samples.is_empty() {
+        return None;
+    }
+    let has_arrays = along == Along::Random;
     let equations = equations(has_arrays);
-    let points: Vec<Point> = random.iter().map(Point::new).collect();
+    let points: Vec<Point> = samples.iter().map(Point::new).collect();
     let judged_at = |e: usize| {
         let (wrong, right) = judged(&equations[e], &points);
         is_wrong(&wrong, &right).then_some((e, (wrong, right)))
@@ -127,7 +154,7 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
     }
     if wrong.len() > 1 {
         traced.causes =
-            inputs::found(&equations, &random, &wrong).iter().map(|words| of_curves(words)).collect();
+            inputs::found(&equations, &samples, &wrong).iter().map(|words| of_curves(words)).collect();
         if !traced.causes.is_empty() {
             return Some(traced);
         }

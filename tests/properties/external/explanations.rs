@@ -52,7 +52,11 @@ fn two_wrong_terms_are_named() {
     });
     let report = verified(&all, &text, None).unwrap();
     let found = explain(&report.kept, &report.right, &Demands::default()).unwrap();
-    assert_eq!(found.causes[0].name, faults.join(" and "), "{found:?}");
+    assert_eq!(found.causes[0].name, "the term b is halved", "{found:?}");
+    assert_eq!(
+        found.beyond,
+        ["Beyond it in the second order of t the term du,xi.Du,xi, eq. (42), is missing."]
+    );
 }
 
 #[test]
@@ -67,7 +71,12 @@ fn two_wrong_terms_of_one_quantity_are_named() {
     });
     let report = verified(&all, &text, None).unwrap();
     let found = explain(&report.kept, &report.right, &Demands::default()).unwrap();
-    assert!(found.causes.iter().any(|cause| cause.name == faults.join(" and ")), "{found:?}");
+    let names: Vec<_> = found.causes.iter().map(|cause| cause.name.as_str()).collect();
+    assert_eq!(
+        names,
+        ["the term du_hat.t Dxi is missing and the term dd Dd has the wrong sign"],
+        "{found:?}"
+    );
 }
 
 #[test]

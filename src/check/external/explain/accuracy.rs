@@ -2,12 +2,13 @@
 
 use super::answered_case::Memo;
 use super::search::memo;
-use super::{Cause, Known, with_memo};
+use super::{Cause, Explanation, Known, of_faults};
 use crate::check::Regime;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, compare_answers};
 use crate::check::external::evaluate::{Evaluator, Formulas};
 use crate::check::external::report::Report;
+use crate::check::external::stages::{Traced, traced};
 use crate::check::external::vectors::{Drawing, Outcome, Vector};
 use crate::test_beam::Family;
 use crate::variant::{Fault, Variant, catalogue, classes};
@@ -15,6 +16,7 @@ use rand::RngExt;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::slice;
 
@@ -115,34 +117,22 @@ fn explained(
     memo: &Memo,
     classes: &BTreeMap<String, usize>,
 ) -> ExplainedFault {
-    let mut found = None;
-    // Some terms occur in one formulation only.
-    for formulas in [Formulas::Paper, Formulas::Robust] {
-        let program = Evaluator {
-            variant: Variant::Faulty(faults.clone()),
-            formulas,
-            digits: demands.digits.map(usize::from),
-            ..Evaluator::default()
-        };
-        let mut report = Report::default();
-        for (vector, mut answers) in answered(&program, vectors) {
-            if demands.digits.is_some() {
-                for answer in &mut answers.answers {
-                    (answer.value, answer.variations) = (None, [None; 3]);
-                }
-            }
-            if let Ok(compared) = compare_answers(&vector, &answers, demands) {
-                report.add(vector, Some(answers), compared);
-            }
-        }
-        if report.wrong > 0 {
-            found = with_memo(&report.kept, demands, memo, || false);
-            break;
-        }
-    }
-    let Some(found) = found else {
+    let deviation = |found: &Explanation| [found.before, found.after.unwrap_or(found.before)];
+    let Some(report) = judged(&faults, vectors, demands) else {
         return ExplainedFault { faults, naming: Naming::Undetected, named: Vec::new(), deviation: [0.0; 2] };
     };
+    let trace = OnceCell::new();
+    let is_settled =
+        || trace.get_or_init(|| traced_in(&report, demands)).as_ref().is_some_and(Traced::is_complete);
+    let Some(found) = of_faults(&report.kept, demands, memo, is_settled) else {
+        return ExplainedFault { faults, naming: Naming::None, named: Vec::new(), deviation: [0.0; 2] };
+    };
+    if let Some(Some(traced)) = trace.into_inner()
+        && (found.causes.is_empty() || traced.is_complete())
+    {
+        let (naming, named) = in_equations(&faults, traced, vectors, demands);
+        return ExplainedFault { faults, naming, named, deviation: deviation(&found) };
+    }
     let all_named = |Cause { name, alike, .. }: &Cause| [slice::from_ref(name), alike].concat();
     let named: Vec<String> = found.causes.iter().flat_map(all_named).collect();
     let class = |name: &str| classes.get(name).map_or_else(|| name.to_owned(), ToString::to_string);
@@ -159,7 +149,66 @@ fn explained(
         all if all.iter().any(|one| one.is_subset(&own)) => Naming::Fewer,
         _ => Naming::Other,
     };
-    ExplainedFault { faults, naming, named, deviation: [found.before, found.after.unwrap_or(found.before)] }
+    ExplainedFault { faults, naming, named, deviation: deviation(&found) }
+}
+
+fn traced_in(report: &Report, demands: &Demands) -> Option<Traced> {
+    traced(&report.kept.iter().chain(&report.right).collect::<Vec<_>>(), demands)
+}
+
+/// Whether faults are named if the answers are put into the equations: with the names that each of them has alone.
+fn in_equations(
+    faults: &[Fault],
+    found: Traced,
+    vectors: &[Vector],
+    demands: &Demands,
+) -> (Naming, Vec<String>) {
+    let names = |found: Traced| -> BTreeSet<String> {
+        found.causes.into_iter().chain(found.beyond).flat_map(|reading| reading.names).collect()
+    };
+    let alone = |fault: &Fault| {
+        let report = judged(slice::from_ref(fault), vectors, demands);
+        report.and_then(|report| traced_in(&report, demands)).map(names).unwrap_or_default()
+    };
+    let own: Vec<_> = faults.iter().map(alone).collect();
+    let named = names(found);
+    let known = own.iter().filter(|of| !of.is_disjoint(&named)).count();
+    let naming = match known {
+        _ if named.is_empty() => Naming::None,
+        0 => Naming::Other,
+        known if known < faults.len() => Naming::Fewer,
+        _ if named.iter().all(|name| own.iter().any(|of| of.contains(name))) => Naming::First,
+        _ => Naming::Among,
+    };
+    (naming, named.into_iter().collect())
+}
+
+/// The answers of a program with these faults, compared; nothing if all agree.
+fn judged(faults: &[Fault], vectors: &[Vector], demands: &Demands) -> Option<Report> {
+    // Some terms occur in one formulation only.
+    for formulas in [Formulas::Paper, Formulas::Robust] {
+        let program = Evaluator {
+            variant: Variant::Faulty(faults.to_vec()),
+            formulas,
+            digits: demands.digits.map(usize::from),
+            ..Evaluator::default()
+        };
+        let mut report = Report::default();
+        for (vector, mut answers) in answered(&program, vectors) {
+            if demands.digits.is_some() {
+                for answer in &mut answers.answers {
+                    (answer.value, answer.variations) = (None, [None; 3]);
+                }
+            }
+            if let Ok(compared) = compare_answers(&vector, &answers, demands) {
+                report.add(vector, Some(answers), compared);
+            }
+        }
+        if report.wrong > 0 {
+            return Some(report);
+        }
+    }
+    None
 }
 
 /// The answers of a program, written as text and read again.

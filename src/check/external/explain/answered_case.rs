@@ -1,10 +1,10 @@
 //! A case with its answers, and the answers of the closed form with a fault.
 
 use super::datum::{Datum, ratio};
-use super::hypothesis::{Change, WrongSummand};
+use super::hypothesis::Change;
 use crate::check::candidate::Sides;
 use crate::check::diagnosis::place;
-use crate::check::evaluation_point::{EvaluationPoint, Increment, Summand};
+use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Converted, Demands, Judgement, half_unit};
 use crate::check::external::conventions::{Conventions, ITEMS};
@@ -15,13 +15,9 @@ use crate::test_beam::Family;
 use crate::variant::{Fault, SCALAR_COMPONENTS, Variant};
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::sync::OnceLock;
 
 /// All items, as a program answers them directly, and contracted.
 pub(super) type Predicted = [Vec<Varied<f64>>; 2];
-
-/// The number of formulations that a program may use.
-pub(super) const FORMULATIONS: usize = 3;
 
 /// Predictions of single faults that are reused, by case.
 pub(super) type Memo = HashMap<String, Known>;
@@ -32,14 +28,11 @@ pub(super) type Known = HashMap<Fault, Vec<Predicted>>;
 pub(super) struct AnsweredCase<'a> {
     memo: Option<&'a Known>,
     paper: EvaluationPoint<'a>,
-    /// The case in other formulations, where they differ.
+    /// The case in the library's formulation and in the robust one, where these differ.
     others: Vec<EvaluationPoint<'a>>,
-    /// The indices of the paper's formulation, of the library's and of the robust one among those that differ.
-    formulations: [usize; FORMULATIONS],
     pub(super) conventions: Conventions,
     families: [Family; 2],
     is_closed: bool,
-    summands: OnceLock<Vec<(Summand, Increment)>>,
     pub(super) data: Vec<Datum>,
 }
 
@@ -81,25 +74,21 @@ impl<'a> AnsweredCase<'a> {
         let chosen = evaluate()?.form;
         let robust = Formulation::robust(&paper.points(), paper.held);
         let inside = !paper.held.xi && !paper.held.xi_bar;
-        let asked = if inside { [paper.form, chosen, robust] } else { [paper.form; FORMULATIONS] };
         let mut forms: Vec<Formulation> = Vec::new();
-        let formulations = asked.map(|form| {
-            forms.iter().position(|known| *known == form).unwrap_or_else(|| {
+        for form in [chosen, robust] {
+            if inside && form != paper.form && !forms.contains(&form) {
                 forms.push(form);
-                forms.len() - 1
-            })
-        });
-        let in_form = |&form: &Formulation| Some(evaluate()?.in_formulation(form));
-        let others = forms[1..].iter().filter_map(in_form).collect();
+            }
+        }
+        let in_form = |form: &Formulation| Some(evaluate()?.in_formulation(*form));
+        let others = forms.iter().filter_map(in_form).collect();
         let is_closed = sides.reference[20].value.value < 0.0;
         Some(Self {
             paper,
             others,
-            formulations,
             conventions: demands.conventions,
             families: vector.families(),
             is_closed,
-            summands: OnceLock::new(),
             data,
             memo: None,
         })
@@ -157,26 +146,14 @@ impl<'a> AnsweredCase<'a> {
     }
 
     /// The number of formulations that differ at this case.
-    pub(super) fn distinct(&self) -> usize {
+    pub(super) fn formulations(&self) -> usize {
         1 + self.others.len()
     }
 
-    /// The index of a formulation among those that differ at this case.
-    pub(super) fn place_of(&self, formulation: usize) -> usize {
-        self.formulations[formulation]
-    }
-
-    /// The same in one formulation: the paper's, the library's, or the robust one.
+    /// The answers of the closed form with this change in one of these formulations, or in the last one.
     pub(super) fn computed_in(&self, formulation: usize, change: &Change) -> Vec<Predicted> {
-        self.computed_by(
-            self.place_of(formulation).checked_sub(1).map_or(&self.paper, |i| &self.others[i]),
-            change,
-        )
-    }
-
-    /// All summands of the Hessians, each with the change of all components by it.
-    pub(super) fn summands(&self) -> &[(Summand, Increment)] {
-        self.summands.get_or_init(|| self.paper.summands())
+        let last = formulation.min(self.others.len());
+        self.computed_by(last.checked_sub(1).map_or(&self.paper, |i| &self.others[i]), change)
     }
 
     /// The gradient of the gap along both directions.
@@ -185,28 +162,9 @@ impl<'a> AnsweredCase<'a> {
         [gap.delta, gap.linear]
     }
 
-    /// All items in the conventions of the program, with this change of all components.
-    pub(super) fn with_increment(&self, increment: &Increment) -> Vec<Varied<f64>> {
-        let mut varied = self.paper.plain(&Variant::Unmodified);
-        varied.iter_mut().zip(increment).for_each(|(of, by)| add(of, by));
-        self.conventions.of(&varied, self.is_closed)
-    }
-
-    /// The change of all components by several summands, each times its coefficient.
-    fn increment(&self, wrong: &[WrongSummand]) -> Increment {
-        let mut increment = Increment::default();
-        for of in wrong {
-            let (_, by) = &self.summands()[of.index];
-            for (sum, by) in increment.iter_mut().zip(by) {
-                *sum = std::array::from_fn(|i| sum[i] + of.coefficient * by[i]);
-            }
-        }
-        increment
-    }
-
     fn computed_by(&self, evaluation: &EvaluationPoint<'_>, change: &Change) -> Vec<Predicted> {
         let mut all = Vec::with_capacity(4);
-        let (mut varied, rows) = match change {
+        let (varied, rows) = match change {
             Change::Structure(structure) => evaluation.simplified(*structure),
             other => {
                 let variant =
@@ -216,10 +174,6 @@ impl<'a> AnsweredCase<'a> {
                 (evaluation.plain(variant), rows)
             }
         };
-        let increment = if let Change::Summands(wrong) = change { Some(self.increment(wrong)) } else { None };
-        if let Some(increment) = &increment {
-            varied.iter_mut().zip(increment).for_each(|(of, by)| add(of, by));
-        }
         let converted = |varied: [Varied<f64>; ITEMS - 1]| {
             let mut all = self.conventions.of(&varied, self.is_closed);
             change.of_items(&mut all, &varied, &self.conventions);
@@ -230,9 +184,6 @@ impl<'a> AnsweredCase<'a> {
             let mut contracted = varied;
             for (i, [delta, linear, second]) in SCALAR_COMPONENTS.into_iter().zip(rows) {
                 contracted[i] = Varied { value: contracted[i].value, delta, linear, second };
-                if let Some(increment) = &increment {
-                    add(&mut contracted[i], &increment[i]);
-                }
             }
             contracted[20] = Varied { value: contracted[20].value, ..contracted[15] };
             all.push([direct.clone(), converted(contracted)]);
@@ -252,9 +203,7 @@ impl<'a> AnsweredCase<'a> {
             let is_symmetric = |(one, two): (&Varied<f64>, &Varied<f64>)| {
                 (one.second - two.second).abs() <= 1e-12 * one.second.abs()
             };
-            // The number of methods of a multiplied term is not to depend on the factor.
-            let is_multiplied = matches!(variant, Variant::Weighted(..));
-            if is_multiplied || !varied.iter().zip(&exchanged).all(is_symmetric) {
+            if !varied.iter().zip(&exchanged).all(is_symmetric) {
                 all.extend([1.0, 0.5].map(|weight| [direct.clone(), converted(with(weight))]));
             }
         }
@@ -267,8 +216,4 @@ impl<'a> AnsweredCase<'a> {
         let of = if datum.is_contracted { contracted } else { direct };
         of[item].parts()[part]
     }
-}
-
-fn add(of: &mut Varied<f64>, [delta, linear, second]: &[f64; 3]) {
-    (of.delta, of.linear, of.second) = (of.delta + delta, of.linear + linear, of.second + second);
 }

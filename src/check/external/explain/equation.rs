@@ -64,13 +64,9 @@ const EQUATIONS: &[(&str, &str)] = &[
     ("H_g_T: ", "eq. (21), as a matrix"),
 ];
 
-/// The same for the sums that have summands, but no terms of the closed form.
-const OF_SUMS: &[(&str, &str)] = &[("P: ", "the right-hand side of eq. (59), as matrices")];
-
-/// The equation of a term or of a summand.
+/// The equation of a term.
 pub(super) fn equation(label: &Label) -> &'static str {
-    let of_sum = OF_SUMS.iter().find(|(sum, _)| label.name.starts_with(sum)).map(|(_, equation)| *equation);
-    of_sum.or_else(|| equation_of(label.name)).unwrap_or("of the closed form")
+    equation_of(label.name).unwrap_or("of the closed form")
 }
 
 /// The equation of a term, or of a fault, by its name.

@@ -34,7 +34,7 @@ impl Fit {
     pub(super) fn of(change: Change, cases: &[&AnsweredCase]) -> Self {
         let mut fit = Self::new(0, change);
         for case in cases {
-            fit.add(case, |change| case.predicted(change).into_owned(), &|_| true);
+            fit.add(case, &case.predicted(&fit.change), |_| true);
         }
         fit
     }
@@ -43,16 +43,12 @@ impl Fit {
     pub(super) fn add(
         &mut self,
         case: &AnsweredCase,
-        predicted: impl Fn(&Change) -> Vec<Predicted>,
-        is_asked: &dyn Fn(&Datum) -> bool,
+        predicted: &[Predicted],
+        is_asked: impl Fn(&Datum) -> bool,
     ) {
-        self.add_best(case, &predicted(&self.change), is_asked);
-    }
-
-    fn add_best(&mut self, case: &AnsweredCase, predicted: &[Predicted], is_asked: &dyn Fn(&Datum) -> bool) {
+        let asked: Vec<&Datum> = case.data.iter().filter(|datum| is_asked(datum)).collect();
         let of = |predicted: &Predicted| {
-            let asked = case.data.iter().filter(|datum| is_asked(datum));
-            asked.fold([0.0_f64; 3], |[worst, over, sum], datum| {
+            asked.iter().fold([0.0_f64; 3], |[worst, over, sum], datum| {
                 let misfit = datum.misfit(AnsweredCase::number(predicted, datum));
                 [worst.max(misfit.scaled), over.max(misfit.over), sum + misfit.square]
             })
@@ -60,7 +56,7 @@ impl Fit {
         let best = predicted.iter().map(of).min_by(|one, two| one[2].total_cmp(&two[2]));
         let [worst, over, sum] = best.unwrap_or([f64::INFINITY; 3]);
         (self.worst, self.over, self.sum) = (self.worst.max(worst), self.over.max(over), self.sum + sum);
-        self.count += case.data.iter().filter(|datum| is_asked(datum)).count();
+        self.count += asked.len();
     }
 
     /// The mean of the squares.
@@ -69,17 +65,14 @@ impl Fit {
         self.sum / self.count.max(1) as f64
     }
 
-    /// Whether rounding explains the deviation that remains of `before`, and it is no larger. In few digits a free factor can be fitted to other
-    /// errors, so it has to explain nearly all.
+    /// Whether rounding explains the deviation that remains of `before`, and it is no larger.
     pub(super) fn explains(&self, before: f64) -> bool {
-        self.over <= 1.0
-            && self.worst <= before
-            && (!self.change.has_free_factor() || self.worst <= CLOSE * before)
+        self.over <= 1.0 && self.worst <= before
     }
 
     /// Whether only a small part of the deviation remains: the answers have few digits that were not stated.
     pub(super) fn is_close(&self, before: f64) -> bool {
-        before.is_finite() && self.worst <= CLOSE * before && !self.change.has_free_factor()
+        before.is_finite() && self.worst <= CLOSE * before
     }
 }
 
@@ -103,7 +96,7 @@ pub(super) fn race(mut fits: Vec<Fit>, cases: &[&AnsweredCase], kept: usize) -> 
     for case in cases {
         fits.par_iter_mut().for_each(|fit| {
             let predicted = case.predicted(&fit.change);
-            fit.add_best(case, &predicted, &|_| true);
+            fit.add(case, &predicted, |_| true);
         });
         fits.sort_by(|one, two| one.sum.total_cmp(&two.sum));
         fits.truncate(near(&fits).len().max(kept));

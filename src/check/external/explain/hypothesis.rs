@@ -1,22 +1,12 @@
 //! The possible errors of a program: a term, several terms, a simplification as a whole, a factor.
 
 use super::element::Element;
-use super::wording::{mistakes, names, of_fault, of_label, words};
-use crate::check::evaluation_point::{Structure, Summand};
+use super::wording::of_fault;
+use crate::check::evaluation_point::Structure;
 use crate::check::external::conventions::{Conventions, ENERGY};
 use crate::check::verdict::Order;
 use crate::linearization::{Quantity, Varied};
 use crate::variant::Variant;
-
-/// A summand of a Hessian with its coefficient in the deviation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct WrongSummand {
-    /// Its index among all summands.
-    pub(super) index: usize,
-    pub(super) summand: Summand,
-    /// The coefficient of one occurrence: -1 if one is missing.
-    pub(super) coefficient: f64,
-}
 
 /// The change in the closed form.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,8 +21,6 @@ pub(super) enum Change {
     Element(Element),
     /// Beam and bar beam are exchanged.
     BeamsExchanged,
-    /// Some summands of the Hessians.
-    Summands(Vec<WrongSummand>),
 }
 
 impl Change {
@@ -44,7 +32,7 @@ impl Change {
         conventions: &Conventions,
     ) {
         match *self {
-            Self::Variant(_) | Self::Structure(_) | Self::Summands(_) => {}
+            Self::Variant(_) | Self::Structure(_) => {}
             Self::Factor(quantity, order, factor) => {
                 let items = all.len();
                 for (i, of) in all.iter_mut().enumerate() {
@@ -83,20 +71,7 @@ impl Change {
 
     /// Whether two terms are changed.
     pub(super) fn has_two_faults(&self) -> bool {
-        match self {
-            Self::Variant(Variant::Faulty(faults)) => faults.len() > 1,
-            Self::Summands(wrong) => mistakes(wrong) > 1,
-            _ => false,
-        }
-    }
-
-    /// Whether a term has a factor that is none of common errors.
-    pub(super) fn has_free_factor(&self) -> bool {
-        match self {
-            Self::Variant(Variant::Weighted(..)) => true,
-            Self::Summands(wrong) => wrong.iter().any(WrongSummand::has_free_factor),
-            _ => false,
-        }
+        matches!(self, Self::Variant(Variant::Faulty(faults)) if faults.len() > 1)
     }
 
     /// The complexity: simpler explanations come first.
@@ -106,9 +81,7 @@ impl Change {
             Self::Structure(_) | Self::BeamsExchanged => 1,
             Self::Element(element) => element.class(),
             Self::Factor(..) => 2,
-            Self::Variant(Variant::Weighted(..)) => 3,
-            Self::Summands(wrong) => 2 + mistakes(wrong),
-            Self::Variant(_) => 4,
+            Self::Variant(_) => 3,
         }
     }
 
@@ -118,7 +91,6 @@ impl Change {
             Self::Variant(Variant::Faulty(faults)) => {
                 faults.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and ")
             }
-            Self::Variant(Variant::Weighted(label, factor)) => format!("{label} = times {factor:.6}"),
             Self::Variant(_) => "unmodified".into(),
             Self::Structure(Structure::FixedParameters) => "fixed-parameters".into(),
             Self::Structure(Structure::Straight) => "straight".into(),
@@ -128,7 +100,6 @@ impl Change {
             }
             Self::Element(element) => element.name(),
             Self::BeamsExchanged => "beams-exchanged".into(),
-            Self::Summands(wrong) => names(wrong),
         }
     }
 
@@ -137,9 +108,6 @@ impl Change {
         match self {
             Self::Variant(Variant::Faulty(faults)) => {
                 faults.iter().map(of_fault).collect::<Vec<_>>().join("; and ")
-            }
-            Self::Variant(Variant::Weighted(label, factor)) => {
-                format!("{} is multiplied by {factor:.6}", of_label(label))
             }
             Self::Variant(_) => "nothing is wrong".into(),
             Self::Structure(Structure::FixedParameters) => {
@@ -166,7 +134,6 @@ impl Change {
             }
             Self::Element(element) => element.words(),
             Self::BeamsExchanged => "beam and bar beam are exchanged".into(),
-            Self::Summands(wrong) => words(wrong),
         }
     }
 }

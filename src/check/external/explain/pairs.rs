@@ -3,7 +3,7 @@
 //! Numbers are evaluated in an order, and a fault changes only later numbers. Therefore, either one fault explains the
 //! first wrong numbers and the other changes later ones, or both change the first wrong numbers and nothing before.
 
-use super::answered_case::{AnsweredCase, FORMULATIONS, Predicted};
+use super::answered_case::{AnsweredCase, Predicted};
 use super::datum::Datum;
 use super::fit::Fit;
 use super::hypothesis::Change;
@@ -83,11 +83,9 @@ fn kinds<'a>(cases: &[&'a AnsweredCase<'a>], start: Key) -> Vec<&'a AnsweredCase
 /// The pairs of faults that change nothing before the first wrong numbers, and explain these.
 fn both(cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
     // By chance, some pairs explain these numbers in a formulation that the program does not have. All are tried once.
-    let places = |formulation: usize| cases.iter().map(|case| case.place_of(formulation)).collect::<Vec<_>>();
-    let is_new = |&formulation: &usize| (0..formulation).all(|known| places(known) != places(formulation));
-    let formulations = (0..FORMULATIONS).filter(is_new);
+    let count = cases.iter().map(|case| case.formulations()).max().unwrap_or(0);
     let mut known = HashSet::new();
-    formulations
+    (0..count)
         .flat_map(|formulation| both_in(formulation, cases, singles, start))
         .filter(|pair| known.insert(*pair))
         .collect()
@@ -123,8 +121,8 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
         let both = (0..cases.len()).find(|&k| at_one[k] && at_two[k]);
         let other = (0..cases.len()).find(|&k| at_one[k] != at_two[k]);
         for k in [both, other].into_iter().flatten() {
-            let predicted = |change: &Change| cases[k].computed_in(formulation, change);
-            fit.add(cases[k], predicted, &|datum| key(datum) <= start);
+            let predicted = cases[k].computed_in(formulation, &fit.change);
+            fit.add(cases[k], &predicted, |datum| key(datum) <= start);
             if !fit.explains(f64::INFINITY) {
                 return None;
             }

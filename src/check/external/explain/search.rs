@@ -1,12 +1,12 @@
-//! The search for the wrong terms: each fault of the catalogue, then summands of Hessians, factors, and pairs.
+//! The search for wrong terms of the closed form: each fault of the catalogue, simplifications and factors of it as a whole,
+//! and pairs of faults.
 
-use super::answered_case::{AnsweredCase, FORMULATIONS, Known, Predicted};
+use super::answered_case::{AnsweredCase, Known, Predicted};
 use super::datum::Datum;
 use super::element::elements;
 use super::fit::{Fit, limit, near, race};
 use super::hypothesis::Change;
 use super::pairs::pairs;
-use super::summands::SummandFit;
 use crate::check::evaluation_point::Structure;
 use crate::check::external::conventions::ENERGY;
 use crate::check::verdict::Order;
@@ -16,11 +16,9 @@ use crate::variant::{Fault, Kind, Variant, terms};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
-/// The number of cases at which factors of terms are fitted.
-const FITTED: usize = 4;
 /// The number of changes that are tried at all cases even if they explain the answers worse than others.
 pub(super) const KEPT: usize = 16;
-/// The number of wrong numbers below which neither factors nor two faults are looked for.
+/// The number of wrong numbers below which neither a factor nor two faults are looked for.
 const FEW: usize = 3;
 /// The mean of the squares up to which only rounding remains.
 const LIKELY: f64 = 2.0;
@@ -108,48 +106,25 @@ pub(super) struct Found {
 
 /// The changes that explain the answers best, by the sums of squares, tried at all these cases.
 ///
-/// If no single fault does, and `is_settled` says so, factors and pairs are not looked for.
+/// If no single fault does, and not `is_settled`, pairs are looked for.
 pub(super) fn search(cases: &[&AnsweredCase], is_settled: impl FnOnce() -> bool) -> Vec<Fit> {
     let before = before(cases);
     let is_found = |fits: &[Fit]| {
         // If correct answers are among the best, two faults explain no more. If a fault explains all, but leaves more
         // than is likely, a second fault may be small.
-        near(fits).iter().any(|of| {
-            if of.explains(before) { of.change.is_none() || of.mean() <= LIKELY } else { of.is_close(before) }
-        })
+        near(fits).iter().any(|of| of.explains(before) && (of.change.is_none() || of.mean() <= LIKELY))
     };
     let raced = |first: usize, changes: Vec<Change>| {
         let fits = changes.into_iter().enumerate().map(|(i, change)| Fit::new(first + i, change));
         race(fits.collect(), cases, KEPT)
     };
-    let with = |mut fits: Vec<Fit>, others: Vec<Fit>| {
-        fits.extend(others);
-        fits.sort_by(|one, two| one.sum.total_cmp(&two.sum));
-        fits
-    };
     let mut fits = raced(0, candidates(cases));
-    // A factor or a second fault can be fitted to a few wrong numbers, whatever their cause. To numbers that are not finite
-    // nothing can be fitted.
+    // Two faults can be fitted to a few wrong numbers, whatever their cause, and to numbers that are not finite none.
     let wrong: usize = cases.iter().map(|case| case.wrong()).sum();
     let is_finite = of(cases).all(|datum| datum.answer.is_finite());
-    if is_found(&fits) || wrong < FEW || !is_finite {
-        return fits;
-    }
-    let after_singles = 2 * labels().len() * Kind::ALL.len();
-    let summands = SummandFit::new(cases);
-    fits = with(fits, raced(after_singles, summands.of_one()));
-    if is_found(&fits) || is_settled() {
-        return fits;
-    }
-    let fitted = &cases[..cases.len().min(FITTED)];
-    let weighted = |label: Label| Some(Change::Variant(Variant::Weighted(label, weight(fitted, label)?)));
-    let weighted = labels().into_par_iter().filter_map(weighted).collect();
-    fits = with(fits, raced(2 * after_singles, weighted));
-    if !is_found(&fits) {
-        fits = with(fits, raced(3 * after_singles, pairs(cases)));
-    }
-    if !is_found(&fits) {
-        fits = with(fits, raced(usize::MAX / 2, summands.of_two()));
+    if !is_found(&fits) && wrong >= FEW && is_finite && !is_settled() {
+        fits.extend(raced(2 * singles().len(), pairs(cases)));
+        fits.sort_by(|one, two| one.sum.total_cmp(&two.sum));
     }
     fits
 }
@@ -219,80 +194,23 @@ fn predict_the_same(one: &Change, two: &Change, cases: &[&AnsweredCase]) -> bool
     })
 }
 
-/// The factor of a term that fits best, by Gauss-Newton iterations; nothing if the term has no effect.
-fn weight(cases: &[&AnsweredCase], label: Label) -> Option<f64> {
-    const STEP: f64 = 1e-4;
-    let (start, next) = (misfits(cases, label, 1.0), misfits(cases, label, 1.0 + STEP));
-    let sums = |own: &[f64], next: &[f64]| {
-        own.iter().zip(next).fold([0.0; 3], |[gr, gg, rr], (own, next)| {
-            let slope = (next - own) / STEP;
-            [gr + slope * own, gg + slope * slope, rr + own * own]
-        })
-    };
-    // The method whose first step explains most.
-    let gain = |method: usize| {
-        let [gr, gg, _] = sums(&start[method], &next[method]);
-        if gg > 0.0 { gr * gr / gg } else { 0.0 }
-    };
-    let method = (0..start.len()).max_by(|&one, &two| gain(one).total_cmp(&gain(two)))?;
-    // A term whose first step explains little is not iterated.
-    let [.., all] = sums(&start[method], &next[method]);
-    if gain(method) <= 0.1 * all {
-        return None;
-    }
-    let mut factor = 1.0;
-    for _ in 0..8 {
-        let of = |factor| misfits(cases, label, factor).swap_remove(method);
-        let [gr, gg, _] = sums(&of(factor), &of(factor + STEP));
-        let step = gr / gg;
-        factor -= step;
-        if !step.is_finite() || step.abs() < 1e-11 {
-            break;
-        }
-    }
-    factor.is_finite().then_some(factor)
-}
-
-/// The methods by which a program may compute its numbers with a term multiplied, in each formulation.
-const METHODS: usize = 4;
-
-/// The misfits of all data over their scales, with a term multiplied: by each method, the same one at all cases.
-pub(super) fn misfits(cases: &[&AnsweredCase], label: Label, factor: f64) -> Vec<Vec<f64>> {
-    let change = Change::Variant(Variant::Weighted(label, factor));
-    let by_case = cases.iter().map(|case| {
-        let of = |predicted: &Predicted| {
-            let misfit = |datum: &Datum| {
-                let off = (AnsweredCase::number(predicted, datum) - datum.answer) / datum.scale;
-                if off.is_finite() { off } else { 0.0 }
-            };
-            case.data.iter().map(misfit).collect::<Vec<f64>>()
+/// The factor of the term less one, as the numbers show it near that of a fault; nothing if the fault is no factor.
+pub(super) fn coefficient(cases: &[&AnsweredCase], fault: Fault) -> Option<f64> {
+    let nominal = fault.kind.factor()? - 1.0;
+    let change = of_faults(&[fault]);
+    let of_case = |case: &&AnsweredCase| {
+        let sums = |predicted: &Predicted| {
+            let finite = case.data.iter().filter(|datum| datum.answer.is_finite() && datum.scale > 0.0);
+            finite.fold([0.0, 0.0, 0.0], |[product, square, left], datum| {
+                let number = AnsweredCase::number(predicted, datum);
+                let [found, caused] = [datum.answer, number].map(|of| (of - datum.reference) / datum.scale);
+                [product + found * caused, square + caused * caused, left + (found - caused).powi(2)]
+            })
         };
-        (*case, case.computed(&change).iter().map(of).collect::<Vec<_>>())
-    });
-    let by_case: Vec<_> = by_case.collect();
-    let methods =
-        (0..FORMULATIONS).flat_map(|formulation| (0..METHODS).map(move |method| (formulation, method)));
-    let of_method = |(formulation, method): (usize, usize)| {
-        let of_case = |(case, all): &(&AnsweredCase, Vec<Vec<f64>>)| {
-            // A case without gradients and Hessians has one method.
-            let each = all.len() / case.distinct();
-            all[each * case.place_of(formulation) + method.min(each - 1)].clone()
-        };
-        by_case.iter().flat_map(of_case).collect()
+        let all: Vec<_> = case.predicted(&change).iter().map(sums).collect();
+        all.into_iter().min_by(|one, two| one[2].total_cmp(&two[2])).unwrap_or_default()
     };
-    methods.map(of_method).collect()
-}
-
-/// The factor that a term seems to have, near that of a fault: 0 if it is missing, -1 if its sign is wrong.
-pub(super) fn measured_factor(cases: &[&AnsweredCase], fault: Fault) -> Option<f64> {
-    let all = &cases[..cases.len().min(FITTED)];
-    matches!(fault.kind, Kind::Sign | Kind::Dropped | Kind::Doubled | Kind::Halved).then_some(())?;
-    let factor = weight(all, fault.label)?;
-    let nominal = match fault.kind {
-        Kind::Sign => -1.0,
-        Kind::Dropped => 0.0,
-        Kind::Doubled => 2.0,
-        _ => 0.5,
-    };
-    ((factor - nominal).abs() < 1e-3).then_some(factor)
+    let [product, square] =
+        cases.iter().map(of_case).fold([0.0; 2], |sum, [p, s, _]| [sum[0] + p, sum[1] + s]);
+    (square > 0.0).then_some(nominal * product / square)
 }

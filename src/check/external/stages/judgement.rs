@@ -46,6 +46,7 @@ impl Status {
                 1 + u32::from(!cause.everywhere)
                     + 3 * u32::from(cause.readings[0].len() > 1)
                     + 2 * u32::from(cause.earlier == Earlier::Exact)
+                    + u32::from(!is_of_factors(&cause.readings[0]))
             }
             Self::Unknown => UNKNOWN,
         }
@@ -178,18 +179,21 @@ impl Examination<'_> {
             errors.iter().all(|error| is_plausible(*error)) && leaves_a_result(zero, results, errors)
         };
         let of_rows = |of: Vec<(usize, f64)>| of.into_iter().map(|(k, by)| (&table[k], by)).collect();
-        let mut readings: Vec<Vec<(&Row, f64)>> =
-            found.into_iter().map(of_rows).filter(says_something).collect();
-        // A term that exists is meant rather than one that does not.
-        let is_factor = |of: &Vec<(&Row, f64)>| of.iter().all(|(row, _)| matches!(row.what, What::Factor(_)));
-        if readings.iter().any(is_factor) {
-            readings.retain(is_factor);
-        }
+        let readings: Vec<Vec<(&Row, f64)>> = found.into_iter().map(of_rows).filter(says_something).collect();
         let owned = |of: Vec<(&Row, f64)>| of.into_iter().map(|(row, by)| (row.clone(), by)).collect();
-        let readings: Vec<Vec<(Row, f64)>> = readings.into_iter().map(owned).collect();
+        let mut readings: Vec<Vec<(Row, f64)>> = readings.into_iter().map(owned).collect();
+        // A term that exists is meant rather than one that does not.
+        if readings.iter().any(|of| is_of_factors(of)) {
+            readings.retain(|of| is_of_factors(of));
+        }
         let deviation = system.deviations(readings.first()?);
         Some(Cause { deviation, readings, everywhere, earlier })
     }
+}
+
+/// Whether terms have other factors, and nothing else is wrong.
+fn is_of_factors(errors: &[(Row, f64)]) -> bool {
+    errors.iter().all(|(row, _)| matches!(row.what, What::Factor(_)))
 }
 
 /// What stands in the place of a term has the factor 1.

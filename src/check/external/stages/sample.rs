@@ -27,7 +27,9 @@ const DIRECTIONS: u64 = 8;
 /// The directions of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Along {
-    /// Those of the case, and random ones.
+    /// Those of the case, with the variations alone.
+    Stated,
+    /// Those of the case, and random ones, with the gradients and Hessians alone.
     Random,
     /// Single dofs: entries below the diagonal of Hessians.
     Lower,
@@ -58,8 +60,6 @@ pub(super) struct Sample {
     pub(super) exact: [[RunningError; 4]; COMPONENTS],
     /// Residual along both directions, and tangent, with the penalty stiffness and whether the contact is active.
     pub(super) element: Option<Element>,
-    /// Whether gradients or Hessians are answered.
-    pub(super) has_arrays: bool,
     /// The control vectors of both beams with their shape functions, if the curves have these.
     pub(super) nodes: [Vec<Node>; 2],
 }
@@ -109,16 +109,18 @@ pub(super) fn samples(
             _ => exact[i],
         }
     };
+    let answered = &answers.answers;
     let has_arrays = answers.residual.is_some()
         || answers.tangent.is_some()
-        || answers.answers.iter().any(|of| of.gradient.is_some() || of.hessian.is_some());
+        || answered.iter().any(|of| of.gradient.is_some() || of.hessian.is_some());
+    let is_stated = !has_arrays || answered.iter().any(|of| of.variations != [None; 3]);
     let point = Point { exact, own: [place(0), place(1)], held, has_shapes };
-    let of = |k: u64| point.sample((case, vector, &beams), (answers, has_arrays), demands, (along, k));
-    match (along, has_arrays) {
-        (Along::Random, true) => (0..DIRECTIONS).filter_map(of).collect(),
-        (Along::Random, false) => of(0).into_iter().collect(),
-        (_, true) => (1..=DIRECTIONS).filter_map(of).collect(),
-        (_, false) => Vec::new(),
+    let of = |k: u64| point.sample((case, vector, &beams), answers, demands, (along, k));
+    match along {
+        Along::Stated if is_stated => of(0).into_iter().collect(),
+        Along::Random if has_arrays => (0..DIRECTIONS).filter_map(of).collect(),
+        Along::Lower | Along::Upper if has_arrays => (1..=DIRECTIONS).filter_map(of).collect(),
+        _ => Vec::new(),
     }
 }
 
@@ -135,7 +137,7 @@ fn directions(vector: &Vector, along: Along, k: u64) -> [[Vec<f64>; 2]; 2] {
     let seed = dofs.fold(k, |seed, dof| seed.rotate_left(7) ^ dof.to_bits());
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let [beam, bar] = &vector.case.test_beams;
-    if along != Along::Random {
+    if matches!(along, Along::Lower | Along::Upper) {
         // Pairs of dofs of all blocks in turn.
         let (n, m) = (beam.q.len(), bar.q.len());
         let (low, high) = [(0..n, 0..n), (n..n + m, n..n + m), (0..n, n..n + m)][k as usize % 3].clone();
@@ -172,7 +174,7 @@ impl Point {
     fn sample(
         &self,
         (case, vector, beams): Known,
-        (answers, has_arrays): (&Answers, bool),
+        answers: &Answers,
         demands: &Demands,
         (kind, k): (Along, u64),
     ) -> Option<Sample> {
@@ -211,8 +213,7 @@ impl Point {
         let dq = along
             .each_ref()
             .map(|[beam, bar]| demands.conventions.direction(families, &[&beam[..], bar].concat()));
-        let is_own = kind == Along::Random && k == 0;
-        let own = own_numbers(answers, [&dq[0], &dq[1]], demands, &exact, is_own)?;
+        let own = own_numbers(answers, [&dq[0], &dq[1]], demands, &exact, kind == Along::Stated)?;
         let is_closed = exact[Quantity::GN.component()][0].value < 0.0;
         let element = element(answers, [&dq[0], &dq[1]], demands, is_closed);
         let sharp = |v: Vector3<RunningError2>| v.map(|n| RunningError { value: n.value, bound: n.bound[0] });
@@ -234,7 +235,6 @@ impl Point {
             own,
             exact,
             element,
-            has_arrays,
             nodes: std::array::from_fn(|i| {
                 if has_shapes[i] {
                     nodes(&*beams[i], xi[i].value, [&along[0][i], &along[1][i]])

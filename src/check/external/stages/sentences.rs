@@ -43,25 +43,24 @@ pub(super) fn of_status(
         Status::WrongForm(words) => {
             let name = format!("{subject}: {words}");
             vec![Reading {
-                errors: 1,
                 words: format!("in {name}{}", scope(points, wrong, right)),
-                name,
+                names: vec![name],
                 coefficient: None,
             }]
         }
         Status::Explained(cause) => {
             let scope = if cause.everywhere { String::new() } else { scope(points, wrong, right) };
             let reading = |errors: &Vec<(Row, f64)>| {
-                let joined = |number: &str| {
-                    let each: Vec<_> = errors.iter().map(|(row, by)| of_row(number, row, *by)).collect();
-                    each.join(" and ")
+                let each = |number: &str| {
+                    errors.iter().map(|(row, by)| of_row(number, row, *by)).collect::<Vec<_>>()
                 };
                 let coefficient = match &errors[..] {
                     [(Row { what: What::Factor(_), .. }, by)] => Some(*by),
                     _ => None,
                 };
-                let words = format!("in {subject} {}{triangle}{scope}", joined(&number(equation)));
-                Reading { errors: errors.len(), words, name: joined(""), coefficient }
+                let words =
+                    format!("in {subject} {}{triangle}{scope}", each(&number(equation)).join(" and "));
+                Reading { names: each(""), words, coefficient }
             };
             cause.readings.iter().take(READINGS).map(reading).collect()
         }
@@ -118,14 +117,13 @@ pub(super) fn of_closest_point(points: &[Point], wrong: &[usize], right: &[usize
          its start, its steps, its matrix",
         scope(points, wrong, right)
     );
-    Reading { errors: 1, name, words, coefficient: None }
+    Reading { names: vec![name], words, coefficient: None }
 }
 
 /// An error of the curves.
 pub(super) fn of_curves(words: &str) -> Reading {
     Reading {
-        errors: 1,
-        name: words.to_owned(),
+        names: vec![words.to_owned()],
         words: format!("the curves are wrong: {words}"),
         coefficient: None,
     }

@@ -45,7 +45,10 @@ pub(super) fn symmetric() -> Terms {
 
 /// The form of eq. (40) that is printed.
 pub(super) fn printed() -> Terms {
-    let along = |beam: Beam| times(&[of(XI[beam], 2)], Vector::T(beam, 0));
+    let along = |beam: Beam| {
+        let one = ["du_hat.t Dxi", "du_hat.t_bar Dxi_bar"][beam];
+        tagged(one, times(&[of(XI[beam], 2)], Vector::T(beam, 0)))
+    };
     let turned = |beam: Beam| times(&[of(XI[beam], 2)], Vector::U(0, beam, 1));
     [
         left(),

@@ -10,20 +10,21 @@ use crate::number::{Real, RunningError};
 /// The numbers of a component: value, delta, Delta and Delta-delta, where they are answered.
 type Numbers = [Option<RunningError>; 4];
 
-/// The numbers of a program along two directions; nothing if an array has another number of entries. `is_own` are the
-/// directions of the case. The bounds are what rounding explains: as much as of the exact numbers.
+/// The numbers of a program along two directions; nothing if an array has another number of entries. Either variations or
+/// gradients and Hessians are used. The bounds are what rounding explains: as much as of the exact numbers.
 pub(super) fn own_numbers(
     answers: &Answers,
     dq: [&[f64]; 2],
     demands: &Demands,
     exact: &[[RunningError; 4]; COMPONENTS],
-    is_own: bool,
+    of_variations: bool,
 ) -> Option<[Numbers; COMPONENTS]> {
     let mut own = [[None; 4]; COMPONENTS];
     for answer in &answers.answers {
         let axis = answer.axis.map_or(0, |axis| axis as usize - 'x' as usize);
         let component = answer.quantity.component() + axis;
-        own[component] = stated(component, contracted(answer, dq, demands, is_own)?, &demands.conventions);
+        own[component] =
+            stated(component, contracted(answer, dq, demands, of_variations)?, &demands.conventions);
     }
     for (numbers, exact) in own.iter_mut().zip(exact) {
         for (number, exact) in numbers.iter_mut().zip(exact) {
@@ -72,7 +73,7 @@ fn contracted(
     answer: &Answer,
     [dq, linear_dq]: [&[f64]; 2],
     demands: &Demands,
-    is_own: bool,
+    of_variations: bool,
 ) -> Option<Numbers> {
     let half = demands.digits.map_or(0.0, half_unit);
     let size = dq.len();
@@ -86,10 +87,11 @@ fn contracted(
     };
     let single = |number: Option<f64>| number.map(|value| RunningError { value, bound: half * value.abs() });
     let mut numbers = [single(answer.value), None, None, None];
-    if is_own {
+    if of_variations {
         for (number, variation) in numbers[1..].iter_mut().zip(answer.variations) {
             *number = single(variation);
         }
+        return Some(numbers);
     }
     if let Some(gradient) = &answer.gradient {
         if gradient.len() != size {
