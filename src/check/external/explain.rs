@@ -34,10 +34,10 @@ use crate::variant::Variant;
 pub use accuracy::{ExplainedFault, Naming, Programs, explained_faults};
 use answered_case::{AnsweredCase, Memo};
 pub use equation::equation_of;
-use fit::{near, race};
+use fit::{Fit, near, race};
 use hypothesis::Change;
 use rayon::prelude::*;
-use search::{Equal, KEPT, coefficient, ranked, search};
+use search::{Equal, KEPT, before, coefficient, ranked, search};
 use serde::Serialize;
 use std::cell::OnceCell;
 use std::cmp::Reverse;
@@ -154,7 +154,9 @@ fn of_faults(
     let cases: Vec<&AnsweredCase> = clear.iter().map(|(_, case)| case).collect();
     let mut fits = search(&cases, is_settled);
     // More data are used only to distinguish several explanations.
-    if near(&fits).len() > 1 {
+    let before = before(&cases);
+    let is_explained = |fit: &Fit| fit.explains(before) || fit.is_close(before);
+    if near(&fits).len() > 1 && near(&fits).iter().any(is_explained) {
         let of_entries: Vec<Known> =
             clear.iter().take(PROBED).flat_map(|(i, _)| known[*i].entries()).collect();
         let entries: Vec<AnsweredCase> = of_entries

@@ -165,27 +165,25 @@ fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Op
         all_wrong.par_iter().map(|(e, cases)| examined(&equations[*e], &points, cases, false)).collect();
     for ((e, cases), mut found) in all_wrong.iter().zip(of_one_error) {
         let (equation, mut words_of_triangle) = (&equations[*e], "");
-        let in_entries = |with_pairs: bool| {
+        let in_entries = || {
             let is_matrix = has_arrays && equation.results.iter().all(|(_, part)| *part == 3);
             entries.iter().filter(|_| is_matrix).find_map(|(along, samples)| {
                 let points: Vec<Point> = samples.get_or_init(|| of(*along)).iter().map(Point::new).collect();
-                let found = examined(equation, &points, &judged(equation, &points), with_pairs);
+                let cases = judged(equation, &points);
+                let mut found = examined(equation, &points, &cases, false);
+                if !is_known(&found) && found.iter().any(|of| matches!(of, Status::Explained(_))) {
+                    found = examined(equation, &points, &cases, true);
+                }
                 let words = if *along == Along::Lower { "below" } else { "above" };
                 is_known(&found).then_some((found, words))
             })
         };
-        if !is_known(&found)
-            && let Some(in_entries) = in_entries(false)
-        {
-            (found, words_of_triangle) = in_entries;
-        }
-        if !is_known(&found) && with_pairs < WITH_PAIRS {
-            with_pairs += 1;
-            found = examined(equation, &points, cases, true);
-            if !is_known(&found)
-                && let Some(in_entries) = in_entries(true)
-            {
+        if !is_known(&found) {
+            if let Some(in_entries) = in_entries() {
                 (found, words_of_triangle) = in_entries;
+            } else if with_pairs < WITH_PAIRS {
+                with_pairs += 1;
+                found = examined(equation, &points, cases, true);
             }
         }
         let readings: Vec<_> = found

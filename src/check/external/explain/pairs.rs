@@ -92,23 +92,30 @@ fn both(cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2
 }
 
 fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
-    let changes_start_alone = |case: &AnsweredCase, fault: Fault| {
-        case.computed_in(formulation, &of_faults(&[fault])).iter().any(|predicted| {
-            let is_same = |datum: &&Datum| {
-                let off = (AnsweredCase::number(predicted, datum) - datum.reference).abs();
-                off <= 1e-9 * datum.scale + 8.0 * datum.tolerance
-            };
-            let mut of_start = case.data.iter().filter(|datum| key(datum) == start);
-            let mut before = case.data.iter().filter(|datum| key(datum) < start);
-            !of_start.all(|datum| is_same(&datum)) && before.all(|datum| is_same(&datum))
-        })
+    // The changes of the first wrong numbers by a fault, by each method; nothing if it changes others before.
+    let changes = |case: &AnsweredCase, fault: Fault| -> Option<Vec<Vec<f64>>> {
+        let off =
+            |predicted: &Predicted, datum: &Datum| AnsweredCase::number(predicted, datum) - datum.reference;
+        let is_same = |predicted: &Predicted, datum: &Datum| {
+            off(predicted, datum).abs() <= 1e-9 * datum.scale + 8.0 * datum.tolerance
+        };
+        let of_start = || case.data.iter().filter(|datum| key(datum) == start);
+        let mut before = case.data.iter().filter(|datum| key(datum) < start);
+        let all = case.computed_in(formulation, &of_faults(&[fault]));
+        let changes_start_alone = |predicted: &Predicted| {
+            !of_start().all(|datum| is_same(predicted, datum))
+                && before.all(|datum| is_same(predicted, datum))
+        };
+        let changes = |predicted: &Predicted| of_start().map(|datum| off(predicted, datum)).collect();
+        all.iter().any(changes_start_alone).then(|| all.iter().map(changes).collect())
     };
-    // The faults that change the first wrong numbers, each with the cases where it does.
+    // The faults that change the first wrong numbers, each with its changes at the cases where it does.
     let changing = |&fault: &Fault| {
-        let at: Vec<bool> = cases.iter().map(|case| changes_start_alone(case, fault)).collect();
-        at.contains(&true).then_some((fault, at))
+        let at: Vec<_> = cases.iter().map(|case| changes(case, fault)).collect();
+        at.iter().any(Option::is_some).then_some((fault, at))
     };
-    let changing: Vec<(Fault, Vec<bool>)> = singles.par_iter().filter_map(changing).collect();
+    let changing: Vec<(Fault, Vec<Option<Vec<Vec<f64>>>>)> =
+        singles.par_iter().filter_map(changing).collect();
     let pairs: Vec<[usize; 2]> =
         (0..changing.len()).flat_map(|i| (i + 1..changing.len()).map(move |j| [i, j])).collect();
     let explained = |&[i, j]: &[usize; 2]| {
@@ -116,11 +123,16 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
         if one.label == two.label {
             return None;
         }
-        let mut fit = Fit::new(0, of_faults(&[*one, *two]));
         // First the cases where both have an effect, then those where one has.
-        let both = (0..cases.len()).find(|&k| at_one[k] && at_two[k]);
-        let other = (0..cases.len()).find(|&k| at_one[k] != at_two[k]);
-        for k in [both, other].into_iter().flatten() {
+        let both = (0..cases.len()).find(|&k| at_one[k].is_some() && at_two[k].is_some());
+        let other = (0..cases.len()).find(|&k| at_one[k].is_some() != at_two[k].is_some());
+        let tried = [both, other].into_iter().flatten();
+        // Changes of terms of one sum add up. Pairs in which one term multiplies the other are given up.
+        if !tried.clone().all(|k| add_up(cases[k], start, [&at_one[k], &at_two[k]])) {
+            return None;
+        }
+        let mut fit = Fit::new(0, of_faults(&[*one, *two]));
+        for k in tried {
             let predicted = cases[k].computed_in(formulation, &fit.change);
             fit.add(cases[k], &predicted, |datum| key(datum) <= start);
             if !fit.explains(f64::INFINITY) {
@@ -132,4 +144,18 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
     let mut explained: Vec<_> = pairs.par_iter().filter_map(explained).collect();
     explained.sort_by(|one, two| one.0.total_cmp(&two.0));
     explained.into_iter().take(BOTH).map(|(_, pair)| pair).collect()
+}
+
+/// Whether the changes of two faults, by one of the methods, are together those of the answers.
+fn add_up(case: &AnsweredCase, start: Key, faults: [&Option<Vec<Vec<f64>>>; 2]) -> bool {
+    let methods = faults.iter().filter_map(|of| of.as_ref().map(Vec::len)).max().unwrap_or(0);
+    (0..methods).any(|method| {
+        let changes = faults.map(|of| of.as_ref().and_then(|of| of.get(method)));
+        case.data.iter().filter(|datum| key(datum) == start).enumerate().all(|(i, datum)| {
+            let by = changes.map(|of| of.map_or(0.0, |of| of[i]));
+            let size = by[0].abs() + by[1].abs();
+            let left = datum.answer - datum.reference - by[0] - by[1];
+            left.abs() <= 16.0 * datum.tolerance + 1e-11 * datum.scale + 1e-8 * size
+        })
+    })
 }

@@ -130,7 +130,7 @@ pub(super) fn search(cases: &[&AnsweredCase], is_settled: impl FnOnce() -> bool)
 }
 
 /// The deviation of the answers without a change.
-fn before(cases: &[&AnsweredCase]) -> f64 {
+pub(super) fn before(cases: &[&AnsweredCase]) -> f64 {
     Fit::of(Change::Variant(Variant::Unmodified), cases).worst
 }
 

@@ -144,7 +144,8 @@ impl List {
         self.0.extend(system(3, "(55)", &r));
         let forms = [symmetric(), general(), printed(), normal()].map(|terms| vec![Zero::of(terms)]);
         self.add(&[(D, 3)], "(40)", At::Free, forms.to_vec());
-        self.add(&[(D, 3)], "(39)", At::SomeHeld, vec![vec![Zero::of(general())]]);
+        let forms = [general(), symmetric()].map(|terms| vec![Zero::of(terms)]);
+        self.add(&[(D, 3)], "(39)", At::SomeHeld, forms.to_vec());
         self.one((GN, 3), "(19)", &[numbers(1.0, &[of(GN, 3)]), numbers(-1.0, &[of(D, 3)])]);
     }
 

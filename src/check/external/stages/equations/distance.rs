@@ -28,7 +28,7 @@ pub(super) fn symmetric() -> Terms {
     [
         left(),
         scaled(-1.0, &tag("du_hat.Du_hat", dot(&u_hat(0), &u_hat(1)))),
-        tag("a dxi Dxi", product(&a(0), &pair(0, 0))),
+        tag("a dxi Dxi and a_bar dxi_bar Dxi_bar", tag("a dxi Dxi", product(&a(0), &pair(0, 0)))),
         tag(
             "both b dxi Dxi_bar",
             [
@@ -37,7 +37,10 @@ pub(super) fn symmetric() -> Terms {
             ]
             .concat(),
         ),
-        tag("a_bar dxi_bar Dxi_bar", scaled(-1.0, &product(&a(1), &pair(1, 1)))),
+        tag(
+            "a dxi Dxi and a_bar dxi_bar Dxi_bar",
+            tag("a_bar dxi_bar Dxi_bar", scaled(-1.0, &product(&a(1), &pair(1, 1)))),
+        ),
         scaled(-1.0, &mixed()),
     ]
     .concat()
