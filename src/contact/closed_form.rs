@@ -6,11 +6,12 @@
 use super::geometry::{Gap, Trial};
 use super::{BlockMatrix, Decision, NormalLaw, State, Work};
 use crate::curve::{DofDerivatives, Jet};
+use crate::linearization::closed_form::kernel::{self, DistanceAlone, WithoutSlips};
 use crate::linearization::closed_form::{Matrices, Points};
 use crate::linearization::dispatch::dispatch_simd;
 use crate::linearization::{BlockHessian, Derivatives};
 use crate::number::Real;
-use crate::pair::DofVector;
+use crate::pair::{Contact, DofVector};
 use nalgebra::{SMatrix, SVector, Vector3};
 
 /// Residual and tangent of a contact, and memory for the geometry.
@@ -80,9 +81,51 @@ pub struct Values<T> {
 /// Writes residual and tangent at contact points, from the jets of both curves there.
 pub fn write<T, U, V, L, const N: usize, const M: usize>(
     decision: &Decision<'_, L>,
+    jets: (&Jet<T, U>, &Jet<T, V>),
+    at: (T, T),
+    to: &mut Contribution<T, N, M>,
+) -> Values<T>
+where
+    T: Real,
+    U: DofDerivatives<T, N>,
+    V: DofDerivatives<T, M>,
+    L: NormalLaw,
+{
+    write_with(decision, jets, at, to, |_, _| false)
+}
+
+/// [`write`] with the kernel, as far as it applies to the curves.
+pub(super) fn write_by_kernel<U, V, L, const N: usize, const M: usize>(
+    decision: &Decision<'_, L>,
+    jets: (&Jet<f64, U>, &Jet<f64, V>),
+    q: &DofVector<f64, N, M>,
+    at: (f64, f64),
+    to: &mut Contribution<f64, N, M>,
+) -> Values<f64>
+where
+    U: DofDerivatives<f64, N>,
+    V: DofDerivatives<f64, M>,
+    L: NormalLaw,
+{
+    // The slips of the pair are not requested, so its reference parameters are not used.
+    let unused = &Contact::default();
+    write_with(decision, jets, at, to, |has_friction, [d, t, t_bar, xi, xi_bar]| {
+        if has_friction {
+            let request = &mut WithoutSlips { d, xi, xi_bar, t, t_bar };
+            kernel::write_of_jets(jets, q, at, decision.form, unused, request)
+        } else {
+            kernel::write_of_jets(jets, q, at, decision.form, unused, &mut DistanceAlone { d })
+        }
+    })
+}
+
+/// Writes residual and tangent. `written` may write the geometry, with friction or without it, and tells whether it did.
+fn write_with<T, U, V, L, const N: usize, const M: usize>(
+    decision: &Decision<'_, L>,
     (jet, jet_bar): (&Jet<T, U>, &Jet<T, V>),
     at: (T, T),
     to: &mut Contribution<T, N, M>,
+    written: impl FnOnce(bool, [&mut Derivatives<T, N, M>; 5]) -> bool,
 ) -> Values<T>
 where
     T: Real,
@@ -97,11 +140,13 @@ where
         return Values::open(&gap);
     };
     let Kinematics { d, t, t_bar, xi, xi_bar } = &mut to.kinematics;
-    let matrices = Matrices::in_formulation(jet, jet_bar, decision.form);
-    if start.is_some() {
-        matrices.write_without_slips(at, [d, t, t_bar, xi, xi_bar]);
-    } else {
-        matrices.write_d(d);
+    if !written(start.is_some(), [d, t, t_bar, xi, xi_bar]) {
+        let matrices = Matrices::in_formulation(jet, jet_bar, decision.form);
+        if start.is_some() {
+            matrices.write_without_slips(at, [d, t, t_bar, xi, xi_bar]);
+        } else {
+            matrices.write_d(d);
+        }
     }
     let trial = start.map(|start| Trial::new(&points, at, decision.form.held, &start));
     let forces = Forces::new(decision, piece, &gap, trial.as_ref());

@@ -89,7 +89,7 @@ impl<'a, A: Curve<N>, B: Curve<M>, L: NormalLaw, const N: usize, const M: usize>
         let (jet, jet_bar) = jets(self.pair, q, at);
         let points = Points::new(&jet.geometry, &jet_bar.geometry);
         let decision = self.decide_at(&points, point, history)?;
-        let values = closed_form::write(&decision, (&jet, &jet_bar), at, to);
+        let values = closed_form::write_by_kernel(&decision, (&jet, &jet_bar), q, at, to);
         Ok(self.outcome(&decision, &points, point, values))
     }
 

@@ -29,7 +29,7 @@ pub use target::{Full, Gradient, Packed, Target};
 
 use super::{Formulation, Matrices, Points, jets};
 use crate::closest_point::ClosestPoint;
-use crate::curve::{Curve, DofDerivatives};
+use crate::curve::{Curve, DofDerivatives, Jet};
 use crate::linearization::dispatch::return_with_vectors;
 use crate::number::Real;
 use crate::pair::{Contact, DofVector, Pair};
@@ -98,6 +98,26 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
         write_by_shapes_over((of_beam, of_bar), q, at, form, &self.contact, &mut request);
         true
     }
+}
+
+/// Writes the requested quantities of curves with these jets, in the given formulation. Returns `false` and writes nothing if a
+/// curve has no shape functions, or on an x86-64 without the vector units.
+#[inline]
+pub(crate) fn write_of_jets<const N: usize, const M: usize>(
+    (jet, jet_bar): (&Jet<f64, impl DofDerivatives<f64, N>>, &Jet<f64, impl DofDerivatives<f64, M>>),
+    q: &DofVector<f64, N, M>,
+    at: (f64, f64),
+    form: Formulation,
+    contact: &Contact,
+    request: &mut impl Request<f64, N, M>,
+) -> bool {
+    let (Some(of_beam), Some(of_bar)) = (shapes(&jet.dofs), shapes(&jet_bar.dofs)) else { return false };
+    let shapes = (of_beam, of_bar);
+    return_with_vectors!(f: Avx2Arithmetic => evaluate(f, shapes, q, at, Given(form), contact, request).is_some());
+    if cfg!(not(target_arch = "x86_64")) {
+        write_by_shapes_over(shapes, q, at, form, contact, request);
+    }
+    cfg!(not(target_arch = "x86_64"))
 }
 
 /// For curves with shape functions. Returns `false` and writes nothing on an x86-64 without the vector units.

@@ -26,6 +26,9 @@ const BOTH: usize = 2000;
 /// The place of a quantity in the order of evaluation.
 type Key = (Order, usize);
 
+/// The changes of the first wrong numbers, by each method.
+type Changes = Vec<Vec<f64>>;
+
 fn key(datum: &Datum) -> Key {
     (datum.rank.0, datum.rank.1)
 }
@@ -93,7 +96,7 @@ fn both(cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2
 
 fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start: Key) -> Vec<[Fault; 2]> {
     // The changes of the first wrong numbers by a fault, by each method; nothing if it changes others before.
-    let changes = |case: &AnsweredCase, fault: Fault| -> Option<Vec<Vec<f64>>> {
+    let changes = |case: &AnsweredCase, fault: Fault| -> Option<Changes> {
         let off =
             |predicted: &Predicted, datum: &Datum| AnsweredCase::number(predicted, datum) - datum.reference;
         let is_same = |predicted: &Predicted, datum: &Datum| {
@@ -114,8 +117,7 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
         let at: Vec<_> = cases.iter().map(|case| changes(case, fault)).collect();
         at.iter().any(Option::is_some).then_some((fault, at))
     };
-    let changing: Vec<(Fault, Vec<Option<Vec<Vec<f64>>>>)> =
-        singles.par_iter().filter_map(changing).collect();
+    let changing: Vec<(Fault, Vec<Option<Changes>>)> = singles.par_iter().filter_map(changing).collect();
     let pairs: Vec<[usize; 2]> =
         (0..changing.len()).flat_map(|i| (i + 1..changing.len()).map(move |j| [i, j])).collect();
     let explained = |&[i, j]: &[usize; 2]| {
@@ -147,7 +149,7 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
 }
 
 /// Whether the changes of two faults, by one of the methods, are together those of the answers.
-fn add_up(case: &AnsweredCase, start: Key, faults: [&Option<Vec<Vec<f64>>>; 2]) -> bool {
+fn add_up(case: &AnsweredCase, start: Key, faults: [&Option<Changes>; 2]) -> bool {
     let methods = faults.iter().filter_map(|of| of.as_ref().map(Vec::len)).max().unwrap_or(0);
     (0..methods).any(|method| {
         let changes = faults.map(|of| of.as_ref().and_then(|of| of.get(method)));
