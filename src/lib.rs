@@ -28,10 +28,11 @@ pub mod test_beam;
 #[cfg(feature = "check")]
 pub mod variant;
 
-/// The examples of the README and of a guide, which are tested with those of the documentation.
+/// The examples of the README and of guides, which are tested with those of the documentation.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 #[doc = include_str!("../docs/curve.md")]
+#[doc = include_str!("../docs/contact-element.md")]
 struct Guides;
 
 // Their types stand in signatures: vectors, dual numbers, and what a scalar of one's own implements.
