@@ -35,6 +35,8 @@ pub(super) struct Zero {
     pub(super) terms: Terms,
     /// Other sums that programs add by mistake, each with its words.
     pub(super) extras: Vec<(String, Terms)>,
+    /// The number of its equation, if it is not that of the others.
+    pub(super) number: Option<&'static str>,
     /// What is wrong if this sum is zero, which it is not in a right program.
     pub(super) is_wrong_form: Option<&'static str>,
     /// Whether single terms are looked at, or only groups of them.
@@ -43,7 +45,7 @@ pub(super) struct Zero {
 
 impl Zero {
     pub(super) fn of(terms: Terms) -> Self {
-        Self { terms, extras: Vec::new(), is_wrong_form: None, is_elementary: true }
+        Self { terms, extras: Vec::new(), number: None, is_wrong_form: None, is_elementary: true }
     }
 }
 
@@ -144,8 +146,8 @@ impl List {
         self.0.extend(system(3, "(55)", &r));
         let forms = [symmetric(), general(), printed(), normal()].map(|terms| vec![Zero::of(terms)]);
         self.add(&[(D, 3)], "(40)", At::Free, forms.to_vec());
-        let forms = [general(), symmetric()].map(|terms| vec![Zero::of(terms)]);
-        self.add(&[(D, 3)], "(39)", At::SomeHeld, forms.to_vec());
+        let by_system = Zero { number: Some("(40)"), ..Zero::of(symmetric()) };
+        self.add(&[(D, 3)], "(39)", At::SomeHeld, vec![vec![Zero::of(general())], vec![by_system]]);
         self.one((GN, 3), "(19)", &[numbers(1.0, &[of(GN, 3)]), numbers(-1.0, &[of(D, 3)])]);
     }
 

@@ -17,6 +17,8 @@ pub(super) struct Cause {
     pub(super) deviation: [f64; 2],
     /// The errors with their factors. Several readings if they yield the same numbers.
     pub(super) readings: Vec<Vec<(Row, f64)>>,
+    /// The number of the equation of the sum, if it is not that of the others.
+    pub(super) number: Option<&'static str>,
     /// Whether all cases have the error, or only those at which the equation is wrong.
     pub(super) everywhere: bool,
     /// The numbers that the program used of earlier equations.
@@ -187,7 +189,7 @@ impl Examination<'_> {
             readings.retain(|of| is_of_factors(of));
         }
         let deviation = system.deviations(readings.first()?);
-        Some(Cause { deviation, readings, everywhere, earlier })
+        Some(Cause { deviation, readings, number: zero.number, everywhere, earlier })
     }
 }
 

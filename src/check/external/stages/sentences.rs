@@ -58,8 +58,10 @@ pub(super) fn of_status(
                     [(Row { what: What::Factor(_), .. }, by)] => Some(*by),
                     _ => None,
                 };
-                let words =
-                    format!("in {subject} {}{triangle}{scope}", each(&number(equation)).join(" and "));
+                let words = format!(
+                    "in {subject} {}{triangle}{scope}",
+                    each(&cause.number.map_or_else(|| number(equation), |of| format!(" {of}"))).join(" and ")
+                );
                 Reading { names: each(""), words, coefficient }
             };
             cause.readings.iter().take(READINGS).map(reading).collect()

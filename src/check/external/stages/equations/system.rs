@@ -89,7 +89,13 @@ pub(super) fn solved(beam: Beam, part: Part, [r, r_bar]: [&Terms; 2]) -> Zero {
         format!("R stands in the place of R_bar in {of_xi}"),
         scaled(-1.0, &swapped(r, &other, r_bar)),
     ));
-    Zero { terms: [left, scaled(-1.0, &right)].concat(), extras, is_wrong_form: None, is_elementary: false }
+    Zero {
+        terms: [left, scaled(-1.0, &right)].concat(),
+        extras,
+        number: None,
+        is_wrong_form: None,
+        is_elementary: false,
+    }
 }
 
 /// A held parameter does not vary.
