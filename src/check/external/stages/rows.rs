@@ -1,9 +1,10 @@
 //! Possible errors of an equation: each changes some of its terms.
 
 mod replaced;
+mod substitutes;
 
 use super::equations::Zero;
-use super::terms::{Factor, Number, Part, Tag, Term, Terms};
+use super::terms::{Factor, Number, Part, Reach, Tag, Term, Terms};
 use super::words::words;
 use crate::linearization::Quantity;
 use replaced::replaced;
@@ -39,31 +40,60 @@ pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
         });
     }
     let groups = groups(form, results);
-    for (name, group) in &groups {
-        rows.push(Row { what: What::Factor(name.clone()), terms: group.clone() });
+    let mut known: Vec<&Terms> = Vec::new();
+    for Group { name, terms, .. } in &groups {
+        if !known.contains(&terms) {
+            known.push(terms);
+            rows.push(Row { what: What::Factor(name.clone()), terms: terms.clone() });
+        }
     }
     in_both(form, &mut rows);
-    for (name, group) in &groups {
-        replaced(name, group, &mut rows);
+    for group in &groups {
+        replaced(group, &mut rows);
     }
     rows.retain(|row| !row.terms.is_empty());
     rows
 }
 
-/// Terms with a tag in common, and single terms. Small groups come first.
-fn groups(form: &Zero, results: &[(Quantity, Part)]) -> Vec<(String, Terms)> {
-    let mut groups: Vec<(String, Terms)> = Vec::new();
-    let mut add = |name: String, group: Terms| {
-        if !group.is_empty() && !groups.iter().any(|(_, known)| *known == group) {
-            groups.push((name, group));
-        }
-    };
-    let mut tags: Vec<Tag> = form.terms.iter().flat_map(|term| term.tags.clone()).collect();
+/// Some terms of an equation.
+#[derive(Clone)]
+struct Group {
+    name: String,
+    terms: Terms,
+    /// The factors of each that the name is on.
+    reach: Vec<Reach>,
+}
+
+/// All tags of an equation.
+fn tags(form: &Zero) -> Vec<Tag> {
+    let mut tags: Vec<Tag> = form.terms.iter().flat_map(|term| &term.tags).map(|(tag, _)| *tag).collect();
     tags.sort_unstable();
     tags.dedup();
-    for tag in tags {
-        add(tag.into(), form.terms.iter().filter(|term| term.tags.contains(&tag)).cloned().collect());
+    tags
+}
+
+/// Terms with a tag in common, and single terms. Small groups come first.
+fn groups(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Group> {
+    let mut groups: Vec<Group> = Vec::new();
+    let mut add_group = |group: Group| {
+        let is_same = |known: &Group| known.terms == group.terms && known.reach == group.reach;
+        if !group.terms.is_empty() && !groups.iter().any(is_same) {
+            groups.push(group);
+        }
+    };
+    for tag in tags(form) {
+        let reach = |term: &Term| {
+            let of_tag = term.tags.iter().filter(|(of, _)| *of == tag);
+            of_tag.map(|(_, reach)| *reach).reduce(|one, other| one | other)
+        };
+        let found = form.terms.iter().filter_map(|term| Some((term.clone(), reach(term)?)));
+        let (terms, reach) = found.unzip();
+        add_group(Group { name: tag.into(), terms, reach });
     }
+    let mut add = |name: String, terms: Terms| {
+        let reach = vec![Reach::MAX; terms.len()];
+        add_group(Group { name, terms, reach });
+    };
     if form.is_elementary {
         for term in &form.terms {
             add(words(term), vec![term.clone()]);
@@ -80,18 +110,15 @@ fn groups(form: &Zero, results: &[(Quantity, Part)]) -> Vec<(String, Terms)> {
         add("the result".into(), result);
         add("the right-hand side".into(), rest);
     }
-    groups.sort_by_key(|(_, group)| group.len());
+    groups.sort_by_key(|group| group.terms.len());
     groups
 }
 
 /// A part that occurs in both factors of a product, with another factor.
 fn in_both(form: &Zero, rows: &mut Vec<Row>) {
-    let mut tags: Vec<Tag> = form.terms.iter().flat_map(|term| term.tags.clone()).collect();
-    tags.sort_unstable();
-    tags.dedup();
-    for tag in tags {
+    for tag in tags(form) {
         let count =
-            |term: &Term| i32::try_from(term.tags.iter().filter(|of| **of == tag).count()).unwrap_or(0);
+            |term: &Term| i32::try_from(term.tags.iter().filter(|(of, _)| *of == tag).count()).unwrap_or(0);
         if form.terms.iter().all(|term| count(term) < 2) {
             continue;
         }

@@ -77,12 +77,20 @@ pub(super) enum Factor {
 /// What a term is part of, such as delta d.
 pub(super) type Tag = &'static str;
 
+/// The factors of a term that a tag is on: two bits each, for both sides of a scalar product.
+pub(super) type Reach = u64;
+
+/// These factors.
+fn reach(of: std::ops::Range<usize>) -> Reach {
+    of.map(|i| 0b11 << (2 * i)).sum()
+}
+
 /// A term of an equation.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Term {
     pub(super) coefficient: f64,
     pub(super) factors: Vec<Factor>,
-    pub(super) tags: Vec<Tag>,
+    pub(super) tags: Vec<(Tag, Reach)>,
 }
 
 /// A sum of terms.
@@ -128,10 +136,14 @@ pub(super) fn dot(one: &Sum, other: &Sum) -> Terms {
             .iter()
             .map(|(d, m, w, s)| {
                 let numbers = n.iter().chain(m).map(|n| Factor::Number(*n));
+                // The first factor is the product of the vectors.
+                let middle = 1 + n.len();
+                let [left, right] = [0b01 | reach(1..middle), 0b10 | reach(middle..middle + m.len())];
+                let tags = t.iter().map(|tag| (*tag, left)).chain(s.iter().map(|tag| (*tag, right)));
                 Term {
                     coefficient: c * d,
                     factors: [Factor::Dot(*v, *w)].into_iter().chain(numbers).collect(),
-                    tags: t.iter().chain(s).copied().collect(),
+                    tags: tags.collect(),
                 }
             })
             .collect::<Vec<_>>()
@@ -151,7 +163,10 @@ pub(super) fn product(one: &Terms, other: &Terms) -> Terms {
             other.iter().map(|b| Term {
                 coefficient: a.coefficient * b.coefficient,
                 factors: a.factors.iter().chain(&b.factors).copied().collect(),
-                tags: a.tags.iter().chain(&b.tags).copied().collect(),
+                tags: {
+                    let moved = |(tag, reach): &(Tag, Reach)| (*tag, reach << (2 * a.factors.len()));
+                    a.tags.iter().copied().chain(b.tags.iter().map(moved)).collect()
+                },
             })
         })
         .collect()
@@ -164,7 +179,7 @@ pub(super) fn scaled(factor: f64, of: &Terms) -> Terms {
 pub(super) fn tag(tag: Tag, of: Terms) -> Terms {
     of.into_iter()
         .map(|mut term| {
-            term.tags.push(tag);
+            term.tags.push((tag, reach(0..term.factors.len())));
             term
         })
         .collect()

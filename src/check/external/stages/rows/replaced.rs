@@ -1,20 +1,31 @@
 //! Terms in which something else stands in the place of a factor.
 
-use super::{Row, What};
-use crate::check::external::stages::terms::{Factor, Number, Term, Terms, Vector, scaled};
+use super::substitutes::{substitutes, substitutes_of};
+use super::{Group, Row, What};
+use crate::check::external::stages::terms::{Factor, Number, Reach, Term, Terms, Vector, scaled};
 use crate::check::external::stages::words::{number_words, vector_words};
 use crate::linearization::Quantity;
 
+/// A factor with the sides that the name of its group is on: of a scalar product one or both, else all or nothing.
+type Reached<'a> = (&'a Factor, [bool; 2]);
+
+/// The factors of a term that the name of its group is on.
+fn reached(term: &Term, reach: Reach) -> impl Iterator<Item = Reached<'_>> {
+    let sides = move |i: usize| [0, 1].map(|side| reach >> (2 * i + side) & 1 == 1);
+    term.factors.iter().enumerate().map(move |(i, factor)| (factor, sides(i)))
+}
+
 /// The change of terms if each factor becomes a sum of products.
-fn changed(group: &Terms, change: impl Fn(&Factor) -> Option<Vec<(f64, Vec<Factor>)>>) -> Terms {
+fn changed(group: &Group, change: impl Fn(Reached) -> Option<Vec<(f64, Vec<Factor>)>>) -> Terms {
     let mut sum = Vec::new();
-    for term in group {
-        if term.factors.iter().all(|factor| change(factor).is_none()) {
+    for (term, reach) in group.terms.iter().zip(&group.reach) {
+        let changes: Vec<_> = reached(term, *reach).map(&change).collect();
+        if changes.iter().all(Option::is_none) {
             continue;
         }
         let mut products = vec![(term.coefficient, Vec::new())];
-        for factor in &term.factors {
-            let others = change(factor).unwrap_or_else(|| vec![(1.0, vec![*factor])]);
+        for (factor, change) in term.factors.iter().zip(changes) {
+            let others = change.unwrap_or_else(|| vec![(1.0, vec![*factor])]);
             let with = |(c, factors): &(f64, Vec<Factor>)| {
                 others.iter().map(|(by, more)| (c * by, [&factors[..], more].concat())).collect::<Vec<_>>()
             };
@@ -31,17 +42,22 @@ fn changed(group: &Terms, change: impl Fn(&Factor) -> Option<Vec<(f64, Vec<Facto
 }
 
 /// The terms with vectors in the place of others.
-fn with_vectors(group: &Terms, of: impl Fn(Vector) -> Vector) -> Terms {
-    changed(group, |factor| match *factor {
-        Factor::Dot(a, b) if (of(a), of(b)) != (a, b) => Some(vec![(1.0, vec![Factor::Dot(of(a), of(b))])]),
+fn with_vectors(group: &Group, of: impl Fn(Vector) -> Vector) -> Terms {
+    changed(group, |(factor, sides)| match *factor {
+        Factor::Dot(a, b) => {
+            let [to_a, to_b] = [(a, sides[0]), (b, sides[1])].map(|(v, is_on)| if is_on { of(v) } else { v });
+            ((to_a, to_b) != (a, b)).then(|| vec![(1.0, vec![Factor::Dot(to_a, to_b)])])
+        }
         _ => None,
     })
 }
 
 /// The terms with numbers in the place of others.
-fn with_numbers(group: &Terms, of: impl Fn(Number) -> Number) -> Terms {
-    changed(group, |factor| match *factor {
-        Factor::Number(number) if of(number) != number => Some(vec![(1.0, vec![Factor::Number(of(number))])]),
+fn with_numbers(group: &Group, of: impl Fn(Number) -> Number) -> Terms {
+    changed(group, |(factor, sides)| match *factor {
+        Factor::Number(number) if sides[0] && of(number) != number => {
+            Some(vec![(1.0, vec![Factor::Number(of(number))])])
+        }
         _ => None,
     })
 }
@@ -59,56 +75,52 @@ fn unique<T: PartialEq + Copy>(all: impl Iterator<Item = T>) -> Vec<T> {
     })
 }
 
-pub(super) fn replaced(name: &str, group: &Terms, rows: &mut Vec<Row>) {
+pub(super) fn replaced(group: &Group, rows: &mut Vec<Row>) {
     let mut add = |words: String, terms: Terms| {
-        if !terms.is_empty() {
-            rows.push(Row { what: What::Replaced { of: name.to_owned(), words }, terms });
+        // Groups that overlap have some errors in common. The smallest group names them.
+        if !terms.is_empty() && !rows.iter().any(|row| row.terms == terms) {
+            rows.push(Row { what: What::Replaced { of: group.name.clone(), words }, terms });
         }
     };
-    let factors = || group.iter().flat_map(|term| &term.factors);
-    let dots = unique(factors().filter_map(|f| if let Factor::Dot(v, w) = *f { Some((v, w)) } else { None }));
-    let numbers = unique(factors().filter_map(|f| if let Factor::Number(n) = *f { Some(n) } else { None }));
-    let vectors = unique(dots.iter().flat_map(|(v, w)| [*v, *w]));
-    let in_place = |w: String, v: String| {
-        let verb = if w.starts_with(MANY) { "stand" } else { "stands" };
-        format!("{w} {verb} in the place of {v}")
-    };
+    let factors = || group.terms.iter().zip(&group.reach).flat_map(|(term, reach)| reached(term, *reach));
+    let is_on = |sides: [bool; 2]| sides[0] || sides[1];
+    let dots = unique(factors().filter_map(|(factor, sides)| match *factor {
+        Factor::Dot(v, w) if is_on(sides) => Some((v, w)),
+        _ => None,
+    }));
+    let numbers = unique(factors().filter_map(|(factor, sides)| match *factor {
+        Factor::Number(n) if is_on(sides) => Some(n),
+        _ => None,
+    }));
+    let vectors = unique(factors().flat_map(|(factor, sides)| match *factor {
+        Factor::Dot(v, w) => {
+            [(v, sides[0]), (w, sides[1])].into_iter().filter(|of| of.1).map(|of| of.0).collect()
+        }
+        _ => Vec::new(),
+    }));
     for &v in &vectors {
         for w in substitutes(v).into_iter().chain(v.permuted()) {
             let terms = with_vectors(group, |of| if of == v { w } else { of });
-            add(in_place(vector_words(w), vector_words(v)), terms);
+            add(in_place(&vector_words(w), &vector_words(v)), terms);
         }
         components(group, v, &mut add);
     }
-    // Both variations of a beam.
-    for beam in 0..2 {
-        for order in 0..3 {
-            for other in (0..3).filter(|k| *k != order) {
-                let terms = with_vectors(group, |of| match of {
-                    Vector::U(side, b, k) if (b, k) == (beam, order) => Vector::U(side, b, other),
-                    of => of,
-                });
-                let of = |k| vector_words(Vector::U(0, beam, k));
-                add(in_place(of(other), of(order)), terms);
-            }
+    // The vectors that the terms are multiplied by.
+    let others = Group { reach: group.reach.iter().map(|reach| !reach).collect(), ..group.clone() };
+    for v in unique(factors().filter_map(|(factor, sides)| match *factor {
+        Factor::Dot(v, _) if !sides[0] => Some(v),
+        Factor::Dot(_, w) if !sides[1] => Some(w),
+        _ => None,
+    })) {
+        for w in substitutes(v) {
+            let terms = with_vectors(&others, |of| if of == v { w } else { of });
+            add(in_place(&vector_words(w), &vector_words(v)), terms);
         }
-        let xi = [Quantity::Xi, Quantity::XiBar];
-        let terms = with_numbers(group, |of| match of {
-            Number::Of(q, part @ 1..) if q == xi[beam] => Number::Of(xi[1 - beam], part),
-            of => of,
-        });
-        let [of, other] = [xi[beam], xi[1 - beam]].map(Quantity::name);
-        add(in_place(format!("the derivative of {other}"), format!("that of {of}")), terms);
-        let terms = with_vectors(group, |of| match of {
-            Vector::T(b, k) if b == beam => Vector::T(1 - b, k),
-            Vector::U(s, b, k) if b == beam => Vector::U(s, 1 - b, k),
-            of => of,
-        });
-        add(in_place(["bar beam", "beam"][beam].into(), ["beam", "bar beam"][beam].into()), terms);
     }
+    of_a_beam(group, &mut add);
     for (v, w) in dots {
-        let terms = changed(group, |factor| {
-            (*factor == Factor::Dot(v, w)).then(|| vec![(1.0, vec![Factor::Size(v, w)])])
+        let terms = changed(group, |(factor, sides)| {
+            (is_on(sides) && *factor == Factor::Dot(v, w)).then(|| vec![(1.0, vec![Factor::Size(v, w)])])
         });
         add(
             format!("the absolute value of {}.{} stands in its place", vector_words(v), vector_words(w)),
@@ -127,12 +139,52 @@ pub(super) fn replaced(name: &str, group: &Terms, rows: &mut Vec<Row>) {
             others.push(("1".into(), vec![]));
         }
         for (words, with) in others {
-            let terms = changed(group, |factor| {
-                (*factor == Factor::Number(number)).then(|| vec![(1.0, with.clone())])
+            let terms = changed(group, |(factor, sides)| {
+                (is_on(sides) && *factor == Factor::Number(number)).then(|| vec![(1.0, with.clone())])
             });
-            add(in_place(words, number_words(number)), terms);
+            add(in_place(&words, &number_words(number)), terms);
         }
     }
+    multiplied(group, &mut add);
+}
+
+/// Words for something in the place of something else.
+fn in_place(w: &str, v: &str) -> String {
+    let verb = if w.starts_with(MANY) { "stand" } else { "stands" };
+    format!("{w} {verb} in the place of {v}")
+}
+
+/// All variations of a beam, or the beam, taken for others.
+fn of_a_beam(group: &Group, add: &mut impl FnMut(String, Terms)) {
+    for beam in 0..2 {
+        for order in 0..3 {
+            for other in (0..3).filter(|k| *k != order) {
+                let terms = with_vectors(group, |of| match of {
+                    Vector::U(side, b, k) if (b, k) == (beam, order) => Vector::U(side, b, other),
+                    of => of,
+                });
+                let of = |k| vector_words(Vector::U(0, beam, k));
+                add(in_place(&of(other), &of(order)), terms);
+            }
+        }
+        let xi = [Quantity::Xi, Quantity::XiBar];
+        let terms = with_numbers(group, |of| match of {
+            Number::Of(q, part @ 1..) if q == xi[beam] => Number::Of(xi[1 - beam], part),
+            of => of,
+        });
+        let [of, other] = [xi[beam], xi[1 - beam]].map(Quantity::name);
+        add(in_place(&format!("the derivative of {other}"), &format!("that of {of}")), terms);
+        let terms = with_vectors(group, |of| match of {
+            Vector::T(b, k) if b == beam => Vector::T(1 - b, k),
+            Vector::U(s, b, k) if b == beam => Vector::U(s, 1 - b, k),
+            of => of,
+        });
+        add(in_place(["bar beam", "beam"][beam], ["beam", "bar beam"][beam]), terms);
+    }
+}
+
+/// The terms multiplied by powers of lengths.
+fn multiplied(group: &Group, add: &mut impl FnMut(String, Terms)) {
     let mut powers: Vec<(String, Vec<Factor>)> = Vec::new();
     for length in LENGTHS {
         for power in [1_i32, -1, 2, -2] {
@@ -152,24 +204,24 @@ pub(super) fn replaced(name: &str, group: &Terms, rows: &mut Vec<Row>) {
         ));
     }
     for (words, by) in powers {
-        let mut terms: Terms = group.clone();
+        let mut terms: Terms = group.terms.clone();
         for term in &mut terms {
             term.factors.extend(&by);
         }
-        terms.extend(scaled(-1.0, group));
+        terms.extend(scaled(-1.0, &group.terms));
         add(words, terms);
     }
 }
 
 /// A component of v, or of its partner, left out, or taken for another one.
-fn components(group: &Terms, v: Vector, add: &mut impl FnMut(String, Terms)) {
+fn components(group: &Group, v: Vector, add: &mut impl FnMut(String, Terms)) {
     let axis = ["x", "y", "z"];
     let name = vector_words(v);
     for j in 0..3 {
         let of_dot = |with: &dyn Fn(Vector) -> Vec<(f64, Factor)>| {
-            changed(group, |factor| match *factor {
-                Factor::Dot(a, b) if a == v || b == v => {
-                    let partner = if a == v { b } else { a };
+            changed(group, |(factor, sides)| match *factor {
+                Factor::Dot(a, b) if (sides[0] && a == v) || (sides[1] && b == v) => {
+                    let partner = if sides[0] && a == v { b } else { a };
                     let mut others = vec![(1.0, vec![*factor])];
                     others.extend(with(partner).into_iter().map(|(c, factor)| (c, vec![factor])));
                     Some(others)
@@ -203,60 +255,5 @@ fn components(group: &Terms, v: Vector, add: &mut impl FnMut(String, Terms)) {
                 terms,
             );
         }
-    }
-}
-
-/// Vectors that are taken for this one by mistake.
-fn substitutes(of: Vector) -> Vec<Vector> {
-    match of {
-        Vector::X(beam) => vec![Vector::X(1 - beam)],
-        Vector::T(beam, order) => {
-            let mut all: Vec<_> = (0..3).filter(|k| *k != order).map(|k| Vector::T(beam, k)).collect();
-            all.extend((0..3).map(|k| Vector::T(1 - beam, k)));
-            all
-        }
-        Vector::U(side, beam, order) => {
-            let mut all: Vec<_> = (0..3).filter(|k| *k != order).map(|k| Vector::U(side, beam, k)).collect();
-            all.extend([Vector::U(side, 1 - beam, order), Vector::U(1 - side, beam, order)]);
-            all
-        }
-        _ => vec![],
-    }
-}
-
-fn substitutes_of(of: Number) -> Vec<Number> {
-    use Quantity::{GT, GTBar, T, TBar, Xi, XiBar};
-    match of {
-        Number::Of(quantity, part) => {
-            let twin = match quantity {
-                Xi => XiBar,
-                XiBar => Xi,
-                T => TBar,
-                TBar => T,
-                GT => GTBar,
-                GTBar => GT,
-                other => other,
-            };
-            let mut all = Vec::new();
-            if twin != quantity {
-                all.push(Number::Of(twin, part));
-            }
-            if part == 1 || part == 2 {
-                all.extend([Number::Of(quantity, 3 - part), Number::Of(quantity, 0)]);
-                if twin != quantity {
-                    all.push(Number::Of(twin, 3 - part));
-                }
-            }
-            all
-        }
-        Number::Radius(beam) => vec![Number::Radius(1 - beam)],
-        Number::Moved(beam, _) => {
-            vec![
-                Number::Moved(1 - beam, 1 - beam),
-                Number::Moved(beam, 1 - beam),
-                Number::Moved(1 - beam, beam),
-            ]
-        }
-        _ => vec![],
     }
 }
