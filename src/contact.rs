@@ -5,6 +5,7 @@
 //! K once more, from positions and the definitions of friction alone.
 
 pub mod ad;
+pub mod chain;
 pub mod closed_form;
 mod decision;
 mod element;

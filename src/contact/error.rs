@@ -69,4 +69,12 @@ pub enum ContactError {
         /// xi_bar.
         xi_bar: f64,
     },
+    /// An element of a chain was named that the chain does not have.
+    #[error("the element {element} of a chain of {count} elements")]
+    NoElement {
+        /// Its number, from 0.
+        element: usize,
+        /// The number of elements.
+        count: usize,
+    },
 }
