@@ -14,6 +14,7 @@ mod geometry;
 mod history;
 mod law;
 mod matrix;
+pub mod multiplier;
 mod parameters;
 
 pub use closed_form::{Contribution, Values};

@@ -315,7 +315,7 @@ pub(super) fn assemble<T: Real, L: NormalLaw, const N: usize, const M: usize>(
 
 /// Sets a matrix to the sum of factor * Hessian over all `hessians` and of u vᵀ over all pairs (u, v) in `outer`.
 #[inline]
-fn set_sum<T: Real, const H: usize, const O: usize, const N: usize, const M: usize>(
+pub(super) fn set_sum<T: Real, const H: usize, const O: usize, const N: usize, const M: usize>(
     to: &mut BlockMatrix<T, N, M>,
     hessians: [(T, &BlockHessian<T, N, M>); H],
     outer: [[&DofVector<T, N, M>; 2]; O],

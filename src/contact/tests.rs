@@ -4,4 +4,5 @@ mod agreement;
 mod beams;
 mod field;
 mod invariances;
+mod multiplier;
 mod symmetry;
