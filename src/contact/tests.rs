@@ -1,6 +1,7 @@
 //! Tests of the contact element. The beams come from [`beams`].
 
 mod agreement;
+mod allocation;
 mod beams;
 mod field;
 mod invariances;

@@ -146,7 +146,7 @@ fn a_held_parameter_has_no_row_and_an_inactive_contact_has_lambda_alone() {
         let zero = Dofs::zeros();
         assert_eq!((rows, to.residual, border.row, border.column), ([false; 2], zero, zero, zero));
         assert_eq!((border.constraint, border.corner), (-8.0, 1.0));
-        assert_eq!(to.tangent.to_dense().amax(), 0.0);
+        assert!(to.tangent.to_dense().iter().all(|entry| entry.abs() < f64::MIN_POSITIVE));
     }
 }
 
@@ -158,5 +158,5 @@ fn the_size_of_friction_is_that_of_the_vector() {
     let (f, f_bar) = (a - c * b, b - c * a);
     let exact = (a * a + b * b - 2.0 * c * a * b).sqrt();
     assert!((friction(Some(f * t), Some(f_bar * t_bar), (t, t_bar, c)) - exact).abs() < 1e-15);
-    assert_eq!(friction(None, Some(-1.0), (t, t_bar, c)), 2.0);
+    assert!((friction(None, Some(-1.0), (t, t_bar, c)) - 2.0).abs() < 1e-15);
 }
