@@ -21,7 +21,8 @@ pub mod faults;
 pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
-#[cfg(feature = "check")]
+// The chains need nothing of the check, and are tested without it.
+#[cfg(any(test, feature = "check"))]
 pub mod teaching;
 #[cfg(feature = "check")]
 pub mod test_beam;

@@ -32,12 +32,19 @@
 //! assert!(!problem.solve(Tangent::FrozenProjection).converged());
 //! ```
 
+pub mod chains;
+#[cfg(feature = "check")]
 mod contact;
+#[cfg(feature = "check")]
 mod effect;
 mod elastic;
+#[cfg(feature = "check")]
 mod solve;
 
+#[cfg(feature = "check")]
 pub use contact::{Contribution, Tangent, contact};
+#[cfg(feature = "check")]
 pub use effect::{Effect, SELF_CHECKS, SelfCheck};
 pub use elastic::{Beam, DOFS, FREE, Material};
+#[cfg(feature = "check")]
 pub use solve::{Equilibrium, Iterate, Problem};

@@ -1,0 +1,75 @@
+//! Tests of the element, and of the problems against published figures.
+
+use super::{LeftOut, Problem, density};
+use crate::number::Real;
+use crate::teaching::Material;
+use nalgebra::Vector3;
+use num_dual::HyperDual64;
+
+/// The energy by its definition: the curvature is a vector, not a square.
+fn by_definition<T: Real>(a: &Vector3<T>, b: &Vector3<T>, material: &Material) -> T {
+    let length = a.dot(a).sqrt();
+    let strain = length - T::one();
+    let curvature = a.cross(b) / (length * length);
+    let (axial, bending) = (T::from(material.axial), T::from(material.bending));
+    (strain * strain * axial + curvature.dot(&curvature) * bending) * T::from(0.5)
+}
+
+#[test]
+fn gradient_and_hessian_of_the_energy_are_its_derivatives_by_hyper_dual_numbers() {
+    let material = Material { axial: 7.0, bending: 3.0, radius: 0.1 };
+    let ab = [0.9, 0.4, -0.3, 0.2, -0.7, 0.5];
+    let (a, b) = (Vector3::new(ab[0], ab[1], ab[2]), Vector3::new(ab[3], ab[4], ab[5]));
+    let (value, gradient, hessian) = density(&a, &b, &material);
+    for i in 0..6 {
+        for j in 0..6 {
+            let one = |is: bool| if is { 1.0 } else { 0.0 };
+            let number = |k: usize| HyperDual64::new(ab[k], one(k == i), one(k == j), 0.0);
+            let [a, b] = [0, 3].map(|k| Vector3::new(number(k), number(k + 1), number(k + 2)));
+            let expected = by_definition(&a, &b, &material);
+            let near = |one: f64, other: f64| (one - other).abs() < 1e-13 * material.axial;
+            assert!(near(value, expected.re));
+            assert!(near(gradient[i / 3][i % 3], expected.eps1), "{i}");
+            assert!(near(hessian[i / 3][j / 3][(i % 3, j % 3)], expected.eps1eps2), "{i} {j}");
+        }
+    }
+}
+
+/// The tip of the beam as the solver 4C prints it, to ten digits: 10 elements, 6 Gauss points.
+#[test]
+fn centroids_that_cross_end_where_another_code_has_them() {
+    let problem = Problem::crossing_centroids(10);
+    let (steps, u) = problem.solve(LeftOut::Nothing).unwrap();
+    assert!(steps.iter().all(|step| step.converged));
+    let values = &steps[4].outcome.values;
+    assert!(values.g_n + 2.0 * problem.model.chains[0].material.radius < 0.0, "the centroids have crossed");
+    assert!((u[60] - 1.0 + 1.612_712_684_35e-2).abs() < 5e-12, "{:.12e}", u[60] - 1.0);
+    assert!((u[61] + 1.715_218_089_88e-1).abs() < 5e-11, "{:.12e}", u[61]);
+}
+
+/// F_N of the elastica of both beams, with the membrane force of the first: computed without finite elements.
+#[test]
+fn crossed_beams_have_the_forces_of_the_elastica() {
+    let problem = Problem::crossed_beams(0.0);
+    let (steps, _) = problem.solve(LeftOut::Nothing).unwrap();
+    assert!(steps.iter().all(|step| step.converged));
+    for (step, expected) in steps[2..].iter().zip([17.2053, 34.1129, 50.6018, 66.5604]) {
+        let f_n = step.outcome.values.f_n;
+        assert!((f_n / expected - 1.0).abs() < 1e-5, "{f_n}");
+        assert!(step.order(problem.rounding).is_some_and(|order| order > 1.9));
+    }
+}
+
+/// With friction the beams slip from the step after the first contact on.
+#[test]
+fn crossed_beams_slip_with_friction() {
+    let problem = Problem::crossed_beams(0.3);
+    let (steps, _) = problem.solve(LeftOut::Nothing).unwrap();
+    assert!(steps.iter().all(|step| step.converged));
+    for (step, expected) in steps[3..].iter().zip([33.3746, 49.3979, 64.8363]) {
+        let values = &step.outcome.values;
+        assert!((values.f_n - expected).abs() < 1e-4, "{}", values.f_n);
+        assert!(step.order(problem.rounding).is_some_and(|order| order > 1.9));
+        assert!((values.f_bar / values.f_n + 0.3).abs() < 1e-6, "{}", values.f_bar);
+    }
+}
