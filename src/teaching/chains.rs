@@ -15,5 +15,5 @@ mod tests;
 pub use chain::Chain;
 pub use model::{LeftOut, Model, ModelError, State, Step};
 pub use problem::Problem;
-pub use rod::{Gauss, density};
+pub use rod::{Density, Gauss, density};
 pub use search::{Owner, Place};

@@ -229,7 +229,6 @@ impl Model {
         let both = Held { xi: true, xi_bar: true };
         let frozen = Matrices::<_, _, _, DOFS, DOFS>::new(&jet, &jet_bar, both).d();
         let change = |i: usize, j: usize| match left_out {
-            LeftOut::Nothing => 0.0,
             LeftOut::NormalHessian => k * gradient.entry(i) * gradient.entry(j) - normal.tangent.entry(i, j),
             LeftOut::Projection => {
                 let frozen = frozen.hessian.entry(i, j);
@@ -241,7 +240,7 @@ impl Model {
                 // μ (m A + m̄ Ā) = R_T/F_N   ∇F_N = −k ∇g_N
                 (to.residual.entry(i) - normal.residual.entry(i)) / f_n * k * gradient.entry(j)
             }
-            LeftOut::Cone => 0.0,
+            LeftOut::Nothing | LeftOut::Cone => 0.0,
         };
         let changes = DMatrix::from_fn(2 * DOFS, 2 * DOFS, change);
         for i in 0..2 * DOFS {

@@ -45,12 +45,19 @@ impl Gauss {
     }
 }
 
-/// The energy of a unit of length with gradient and Hessian over (a, b).
-pub fn density(
-    a: &Vector3<f64>,
-    b: &Vector3<f64>,
-    material: &Material,
-) -> (f64, [Vector3<f64>; 2], [[Matrix3<f64>; 2]; 2]) {
+/// The energy of a unit of length: w, and its derivatives over (a, b).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Density {
+    /// w, a force.
+    pub value: f64,
+    /// w,a (a force) and w,b (a moment).
+    pub gradient: [Vector3<f64>; 2],
+    /// The second derivatives, in blocks.
+    pub hessian: [[Matrix3<f64>; 2]; 2],
+}
+
+/// The energy of a unit of length at a = dx/ds and b = d²x/ds².
+pub fn density(a: &Vector3<f64>, b: &Vector3<f64>, material: &Material) -> Density {
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
     let (length, one) = (aa.sqrt(), Matrix3::identity());
     let (strain, tau) = (length - 1.0, a / length);
@@ -73,7 +80,7 @@ pub fn density(
     let w_aa = stretch + (c_aa * p + c_a * p_a.transpose() + p_a * c_a.transpose() + p_aa * c) * bending;
     let w_ab = (c_ab * p + p_a * c_b.transpose()) * bending;
     let w_bb = c_bb * (bending * p);
-    (value, gradient, [[w_aa, w_ab], [w_ab.transpose(), w_bb]])
+    Density { value, gradient, hessian: [[w_aa, w_ab], [w_ab.transpose(), w_bb]] }
 }
 
 /// Residual and tangent of an element with this length in the reference, over points and tangents dx/ds of both nodes.
@@ -90,7 +97,7 @@ pub(super) fn element(
         let (a, b) = (jet.geometry.t / half, jet.geometry.t_xi / (half * half));
         let of: [SMatrix<f64, 3, DOFS>; 2] =
             [jet.dofs.jacobian(1) / half, jet.dofs.jacobian(2) / (half * half)];
-        let (_, gradient, hessian) = density(&a, &b, material);
+        let Density { gradient, hessian, .. } = density(&a, &b, material);
         for ((row, gradient), hessian) in of.iter().zip(&gradient).zip(&hessian) {
             let rows = row.transpose() * (weight * half);
             residual += rows * gradient;

@@ -1,6 +1,6 @@
 //! Tests of the element, and of the problems against published figures.
 
-use super::{LeftOut, Problem, density};
+use super::{Density, LeftOut, Problem, density};
 use crate::number::Real;
 use crate::teaching::Material;
 use nalgebra::Vector3;
@@ -20,7 +20,7 @@ fn gradient_and_hessian_of_the_energy_are_its_derivatives_by_hyper_dual_numbers(
     let material = Material { axial: 7.0, bending: 3.0, radius: 0.1 };
     let ab = [0.9, 0.4, -0.3, 0.2, -0.7, 0.5];
     let (a, b) = (Vector3::new(ab[0], ab[1], ab[2]), Vector3::new(ab[3], ab[4], ab[5]));
-    let (value, gradient, hessian) = density(&a, &b, &material);
+    let Density { value, gradient, hessian } = density(&a, &b, &material);
     for i in 0..6 {
         for j in 0..6 {
             let one = |is: bool| if is { 1.0 } else { 0.0 };
