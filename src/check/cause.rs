@@ -28,7 +28,14 @@ pub fn likely_cause(variant: &Variant, seed: u64, numbers: &[u64]) -> Option<Lik
     let vector = |number: &u64| {
         let Case { regime, .. } = Case::draw(seed, *number);
         let case = Case::draw(seed, *number).data();
-        Vector { id: number.to_string(), regime: regime.name().to_owned(), case, point: None, place: None }
+        Vector {
+            id: number.to_string(),
+            regime: regime.name().to_owned(),
+            case,
+            element: None,
+            point: None,
+            place: None,
+        }
     };
     let vectors: Vec<Vector> = numbers.iter().step_by(step).map(vector).collect();
     let demands = Demands::default();

@@ -48,6 +48,9 @@ pub(crate) struct Export {
     /// Choose radii so large that the surfaces penetrate in all cases [default: in about half the cases of each regime]
     #[arg(long)]
     penetrating: bool,
+    /// Add a contact element with friction to each case: its parameters and its history, in every state
+    #[arg(long, conflicts_with = "penetrating")]
+    element: bool,
     /// Write to this file, and not to standard output
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
@@ -71,6 +74,7 @@ impl Export {
             families: Family::ALL.into_iter().filter(named).collect(),
             cases: self.cases,
             penetrating: self.penetrating,
+            elements: self.element,
         };
         let expected = match self.expected {
             Beside::None => Expected::None,

@@ -80,17 +80,34 @@ fn variation<T: Real>(x: HyperDual<T>) -> Dual<T> {
     Dual::new(x.eps1, x.eps1eps2)
 }
 
-/// −F_N δg_N plus the virtual work of friction.
-fn virtual_work<T: Real, L: NormalLaw>(
+/// The forces of a contact and the slips, with their linearization.
+struct Forces<T> {
+    g_n: HyperDual<T>,
+    f_n: Dual<T>,
+    friction: Option<Friction<T>>,
+}
+
+struct Friction<T> {
+    /// T, the friction force on the beam.
+    traction: Vector3<Dual<T>>,
+    tau: Vector3<Dual<T>>,
+    tau_bar: Vector3<Dual<T>>,
+    g_t: HyperDual<T>,
+    g_t_bar: HyperDual<T>,
+    /// ε_T γ, the length of the trial force.
+    trial: Dual<T>,
+}
+
+/// The forces; nothing if the contact is open.
+fn forces<T: Real, L: NormalLaw>(
     decision: &Decision<'_, L>,
     quantities: &Quantities<HyperDual<T>>,
-) -> Dual<T> {
-    let Some((piece, start)) = decision.acting() else { return Dual::from(0.0) };
+) -> Option<Forces<T>> {
+    let (piece, start) = decision.acting()?;
     let Decision { parameters, form, state, .. } = decision;
     let g_n = gap(decision, quantities);
     let f_n = force(&parameters.law, piece, value(g_n));
-    let normal = -f_n * variation(g_n);
-    let Some(start) = start else { return normal };
+    let Some(start) = start else { return Some(Forces { g_n, f_n, friction: None }) };
     let Quantities { t_vector, t_bar_vector, t, t_bar, xi, xi_bar, .. } = *quantities;
     // eq. (15): g_T = t (ξ − ξₙ); a held parameter does not slip.
     let slip = |t: HyperDual<T>, xi: HyperDual<T>, start: f64, held: bool| {
@@ -100,16 +117,29 @@ fn virtual_work<T: Real, L: NormalLaw>(
         (slip(t, xi, start.xi, form.held.xi), slip(t_bar, xi_bar, start.xi_bar, form.held.xi_bar));
     let tau = t_vector.map(value) / value(t);
     let tau_bar = t_bar_vector.map(value) / value(t_bar);
-    let eps_t = Dual::from(parameters.eps_t);
-    let trial = (tau * (value(g_t) + Dual::from(start.e))
+    let force = (tau * (value(g_t) + Dual::from(start.e))
         - tau_bar * (value(g_t_bar) + Dual::from(start.e_bar)))
-        * eps_t;
+        * Dual::from(parameters.eps_t);
+    let trial = force.dot(&force).sqrt();
     let traction = match state {
-        State::Slip => trial * (Dual::from(parameters.mu) * f_n / trial.dot(&trial).sqrt()),
-        _ => trial,
+        State::Slip => force * (Dual::from(parameters.mu) * f_n / trial),
+        _ => force,
     };
+    let friction = Friction { traction, tau, tau_bar, g_t, g_t_bar, trial };
+    Some(Forces { g_n, f_n, friction: Some(friction) })
+}
+
+/// −F_N δg_N plus the virtual work of friction.
+pub(crate) fn virtual_work<T: Real, L: NormalLaw>(
+    decision: &Decision<'_, L>,
+    quantities: &Quantities<HyperDual<T>>,
+) -> Dual<T> {
+    let Some(Forces { g_n, f_n, friction }) = forces(decision, quantities) else { return Dual::from(0.0) };
+    let normal = -f_n * variation(g_n);
+    let Some(Friction { traction, tau, tau_bar, g_t, g_t_bar, .. }) = friction else { return normal };
+    let Quantities { t_vector, t_bar_vector, xi, xi_bar, .. } = *quantities;
     normal
-        + match parameters.work {
+        + match decision.parameters.work {
             Work::Rate => {
                 let moved: Vector3<Dual<T>> =
                     t_vector.map(value) * variation(xi) - t_bar_vector.map(value) * variation(xi_bar);
@@ -117,6 +147,22 @@ fn virtual_work<T: Real, L: NormalLaw>(
             }
             Work::Paper => traction.dot(&tau) * variation(g_t) - traction.dot(&tau_bar) * variation(g_t_bar),
         }
+}
+
+/// F_N, F = T·τ and F̄ = −T·τ̄, and Φ = ε_T γ − μ F_N; Φ is 0 without friction.
+pub(crate) fn force_values<T: Real, L: NormalLaw>(
+    decision: &Decision<'_, L>,
+    quantities: &Quantities<HyperDual<T>>,
+) -> [T; 4] {
+    let zero = T::zero();
+    let Some(Forces { f_n, friction, .. }) = forces(decision, quantities) else { return [zero; 4] };
+    let Some(Friction { traction, tau, tau_bar, trial, .. }) = friction else {
+        return [f_n.re, zero, zero, zero];
+    };
+    let held = decision.form.held;
+    let along = |is_held: bool, force: Dual<T>| if is_held { zero } else { force.re };
+    let excess = trial - Dual::from(decision.parameters.mu) * f_n;
+    [f_n.re, along(held.xi, traction.dot(&tau)), along(held.xi_bar, -traction.dot(&tau_bar)), excess.re]
 }
 
 /// g_N, along d or along the common normal of the tangents.

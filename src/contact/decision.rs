@@ -6,17 +6,19 @@ use crate::closest_point::Held;
 use crate::linearization::closed_form::{Formulation, Points};
 use crate::pair::Contact;
 
-/// The state of a contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum State {
-    /// No contact: residual and tangent are zero.
-    Open,
-    /// Contact without friction: mu = 0, the first step of a contact, or both parameters held.
-    Frictionless,
-    /// The trial force lies in Coulomb's cone.
-    Stick,
-    /// The trial force lies outside, and is scaled back to the cone.
-    Slip,
+enumeration! {
+    /// The state of a contact.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum State {
+        /// No contact: residual and tangent are zero.
+        Open => "open",
+        /// Contact without friction: mu = 0, the first step of a contact, or both parameters held.
+        Frictionless => "frictionless",
+        /// The trial force lies in Coulomb's cone.
+        Stick => "stick",
+        /// The trial force lies outside, and is scaled back to the cone.
+        Slip => "slip",
+    }
 }
 
 impl State {
@@ -58,7 +60,7 @@ const TURNED: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 impl<'a, L: NormalLaw> Decision<'a, L> {
     /// Decides at contact points.
-    pub(super) fn new(
+    pub(crate) fn new(
         parameters: &'a Parameters<L>,
         contact: Contact,
         points: &Points<f64>,
@@ -123,7 +125,7 @@ impl<'a, L: NormalLaw> Decision<'a, L> {
     }
 
     /// The piece of the law and its start, as far as a force acts.
-    pub(super) fn acting(&self) -> Option<(L::Piece, Option<Start>)> {
+    pub(crate) fn acting(&self) -> Option<(L::Piece, Option<Start>)> {
         let start = if self.state.has_friction() { self.start } else { None };
         if self.state == State::Open { None } else { Some((self.piece?, start)) }
     }

@@ -82,6 +82,50 @@ impl<S: Scalar> Quantities<S> {
             g_t_bar,
         ]
     }
+
+    /// The quantities with these components.
+    pub(crate) fn from_components(of: [S; COMPONENTS]) -> Self {
+        let [
+            x0,
+            x1,
+            x2,
+            y0,
+            y1,
+            y2,
+            d0,
+            d1,
+            d2,
+            t0,
+            t1,
+            t2,
+            s0,
+            s1,
+            s2,
+            d,
+            t,
+            t_bar,
+            xi,
+            xi_bar,
+            g_n,
+            g_t,
+            g_t_bar,
+        ] = of;
+        Self {
+            x: Vector3::new(x0, x1, x2),
+            x_bar: Vector3::new(y0, y1, y2),
+            d_vector: Vector3::new(d0, d1, d2),
+            t_vector: Vector3::new(t0, t1, t2),
+            t_bar_vector: Vector3::new(s0, s1, s2),
+            d,
+            t,
+            t_bar,
+            xi,
+            xi_bar,
+            g_n,
+            g_t,
+            g_t_bar,
+        }
+    }
 }
 
 enumeration! {

@@ -5,12 +5,13 @@
 //! with as many as ten seeds. The comparison is that of `beamgap verify`, without its search for the cause.
 
 mod conditions;
+mod friction;
 mod table;
 
 use crate::program::run;
 use beamgap::check::Order;
 use beamgap::check::external::{
-    AnswerReader, CaseFound, Demands, Judgement, Vector, VectorReader, compare_answers,
+    AnswerReader, Answers, CaseFound, Demands, Judgement, Vector, VectorReader, compare_answers,
 };
 use beamgap::linearization::Quantity;
 use conditions::Condition;
@@ -36,10 +37,20 @@ struct Cases {
 
 impl Cases {
     fn exported(seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
+        Self::of(&["--expected", "none"], seed, cases, families, folder)
+    }
+
+    /// Cases with contact elements.
+    fn with_elements(seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
+        Self::of(&["--element"], seed, cases, families, folder)
+    }
+
+    fn of(options: &[&str], seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
         let path = folder.join(format!("{}-{seed}-{cases}.jsonl", families.join("-")));
         let (seed_text, cases_text) = (seed.to_string(), cases.to_string());
         let families = families.iter().flat_map(|family| ["--family", family]);
-        let arguments = ["export", "--expected", "none", "--seed", &seed_text, "--cases", &cases_text, "-o"];
+        let arguments =
+            [&["export", "--seed", &seed_text, "--cases", &cases_text], options, &["-o"]].concat();
         let arguments: Vec<_> =
             arguments.into_iter().chain([path.to_str().unwrap()]).chain(families).collect();
         let output = run(&arguments);
@@ -114,6 +125,15 @@ fn first_wrong(program: &Path, error: u32, cases: &Cases) -> Option<(usize, Firs
     drop(reader);
     child.wait().unwrap();
     found
+}
+
+/// All answers of a program.
+fn answers_of(program: &Path, error: u32, cases: &Cases) -> Vec<Answers> {
+    let stdin = File::open(&cases.path).unwrap();
+    let output = Command::new(program).arg(error.to_string()).stdin(stdin).output().unwrap();
+    assert!(output.status.success(), "error {error}: {}", output.status);
+    let mut reader = AnswerReader::new(&output.stdout[..], "answers").unwrap();
+    std::iter::from_fn(|| reader.next_answers().unwrap()).collect()
 }
 
 /// The compiled element.

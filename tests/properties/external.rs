@@ -19,7 +19,14 @@ use proptest::prelude::*;
 use std::fmt::Write as _;
 
 pub(crate) fn drawing(families: &[Family], regimes: &[Regime], cases: u64) -> Drawing {
-    Drawing { seed: 7, regimes: regimes.to_vec(), families: families.to_vec(), cases, penetrating: false }
+    Drawing {
+        seed: 7,
+        regimes: regimes.to_vec(),
+        families: families.to_vec(),
+        cases,
+        penetrating: false,
+        elements: false,
+    }
 }
 
 fn vectors(drawing: &Drawing) -> Vec<Vector> {

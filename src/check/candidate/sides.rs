@@ -28,6 +28,8 @@ pub(in crate::check) struct Sides {
     pub(in crate::check) best_scales: Vec<Varied<TermScale>>,
     /// The size of the problem, for numbers that are exactly zero.
     pub(in crate::check) problem: ProblemSize,
+    /// The paper's formulas, and those that lose the fewest digits.
+    pub(in crate::check) forms: [Formulation; 2],
 }
 
 /// The size of a problem. A number that is exactly zero has no size of its own.
@@ -56,7 +58,9 @@ impl ProblemSize {
         let size = match item {
             // The parameters.
             18 | 19 => 1.0,
-            COMPONENTS.. => self.stiffness * self.length * self.length,
+            COMPONENTS => self.stiffness * self.length * self.length,
+            // The forces of a contact element.
+            COMPONENTS.. => self.stiffness * self.length,
             _ => self.length,
         };
         let [delta, linear] = self.directions.map(|direction| direction / self.length);
@@ -83,6 +87,7 @@ impl Sides {
             scales: paper.sized(&Variant::Unmodified).to_vec(),
             best_scales,
             problem: ProblemSize::new(test_beams),
+            forms: [paper.form, form],
         };
         (sides, paper)
     }
@@ -113,13 +118,23 @@ impl Sides {
             directions,
         )?;
         for (k, (number, part)) in direct.into_iter().zip([value, delta, linear, second]).enumerate() {
-            if let Some(number) = number {
-                let exact = RunningError { value: number, bound: 0.0 };
-                let entry = self.entry(([item, k], quantity, part), exact, [number.abs(), number.abs(), 1.0]);
-                entries.push(entry);
-            }
+            entries.extend(number.map(|number| self.of_number(([item, k], quantity, part), number)));
         }
         Ok(entries)
+    }
+
+    /// The comparison of the value of an item.
+    pub(in crate::check) fn of_value(
+        &self,
+        (item, quantity): (usize, Quantity),
+        part: &'static str,
+        number: f64,
+    ) -> Entry {
+        self.of_number(([item, 0], quantity, part), number)
+    }
+
+    fn of_number(&self, of: ([usize; 2], Quantity, &'static str), number: f64) -> Entry {
+        self.entry(of, exact(number), [number.abs(), number.abs(), 1.0])
     }
 
     /// The comparisons of a gradient and a Hessian of an item, contracted with the directions.

@@ -1,11 +1,13 @@
 //! Gradients and Hessians of the scalars, entry by entry.
 
 use super::{EvaluationPoint, of_value};
+use crate::contact::closed_form::write;
+use crate::contact::{Contribution, Decision, Law, Values};
 use crate::linearization::Quantity;
 use crate::linearization::{BlockHessian, Derivatives, Linearization};
 use crate::number::{Faulty, Real, RunningError};
 use crate::pair::DofVector;
-use crate::test_beam::map_padded;
+use crate::test_beam::{DOFS, map_padded};
 use crate::variant::{SCALAR_COMPONENTS, Step, Variant, linearized};
 
 /// A scalar with its gradient and its Hessian, row by row.
@@ -48,14 +50,34 @@ impl EvaluationPoint<'_> {
         }
     }
 
+    /// Residual and tangent of a contact element in closed form, without a fault; the tangent row by row.
+    pub(in crate::check) fn element(
+        &self,
+        decision: &Decision<'_, Law>,
+    ) -> (Vec<f64>, Vec<f64>, Values<f64>) {
+        let beams = self.padded(Step::Now).each_ref().map(|beam| map_padded(beam, |number| number.value));
+        let [(jet, _), (jet_bar, _)] = &beams;
+        let mut to = Box::new(Contribution::zeros());
+        let values = write(decision, (jet, jet_bar), (self.at.0.value, self.at.1.value), &mut to);
+        let dofs = self.places::<DOFS>();
+        let entries = dofs.iter().flat_map(|&i| dofs.iter().map(move |&j| (i, j)));
+        let tangent = entries.map(|(i, j)| to.tangent.entry(i, j)).collect();
+        (dofs.iter().map(|&i| to.residual.entry(i)).collect(), tangent, values)
+    }
+
+    /// The places of the dofs of both beams among the padded ones.
+    fn places<const D: usize>(&self) -> Vec<usize> {
+        let [beam, bar] = self.beams.map(super::AnyBeam::dofs);
+        (0..beam).chain((0..bar).map(|i| D + i)).collect()
+    }
+
     /// Removes the padding of the beams.
     fn listed<T: Real, const D: usize>(
         &self,
         all: &Linearization<T, D, D>,
         read: impl Fn(T) -> f64,
     ) -> Vec<Dense> {
-        let [beam, bar] = self.beams.map(super::AnyBeam::dofs);
-        let dofs: Vec<usize> = (0..beam).chain((0..bar).map(|i| D + i)).collect();
+        let dofs = self.places::<D>();
         let list = |(quantity, of): (Quantity, &Derivatives<T, D, D>)| {
             let (gradient, hessian): (&DofVector<T, D, D>, &BlockHessian<T, D, D>) =
                 (&of.gradient, &of.hessian);

@@ -12,6 +12,8 @@ use super::error::{ExternalError, Place};
 use super::lines::Lines;
 use super::only::{ONLY, Only};
 use crate::check::Answer;
+use crate::check::element::index;
+use crate::contact::State;
 use crate::linearization::Quantity;
 use serde::{Deserialize, Serialize};
 use std::io::BufRead;
@@ -34,11 +36,22 @@ pub struct Answers {
     pub residual: Option<Vec<f64>>,
     /// The tangent of a contact element.
     pub tangent: Option<Vec<f64>>,
+    /// The state of a contact element, as its index in [`State::ALL`](crate::contact::State::ALL), and its forces: F_N, F and
+    /// F_bar.
+    pub state_and_forces: [Option<f64>; 4],
 }
 
 impl Answers {
     fn new(id: String, place: Place) -> Self {
-        Self { id, place, declined: false, answers: Vec::new(), residual: None, tangent: None }
+        Self {
+            id,
+            place,
+            declined: false,
+            answers: Vec::new(),
+            residual: None,
+            tangent: None,
+            state_and_forces: [None; 4],
+        }
     }
 
     /// The answer for a component, empty if there was none yet.
@@ -54,7 +67,12 @@ impl Answers {
 
     /// Whether no quantity is answered.
     pub fn is_empty(&self) -> bool {
-        self.answers.is_empty() && self.residual.is_none() && self.tangent.is_none()
+        self.answers.is_empty() && !self.has_element()
+    }
+
+    /// Whether numbers of a contact element are answered.
+    pub(super) fn has_element(&self) -> bool {
+        self.residual.is_some() || self.tangent.is_some() || self.state_and_forces != [None; 4]
     }
 }
 
@@ -169,6 +187,13 @@ fn quantity(name: &str) -> Result<(Quantity, Option<char>), String> {
         Some(_) => return Err(unknown()),
     };
     if is_vector(quantity) || axis.is_none() { Ok((quantity, axis)) } else { Err(unknown()) }
+}
+
+/// The index of the state with this name.
+fn state(name: &str) -> Result<f64, String> {
+    let names = || State::ALL.map(State::name).join(", ");
+    let known = State::ALL.into_iter().find(|state| state.name() == name);
+    known.map(index).ok_or_else(|| format!("state: one of {} expected, found {name:?}", names()))
 }
 
 pub(super) fn is_vector(quantity: Quantity) -> bool {

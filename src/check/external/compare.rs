@@ -1,13 +1,14 @@
 //! The answers to a case against the references at its closest point.
 
 use super::answers::Answers;
-use super::conventions::{Conventions, ENERGY};
+use super::conventions::{Conventions, ENERGY, STATE_AND_FORCES};
 use super::error::{ExternalError, Place};
 use super::only::Only;
 use super::vectors::{Outcome, Vector, held_name};
 use crate::check::Answer;
 use crate::check::candidate::{Entry, ProblemSize, Sides, is_doubted};
 use crate::check::diagnosis::place;
+use crate::check::element::ElementAt;
 use crate::check::serialized::number;
 use crate::check::verdict::Comparison;
 use crate::linearization::Quantity;
@@ -141,33 +142,51 @@ impl Entry {
 pub(super) struct Converted {
     pub(super) sides: Sides,
     pub(super) directions: [Vec<f64>; 2],
-    /// The references of a contact element whose contact is closed if that of `sides` is open, and reversed: at a gap
-    /// that is zero to rounding.
-    at_zero_gap: Option<Box<Sides>>,
+    /// The contact element of the case.
+    pub(super) element: Option<ElementAt>,
+    /// The references of a contact element in the other state, if rounding leaves the state open: at a gap of zero, and at
+    /// the cone.
+    in_other_state: Option<Box<Sides>>,
 }
 
 impl Converted {
-    pub(super) fn new(vector: &Vector, sides: &Sides, conventions: &Conventions) -> Self {
+    /// The references, and the contact element at the closest point if the case has one.
+    pub(super) fn new(
+        vector: &Vector,
+        sides: &Sides,
+        element: Option<ElementAt>,
+        conventions: &Conventions,
+    ) -> Self {
         // g_N, the 21st component.
         let is_closed = sides.reference[20].value.value < 0.0;
         let families = vector.families();
         let gap = &sides.textbook[20].value;
         let is_zero = conventions.penalty.is_some() && gap.value.abs() <= 2.0 * gap.bound[1];
-        let of = |is_closed: bool| Sides {
-            reference: conventions.of(&sides.reference, is_closed),
-            textbook: conventions.of(&sides.textbook, is_closed),
-            best: conventions.of(&sides.best, is_closed),
-            best_scales: conventions.of(&sides.best_scales, is_closed),
-            scales: conventions.of(&sides.scales, is_closed),
-            problem: ProblemSize {
-                stiffness: conventions.penalty.map_or(1.0, |penalty| penalty.stiffness),
-                ..sides.problem
-            },
+        let stiffness = match &element {
+            Some(element) => element.stiffness(),
+            None => conventions.penalty.map_or(1.0, |penalty| penalty.stiffness),
+        };
+        let of = |is_closed: bool, element: Option<&ElementAt>| {
+            let [paper, best] = sides.forms;
+            Sides {
+                reference: conventions.of(&sides.reference, is_closed, element, best),
+                textbook: conventions.of(&sides.textbook, is_closed, element, paper),
+                best: conventions.of(&sides.best, is_closed, element, best),
+                best_scales: conventions.of(&sides.best_scales, is_closed, element, best),
+                scales: conventions.of(&sides.scales, is_closed, element, paper),
+                problem: ProblemSize { stiffness, ..sides.problem },
+                forms: sides.forms,
+            }
+        };
+        let other = match &element {
+            Some(element) => element.other_state(&sides.best).map(|other| of(is_closed, Some(&other))),
+            None => is_zero.then(|| of(!is_closed, None)),
         };
         Self {
-            sides: of(is_closed),
+            sides: of(is_closed, element.as_ref()),
             directions: vector.directions().map(|dq| conventions.direction(families, &dq)),
-            at_zero_gap: is_zero.then(|| Box::new(of(!is_closed))),
+            element,
+            in_other_state: other.map(Box::new),
         }
     }
 
@@ -184,9 +203,13 @@ impl Converted {
                 _ => entries.extend(self.sides.entries(answer, directions)?),
             }
         }
-        if answers.residual.is_some() || answers.tangent.is_some() {
-            if conventions.penalty.is_none() {
-                return Err("residual, tangent: penalty_stiffness expected in the head of the answers".into());
+        if answers.has_element() {
+            if conventions.penalty.is_none() && self.element.is_none() {
+                return Err(
+                    "residual, tangent: penalty_stiffness expected in the head of the answers, or a contact \
+                            element in the case"
+                        .into(),
+                );
             }
             let tangent = answers.tangent.as_ref().map(|tangent| {
                 let size = directions[0].len();
@@ -195,11 +218,17 @@ impl Converted {
             let of = |sides: &Sides| {
                 let arrays = [answers.residual.as_deref(), tangent.as_deref()];
                 let parts = ["residual", "residual", "tangent"];
-                sides.of_arrays((ENERGY, Quantity::GN), parts, arrays, directions)
+                let mut entries = sides.of_arrays((ENERGY, Quantity::GN), parts, arrays, directions)?;
+                let numbers = answers.state_and_forces.into_iter().zip(STATE_AND_FORCES);
+                for (k, (number, part)) in numbers.enumerate() {
+                    let entry = |number| sides.of_value((ENERGY + 1 + k, Quantity::GN), part, number);
+                    entries.extend(number.map(entry));
+                }
+                Ok::<_, String>(entries)
             };
             let mut of_element = of(&self.sides)?;
-            // At a gap of exactly zero the element has two tangents.
-            if let Some(others) = &self.at_zero_gap {
+            // The element has two tangents there.
+            if let Some(others) = &self.in_other_state {
                 let nearer = |(one, other): (Entry, Entry)| {
                     let error = |entry: &Entry| entry.comparison.over_tolerance();
                     if error(&other) < error(&one) { other } else { one }
@@ -215,13 +244,14 @@ impl Converted {
 /// Gradients and Hessians along other directions.
 fn along_others(vector: &Vector, answers: &Answers, demands: &Demands) -> Result<Vec<Judged>, String> {
     let has_arrays = |answer: &Answer| answer.gradient.is_some() || answer.hessian.is_some();
-    if !answers.answers.iter().any(has_arrays) && answers.residual.is_none() && answers.tangent.is_none() {
+    if !answers.answers.iter().any(has_arrays) && !answers.has_element() {
         return Ok(Vec::new());
     }
     let vector = vector.along_others();
     let entries = vector.evaluated(|evaluation| {
+        let element = vector.element_at(&evaluation)?;
         let (sides, _) = Sides::new(evaluation, &vector.case.test_beams);
-        let converted = Converted::new(&vector, &sides, &demands.conventions);
+        let converted = Converted::new(&vector, &sides, element, &demands.conventions);
         converted.entries(answers, &demands.conventions)
     });
     let entries = entries.unwrap_or(Ok(Vec::new()))?;
@@ -265,8 +295,9 @@ pub(super) fn compare_case(
             Some(answers) if answers.is_empty() => return Ok(CaseFound::Unanswered),
             Some(answers) => answers,
         };
+        let element = vector.element_at(&evaluation)?;
         let (sides, paper) = Sides::new(evaluation, &vector.case.test_beams);
-        let converted = Converted::new(vector, &sides, &demands.conventions);
+        let converted = Converted::new(vector, &sides, element, &demands.conventions);
         let entries = converted.entries(answers, &demands.conventions)?;
         let mut judged: Vec<_> = entries.into_iter().map(|entry| entry.judged(demands.digits)).collect();
         judged.extend(along_others(vector, answers, demands)?);

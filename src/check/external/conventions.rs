@@ -6,14 +6,18 @@
 
 mod others;
 
+use crate::check::element::ElementAt;
 use crate::linearization::Varied;
+use crate::linearization::closed_form::Formulation;
 use crate::number::Real;
 use crate::test_beam::Family;
 
-/// The items that answers are compared with: the components of the quantities, and the penalty energy.
-pub(super) const ITEMS: usize = crate::linearization::COMPONENTS + 1;
-/// The item of the penalty energy.
-pub(super) const ENERGY: usize = ITEMS - 1;
+/// The item of the work of the contact element, after the components of the quantities: the penalty energy, or the virtual
+/// work. The items after it are those of [`STATE_AND_FORCES`].
+pub(super) const ENERGY: usize = crate::linearization::COMPONENTS;
+/// State and forces of a contact element with friction, by their names in the answers. The state is its index in
+/// [`State::ALL`](crate::contact::State::ALL).
+pub(super) const STATE_AND_FORCES: [&str; 4] = ["state", "F_N", "F", "F_bar"];
 
 /// The range of the parameters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -170,8 +174,16 @@ impl Conventions {
         Ok(())
     }
 
-    /// All components of the quantities, and the energy, in the conventions of the program.
-    pub(super) fn of<T: Real>(&self, all: &[Varied<T>], is_closed: bool) -> Vec<Varied<T>> {
+    /// All components of the quantities, the work and the forces of the contact element, in the conventions of the program.
+    ///
+    /// The work is that of the element of the case, if it has one, with the quantities in the formulas `form`.
+    pub(super) fn of<T: Real>(
+        &self,
+        all: &[Varied<T>],
+        is_closed: bool,
+        element: Option<&ElementAt>,
+        form: Formulation,
+    ) -> Vec<Varied<T>> {
         let (half, two) = (T::from(0.5), T::from(2.0));
         let times = |v: Varied<T>, f: T| Varied {
             value: v.value * f,
@@ -207,12 +219,14 @@ impl Conventions {
             Length::HalfSquared => converted[15] = square(converted[15], half),
         }
         let zero = T::zero();
-        let energy = self
-            .penalty
-            .filter(|penalty| penalty.always || is_closed)
-            .map_or(Varied { value: zero, delta: zero, linear: zero, second: zero }, |penalty| {
-                square(all[20], half * T::from(penalty.stiffness))
-            });
+        let nothing = Varied { value: zero, delta: zero, linear: zero, second: zero };
+        let penalty = || {
+            let active = self.penalty.filter(|penalty| penalty.always || is_closed);
+            active.map_or(nothing, |penalty| square(all[20], half * T::from(penalty.stiffness)))
+        };
+        let of_element = element.and_then(|element| element.numbers(all, form));
+        let [energy, forces @ ..] =
+            of_element.unwrap_or_else(|| [penalty(), nothing, nothing, nothing, nothing]);
         let sign = |is_negative| if is_negative { -T::one() } else { T::one() };
         let (residual, tangent) = (sign(self.residual_is_negative), sign(self.tangent_is_negative));
         converted.push(Varied {
@@ -221,6 +235,7 @@ impl Conventions {
             linear: energy.linear * residual,
             second: energy.second * tangent,
         });
+        converted.extend(forces);
         converted
     }
 

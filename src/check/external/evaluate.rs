@@ -1,6 +1,7 @@
 //! The answers of the library itself, dense: for comparison by eye, and for tests of the check.
 
 use super::answers::{ANSWERS, AnswerReader, Answers};
+use super::conventions::STATE_AND_FORCES;
 use super::vectors::{Vector, VectorWriter, key, quoted};
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::linearization::closed_form::Formulation;
@@ -61,7 +62,12 @@ impl Evaluator {
     /// The line that answers a case, without its end.
     pub fn line(&self, vector: &Vector) -> String {
         let id = quoted(&vector.id);
-        match vector.evaluated(|evaluation| self.answers(&self.formulas.at(evaluation))) {
+        let answers = |evaluation: EvaluationPoint<'_>| {
+            let evaluation = self.formulas.at(evaluation);
+            self.answers(&evaluation, self.penalty.filter(|_| vector.element.is_none()))
+                + &self.element(vector, &evaluation)
+        };
+        match vector.evaluated(answers) {
             Ok(answers) => format!("{{\"id\":{id},\"result\":\"valid\"{answers}}}"),
             Err(outcome) => format!("{{\"id\":{id},\"result\":\"{}\"}}", outcome.name()),
         }
@@ -73,7 +79,7 @@ impl Evaluator {
         AnswerReader::new(text.as_bytes(), "answers").ok()?.next_answers().ok()?
     }
 
-    fn answers(&self, evaluation: &EvaluationPoint<'_>) -> String {
+    fn answers(&self, evaluation: &EvaluationPoint<'_>, penalty: Option<f64>) -> String {
         let plain = evaluation.plain(&self.variant);
         let dense = evaluation.dense(&self.variant);
         let number = |x: f64| self.writer.number(self.rounded(x));
@@ -97,7 +103,7 @@ impl Evaluator {
             }
             line.push('}');
         }
-        if let (Some(stiffness), Some(d)) = (self.penalty, dense.first()) {
+        if let (Some(stiffness), Some(d)) = (penalty, dense.first()) {
             // r = ε g ∇g   K = ε (∇g ∇gᵀ + g H)
             let gap = (d.value - evaluation.contact.radius - evaluation.contact.radius_bar).min(0.0);
             let is_open = gap == 0.0;
@@ -110,6 +116,27 @@ impl Evaluator {
             let _ = write!(line, ",\"residual\":{},\"tangent\":{}", list(&residual), list(&tangent));
         }
         line
+    }
+
+    /// The contact element of the case, if it has one.
+    fn element(&self, vector: &Vector, evaluation: &EvaluationPoint) -> String {
+        let Ok(Some(element)) = vector.element_at(evaluation) else { return String::new() };
+        let found = element.with(|decision| (decision.state, evaluation.element(decision)));
+        let Some((state, (residual, tangent, values))) = found else { return String::new() };
+        let list = |numbers: Vec<f64>| {
+            let rounded: Vec<_> = numbers.into_iter().map(|x| self.rounded(x)).collect();
+            self.writer.list(&rounded)
+        };
+        let forces = [values.f_n, values.f, values.f_bar].into_iter().zip(&STATE_AND_FORCES[1..]);
+        let forces =
+            forces.map(|(force, name)| format!(",\"{name}\":{}", self.writer.number(self.rounded(force))));
+        format!(
+            ",\"state\":\"{}\"{},\"residual\":{},\"tangent\":{}",
+            state.name(),
+            forces.collect::<String>(),
+            list(residual),
+            list(tangent)
+        )
     }
 
     /// The number rounded to the digits that are written.

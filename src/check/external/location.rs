@@ -62,6 +62,10 @@ pub fn locate(
     }?;
     let expected = vector
         .evaluated(|evaluation| {
+            if let Some(element) = vector.element_at(&evaluation).ok()?.filter(|_| is_energy) {
+                let (residual, tangent, _) = element.with(|decision| evaluation.element(decision))?;
+                return Some(in_order(signed_by(conventions, residual, tangent), vector, conventions));
+            }
             let paper = Formulation::paper(evaluation.held);
             let dense = evaluation.in_formulation(paper).dense(&Variant::Unmodified);
             expected(vector, dense, comparison.quantity, is_energy, conventions)
@@ -110,14 +114,8 @@ fn expected(
             let penalty = conventions.penalty?;
             let gap = value - vector.case.contact.radius - vector.case.contact.radius_bar;
             let stiffness = if gap < 0.0 || penalty.always { penalty.stiffness } else { 0.0 };
-            let (mut residual, mut tangent) = square(stiffness, gap);
-            if conventions.residual_is_negative {
-                residual = residual.into_iter().map(|number| -number).collect();
-            }
-            if conventions.tangent_is_negative {
-                tangent = tangent.into_iter().map(|number| -number).collect();
-            }
-            (residual, tangent)
+            let (residual, tangent) = square(stiffness, gap);
+            signed_by(conventions, residual, tangent)
         }
         Quantity::D if conventions.length == Length::Square => square(2.0, value),
         Quantity::D if conventions.length == Length::HalfSquared => square(1.0, value),
@@ -125,6 +123,24 @@ fn expected(
         Quantity::T | Quantity::TBar if is_unit => times(2.0),
         _ => times(1.0),
     };
+    Some(in_order((gradient, hessian), vector, conventions))
+}
+
+/// A residual and a tangent with the signs of a program.
+fn signed_by(conventions: &Conventions, residual: Vec<f64>, tangent: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+    let signed = |numbers: Vec<f64>, is_negative: bool| {
+        let sign = if is_negative { -1.0 } else { 1.0 };
+        numbers.into_iter().map(|number| sign * number).collect()
+    };
+    (signed(residual, conventions.residual_is_negative), signed(tangent, conventions.tangent_is_negative))
+}
+
+/// A gradient and a Hessian over the dofs of a program.
+fn in_order(
+    (gradient, hessian): (Vec<f64>, Vec<f64>),
+    vector: &Vector,
+    conventions: &Conventions,
+) -> (Vec<f64>, Vec<f64>) {
     let dofs = conventions.dofs(vector.families());
     let size = dofs.len();
     let own = dofs.iter().map(|&(place, factor)| gradient[place] * factor).collect();
@@ -132,7 +148,7 @@ fn expected(
         let hessian = &hessian;
         dofs.iter().map(move |&(j, g)| hessian[i * size + j] * f * g)
     });
-    Some((own, rows.collect()))
+    (own, rows.collect())
 }
 
 /// A dof of the program.

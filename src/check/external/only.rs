@@ -74,6 +74,11 @@ impl Only {
     }
 }
 
+/// The parts of a contact element.
+pub(super) fn of_element() -> BTreeSet<PartKey> {
+    [RESIDUAL, TANGENT].into()
+}
+
 fn of_quantity(quantity: Quantity) -> [PartKey; 3] {
     [Order::Value, Order::First, Order::Second].map(|order| (order, quantity, order.name()))
 }

@@ -125,7 +125,7 @@ impl Report {
                 return;
             }
         };
-        self.coverage.add(&vector.id, line, &answers);
+        self.coverage.add(&vector, line, &answers);
         self.precision.add(&vector.regime, &answers, &judged);
         for one in &judged {
             self.add_part(one, &vector.id, &answers.place);

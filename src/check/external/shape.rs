@@ -1,8 +1,8 @@
-//! The shape of a matrix that is answered in place of a symmetric one.
+//! The shape of a matrix that is answered in place of the expected one.
 
 use serde::Serialize;
 
-/// The shape of a matrix whose expected entries are symmetric.
+/// The shape of an answered matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Shape {
@@ -18,15 +18,23 @@ pub enum Shape {
     Doubled,
     /// It is not symmetric.
     Unsymmetric,
+    /// The expected matrix is not symmetric, but its lower triangle stands above the diagonal too.
+    LowerTriangleTwice,
+    /// The same with the upper triangle.
+    UpperTriangleTwice,
 }
 
 /// The largest difference of entries that are taken for equal, over the largest expected entry.
 const SAME: f64 = 1e-4;
 
 impl Shape {
-    /// The shape of the answered matrix, row by row; nothing if it is an ordinary symmetric matrix.
+    /// The shape of the answered matrix, row by row; nothing if it is an ordinary matrix.
     pub(super) fn of(answered: &[f64], expected: &[f64], size: usize) -> Option<Self> {
         let largest = expected.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+        let mirror = |k: usize| (k % size) * size + k / size;
+        if (0..expected.len()).any(|k| (expected[k] - expected[mirror(k)]).abs() > SAME * largest) {
+            return Self::of_unsymmetric(answered, expected, size, largest);
+        }
         // Without entries beside the diagonal there are no triangles.
         let is_beside = |k: usize| k / size != k % size;
         let has_beside = (0..expected.len()).any(|k| is_beside(k) && expected[k].abs() > SAME * largest);
@@ -49,9 +57,23 @@ impl Shape {
             ([2.0, 2.0], Self::Doubled),
         ];
         let triangle = shapes.into_iter().find(|(factors, _)| all(*factors)).map(|(_, shape)| shape);
-        let mirror = |k: usize| (k % size) * size + k / size;
         let is_apart = |k: usize| (answered[k] - answered[mirror(k)]).abs() > SAME * largest;
         triangle.or_else(|| (0..answered.len()).any(is_apart).then_some(Self::Unsymmetric))
+    }
+
+    /// The shape where the expected matrix is not symmetric.
+    fn of_unsymmetric(answered: &[f64], expected: &[f64], size: usize, largest: f64) -> Option<Self> {
+        let is_twice = |takes: fn(usize, usize) -> bool| {
+            answered.len() == expected.len()
+                && (0..answered.len()).all(|k| {
+                    let (i, j) = (k / size, k % size);
+                    let from = if takes(i, j) { j * size + i } else { k };
+                    (answered[k] - expected[from]).abs() <= SAME * largest
+                })
+        };
+        let shapes: [(fn(usize, usize) -> bool, Self); 2] =
+            [(|i, j| i < j, Self::LowerTriangleTwice), (|i, j| i > j, Self::UpperTriangleTwice)];
+        shapes.into_iter().find(|(takes, _)| is_twice(*takes)).map(|(_, shape)| shape)
     }
 
     /// What is answered, after the words "the Hessian of d".
@@ -67,6 +89,8 @@ impl Shape {
             }
             Self::Doubled => "has doubled entries beside the diagonal",
             Self::Unsymmetric => "is not symmetric",
+            Self::LowerTriangleTwice => "has its lower triangle above the diagonal too; it is not symmetric",
+            Self::UpperTriangleTwice => "has its upper triangle below the diagonal too; it is not symmetric",
         }
     }
 }
@@ -89,6 +113,14 @@ mod tests {
             ([1.0, 2.0, 3.0, 2.0, 4.0, 5.0, 3.5, 5.0, 6.0], Some(Shape::Unsymmetric)),
         ] {
             assert_eq!(Shape::of(&answered, &right, 3), shape);
+        }
+        let unsymmetric = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0];
+        for (answered, shape) in [
+            ([1.0, 4.0, 7.0, 4.0, 5.0, 8.0, 7.0, 8.0, 9.0], Some(Shape::LowerTriangleTwice)),
+            ([1.0, 2.0, 3.0, 2.0, 5.0, 6.0, 3.0, 6.0, 9.0], Some(Shape::UpperTriangleTwice)),
+            ([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 8.0], None),
+        ] {
+            assert_eq!(Shape::of(&answered, &unsymmetric, 3), shape);
         }
         let diagonal = [1.0, 0.0, 0.0, 2.0];
         assert_eq!(Shape::of(&diagonal, &diagonal, 2), None);

@@ -6,6 +6,7 @@
 //! directions) serve programs with interpolations of their own. The expected numbers are written beside them, with the
 //! largest difference that rounding explains. The check of answers computes these numbers again and does not read them.
 
+mod element;
 mod read;
 mod write;
 
@@ -16,9 +17,10 @@ pub(super) use write::{key, quoted};
 
 use super::error::Place;
 use crate::check::draw::Case;
+use crate::check::element::ElementAt;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::verdict::Inconclusive;
-use crate::check::{CaseData, Coverage, Regime, Symmetry};
+use crate::check::{CaseData, Coverage, ElementData, Regime, Symmetry};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
 use crate::test_beam::{AnyBeam, Family};
 use rand::{RngExt, SeedableRng};
@@ -36,6 +38,8 @@ pub struct Vector {
     pub regime: String,
     /// The beams.
     pub case: CaseData,
+    /// The contact element, if the case has one.
+    pub element: Option<ElementData>,
     /// The parameters of its closest point, as written. They select one of several closest points.
     pub point: Option<(f64, f64)>,
     /// Where it was read, if it was read.
@@ -93,6 +97,8 @@ pub struct Drawing {
     /// Whether the radii are so large that the surfaces penetrate in all cases. Otherwise they do in about half the cases of
     /// each regime.
     pub penetrating: bool,
+    /// Whether each case has a contact element, with parameters and history. All its states alternate.
+    pub elements: bool,
 }
 
 impl Drawing {
@@ -143,6 +149,7 @@ impl Drawing {
             id: number.to_string(),
             regime: regime.name().to_owned(),
             case: Case::of(seed, number, regime, pair).data(),
+            element: None,
             point: None,
             place: None,
         };
@@ -162,6 +169,18 @@ impl Drawing {
         // The parameters are as exact as those of the check.
         if let Ok(at) = vector.evaluated(|evaluation| (evaluation.at.0.value, evaluation.at.1.value)) {
             vector.point = Some(at);
+        }
+        if self.elements {
+            let mut contact = vector.case.contact;
+            let mut rng = ChaCha8Rng::seed_from_u64(seed);
+            rng.set_stream(number);
+            let element = vector.evaluated(|evaluation| {
+                let at = (evaluation.at.0.value, evaluation.at.1.value);
+                // Each regime begins with another situation.
+                let turn = place + 5 * shift;
+                ElementData::draw(turn, &evaluation.points(), at, evaluation.held, &mut contact, &mut rng)
+            });
+            (vector.element, vector.case.contact) = (element.ok(), contact);
         }
         vector
     }
@@ -203,6 +222,15 @@ impl Vector {
         let evaluation =
             EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.case.contact, &point);
         evaluation.map(f).map_err(Outcome::Degenerate)
+    }
+
+    /// Its contact element at its closest point.
+    ///
+    /// # Errors
+    /// The reason why the element is not defined there, in words.
+    pub(super) fn element_at(&self, evaluation: &EvaluationPoint<'_>) -> Result<Option<ElementAt>, String> {
+        let at = |element: &ElementData| element.at(evaluation).map_err(|error| format!("element: {error}"));
+        self.element.as_ref().map(at).transpose()
     }
 
     /// The state of its closest point.

@@ -1,6 +1,7 @@
 //! Answers as CSV: `case,quantity,value`, one number a row.
 
-use super::{ANSWERS, Answers, Head, quantity};
+use super::{ANSWERS, Answers, Head, quantity, state};
+use crate::check::external::conventions::STATE_AND_FORCES;
 use crate::check::external::error::{ExternalError, Place};
 use crate::check::external::lines::Lines;
 use crate::check::external::number;
@@ -154,6 +155,9 @@ impl Row {
             };
             return Ok(());
         }
+        if let Some(k) = STATE_AND_FORCES.iter().position(|name| *name == self.item) {
+            return self.add_of_element(answers, k, &error);
+        }
         let number = number::parse(&self.word)
             .map_err(|wrong| error(self.columns[1], format!("{}, found {:?}", wrong.words(), self.word)))?;
         let twice =
@@ -178,6 +182,27 @@ impl Row {
         }
         let entries = arrays.entry((self.item.clone(), self.part.clone())).or_default();
         if entries.insert(self.indices.clone(), number).is_none() { Ok(()) } else { Err(twice()) }
+    }
+}
+
+impl Row {
+    /// Adds state or force k of a contact element.
+    fn add_of_element(
+        &self,
+        answers: &mut Answers,
+        k: usize,
+        error: &impl Fn(usize, String) -> ExternalError,
+    ) -> Result<(), ExternalError> {
+        let number = if k == 0 {
+            state(&self.word)
+        } else {
+            number::parse(&self.word).map_err(|wrong| format!("{}, found {:?}", wrong.words(), self.word))
+        };
+        let number = number.map_err(|wrong| error(self.columns[1], wrong))?;
+        let known = answers.state_and_forces[k].replace(number);
+        known.map_or(Ok(()), |_| {
+            Err(error(self.columns[0], format!("{} expected once, found twice", self.item)))
+        })
     }
 }
 

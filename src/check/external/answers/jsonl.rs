@@ -1,6 +1,7 @@
 //! Answers as JSON Lines.
 
-use super::{ANSWERS, Answers, Head, Place, is_vector, quantity};
+use super::{ANSWERS, Answers, Head, Place, is_vector, quantity, state};
+use crate::check::external::conventions::STATE_AND_FORCES;
 use crate::check::external::json::{JsonError, Node, Value};
 use crate::check::external::vectors::{find, id, schema};
 
@@ -41,7 +42,14 @@ pub(super) fn answers(line: &str) -> Read<Answers> {
             "result" => answers.declined = declined(node)?,
             "residual" => answers.residual = Some(node.numbers(name, None)?),
             "tangent" => answers.tangent = Some(node.numbers(name, None)?),
-            _ => of_quantity(&mut answers, name, node)?,
+            "state" => {
+                answers.state_and_forces[0] =
+                    Some(state(node.text(name)?).map_err(|wrong| JsonError::at(node.column, wrong))?)
+            }
+            _ => match STATE_AND_FORCES.iter().position(|force| force == name) {
+                Some(k) => answers.state_and_forces[k] = Some(node.number(name)?),
+                None => of_quantity(&mut answers, name, node)?,
+            },
         }
     }
     Ok(answers)

@@ -6,9 +6,9 @@ impl Conventions {
     /// The other conventions that a program may have, each with its description. Fewer changes come first.
     ///
     /// Changes that concern all gradients and Hessians are combined in all ways, because one without another may correct
-    /// no number. The others concern different quantities, and can be found one after the other.
-    pub(in super::super) fn others(&self) -> Vec<(Self, String)> {
-        let single = self.single_changes();
+    /// no number. The signs of residual and tangent are tried if there is a contact element. The others concern different quantities, and can be found one after the other.
+    pub(in super::super) fn others(&self, has_element: bool) -> Vec<(Self, String)> {
+        let single = self.single_changes(has_element);
         let mut of_dofs = vec![(*self, Vec::new())];
         for (change, words) in single.iter().filter(|(change, _)| change.differs_in_dofs(self)) {
             for (known, known_words) in of_dofs.clone() {
@@ -37,7 +37,7 @@ impl Conventions {
     }
 
     /// The conventions with one change, each with its description.
-    fn single_changes(&self) -> Vec<(Self, String)> {
+    fn single_changes(&self, has_element: bool) -> Vec<(Self, String)> {
         let mut single: Vec<(Self, String)> = Vec::new();
         let mut add = |other: Self, words: &str| {
             if other != *self {
@@ -95,7 +95,7 @@ impl Conventions {
         }
         let sign = |is_negative| if is_negative { "-" } else { "+" };
         let (residual, tangent) = (!self.residual_is_negative, !self.tangent_is_negative);
-        if self.penalty.is_some() {
+        if has_element {
             add(
                 Self { residual_is_negative: residual, ..*self },
                 &format!("the residual has the other sign (\"residual_sign\":\"{}\")", sign(residual)),

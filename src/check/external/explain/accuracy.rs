@@ -219,7 +219,14 @@ fn answered(program: &Evaluator, vectors: &[Vector]) -> Vec<(Vector, Answers)> {
 /// Cases of all kinds of pairs, at which no term vanishes.
 fn chosen(seed: u64) -> Vec<Vector> {
     let regimes = vec![Regime::Generic, Regime::NearEnd];
-    let drawing = Drawing { seed, regimes, families: Family::ALL.to_vec(), cases: DRAWN, penetrating: false };
+    let drawing = Drawing {
+        seed,
+        regimes,
+        families: Family::ALL.to_vec(),
+        cases: DRAWN,
+        penetrating: false,
+        elements: false,
+    };
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
     let mut chosen = Vec::new();
     // A step that is coprime to the number of pairs of families, so that every pair occurs.

@@ -4,13 +4,14 @@ use super::datum::{Datum, ratio};
 use super::hypothesis::Change;
 use crate::check::candidate::Sides;
 use crate::check::diagnosis::place;
+use crate::check::element::ElementAt;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Converted, Demands, Judgement, half_unit};
-use crate::check::external::conventions::{Conventions, ITEMS};
+use crate::check::external::conventions::Conventions;
 use crate::check::external::vectors::Vector;
-use crate::linearization::Varied;
 use crate::linearization::closed_form::Formulation;
+use crate::linearization::{COMPONENTS, Varied};
 use crate::test_beam::Family;
 use crate::variant::{Fault, SCALAR_COMPONENTS, Variant};
 use std::borrow::Cow;
@@ -33,6 +34,7 @@ pub(super) struct AnsweredCase<'a> {
     pub(super) conventions: Conventions,
     families: [Family; 2],
     is_closed: bool,
+    element: Option<ElementAt>,
     pub(super) data: Vec<Datum>,
 }
 
@@ -43,8 +45,10 @@ impl<'a> AnsweredCase<'a> {
         demands: &Demands,
         evaluate: impl Fn() -> Option<EvaluationPoint<'a>>,
     ) -> Option<Self> {
-        let (sides, paper) = Sides::new(evaluate()?, &vector.case.test_beams);
-        let converted = Converted::new(vector, &sides, &demands.conventions);
+        let evaluation = evaluate()?;
+        let element = vector.element_at(&evaluation).ok()?;
+        let (sides, paper) = Sides::new(evaluation, &vector.case.test_beams);
+        let converted = Converted::new(vector, &sides, element, &demands.conventions);
         let entries = converted.entries(answers, &demands.conventions).ok()?;
         let datum = |entry: crate::check::candidate::Entry| {
             let judged = entry.judged(demands.digits);
@@ -89,6 +93,7 @@ impl<'a> AnsweredCase<'a> {
             conventions: demands.conventions,
             families: vector.families(),
             is_closed,
+            element: converted.element,
             data,
             memo: None,
         })
@@ -174,8 +179,9 @@ impl<'a> AnsweredCase<'a> {
                 (evaluation.plain(variant), rows)
             }
         };
-        let converted = |varied: [Varied<f64>; ITEMS - 1]| {
-            let mut all = self.conventions.of(&varied, self.is_closed);
+        let converted = |varied: [Varied<f64>; COMPONENTS]| {
+            let mut all =
+                self.conventions.of(&varied, self.is_closed, self.element.as_ref(), evaluation.form);
             change.of_items(&mut all, &varied, &self.conventions);
             all
         };

@@ -5,7 +5,7 @@ use super::wording::of_fault;
 use crate::check::evaluation_point::Structure;
 use crate::check::external::conventions::{Conventions, ENERGY};
 use crate::check::verdict::Order;
-use crate::linearization::{Quantity, Varied};
+use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::variant::Variant;
 
 /// The change in the closed form.
@@ -34,9 +34,8 @@ impl Change {
         match *self {
             Self::Variant(_) | Self::Structure(_) => {}
             Self::Factor(quantity, order, factor) => {
-                let items = all.len();
-                for (i, of) in all.iter_mut().enumerate() {
-                    let is_of = if i < items - 1 { Quantity::of_component(i) == quantity } else { false };
+                for (i, of) in all.iter_mut().enumerate().take(COMPONENTS) {
+                    let is_of = Quantity::of_component(i) == quantity;
                     if is_of && order == Order::First {
                         (of.delta, of.linear) = (factor * of.delta, factor * of.linear);
                     } else if is_of && order == Order::Second {

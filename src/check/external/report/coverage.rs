@@ -2,6 +2,7 @@
 
 use crate::check::external::answers::Answers;
 use crate::check::external::only::{self, Only, PartKey};
+use crate::check::external::vectors::Vector;
 use crate::linearization::Quantity;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,13 +29,17 @@ impl Coverage {
         Self { required: only.required(is_element), is_stated, ..Self::default() }
     }
 
-    pub(super) fn add(&mut self, id: &str, line: usize, answers: &Answers) {
+    pub(super) fn add(&mut self, vector: &Vector, line: usize, answers: &Answers) {
+        if vector.element.is_some() && !self.is_stated {
+            // The geometry is asked for only beside the element.
+            self.required = only::of_element();
+        }
         self.cases += 1;
         for part in only::answered(answers) {
             *self.parts.entry(part).or_default() += 1;
         }
         if self.last.as_ref().is_none_or(|(last, _)| *last < line) {
-            self.last = Some((line, id.to_owned()));
+            self.last = Some((line, vector.id.clone()));
         }
     }
 

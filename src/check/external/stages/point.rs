@@ -102,8 +102,9 @@ impl<'a> Point<'a> {
             Number::Length(of) => self.dot(of, of).sqrt(),
             Number::Radius(beam) => exact([sample.contact.radius, sample.contact.radius_bar][beam]),
             Number::Moved(beam, of) => self.number(Number::Of(beam_of(beam), 0), reading)? - reference(of),
-            Number::Stiffness => exact(sample.element?.stiffness),
-            Number::Element(k) => sample.element?.numbers[k]?,
+            Number::Stiffness => exact(sample.element.as_ref()?.stiffness?),
+            Number::Element(k) => sample.element.as_ref()?.numbers[k]?,
+            Number::Friction(wrong, kind) => sample.element.as_ref()?.friction.as_ref()?.number(wrong, kind),
         })
     }
 

@@ -1,9 +1,11 @@
 //! A case along a pair of directions: the vectors of both beams, the numbers of the program and the exact ones.
 
+mod friction;
 mod numbers;
 mod shapes;
 
 use crate::check::candidate::CAREFUL;
+use crate::check::element::ElementAt;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, half_unit};
@@ -14,6 +16,8 @@ use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, RunningError2};
+use friction::Friction;
+pub(super) use friction::{Kind, Wrong};
 use nalgebra::Vector3;
 pub(super) use numbers::Element;
 use numbers::{element, own_numbers};
@@ -90,9 +94,10 @@ pub(super) fn samples(
         let positions =
             std::array::from_fn(|i| if sums[i] { CAREFUL * positions[i] } else { Vector3::zeros() });
         let (xi, xi_bar) = evaluation.parameters_with(positions);
-        ([xi, xi_bar], [evaluation.held.xi, evaluation.held.xi_bar], sums)
+        let element = vector.element_at(&evaluation).ok().flatten();
+        ([xi, xi_bar], [evaluation.held.xi, evaluation.held.xi_bar], sums, element)
     };
-    let Ok((exact, held, has_shapes)) = vector.evaluated(at) else { return Vec::new() };
+    let Ok((exact, held, has_shapes, element)) = vector.evaluated(at) else { return Vec::new() };
     let Ok(beams) = vector.case.beams() else { return Vec::new() };
     let half = demands.digits.map_or(0.0, half_unit);
     // The point of the program, if it is another one.
@@ -114,7 +119,7 @@ pub(super) fn samples(
         || answers.tangent.is_some()
         || answered.iter().any(|of| of.gradient.is_some() || of.hessian.is_some());
     let is_stated = !has_arrays || answered.iter().any(|of| of.variations != [None; 3]);
-    let point = Point { exact, own: [place(0), place(1)], held, has_shapes };
+    let point = Point { exact, own: [place(0), place(1)], held, has_shapes, element };
     let of = |k: u64| point.sample((case, vector, &beams), answers, demands, (along, k));
     match along {
         Along::Stated if is_stated => of(0).into_iter().collect(),
@@ -165,6 +170,7 @@ struct Point {
     own: [RunningError2; 2],
     held: [bool; 2],
     has_shapes: [bool; 2],
+    element: Option<ElementAt>,
 }
 
 /// The index of a case, the case and its beams.
@@ -178,7 +184,7 @@ impl Point {
         demands: &Demands,
         (kind, k): (Along, u64),
     ) -> Option<Sample> {
-        let Self { exact: exact_xi, own: xi, held, has_shapes } = *self;
+        let Self { exact: exact_xi, own: xi, held, has_shapes, element: ref of_element } = *self;
         let along = directions(vector, kind, k);
         let moved: [Box<dyn AnyBeam>; 2] = std::array::from_fn(|i| {
             beams[i].with_numbers(&[
@@ -215,7 +221,10 @@ impl Point {
             .map(|[beam, bar]| demands.conventions.direction(families, &[&beam[..], bar].concat()));
         let own = own_numbers(answers, [&dq[0], &dq[1]], demands, &exact, kind == Along::Stated)?;
         let is_closed = exact[Quantity::GN.component()][0].value < 0.0;
-        let element = element(answers, [&dq[0], &dq[1]], demands, is_closed);
+        let friction = of_element
+            .as_ref()
+            .and_then(|element| Friction::new(element, &exact, [contact.radius, contact.radius_bar]));
+        let element = element(answers, [&dq[0], &dq[1]], demands, is_closed, friction);
         let sharp = |v: Vector3<RunningError2>| v.map(|n| RunningError { value: n.value, bound: n.bound[0] });
         let geometry = partial.each_ref().map(|of: &PartialVariations<RunningError2>| {
             let g = &of.geometry;

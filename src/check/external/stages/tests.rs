@@ -14,7 +14,14 @@ use crate::variant::scalar_of;
 /// Right answers of all families in all regimes, with so many digits.
 fn right_answers(digits: Option<u8>) -> (Vec<(Vector, Answers)>, Demands) {
     let (seed, families) = (11, Family::ALL.to_vec());
-    let drawing = Drawing { seed, regimes: Regime::ALL.to_vec(), families, cases: 6, penetrating: false };
+    let drawing = Drawing {
+        seed,
+        regimes: Regime::ALL.to_vec(),
+        families,
+        cases: 6,
+        penetrating: false,
+        elements: false,
+    };
     let vectors: Vec<_> = (0..drawing.count()).map(|number| drawing.vector(number)).collect();
     let program = Evaluator { digits: digits.map(usize::from), ..Evaluator::default() };
     let lines: Vec<_> = vectors.iter().map(|vector| program.line(vector)).collect();

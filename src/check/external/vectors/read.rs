@@ -1,5 +1,6 @@
 //! Cases from lines of JSON.
 
+use super::element::element;
 use super::{VECTORS, Vector};
 use crate::check::CaseData;
 use crate::check::external::error::ExternalError;
@@ -11,8 +12,8 @@ use crate::test_beam::{Family, TestBeam};
 use std::borrow::Cow;
 use std::io::BufRead;
 
-type Read<T> = Result<T, JsonError>;
-type Entries<'a, 'b> = &'b [(Cow<'a, str>, Node<'a>)];
+pub(super) type Read<T> = Result<T, JsonError>;
+pub(in crate::check::external) type Entries<'a, 'b> = &'b [(Cow<'a, str>, Node<'a>)];
 
 /// Reads a file of cases, line by line.
 #[derive(Debug)]
@@ -94,19 +95,21 @@ pub(in crate::check::external) fn vector(line: &str) -> Read<Vector> {
     known(
         entries,
         &[
-            "id", "comment", "regime", "beam", "bar", "contact", "point", "result", "reason", "held", "jets",
-            "expected",
+            "id", "comment", "regime", "beam", "bar", "contact", "element", "point", "result", "reason",
+            "held", "jets", "expected",
         ],
     )?;
     let get = |name: &str| find(entries, name).ok_or_else(|| JsonError::at(node.column, missing(name)));
     let text = |name: &str| find(entries, name).map_or(Ok(""), |node| node.text(name));
     let [beam, bar] = ["beam", "bar"].map(|name| beam(get(name)?, name));
     let contact = find(entries, "contact").map_or(Ok(Contact::default()), contact)?;
+    let element = find(entries, "element").map(element).transpose()?;
     let point = find(entries, "point").map(point).transpose()?;
     Ok(Vector {
         id: id(get("id")?)?,
         regime: text("regime")?.to_owned(),
         case: CaseData { test_beams: [beam?, bar?], contact },
+        element,
         point,
         place: None,
     })
@@ -124,11 +127,11 @@ pub(in crate::check::external) fn find<'a, 'b>(entries: Entries<'a, 'b>, name: &
     entries.iter().find(|(known, _)| known == name).map(|(_, node)| node)
 }
 
-fn missing(name: &str) -> String {
+pub(super) fn missing(name: &str) -> String {
     format!("{name} expected, found none")
 }
 
-fn known(entries: Entries, names: &[&str]) -> Read<()> {
+pub(super) fn known(entries: Entries, names: &[&str]) -> Read<()> {
     let unknown = entries.iter().find(|(name, _)| !names.contains(&name.as_ref()));
     unknown.map_or(Ok(()), |(name, node)| {
         let expected = names.join(", ");
@@ -136,7 +139,7 @@ fn known(entries: Entries, names: &[&str]) -> Read<()> {
     })
 }
 
-fn finite(node: &Node, what: &str) -> Read<f64> {
+pub(super) fn finite(node: &Node, what: &str) -> Read<f64> {
     let number = node.number(what)?;
     let wrong = || JsonError::at(node.column, format!("{what}: a finite number expected, found {number}"));
     number.is_finite().then_some(number).ok_or_else(wrong)

@@ -3,8 +3,10 @@
 use super::{Drawing, Outcome, VECTORS, Vector, held_name};
 use crate::check::candidate::Sides;
 use crate::check::evaluation_point::EvaluationPoint;
+use crate::check::external::conventions::STATE_AND_FORCES;
 use crate::check::external::number::hex;
-use crate::check::{CAREFUL, Coverage};
+use crate::check::{CAREFUL, Coverage, ElementData};
+use crate::contact::{Law, Slips, Work};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::pair::Contact;
 use crate::test_beam::TestBeam;
@@ -60,6 +62,9 @@ impl VectorWriter {
         let contact =
             [("radius", radius), ("radius_bar", radius_bar), ("xi_0", xi_0), ("xi_bar_0", xi_bar_0)];
         let _ = write!(line, ",\"contact\":{}", self.numbers(&contact));
+        if let Some(element) = &vector.element {
+            line.push_str(&self.element(element));
+        }
         let mut sides = Coverage::default();
         let expected = vector.evaluated(|evaluation| {
             let geometry = evaluation.partial_variations(Step::Now).map(|partial| partial.geometry);
@@ -97,6 +102,33 @@ impl VectorWriter {
         format!("{{\"family\":\"{family}\"{curve},\"q\":{q},\"dq\":{dq},\"linear_dq\":{linear_dq}}}")
     }
 
+    /// The parameters and the history of a contact element.
+    fn element(self, element: &ElementData) -> String {
+        let ElementData { parameters, history } = element;
+        let (law, of_law) = match parameters.law {
+            Law::Linear { eps } => ("linear", vec![("eps_N", eps)]),
+            Law::Lpqp { eps, g_0 } => ("lpqp", vec![("eps_N", eps), ("g_0", g_0)]),
+            Law::Augmented { eps, lambda } => ("augmented", vec![("eps_N", eps), ("lambda", lambda)]),
+        };
+        let numbers = [&of_law[..], &[("eps_T", parameters.eps_t), ("mu", parameters.mu)]].concat();
+        let numbers = self.numbers(&numbers);
+        let work = match parameters.work {
+            Work::Rate => "rate",
+            Work::Paper => "paper",
+        };
+        let normal = history.normal.map_or("null".into(), |n| self.list(n.as_slice()));
+        let slips = history.slips.map_or("null".into(), |slips| {
+            let Slips { xi, xi_bar, e, e_bar, held, cosine, .. } = slips;
+            let numbers = [("xi", xi), ("xi_bar", xi_bar), ("e", e), ("e_bar", e_bar), ("cosine", cosine)];
+            let numbers = self.numbers(&numbers);
+            format!("{},\"held\":\"{}\"}}", numbers.trim_end_matches('}'), held_name(held))
+        });
+        format!(
+            ",\"element\":{{\"law\":\"{law}\",{},\"work\":\"{work}\",\"history\":{{\"normal\":{normal},\"slips\":{slips}}}}}",
+            numbers.trim_matches(['{', '}'])
+        )
+    }
+
     /// Both beams at the closest point, and their variations at fixed parameters.
     fn jets(self, evaluation: &EvaluationPoint) -> String {
         let beam = |partial: &crate::linearization::closed_form::PartialVariations<f64>| {
@@ -127,6 +159,7 @@ impl VectorWriter {
         if self.expected == Expected::None {
             return String::new();
         }
+        let element = self.expected_element(vector, &evaluation);
         let (sides, paper) = Sides::new(evaluation, &vector.case.test_beams);
         let mut arrays = Vec::new();
         if self.expected == Expected::All {
@@ -162,7 +195,22 @@ impl VectorWriter {
             }
             entry + "}"
         });
-        format!(",\"expected\":{{{}}}", entries.collect::<Vec<_>>().join(","))
+        format!(",\"expected\":{{{}{element}}}", entries.collect::<Vec<_>>().join(","))
+    }
+
+    /// State and forces of the contact element; with gradients and Hessians also residual and tangent.
+    fn expected_element(self, vector: &Vector, evaluation: &EvaluationPoint) -> String {
+        let Ok(Some(element)) = vector.element_at(evaluation) else { return String::new() };
+        let found = element.with(|decision| (decision.state, evaluation.element(decision)));
+        let Some((state, (residual, tangent, values))) = found else { return String::new() };
+        let forces = [values.f_n, values.f, values.f_bar].into_iter().zip(&STATE_AND_FORCES[1..]);
+        let forces = forces.map(|(force, name)| format!(",\"{name}\":{}", self.number(force)));
+        let mut text = format!(",\"state\":\"{}\"{}", state.name(), forces.collect::<String>());
+        if self.expected == Expected::All {
+            let (residual, tangent) = (self.list(&residual), self.list(&tangent));
+            let _ = write!(text, ",\"residual\":{residual},\"tangent\":{tangent}");
+        }
+        text
     }
 
     fn numbers(self, entries: &[(&str, f64)]) -> String {

@@ -1,9 +1,10 @@
 //! The numbers of a program along directions, in the conventions of this library.
 
+use super::friction::Friction;
 use crate::check::Answer;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, half_unit};
-use crate::check::external::conventions::{Conventions, Length, Range};
+use crate::check::external::conventions::{Conventions, Length, Penalty, Range};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::{Real, RunningError};
 
@@ -38,12 +39,14 @@ pub(super) fn own_numbers(
 }
 
 /// The answers of a contact element.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::check::external::stages) struct Element {
     /// The residual along both directions, and the tangent, where they are answered.
     pub(in crate::check::external::stages) numbers: [Option<RunningError>; 3],
-    /// The penalty stiffness, or zero at an open gap.
-    pub(in crate::check::external::stages) stiffness: f64,
+    /// The penalty stiffness of an element without friction, or zero at an open gap.
+    pub(in crate::check::external::stages) stiffness: Option<f64>,
+    /// The numbers of an element with friction.
+    pub(in crate::check::external::stages) friction: Option<Friction>,
 }
 
 /// The answers of a contact element along two directions.
@@ -52,9 +55,14 @@ pub(super) fn element(
     dq: [&[f64]; 2],
     demands: &Demands,
     is_closed: bool,
+    friction: Option<Friction>,
 ) -> Option<Element> {
     let conventions = &demands.conventions;
-    let penalty = conventions.penalty?;
+    let stiffness = |penalty: Penalty| if penalty.always || is_closed { penalty.stiffness } else { 0.0 };
+    let stiffness = conventions.penalty.filter(|_| friction.is_none()).map(stiffness);
+    if stiffness.is_none() && friction.is_none() {
+        return None;
+    }
     let (gradient, hessian) = (answers.residual.clone(), answers.tangent.clone());
     let of = Answer { gradient, hessian, ..Answer::of(Quantity::GN) };
     let [_, delta, linear, second] = contracted(&of, dq, demands, false)?;
@@ -65,7 +73,7 @@ pub(super) fn element(
         signed(linear, conventions.residual_is_negative),
         signed(second, conventions.tangent_is_negative),
     ];
-    Some(Element { numbers, stiffness: if penalty.always || is_closed { penalty.stiffness } else { 0.0 } })
+    Some(Element { numbers, stiffness, friction })
 }
 
 /// An answer along the directions. Nothing if an array has another number of entries.

@@ -1,0 +1,114 @@
+//! The hand-written contact element with friction agrees in every state, and every error that is put into it is detected.
+//!
+//! With BEAMGAP_ELEMENTS=all more seeds are tried, and all errors are explained.
+
+use super::{Cases, answers_of, cause, compiled};
+use beamgap::check::external::{CaseFound, Demands, Judgement, compare_answers};
+use beamgap::contact::State;
+use std::path::{Path, PathBuf};
+
+/// The cases of a regime: all situations occur.
+const CASES: usize = 3;
+/// The cases of a regime for explanations.
+const EXPLAINED_CASES: usize = 12;
+
+fn table() -> Vec<u32> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/elements/friction.csv");
+    let text = std::fs::read_to_string(path).unwrap();
+    text.lines().skip(1).map(|line| line.split_once(',').unwrap().0.parse().unwrap()).collect()
+}
+
+fn program() -> Option<(PathBuf, PathBuf)> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("element-friction");
+    std::fs::create_dir_all(&folder).unwrap();
+    Some((compiled("friction", "friction.c", &["cc", "-O2", "-std=c99"], &folder)?, folder))
+}
+
+/// Whether a number of the answers is wrong, and the states of the cases.
+fn is_red(program: &Path, error: u32, cases: &Cases) -> bool {
+    let all = answers_of(program, error, cases);
+    let mut is_red = false;
+    for (vector, answers) in cases.vectors.iter().zip(&all) {
+        match compare_answers(vector, answers, &Demands::default()).unwrap() {
+            CaseFound::Compared(judged, is_doubted) => {
+                assert!(!is_doubted, "error {error}, case {}: the references disagree", vector.id);
+                is_red |= judged.iter().any(|judged| judged.judgement == Judgement::Wrong);
+            }
+            other => panic!("error {error}, case {}: {other:?}", vector.id),
+        }
+    }
+    is_red
+}
+
+#[test]
+fn errors_of_an_element_with_friction_are_detected() {
+    let Some((program, folder)) = program() else { return };
+    let seeds = if std::env::var_os("BEAMGAP_ELEMENTS").is_some() { 1..=10 } else { 1..=2 };
+    let errors = table();
+    let source = include_str!("../../elements/friction.c");
+    for error in &errors {
+        let marks = [
+            format!("E({error},"),
+            format!("F({error},"),
+            format!("error == {error}"),
+            format!("error != {error}"),
+        ];
+        assert!(marks.iter().any(|mark| source.contains(mark)), "{error} is not in the program");
+    }
+    for seed in seeds {
+        let cases = Cases::with_elements(seed, CASES, &["hermite"], &folder);
+        assert!(!is_red(&program, 0, &cases), "the unmodified element, seed {seed}");
+        let mixed = Cases::with_elements(seed, CASES, &["hermite", "segment"], &folder);
+        assert!(!is_red(&program, 0, &mixed), "Hermite curves and segments, seed {seed}");
+        let green: Vec<_> = errors.iter().filter(|error| !is_red(&program, **error, &cases)).collect();
+        assert!(green.is_empty(), "not detected with seed {seed}: {green:?}");
+    }
+}
+
+/// Every state occurs, on both sides of the cone, and after crossing.
+#[test]
+fn exported_elements_are_in_every_state() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("element-states");
+    std::fs::create_dir_all(&folder).unwrap();
+    let cases = Cases::with_elements(1, CASES, &["hermite"], &folder);
+    let count = |is: &dyn Fn(&serde_json::Value) -> bool| cases.lines.iter().filter(|line| is(line)).count();
+    for state in State::ALL {
+        let found = count(&|line| line["expected"]["state"] == state.name());
+        assert!(found >= 2, "{}: {found}", state.name());
+    }
+    for (key, values) in [("law", ["linear", "lpqp", "augmented"].as_slice()), ("work", &["rate", "paper"])] {
+        for value in values {
+            assert!(count(&|line| line["element"][key] == *value) >= 5, "{value}");
+        }
+    }
+    let number = |of: &serde_json::Value| of.as_f64().unwrap();
+    let force = |line: &serde_json::Value| number(&line["expected"]["F_N"]);
+    assert!(cases.lines.iter().all(|line| force(line) >= 0.0));
+    assert!(count(&|line| number(&line["element"]["mu"]) == 0.0 && force(line) > 0.0) >= 1);
+    assert!(count(&|line| line["element"]["history"]["slips"].is_null()) >= 1);
+}
+
+/// The errors that are explained in every test run: of the law, of the slip vector, of a term, of the vector form, and one
+/// with a shape of its own.
+const EXPLAINED: [u32; 5] = [401, 415, 431, 438, 444];
+
+/// The causes of errors, against the table of them. With BEAMGAP_ELEMENTS=all every error is explained, and with
+/// BEAMGAP_BLESS=1 the table is written.
+#[test]
+fn causes_of_errors_with_friction_are_named() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/elements/friction-causes.txt");
+    let Some((program, folder)) = program() else { return };
+    let cases = Cases::with_elements(1, EXPLAINED_CASES, &["hermite"], &folder);
+    let is_full = std::env::var_os("BEAMGAP_ELEMENTS").is_some();
+    let known = std::fs::read_to_string(&path).unwrap_or_default();
+    let errors = table().into_iter().filter(|error| is_full || EXPLAINED.contains(error));
+    let lines: Vec<_> = errors.map(|error| format!("{error} {}", cause(&program, error, &cases))).collect();
+    if is_full && std::env::var_os("BEAMGAP_BLESS").is_some() {
+        std::fs::write(path, lines.join("\n") + "\n").unwrap();
+        return;
+    }
+    assert_eq!(known.lines().count(), table().len());
+    for line in &lines {
+        assert!(known.lines().any(|known| known == line), "not in the table: {line}");
+    }
+}
