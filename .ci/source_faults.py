@@ -15,6 +15,7 @@ BEAMGAP = f"{TARGET}/release/beamgap"
 CHECK = ["check", "--cases", "121", "--all"]
 SEARCH = ["check", "--cases", "1000", "--all"]
 VERIFY = ["verify", f"{TARGET}/cases.jsonl", "--run", f"{BEAMGAP} evaluate", "--no-explanation"]
+ELEMENT = ["verify", f"{TARGET}/elements.jsonl", "--run", f"{BEAMGAP} evaluate", "--no-explanation"]
 PROVE = ["prove", "--draws", "64"]
 BOUNDS = ["bounds", "--cases", "60"]
 FAULTS = ["faults", "--regime", "generic"]
@@ -41,6 +42,11 @@ EXPECTED = [
     ("half-of-vector", CHECK, 1, ["Matrices::vector"]),
     ("jet-of-lagrange", CHECK, 1, ["wrong layer: the equations, or the jets"]),
     ("slope-by-orders", CHECK, 1, ["wrong layer: this function", "expand_by_orders"]),
+    # The contact element
+    ("sign-of-grad-c", CHECK, 1, ["contact::"]),
+    ("gamma-without-angle", CHECK, 1, ["contact::"]),
+    ("sign-of-grad-c", ELEMENT, 1, ["tangent"]),
+    ("gamma-without-angle", ELEMENT, 1, ["tangent"]),
     # The search
     ("bound-of-first-dof", SEARCH, 1, ["search"]),
     ("end-forgotten", SEARCH, 1, ["search"]),
@@ -62,6 +68,8 @@ def main():
     flags = {"RUSTFLAGS": "--cfg beamgap_faults", "CARGO_TARGET_DIR": TARGET}
     subprocess.run(["cargo", "build", "--release", "--locked"], env={**os.environ, **flags}, check=True)
     subprocess.run([BEAMGAP, "export", "--cases", "100", "--output", f"{TARGET}/cases.jsonl"], check=True)
+    elements = ["--element", "--cases", "24", "--output", f"{TARGET}/elements.jsonl"]
+    subprocess.run([BEAMGAP, "export", *elements], check=True)
 
     def run(fault, command):
         environment = {**os.environ, "BEAMGAP_FAULT": fault, "NO_COLOR": "1"}

@@ -12,6 +12,7 @@ use crate::linearization::dispatch::dispatch_simd;
 use crate::linearization::{BlockHessian, Derivatives};
 use crate::number::Real;
 use crate::pair::{Contact, DofVector};
+use crate::source_fault::source_fault;
 use nalgebra::{SMatrix, SVector, Vector3};
 
 /// Residual and tangent of a contact, and memory for the geometry.
@@ -95,7 +96,7 @@ where
 }
 
 /// [`write`] with the kernel, as far as it applies to the curves.
-pub(super) fn write_by_kernel<U, V, L, const N: usize, const M: usize>(
+pub(crate) fn write_by_kernel<U, V, L, const N: usize, const M: usize>(
     decision: &Decision<'_, L>,
     jets: (&Jet<f64, U>, &Jet<f64, V>),
     q: &DofVector<f64, N, M>,
@@ -272,7 +273,7 @@ pub(super) fn assemble<T: Real, L: NormalLaw, const N: usize, const M: usize>(
         gradients(&v, &v_bar).plus(v.dot(&points.beam.t_xi), g).plus(v_bar.dot(&points.bar.t_xi), g_bar);
     // ∇l = ∇e − c ∇ē − ē ∇c
     let grad_l = grad_e.plus(-c, &grad_e_bar).plus(-e_bar, &grad_c);
-    let grad_l_bar = grad_e_bar.plus(-c, &grad_e).plus(-e, &grad_c);
+    let grad_l_bar = grad_e_bar.plus(-c, &grad_e).plus(source_fault!("sign-of-grad-c": e, -e), &grad_c);
     let force = eps_t * rho;
     let (f, f_bar) = (force * l, force * l_bar);
     let (mut grad_f, mut grad_f_bar) = (grad_l.times(force), grad_l_bar.times(force));
@@ -285,7 +286,7 @@ pub(super) fn assemble<T: Real, L: NormalLaw, const N: usize, const M: usize>(
             .times(-(mu * k * side) / gamma)
             .plus(of_gamma * s, &grad_e)
             .plus(of_gamma * s_bar, &grad_e_bar)
-            .plus(-of_gamma * e * e_bar, &grad_c);
+            .plus(source_fault!("gamma-without-angle": T::zero(), -of_gamma * e * e_bar), &grad_c);
         grad_f = grad_f.plus(l, &grad_force);
         grad_f_bar = grad_f_bar.plus(l_bar, &grad_force);
     }
