@@ -3,7 +3,7 @@
 //! `cargo run --release --example beam_problems -- crossed`, `crossed-friction` or `crossing`
 //!
 //! Each line is a step: the state of the contact, F_N, the length of the residual at each iterate, and the order of
-//! convergence from the last three residuals above rounding. After that the problem is solved with parts of the tangent of the
+//! convergence from the last three increments of which rounding allows it. After that the problem is solved with parts of the tangent of the
 //! contact left out. The residual is always exact.
 
 use beamgap::teaching::chains::{LeftOut, Problem};
@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (i, step) in steps.iter().enumerate() {
         let values = &step.outcome.values;
         let ratio = if values.f_n > 0.0 { values.traction.norm() / values.f_n } else { 0.0 };
-        let order = step.order(problem.rounding).map_or_else(|| "-".to_owned(), |p| format!("{p:.2}"));
+        let order = problem.order(step).map_or_else(|| "-".to_owned(), |p| format!("{p:.2}"));
         let residuals: Vec<String> = step.residuals.iter().map(|r| format!("{r:.1e}")).collect();
         println!(
             "{:4}  {:13}  {:<13.6e}  {ratio:9.4}  {order:>5}  {}",

@@ -13,7 +13,7 @@ mod search;
 mod tests;
 
 pub use chain::Chain;
-pub use model::{LeftOut, Model, ModelError, State, Step};
+pub use model::{LeftOut, Model, ModelError, State, Step, order};
 pub use problem::Problem;
 pub use rod::{Density, Gauss, density};
 pub use search::{Owner, Place};

@@ -50,8 +50,12 @@ pub struct Model {
     pub parameters: Parameters,
     /// The given dofs.
     pub given: Vec<usize>,
-    /// The length of the residual, a force, at which a step has converged.
+    /// The length of the residual, a force, at which a step has converged. Contact forces up to it are not resolved, and
+    /// count as an open contact.
     pub tolerance: f64,
+    /// The largest displacement of a node, a length, at which a step has converged. In thin beams a small residual alone
+    /// does not tell: they resist bending by much smaller forces than stretching.
+    pub precision: f64,
     /// The maximum number of linear systems in a step.
     pub iterations: usize,
 }
@@ -76,7 +80,7 @@ pub struct Step {
     pub place: Place,
     /// The last contact forces.
     pub outcome: Outcome,
-    /// Whether the residual became small.
+    /// Whether residual and increment became small.
     pub converged: bool,
 }
 
@@ -101,16 +105,17 @@ pub enum ModelError {
 /// How near Phi/(mu F_N) is to 0 on the cone.
 const ON_CONE: f64 = 1e-9;
 
-impl Step {
-    /// The order of convergence, ln(d₃/d₂)/ln(d₂/d₁), from the last three increments that are above `rounding`, a length.
-    ///
-    /// Increments tell more than residuals: in thin beams bending by δ strains the axis by δ², and the residual is large
-    /// by this part in one iterate and not in the next.
-    pub fn order(&self, rounding: f64) -> Option<f64> {
-        let above: Vec<f64> = self.increments.iter().copied().filter(|&d| d > rounding).collect();
-        let &[.., d1, d2, d3] = above.as_slice() else { return None };
-        (d3 < d2 && d2 < d1).then(|| (d3 / d2).ln() / (d2 / d1).ln())
-    }
+/// The order of convergence, ln(d₃/d₂)/ln(d₂/d₁), of a sequence of norms.
+///
+/// It is measured from the last three norms of which rounding allows it: convergence of order two would leave the third of
+/// them above `rounding`. There may be no such norms.
+///
+/// Norms of increments tell more than those of residuals: in thin beams bending by δ strains the axis by δ², and the residual
+/// is large by this part in one iterate and not in the next.
+pub fn order(norms: &[f64], rounding: f64) -> Option<f64> {
+    let allows = |d: &&[f64]| d[1] < d[0] && d[1] * (d[1] / d[0]).powi(2) > rounding;
+    let d = norms.windows(3).rev().find(allows)?;
+    Some((d[2].max(rounding) / d[1]).ln() / (d[1] / d[0]).ln())
 }
 
 impl Model {
@@ -155,7 +160,7 @@ impl Model {
                 step.take().map(|step| (step.residuals, step.increments)).unwrap_or_default();
             residuals.push(norm);
             increments.push(moved);
-            let converged = norm <= self.tolerance;
+            let converged = norm <= self.tolerance && moved <= self.precision;
             let now = step.insert(Step { residuals, increments, place, outcome, converged });
             if now.converged {
                 *state = State { u, history: (outcome.next, place.owner) };
@@ -207,7 +212,12 @@ impl Model {
         let pair = search::pair(&self.chains);
         let q = search::dofs(&self.chains, u, place.owner);
         let element = Element::new(&pair, &self.parameters)?;
-        let outcome = element.evaluate(&q, &place.point, history, to)?;
+        let mut outcome = element.evaluate(&q, &place.point, history, to)?;
+        if outcome.values.f_n <= self.tolerance {
+            (outcome.state, outcome.next) = (contact::State::Open, outcome.next.opened());
+            *to = Contribution::zeros();
+            return Ok(outcome);
+        }
         let at = (place.point.xi, place.point.xi_bar);
         let (jet, jet_bar) = jets(&pair, &q, at);
         // A step begins on the cone after a slip, up to rounding, and goes on slipping as a rule.
@@ -216,7 +226,7 @@ impl Model {
             let slipping = element.decide(&q, &place.point, history)?.in_state(contact::State::Slip, at)?;
             contact::closed_form::write(&slipping, (&jet, &jet_bar), at, to);
         }
-        if outcome.state == contact::State::Open || left_out == LeftOut::Nothing {
+        if left_out == LeftOut::Nothing {
             return Ok(outcome);
         }
         let decision = element.decide(&q, &place.point, history)?;

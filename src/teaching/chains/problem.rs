@@ -1,6 +1,6 @@
 //! Beam problems with reference values.
 
-use super::{Chain, Gauss, LeftOut, Model, ModelError, Step};
+use super::{Chain, Gauss, LeftOut, Model, ModelError, Step, order};
 use crate::contact::{Law, Parameters};
 use crate::teaching::Material;
 use nalgebra::{DVector, Vector3};
@@ -12,8 +12,11 @@ pub struct Problem {
     pub model: Model,
     /// The increments of given dofs in each step.
     pub moves: Vec<Vec<(usize, f64)>>,
-    /// The increment below which the order of convergence is rounding, a length.
+    /// The displacement of a node, a length, up to which increments of Newton's method are rounding.
     pub rounding: f64,
+    /// How many iterations act as one. In a thin beam two do: the first bends it, and the second removes the strain that
+    /// this adds.
+    pub stride: usize,
 }
 
 impl Problem {
@@ -45,9 +48,16 @@ impl Problem {
         }
         let clamp = bar.node(28);
         let parameters = Parameters::with_friction(Law::Linear { eps: 1e4 }, 1e4, mu);
-        let model = Model { chains: [beam, bar], parameters, given, tolerance: 5e-7, iterations: 40 };
+        let model = Model {
+            chains: [beam, bar],
+            parameters,
+            given,
+            tolerance: 5e-7,
+            precision: 1e-11,
+            iterations: 40,
+        };
         let moves = vec![vec![(clamp, 0.03), (clamp + 2, 0.3)]; 6];
-        Self { model, moves, rounding: 1e-11 }
+        Self { model, moves, rounding: 1e-13, stride: 1 }
     }
 
     /// Crossing centroids. A rigid bar is pressed across a thin cantilever, so far that the centroids pass through each other.
@@ -82,9 +92,23 @@ impl Problem {
         let mut parameters = Parameters::frictionless(Law::Linear { eps: 1e-5 });
         // The bar passes through the beam within a step: the side is known from before.
         parameters.normal_memory = f64::INFINITY;
-        let model = Model { chains: [beam, bar], parameters, given, tolerance: 2e-13, iterations: 40 };
+        let model = Model {
+            chains: [beam, bar],
+            parameters,
+            given,
+            tolerance: 2e-13,
+            precision: 1e-11,
+            iterations: 40,
+        };
         let moves = vec![vec![(bar.node(0) + 1, -0.031), (bar.node(1) + 1, -0.031)]; 5];
-        Self { model, moves, rounding: 1e-11 }
+        Self { model, moves, rounding: 1e-10, stride: 2 }
+    }
+
+    /// The order of convergence of a step, from the last three increments of which rounding allows it.
+    pub fn order(&self, step: &Step) -> Option<f64> {
+        let mut increments: Vec<f64> = step.increments.iter().rev().step_by(self.stride).copied().collect();
+        increments.reverse();
+        order(&increments, self.rounding)
     }
 
     /// Solves all steps and returns them with the last dofs. A step that does not converge is the last one.
