@@ -2,11 +2,12 @@
 //!
 //! `cargo run --release --example beam_problems -- crossed`, `crossed-friction` or `crossing`
 //!
-//! Each line is a step: the state of the contact, F_N, the length of the residual at each iterate, and the order of
-//! convergence from the last three increments of which rounding allows it. After that the problem is solved with parts of the tangent of the
-//! contact left out. The residual is always exact.
+//! Each line is a step: the state of the contact, F_N, the length of the residual at each iterate, and the order of convergence
+//! from the last three increments of which rounding allows it. After that the problem is solved with single terms of the tangent
+//! of the contact left out. The residual is always exact.
 
-use beamgap::teaching::chains::{LeftOut, Problem};
+use beamgap::teaching::chains::Problem;
+use beamgap::teaching::terms::Term;
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -18,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         _ => return Err("name a problem: crossed, crossed-friction or crossing".into()),
     };
     println!("step  state          F_N            |F_T|/F_N  order  residuals");
-    let (steps, u) = problem.solve(LeftOut::Nothing)?;
+    let (steps, u) = problem.solve(None)?;
     for (i, step) in steps.iter().enumerate() {
         let values = &step.outcome.values;
         let ratio = if values.f_n > 0.0 { values.traction.norm() / values.f_n } else { 0.0 };
@@ -43,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     println!("\nLeft out of the tangent: iterations in each step with contact");
-    for left_out in LeftOut::ALL {
+    for left_out in std::iter::once(None).chain(Term::of_rate().map(Some)) {
         let text = match problem.solve(left_out) {
             Ok((steps, _)) => {
                 let count = |step: &beamgap::teaching::chains::Step| {
@@ -59,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             Err(error) => error.to_string(),
         };
-        println!("  {:34} {text}", left_out.name());
+        println!("  {:38} {text}", left_out.map_or("nothing", Term::name));
     }
     Ok(())
 }

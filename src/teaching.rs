@@ -40,6 +40,7 @@ mod effect;
 mod elastic;
 #[cfg(feature = "check")]
 mod solve;
+pub mod terms;
 
 #[cfg(feature = "check")]
 pub use contact::{Contribution, Tangent, contact};

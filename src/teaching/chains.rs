@@ -5,6 +5,7 @@
 //! [`Problem`] has the problems with reference values.
 
 mod chain;
+mod convergence;
 mod model;
 mod problem;
 mod rod;
@@ -13,7 +14,8 @@ mod search;
 mod tests;
 
 pub use chain::Chain;
-pub use model::{LeftOut, Model, ModelError, State, Step, order};
+pub use convergence::{order, order_of_all, quadratic_factor};
+pub use model::{Model, ModelError, State, Step};
 pub use problem::Problem;
 pub use rod::{Density, Gauss, density};
 pub use search::{Owner, Place};

@@ -2,44 +2,13 @@
 
 use super::Chain;
 use super::search::{self, Owner, Place};
-use crate::closest_point::{Held, ProjectionError};
-use crate::contact::{self, ContactError, Contribution, Element, History, NormalLaw, Outcome, Parameters};
-use crate::linearization::closed_form::{Matrices, jets};
+use crate::closest_point::ProjectionError;
+use crate::contact::{self, ContactError, Contribution, Element, History, Outcome, Parameters};
+use crate::linearization::closed_form::jets;
 use crate::teaching::DOFS;
+use crate::teaching::terms::{Components, Term, Terms};
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
-
-/// A part of the tangent of the contact that is left out. The residual is always exact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LeftOut {
-    /// The tangent is exact.
-    Nothing,
-    /// −F_N Hess g_N.
-    NormalHessian,
-    /// The motion of the closest point along the beams, in −F_N Hess g_N.
-    Projection,
-    /// The tangent of friction: all of K_T.
-    Friction,
-    /// μ (m A + m̄ Ā) ∇F_Nᵀ, by which friction in slip follows F_N.
-    Cone,
-}
-
-impl LeftOut {
-    /// All of them.
-    pub const ALL: [Self; 5] =
-        [Self::Nothing, Self::NormalHessian, Self::Projection, Self::Friction, Self::Cone];
-
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Nothing => "nothing",
-            Self::NormalHessian => "-F_N Hess g_N",
-            Self::Projection => "motion of the closest point",
-            Self::Friction => "K_T",
-            Self::Cone => "mu (m A + m_bar A_bar) grad F_N'",
-        }
-    }
-}
 
 /// Two chains, the contact between them, and the dofs that are given.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,19 +74,6 @@ pub enum ModelError {
 /// How near Phi/(mu F_N) is to 0 on the cone.
 const ON_CONE: f64 = 1e-9;
 
-/// The order of convergence, ln(d₃/d₂)/ln(d₂/d₁), of a sequence of norms.
-///
-/// It is measured from the last three norms of which rounding allows it: convergence of order two would leave the third of
-/// them above `rounding`. There may be no such norms.
-///
-/// Norms of increments tell more than those of residuals: in thin beams bending by δ strains the axis by δ², and the residual
-/// is large by this part in one iterate and not in the next.
-pub fn order(norms: &[f64], rounding: f64) -> Option<f64> {
-    let allows = |d: &&[f64]| d[1] < d[0] && d[1] * (d[1] / d[0]).powi(2) > rounding;
-    let d = norms.windows(3).rev().find(allows)?;
-    Some((d[2].max(rounding) / d[1]).ln() / (d[1] / d[0]).ln())
-}
-
 impl Model {
     /// The straight chains, without contact.
     pub fn reference(&self) -> State {
@@ -139,14 +95,14 @@ impl Model {
         &self,
         state: &mut State,
         moves: &[(usize, f64)],
-        left_out: LeftOut,
+        left_out: Option<Term>,
     ) -> Result<Step, ModelError> {
         let mut u = state.u.clone();
         let mut increment = DVector::zeros(u.len());
         for &(dof, by) in moves {
             increment[dof] = by;
         }
-        let (mut residual, mut tangent, ..) = self.system(state, &u, LeftOut::Nothing)?;
+        let (mut residual, mut tangent, ..) = self.system(state, &u, None)?;
         let mut step: Option<Step> = None;
         for iteration in 0..=self.iterations {
             self.solve(&residual, &tangent, &mut increment).ok_or(ModelError::Singular { iteration })?;
@@ -178,7 +134,7 @@ impl Model {
         &self,
         converged: &State,
         u: &DVector<f64>,
-        left_out: LeftOut,
+        left_out: Option<Term>,
     ) -> Result<(DVector<f64>, DMatrix<f64>, Place, Outcome), ModelError> {
         let (mut residual, mut tangent) = (DVector::zeros(u.len()), DMatrix::zeros(u.len(), u.len()));
         for chain in &self.chains {
@@ -206,7 +162,7 @@ impl Model {
         u: &DVector<f64>,
         place: &Place,
         history: &History,
-        left_out: LeftOut,
+        left_out: Option<Term>,
         to: &mut Contribution<f64, DOFS, DOFS>,
     ) -> Result<Outcome, ModelError> {
         let pair = search::pair(&self.chains);
@@ -221,51 +177,27 @@ impl Model {
         let at = (place.point.xi, place.point.xi_bar);
         let (jet, jet_bar) = jets(&pair, &q, at);
         // A step begins on the cone after a slip, up to rounding, and goes on slipping as a rule.
-        let was_slipping = history.slips.is_some_and(|slips| slips.is_slipping);
-        if outcome.state == contact::State::Stick && was_slipping && outcome.values.yield_ratio > -ON_CONE {
+        let slips_on = outcome.state == contact::State::Stick
+            && history.slips.is_some_and(|slips| slips.is_slipping)
+            && outcome.values.yield_ratio > -ON_CONE;
+        if slips_on {
             let slipping = element.decide(&q, &place.point, history)?.in_state(contact::State::Slip, at)?;
             contact::closed_form::write(&slipping, (&jet, &jet_bar), at, to);
         }
-        if left_out == LeftOut::Nothing {
-            return Ok(outcome);
-        }
-        let decision = element.decide(&q, &place.point, history)?;
-        let mut normal = Contribution::<f64, DOFS, DOFS>::zeros();
-        let frictionless = decision.in_state(contact::State::Frictionless, at)?;
-        contact::closed_form::write(&frictionless, (&jet, &jet_bar), at, &mut normal);
-        // R_N = −F_N ∇g_N
-        let (f_n, k) = (outcome.values.f_n, self.stiffness(&outcome));
-        let gradient = normal.residual.times(-1.0 / f_n);
-        let both = Held { xi: true, xi_bar: true };
-        let frozen = Matrices::<_, _, _, DOFS, DOFS>::new(&jet, &jet_bar, both).d();
-        let change = |i: usize, j: usize| match left_out {
-            LeftOut::NormalHessian => k * gradient.entry(i) * gradient.entry(j) - normal.tangent.entry(i, j),
-            LeftOut::Projection => {
-                let frozen = frozen.hessian.entry(i, j);
-                let side = if decision.is_crossed { -1.0 } else { 1.0 };
-                k * gradient.entry(i) * gradient.entry(j) - side * f_n * frozen - normal.tangent.entry(i, j)
+        if let Some(term) = left_out {
+            let mut decision = element.decide(&q, &place.point, history)?;
+            if slips_on {
+                decision = decision.in_state(contact::State::Slip, at)?;
             }
-            LeftOut::Friction => normal.tangent.entry(i, j) - to.tangent.entry(i, j),
-            LeftOut::Cone if outcome.state == contact::State::Slip => {
-                // μ (m A + m̄ Ā) = R_T/F_N   ∇F_N = −k ∇g_N
-                (to.residual.entry(i) - normal.residual.entry(i)) / f_n * k * gradient.entry(j)
-            }
-            LeftOut::Nothing | LeftOut::Cone => 0.0,
-        };
-        let changes = DMatrix::from_fn(2 * DOFS, 2 * DOFS, change);
-        for i in 0..2 * DOFS {
-            for j in 0..2 * DOFS {
-                to.tangent.set(i, j, to.tangent.entry(i, j) + changes[(i, j)]);
+            let terms = Terms::new(&decision, (&jet, &jet_bar), at, Components::Covariant);
+            let tangent = terms.without(term);
+            for i in 0..2 * DOFS {
+                for j in 0..2 * DOFS {
+                    to.tangent.set(i, j, tangent[(i, j)]);
+                }
             }
         }
         Ok(outcome)
-    }
-
-    /// k = −dF_N/dg_N.
-    fn stiffness(&self, outcome: &Outcome) -> f64 {
-        let law = &self.parameters.law;
-        let g_n = outcome.values.g_n;
-        law.piece(g_n).map_or(0.0, |piece| law.stiffness(piece, g_n))
     }
 
     /// Solves for the free increments; those of given dofs are input.

@@ -1,8 +1,9 @@
 //! Beam problems with reference values.
 
-use super::{Chain, Gauss, LeftOut, Model, ModelError, Step, order};
+use super::{Chain, Gauss, Model, ModelError, Step, order};
 use crate::contact::{Law, Parameters};
 use crate::teaching::Material;
+use crate::teaching::terms::Term;
 use nalgebra::{DVector, Vector3};
 
 /// A model and the way in which given dofs are moved.
@@ -115,7 +116,7 @@ impl Problem {
     ///
     /// # Errors
     /// Those of [`Model::step`].
-    pub fn solve(&self, left_out: LeftOut) -> Result<(Vec<Step>, DVector<f64>), ModelError> {
+    pub fn solve(&self, left_out: Option<Term>) -> Result<(Vec<Step>, DVector<f64>), ModelError> {
         let mut state = self.model.reference();
         let mut steps = Vec::new();
         for moves in &self.moves {
