@@ -1,6 +1,6 @@
-//! Two beam problems with many elements, solved by Newton's method with the contact element.
+//! Three beam problems with many elements, solved by Newton's method with the contact element.
 //!
-//! `cargo run --release --example beam_problems -- crossed`, `crossed-friction` or `crossing`
+//! `cargo run --release --example beam_problems -- crossed`, `crossed-friction`, `crossing` or `dragged`
 //!
 //! Each line is a step: the state of the contact, F_N, the length of the residual at each iterate, and the order of convergence
 //! from the last three increments of which rounding allows it. After that the problem is solved with single terms of the tangent
@@ -15,8 +15,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let problem = match name.as_str() {
         "crossed" => Problem::crossed_beams(0.0),
         "crossed-friction" => Problem::crossed_beams(0.3),
+        "dragged" => Problem::dragged_beam(0.3),
         "crossing" => Problem::crossing_centroids(10),
-        _ => return Err("name a problem: crossed, crossed-friction or crossing".into()),
+        _ => return Err("name a problem: crossed, crossed-friction, crossing or dragged".into()),
     };
     println!("step  state          F_N            |F_T|/F_N  order  residuals");
     let (steps, u) = problem.solve(None)?;

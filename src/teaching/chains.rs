@@ -6,6 +6,7 @@
 
 mod chain;
 mod convergence;
+mod dragged;
 mod model;
 mod problem;
 mod rod;

@@ -1,8 +1,10 @@
 //! Tests of the element, and of the problems against published figures.
 
-use super::{Density, Problem, density};
+use super::{Density, Problem, Step, density, order_of_all, quadratic_factor};
+use crate::contact::State;
 use crate::number::Real;
 use crate::teaching::Material;
+use crate::teaching::terms::Term;
 use nalgebra::Vector3;
 use num_dual::HyperDual64;
 
@@ -73,4 +75,31 @@ fn crossed_beams_slip_with_friction() {
         assert!(problem.order(step).is_some_and(|order| order > 1.9));
         assert!((values.f_bar / values.f_n + 0.3).abs() < 1e-6, "{}", values.f_bar);
     }
+}
+
+/// The bar beam sticks, slips over four nodes of the arch, sticks when it turns back, and slips again.
+#[test]
+fn a_dragged_beam_sticks_slips_past_elements_and_turns_back() {
+    let problem = Problem::dragged_beam(0.3);
+    let (steps, _) = problem.solve(None).unwrap();
+    assert!(steps.len() == problem.moves.len() && steps.iter().all(|step| step.converged));
+    let mut states: Vec<State> = steps.iter().map(|step| step.outcome.state).collect();
+    states.dedup();
+    let expected = [State::Open, State::Frictionless, State::Stick, State::Slip, State::Stick, State::Slip];
+    assert_eq!(states, expected);
+    let mut owners: Vec<usize> = steps[4..27].iter().map(|step| step.place.owner[0]).collect();
+    owners.dedup();
+    assert_eq!(owners, [6, 7, 8, 9, 10]);
+    // The cone, and quadratic convergence in every step: EA/EI times a unit of length bounds what bending adds to the strain.
+    for step in &steps {
+        let values = &step.outcome.values;
+        assert!(values.traction.norm() <= 0.3 * values.f_n * (1.0 + 1e-9));
+    }
+    let material = problem.model.chains[0].material;
+    let quadratic = |steps: &[Step]| quadratic_factor(steps, 1e-2, problem.rounding);
+    assert!(quadratic(&steps) < material.axial / material.bending, "{}", quadratic(&steps));
+    assert!(order_of_all(&steps, 1e-2, problem.rounding).is_some_and(|order| order > 1.9));
+    // A tangent that misses a term converges linearly.
+    let (steps, _) = problem.solve(Some(Term::Stretch)).unwrap();
+    assert!(quadratic(&steps) > 1e2 * material.axial / material.bending, "{}", quadratic(&steps));
 }
