@@ -7,7 +7,7 @@
 //! of the contact left out. The residual is always exact.
 
 use beamgap::teaching::chains::Problem;
-use beamgap::teaching::terms::Term;
+use beamgap::teaching::terms::{Tangent, Term};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         _ => return Err("name a problem: crossed, crossed-friction, crossing or dragged".into()),
     };
     println!("step  state          F_N            |F_T|/F_N  order  residuals");
-    let (steps, u) = problem.solve(None)?;
+    let (steps, u) = problem.solve(Tangent::EXACT)?;
     for (i, step) in steps.iter().enumerate() {
         let values = &step.outcome.values;
         let ratio = if values.f_n > 0.0 { values.traction.norm() / values.f_n } else { 0.0 };
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!("\nLeft out of the tangent: iterations in each step with contact");
     for left_out in std::iter::once(None).chain(Term::of_rate().map(Some)) {
-        let text = match problem.solve(left_out) {
+        let text = match problem.solve(Tangent { left_out, ..Tangent::EXACT }) {
             Ok((steps, _)) => {
                 let count = |step: &beamgap::teaching::chains::Step| {
                     let n = step.residuals.len();

@@ -39,6 +39,8 @@ mod contact;
 mod effect;
 mod elastic;
 #[cfg(feature = "check")]
+pub mod published;
+#[cfg(feature = "check")]
 mod solve;
 pub mod terms;
 

@@ -61,6 +61,32 @@ pub enum Components {
     Contravariant,
 }
 
+/// Which element and which tangent of it Newton's method uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tangent {
+    /// The components of friction, in residual and tangent.
+    pub components: Components,
+    /// The term that the tangent lacks.
+    pub left_out: Option<Term>,
+    /// Whether friction is lagged, in the tangent only: [`Terms::lagged`].
+    pub is_lagged: bool,
+}
+
+impl Tangent {
+    /// The tangent of the element.
+    pub const EXACT: Self = Self { components: Components::Covariant, left_out: None, is_lagged: false };
+    /// The tangent with lagged friction.
+    pub const LAGGED: Self = Self { is_lagged: true, ..Self::EXACT };
+    /// The tangent of an element with [`Components::Contravariant`].
+    pub const CONTRAVARIANT: Self = Self { components: Components::Contravariant, ..Self::EXACT };
+
+    /// This tangent without one term.
+    #[must_use]
+    pub const fn without(self, term: Term) -> Self {
+        Self { left_out: Some(term), ..self }
+    }
+}
+
 /// Residual and tangent, term by term, over the dofs of both beams.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Terms {
@@ -68,9 +94,10 @@ pub struct Terms {
     pub residual: DVector<f64>,
     /// The state, which depends on the components.
     pub state: State,
-    /// ρ, the factor of the return.
-    pub rho: f64,
-    terms: Vec<(Term, DMatrix<f64>)>,
+    /// The elastic slips after the return, lengths; 0 without friction.
+    pub returned: [f64; 2],
+    matrices: Vec<(Term, DMatrix<f64>)>,
+    lagged: Option<DMatrix<f64>>,
 }
 
 impl Terms {
@@ -98,14 +125,14 @@ impl Terms {
         let both = Held { xi: true, xi_bar: true };
         let frozen = Matrices::<_, _, _, DOFS, DOFS>::new(jet, jet_bar, both).d();
         let projection = &curvature - dense(&frozen.hessian) * (-f_n * side);
-        let mut terms = vec![
+        let mut matrices = vec![
             (Term::Penalty, &n * n.transpose() * k),
             (Term::NormalHessian, curvature),
             (Term::Projection, projection),
         ];
         let mut residual = &n * -f_n;
         let Some(start) = decision.start.filter(|_| decision.state.has_friction()) else {
-            return Self { residual, state: decision.state, rho: 1.0, terms };
+            return Self { residual, state: decision.state, returned: [0.0; 2], matrices, lagged: None };
         };
 
         // e = eₙ + t u   ∇e = t g + u ∇t   ∇c = J_tᵀ(τ̄ − c τ)/t + J_t̄ᵀ(τ − c τ̄)/t̄
@@ -127,53 +154,59 @@ impl Terms {
         let (e, e_bar) = (beam.e, bar.e);
         let gamma = (e * e + e_bar * e_bar + 2.0 * sign * c * e * e_bar).sqrt();
         let along = [e + sign * c * e_bar, e_bar + sign * c * e];
-        let grad_gamma = (&beam.grad_e * along[0] + &bar.grad_e * along[1]) / gamma;
-        let angle_gamma = &grad_c * (sign * e * e_bar / gamma);
-        let (l, grad_l, angle_l) = match components {
-            Components::Covariant => (
-                along,
-                [&beam.grad_e - &bar.grad_e * c, &bar.grad_e - &beam.grad_e * c],
-                [&grad_c * -e_bar, &grad_c * -e],
-            ),
-            Components::Contravariant => {
-                ([e, e_bar], [beam.grad_e.clone(), bar.grad_e.clone()], [&grad_c * 0.0, &grad_c * 0.0])
-            }
-        };
         let (eps_t, mu) = (decision.parameters.eps_t, decision.parameters.mu);
-        // The decision is for the covariant components. Within rounding of the cone it may have been changed on purpose.
         let state = match components {
             Components::Covariant => decision.state,
-            Components::Contravariant if eps_t * gamma > mu * f_n => State::Slip,
+            Components::Contravariant if eps_t * gamma > mu * f_n * (1.0 - ON_CONE) => State::Slip,
             Components::Contravariant => State::Stick,
         };
         let slips = state == State::Slip;
         let rho = if slips { mu * f_n / (eps_t * gamma) } else { 1.0 };
-        let zero = || DMatrix::zeros(2 * DOFS, 2 * DOFS);
-        let [mut direction, mut angle, mut cone, mut stretch, mut hessian, mut paper] =
-            std::array::from_fn(|_| zero());
-        for (i, side) in [&beam, &bar].into_iter().enumerate() {
-            let l = l[i] * side.free;
-            let f = eps_t * rho * l;
-            // ∇F = ε_T ρ (∇l − l ∇γ/γ) + (F/F_N) ∇F_N in slip, with ∇F_N = −k ∇g_N
-            let back = if slips { l / gamma } else { 0.0 };
-            let of_angle = (&angle_l[i] * side.free - &angle_gamma * back) * (eps_t * rho);
-            let grad_f = (&grad_l[i] * side.free - &grad_gamma * back) * (eps_t * rho) + &of_angle;
-            let mut a = &side.g * side.t;
+        let sides = [&beam, &bar];
+        let l = match components {
+            Components::Covariant => [along[0] * beam.free, along[1] * bar.free],
+            Components::Contravariant => [e * beam.free, e_bar * bar.free],
+        };
+        // ∇F = ε_T ρ (∇l − l ∇γ/γ) in slip, at constant F_N. It is linear in ∇e, ∇ē and ∇c.
+        let grad_f = |grad_e: [&DVector<f64>; 2], grad_c: &DVector<f64>| {
+            let grad_gamma =
+                (grad_e[0] * along[0] + grad_e[1] * along[1] + grad_c * (sign * e * e_bar)) / gamma;
+            [(0, e_bar), (1, e)].map(|(i, other)| {
+                let grad_l = match components {
+                    Components::Covariant => grad_e[i] - grad_e[1 - i] * c - grad_c * other,
+                    Components::Contravariant => grad_e[i].clone(),
+                };
+                let back = if slips { &grad_gamma * (l[i] / gamma) } else { grad_c * 0.0 };
+                (grad_l * sides[i].free - back) * (eps_t * rho)
+            })
+        };
+        let zero = DVector::zeros(2 * DOFS);
+        let rates = sides.map(|side| &side.g * side.t);
+        let gradients = grad_f([&beam.grad_e, &bar.grad_e], &grad_c);
+        let of_angle = grad_f([&zero, &zero], &grad_c);
+        let at_lagged_tangents = grad_f([&rates[0], &rates[1]], &zero);
+        let [mut direction, mut angle, mut cone, mut stretch, mut hessian, mut paper, mut lagged] =
+            std::array::from_fn(|_| DMatrix::zeros(2 * DOFS, 2 * DOFS));
+        for (i, side) in sides.into_iter().enumerate() {
+            let f = eps_t * rho * l[i];
+            let mut a = rates[i].clone();
             if decision.parameters.work == Work::Paper {
                 a += &side.grad_t * side.u;
                 paper += (dense(side.hess_t) * side.u + &side.grad_t * side.g.transpose()) * f;
             }
             residual += &a * f;
-            direction += &a * grad_f.transpose();
-            angle += &a * of_angle.transpose();
+            direction += &a * gradients[i].transpose();
+            angle += &a * of_angle[i].transpose();
+            lagged += &rates[i] * at_lagged_tangents[i].transpose();
             if slips {
+                // ∇F_N = −k ∇g_N
                 cone += &a * n.transpose() * (-k * f / f_n);
             }
             stretch += &side.g * side.grad_t.transpose() * f;
             hessian += dense(side.hess_xi) * (f * side.t);
         }
         let friction = &direction + &cone + &stretch + &hessian + &paper;
-        terms.extend([
+        matrices.extend([
             (Term::Friction, friction),
             (Term::Direction, direction),
             (Term::Angle, angle),
@@ -182,18 +215,24 @@ impl Terms {
             (Term::ParameterHessian, hessian),
             (Term::PaperWork, paper),
         ]);
-        Self { residual, state, rho, terms }
+        Self { residual, state, returned: [rho * e, rho * e_bar], matrices, lagged: Some(lagged) }
     }
 
     /// K, the sum of the terms.
     pub fn tangent(&self) -> DMatrix<f64> {
-        let whole = self.terms.iter().filter(|(term, _)| !term.is_part());
+        let whole = self.matrices.iter().filter(|(term, _)| !term.is_part());
         whole.fold(DMatrix::zeros(2 * DOFS, 2 * DOFS), |sum, (_, matrix)| sum + matrix)
     }
 
     /// One term; nothing if this state does not have it.
     pub fn term(&self, term: Term) -> Option<&DMatrix<f64>> {
-        self.terms.iter().find(|(name, _)| *name == term).map(|(_, matrix)| matrix)
+        self.matrices.iter().find(|(name, _)| *name == term).map(|(_, matrix)| matrix)
+    }
+
+    /// K with lagged friction: the derivative of R with F_N, A, Ā and the tangents of the beams constant in R_T. It is symmetric.
+    pub fn lagged(&self) -> DMatrix<f64> {
+        let normal = [Term::Penalty, Term::NormalHessian].into_iter().filter_map(|term| self.term(term));
+        normal.chain(&self.lagged).fold(DMatrix::zeros(2 * DOFS, 2 * DOFS), |sum, matrix| sum + matrix)
     }
 
     /// K without one term.
@@ -202,6 +241,9 @@ impl Terms {
         self.term(term).map_or_else(|| all.clone(), |matrix| &all - matrix)
     }
 }
+
+/// Phi/(mu F_N) within which a trial force counts as on the cone: it slips on.
+const ON_CONE: f64 = 1e-9;
 
 /// What friction uses of one beam.
 struct Side<'a> {

@@ -6,7 +6,7 @@ use crate::closest_point::ProjectionError;
 use crate::contact::{self, ContactError, Contribution, Element, History, Outcome, Parameters};
 use crate::linearization::closed_form::jets;
 use crate::teaching::DOFS;
-use crate::teaching::terms::{Components, Term, Terms};
+use crate::teaching::terms::{Components, Tangent, Terms};
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
@@ -95,22 +95,22 @@ impl Model {
         &self,
         state: &mut State,
         moves: &[(usize, f64)],
-        left_out: Option<Term>,
+        tangent: Tangent,
     ) -> Result<Step, ModelError> {
         let mut u = state.u.clone();
         let mut increment = DVector::zeros(u.len());
         for &(dof, by) in moves {
             increment[dof] = by;
         }
-        let (mut residual, mut tangent, ..) = self.system(state, &u, None)?;
+        let (mut residual, mut matrix, ..) = self.system(state, &u, Tangent::EXACT)?;
         let mut step: Option<Step> = None;
         for iteration in 0..=self.iterations {
-            self.solve(&residual, &tangent, &mut increment).ok_or(ModelError::Singular { iteration })?;
+            self.solve(&residual, &matrix, &mut increment).ok_or(ModelError::Singular { iteration })?;
             u += &increment;
             let moved = self.largest_displacement(&increment);
             increment.fill(0.0);
             let (place, outcome);
-            (residual, tangent, place, outcome) = self.system(state, &u, left_out)?;
+            (residual, matrix, place, outcome) = self.system(state, &u, tangent)?;
             let norm = self.free(&residual).norm();
             let (mut residuals, mut increments) =
                 step.take().map(|step| (step.residuals, step.increments)).unwrap_or_default();
@@ -134,35 +134,35 @@ impl Model {
         &self,
         converged: &State,
         u: &DVector<f64>,
-        left_out: Option<Term>,
+        tangent: Tangent,
     ) -> Result<(DVector<f64>, DMatrix<f64>, Place, Outcome), ModelError> {
-        let (mut residual, mut tangent) = (DVector::zeros(u.len()), DMatrix::zeros(u.len(), u.len()));
+        let (mut residual, mut matrix) = (DVector::zeros(u.len()), DMatrix::zeros(u.len(), u.len()));
         for chain in &self.chains {
-            chain.add(u, &mut residual, &mut tangent);
+            chain.add(u, &mut residual, &mut matrix);
         }
         let place = search::nearest(&self.chains, u)?;
         let (history, from) = converged.history;
         let history = search::carried(&self.chains, &converged.u, history, from, place.owner);
         let mut to = Contribution::zeros();
-        let outcome = self.contact(u, &place, &history, left_out, &mut to)?;
+        let outcome = self.contact(u, &place, &history, tangent, &mut to)?;
         let at: [usize; 2] = [0, 1].map(|k| self.chains[k].node(place.owner[k]));
         let dof = |i: usize| if i < DOFS { at[0] + i } else { at[1] + i - DOFS };
         for i in 0..2 * DOFS {
             residual[dof(i)] += to.residual.entry(i);
             for j in 0..2 * DOFS {
-                tangent[(dof(i), dof(j))] += to.tangent.entry(i, j);
+                matrix[(dof(i), dof(j))] += to.tangent.entry(i, j);
             }
         }
-        Ok((residual, tangent, place, outcome))
+        Ok((residual, matrix, place, outcome))
     }
 
-    /// Residual and tangent of the contact, without the part that is left out.
+    /// Residual and tangent of the contact.
     fn contact(
         &self,
         u: &DVector<f64>,
         place: &Place,
         history: &History,
-        left_out: Option<Term>,
+        tangent: Tangent,
         to: &mut Contribution<f64, DOFS, DOFS>,
     ) -> Result<Outcome, ModelError> {
         let pair = search::pair(&self.chains);
@@ -184,17 +184,30 @@ impl Model {
             let slipping = element.decide(&q, &place.point, history)?.in_state(contact::State::Slip, at)?;
             contact::closed_form::write(&slipping, (&jet, &jet_bar), at, to);
         }
-        if let Some(term) = left_out {
-            let mut decision = element.decide(&q, &place.point, history)?;
-            if slips_on {
-                decision = decision.in_state(contact::State::Slip, at)?;
+        if tangent == Tangent::EXACT {
+            return Ok(outcome);
+        }
+        let mut decision = element.decide(&q, &place.point, history)?;
+        if slips_on {
+            decision = decision.in_state(contact::State::Slip, at)?;
+        }
+        let terms = Terms::new(&decision, (&jet, &jet_bar), at, tangent.components);
+        let matrix = match tangent.left_out {
+            Some(term) => terms.without(term),
+            None if tangent.is_lagged => terms.lagged(),
+            None => terms.tangent(),
+        };
+        for i in 0..2 * DOFS {
+            to.residual.set(i, terms.residual[i]);
+            for j in 0..2 * DOFS {
+                to.tangent.set(i, j, matrix[(i, j)]);
             }
-            let terms = Terms::new(&decision, (&jet, &jet_bar), at, Components::Covariant);
-            let tangent = terms.without(term);
-            for i in 0..2 * DOFS {
-                for j in 0..2 * DOFS {
-                    to.tangent.set(i, j, tangent[(i, j)]);
-                }
+        }
+        if tangent.components == Components::Contravariant && terms.state.has_friction() {
+            outcome.state = terms.state;
+            if let Some(slips) = &mut outcome.next.slips {
+                [slips.e, slips.e_bar] = terms.returned;
+                slips.is_slipping = terms.state == contact::State::Slip;
             }
         }
         Ok(outcome)

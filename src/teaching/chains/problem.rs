@@ -3,7 +3,7 @@
 use super::{Chain, Gauss, Model, ModelError, Step, order};
 use crate::contact::{Law, Parameters};
 use crate::teaching::Material;
-use crate::teaching::terms::Term;
+use crate::teaching::terms::Tangent;
 use nalgebra::{DVector, Vector3};
 
 /// A model and the way in which given dofs are moved.
@@ -116,11 +116,11 @@ impl Problem {
     ///
     /// # Errors
     /// Those of [`Model::step`].
-    pub fn solve(&self, left_out: Option<Term>) -> Result<(Vec<Step>, DVector<f64>), ModelError> {
+    pub fn solve(&self, tangent: Tangent) -> Result<(Vec<Step>, DVector<f64>), ModelError> {
         let mut state = self.model.reference();
         let mut steps = Vec::new();
         for moves in &self.moves {
-            let step = self.model.step(&mut state, moves, left_out)?;
+            let step = self.model.step(&mut state, moves, tangent)?;
             let converged = step.converged;
             steps.push(step);
             if !converged {

@@ -4,7 +4,7 @@ use super::{Density, Problem, Step, density, order_of_all, quadratic_factor};
 use crate::contact::State;
 use crate::number::Real;
 use crate::teaching::Material;
-use crate::teaching::terms::Term;
+use crate::teaching::terms::{Tangent, Term};
 use nalgebra::Vector3;
 use num_dual::HyperDual64;
 
@@ -41,7 +41,7 @@ fn gradient_and_hessian_of_the_energy_are_its_derivatives_by_hyper_dual_numbers(
 #[test]
 fn centroids_that_cross_end_where_another_code_has_them() {
     let problem = Problem::crossing_centroids(10);
-    let (steps, u) = problem.solve(None).unwrap();
+    let (steps, u) = problem.solve(Tangent::EXACT).unwrap();
     assert!(steps.iter().all(|step| step.converged));
     assert!(steps[3..].iter().all(|step| problem.order(step).is_some_and(|order| order > 1.9)));
     let values = &steps[4].outcome.values;
@@ -54,7 +54,7 @@ fn centroids_that_cross_end_where_another_code_has_them() {
 #[test]
 fn crossed_beams_have_the_forces_of_the_elastica() {
     let problem = Problem::crossed_beams(0.0);
-    let (steps, _) = problem.solve(None).unwrap();
+    let (steps, _) = problem.solve(Tangent::EXACT).unwrap();
     assert!(steps.iter().all(|step| step.converged));
     for (step, expected) in steps[2..].iter().zip([17.2053, 34.1129, 50.6018, 66.5604]) {
         let f_n = step.outcome.values.f_n;
@@ -67,7 +67,7 @@ fn crossed_beams_have_the_forces_of_the_elastica() {
 #[test]
 fn crossed_beams_slip_with_friction() {
     let problem = Problem::crossed_beams(0.3);
-    let (steps, _) = problem.solve(None).unwrap();
+    let (steps, _) = problem.solve(Tangent::EXACT).unwrap();
     assert!(steps.iter().all(|step| step.converged));
     for (step, expected) in steps[3..].iter().zip([33.3746, 49.3979, 64.8363]) {
         let values = &step.outcome.values;
@@ -81,7 +81,7 @@ fn crossed_beams_slip_with_friction() {
 #[test]
 fn a_dragged_beam_sticks_slips_past_elements_and_turns_back() {
     let problem = Problem::dragged_beam(0.3);
-    let (steps, _) = problem.solve(None).unwrap();
+    let (steps, _) = problem.solve(Tangent::EXACT).unwrap();
     assert!(steps.len() == problem.moves.len() && steps.iter().all(|step| step.converged));
     let mut states: Vec<State> = steps.iter().map(|step| step.outcome.state).collect();
     states.dedup();
@@ -100,6 +100,6 @@ fn a_dragged_beam_sticks_slips_past_elements_and_turns_back() {
     assert!(quadratic(&steps) < material.axial / material.bending, "{}", quadratic(&steps));
     assert!(order_of_all(&steps, 1e-2, problem.rounding).is_some_and(|order| order > 1.9));
     // A tangent that misses a term converges linearly.
-    let (steps, _) = problem.solve(Some(Term::Stretch)).unwrap();
+    let (steps, _) = problem.solve(Tangent::EXACT.without(Term::Stretch)).unwrap();
     assert!(quadratic(&steps) > 1e2 * material.axial / material.bending, "{}", quadratic(&steps));
 }
