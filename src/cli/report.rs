@@ -26,6 +26,9 @@ pub(crate) struct Report {
     /// Write only the report on programs of others, from the results of `verify --format json`
     #[arg(long, value_name = "PATH", num_args = 1.., conflicts_with = "cases")]
     verified: Vec<PathBuf>,
+    /// Write only the reports on the contact element: the beam problems, and published elements
+    #[arg(long, conflicts_with_all = ["cases", "verified"])]
+    elements: bool,
     /// The directory to write to
     #[arg(long, value_name = "DIR", default_value = "reports")]
     to: PathBuf,
@@ -44,11 +47,34 @@ impl Report {
             println!("Wrote verify to {}: {programs}.", self.to.display());
             return Ok(Exit::Agree);
         }
+        if self.elements {
+            self.contact_element("cargo run --release -- report --elements")?;
+            println!("Wrote to {}: beam-problems, elements.", self.to.display());
+            return Ok(Exit::Agree);
+        }
         to_stdout("Reports\n")?;
         let exit = self.checks()?;
-        let written = ["crosscheck", "bounds", "accuracy", "equations", "derivation", "faults", "symbols"];
+        let written = [
+            "crosscheck",
+            "bounds",
+            "accuracy",
+            "equations",
+            "derivation",
+            "beam-problems",
+            "elements",
+            "faults",
+            "symbols",
+        ];
         println!("Wrote to {}: {}.", self.to.display(), written.join(", "));
         Ok(exit)
+    }
+
+    fn contact_element(&self, command: &str) -> anyhow::Result<()> {
+        let progress = Progress::of("solving beam problems");
+        report::beam_problems(&self.to, command)?;
+        report::elements(&self.to, SEED, command)?;
+        progress.end();
+        Ok(())
     }
 
     fn checks(&self) -> anyhow::Result<Exit> {
@@ -73,6 +99,7 @@ impl Report {
         report::equations(&self.to, &equations)?;
         report::derivation(&self.to, &equations)?;
         progress.end();
+        self.contact_element(&command)?;
         let faults = faults::record(SEED, &[], &command);
         report::faults(&self.to, &faults)?;
         let agrees = found.found.mismatches.is_empty() && chosen && equations.table.holds();

@@ -17,6 +17,14 @@ pub enum ReportError {
         /// The problem.
         what: String,
     },
+    /// A beam problem has no solution.
+    #[error("the beam problem \"{problem}\" is not solved: {what}")]
+    Unsolved {
+        /// The problem.
+        problem: String,
+        /// The reason.
+        what: String,
+    },
     /// A file has unexpected contents.
     #[error("{what} cannot be read")]
     Format {

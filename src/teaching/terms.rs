@@ -22,7 +22,7 @@ enumeration! {
         /// −F_N Hess g_N.
         NormalHessian => "-F_N Hess g_N",
         /// The motion of the closest point along the beams, in −F_N Hess g_N.
-        Projection => "motion of the closest point in Hess g_N",
+        Projection => "motion of the closest point",
         /// K_T.
         Friction => "K_T, all of friction",
         /// A ∇Fᵀ + Ā ∇F̄ᵀ at constant F_N: in stick all of it, in slip μ F_N (A ∇mᵀ + Ā ∇m̄ᵀ).
@@ -44,6 +44,11 @@ impl Term {
     /// The terms of an element with [`Work::Rate`].
     pub fn of_rate() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|&term| term != Self::PaperWork)
+    }
+
+    /// Whether it belongs to K_T.
+    pub fn is_of_friction(self) -> bool {
+        !matches!(self, Self::Penalty | Self::NormalHessian | Self::Projection)
     }
 
     /// Whether it is a part of another term.

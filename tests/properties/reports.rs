@@ -6,8 +6,8 @@ use beamgap::equations;
 use beamgap::faults::{Check, Operations};
 use beamgap::prove::prove;
 use beamgap::report::{
-    Accuracy, Bounds, Crosscheck, Derivation, Environment, Equations, Explain, Faults, Record, Verify,
-    front_page, picture, symbols,
+    Accuracy, BeamProblems, Bounds, Crosscheck, Derivation, Elements, Environment, Equations, Explain,
+    Faults, Record, Verify, front_page, picture, symbols,
 };
 use beamgap::test_beam::Family;
 use beamgap::variant::{Code, Rewrite, Variant};
@@ -49,6 +49,13 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     let verified = Verify::from_json(&committed("verify.json")).unwrap();
     is_committed("verify.md", &verified.page().to_markdown());
     is_committed("beams.svg", &picture().unwrap());
+    let problems = BeamProblems::from_json(&committed("beam-problems.json")).unwrap();
+    is_committed("beam-problems.md", &problems.page().to_markdown());
+    for (name, svg) in problems.pictures() {
+        is_committed(&name, &svg);
+    }
+    let elements = Elements::from_json(&committed("elements.json")).unwrap();
+    is_committed("elements.md", &elements.page().to_markdown());
 }
 
 #[test]

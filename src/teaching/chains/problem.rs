@@ -1,6 +1,6 @@
 //! Beam problems with reference values.
 
-use super::{Chain, Gauss, Model, ModelError, Step, order};
+use super::{Chain, Gauss, Model, ModelError, State, Step, order};
 use crate::contact::{Law, Parameters};
 use crate::teaching::Material;
 use crate::teaching::terms::Tangent;
@@ -117,17 +117,33 @@ impl Problem {
     /// # Errors
     /// Those of [`Model::step`].
     pub fn solve(&self, tangent: Tangent) -> Result<(Vec<Step>, DVector<f64>), ModelError> {
+        let (mut steps, mut last) = (Vec::new(), self.model.reference().u);
+        self.solve_each(tangent, |step, state| {
+            steps.push(step.clone());
+            last.clone_from(&state.u);
+        })?;
+        Ok((steps, last))
+    }
+
+    /// Solves all steps and calls `each` with every step and the last equilibrium. A step that does not converge is the last
+    /// one.
+    ///
+    /// # Errors
+    /// Those of [`Model::step`].
+    pub fn solve_each(
+        &self,
+        tangent: Tangent,
+        mut each: impl FnMut(&Step, &State),
+    ) -> Result<(), ModelError> {
         let mut state = self.model.reference();
-        let mut steps = Vec::new();
         for moves in &self.moves {
             let step = self.model.step(&mut state, moves, tangent)?;
-            let converged = step.converged;
-            steps.push(step);
-            if !converged {
+            each(&step, &state);
+            if !step.converged {
                 break;
             }
         }
-        Ok((steps, state.u))
+        Ok(())
     }
 }
 

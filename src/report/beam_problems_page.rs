@@ -1,0 +1,140 @@
+//! The beam problems as a page, from the record alone.
+
+use super::beam_pictures::file_name;
+use super::beam_problems::{BeamProblem, BeamProblems, NOTHING};
+use super::newton::Iterations;
+use super::number::{count, error, plain};
+use super::page::{Block, Page};
+
+impl BeamProblems {
+    /// The page. The same record always gives the same page.
+    pub fn page(&self) -> Page {
+        let steps: usize = self.problems.iter().map(|problem| problem.steps.len()).sum();
+        let exact = || self.problems.iter().filter_map(BeamProblem::exact);
+        let most = exact().map(Iterations::most).max().unwrap_or(0);
+        let (mut slower, mut failed, mut all) = (0, 0, 0);
+        for problem in &self.problems {
+            let sum = problem.exact().map_or(0, Iterations::sum);
+            for run in problem.runs.iter().filter(|run| run.tangent != NOTHING) {
+                all += 1;
+                failed += u64::from(run.stopped.is_some());
+                slower += u64::from(run.stopped.is_none() && run.sum() > sum);
+            }
+        }
+        let conclusion = format!(
+            "Does Newton's method converge with the contact element, and does it need every term? **With the exact tangent it converges \
+             in all {} steps of {} problems, in at most {most} iterations. Of {} runs without a term of the tangent, {} do not reach the \
+             end, and {} need more iterations.**",
+            count(steps as u64),
+            self.problems.len(),
+            count(all),
+            count(failed),
+            count(slower),
+        );
+        let mut blocks = vec![
+            Block::text(&conclusion),
+            Block::text(
+                "The beams are chains of cubic Hermite elements without shear and torsion. The residual is always exact; only the tangent \
+                 of the contact lacks a term. A step has converged when the residual and the displacement of every node are small. \
+                 `cargo run --release --example beam_problems` prints the same.",
+            ),
+        ];
+        for problem in &self.problems {
+            blocks.extend(problem.blocks());
+        }
+        blocks.extend([
+            Block::heading("What the numbers do not say"),
+            Block::list(&[
+                "The order of convergence of a step is measured from the last three increments of which rounding allows it. The factor \
+                 of the squared increment changes from iterate to iterate, so orders of single steps vary.",
+                "*Factor*: the largest increment over the square of the one before it, of increments below 1e-2 and above rounding. If \
+                 convergence is quadratic in every step, it is a constant of the problem, of the size of EA/EI: bending by an \
+                 increment strains the beam by its square. If convergence is linear, it grows without limit.",
+                "In the thin beam of the crossing centroids two iterations act as one, and every second increment is compared: the first \
+                 bends the beam, and the second removes the strain that this adds.",
+                "A run that fails may succeed with smaller steps.",
+            ]),
+            Block::heading("How it was made"),
+            Block::text(
+                "All numbers are in `beam-problems.json`, from which alone this page and its pictures are made. The problems are in \
+                 `src/teaching/chains`.",
+            ),
+            self.environment.table(Vec::new()),
+        ]);
+        Page::new("Beam problems", blocks)
+    }
+}
+
+impl BeamProblem {
+    /// The run with the exact tangent.
+    fn exact(&self) -> Option<&Iterations> {
+        self.runs.iter().find(|run| run.tangent == NOTHING)
+    }
+
+    fn blocks(&self) -> Vec<Block> {
+        let steps: Vec<Vec<String>> = self
+            .steps
+            .iter()
+            .enumerate()
+            .map(|(i, step)| {
+                let order = step.order.map_or_else(|| "-".to_owned(), |order| format!("{order:.1}"));
+                let residuals: Vec<String> = step.residuals.iter().map(|&r| error(Some(r))).collect();
+                let owner = step.owner.map(|element| (element + 1).to_string()).join(", ");
+                let force = if step.f_n > 0.0 { format!("{:.7e}", step.f_n) } else { "0".to_owned() };
+                vec![
+                    (i + 1).to_string(),
+                    step.state.clone(),
+                    owner,
+                    force,
+                    plain(step.friction),
+                    order,
+                    residuals.join(" "),
+                ]
+            })
+            .collect();
+        let head = ["#step", "state", "elements", "#F_N", "#|T|/F_N", "#order", "residuals"];
+        let runs = self.runs.iter().map(|run| {
+            let [iterations, sum] = run.cells();
+            let factor = run.quadratic_factor.map_or_else(|| "-".to_owned(), |factor| error(Some(factor)));
+            vec![format!("`{}`", run.tangent), iterations, sum, factor]
+        });
+        let mut blocks = vec![Block::heading(&self.name)];
+        let order =
+            self.order.map(|order| format!(" Over all steps its order of convergence is {order:.2}."));
+        blocks.push(Block::text(&format!(
+            "mu = {}, EA/EI = {}. The exact tangent needs {} iterations.{}",
+            self.mu,
+            plain(self.stiffness),
+            self.exact().map_or(0, Iterations::sum),
+            order.unwrap_or_default(),
+        )));
+        let picture = |what: &str, caption: &str, svg: String| Block::Picture {
+            file: format!("beam-problems-{}-{what}.svg", file_name(&self.name)),
+            caption: caption.to_owned(),
+            svg,
+        };
+        if !self.convergence.is_empty() {
+            blocks.push(picture(
+                "beams",
+                "Both beams, to scale, from the side and above. Dashed: earlier steps.",
+                self.beams_to_svg(),
+            ));
+            blocks.push(picture(
+                "newton",
+                "One step that begins at the exact equilibrium. A tangent with which it ends with an error is not drawn.",
+                self.newton_to_svg(),
+            ));
+        }
+        blocks.push(Block::table(
+            &["left out of the tangent", "iterations in each step with contact", "#sum", "#factor"],
+            runs.collect(),
+        ));
+        let mut details = vec![Block::table(&head, steps)];
+        if let Some(tip) = self.tip {
+            let tip = tip.map(|x| format!("{x:.10e}")).join(", ");
+            details.push(Block::text(&format!("The tip of the beam moves by ({tip}).")));
+        }
+        blocks.push(Block::details("The steps with the exact tangent", details));
+        blocks
+    }
+}
