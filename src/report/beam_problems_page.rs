@@ -52,11 +52,14 @@ impl BeamProblems {
                  increment strains the beam by its square. If convergence is linear, it grows without limit.",
                 "In the thin beam of the crossing centroids two iterations act as one, and every second increment is compared: the first \
                  bends the beam, and the second removes the strain that this adds.",
+                "A residual that is small once need not stay small. The crossed beams are symmetric, and without some terms each iteration \
+                 amplifies what is not: rounding grows until the beams leave the equilibrium. A test of the residual alone would \
+                 have ended before.",
                 "A run that fails may succeed with smaller steps.",
             ]),
             Block::heading("How it was made"),
             Block::text(
-                "All numbers are in `beam-problems.json`, from which alone this page and its pictures are made. The problems are in \
+                "All numbers, and why a run ended, are in `beam-problems.json`, from which alone this page and its pictures are made. The problems are in \
                  `src/teaching/chains`.",
             ),
             self.environment.table(Vec::new()),

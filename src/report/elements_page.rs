@@ -32,7 +32,7 @@ impl Elements {
                 .iter()
                 .flat_map(|runs| [&runs.derivative, &runs.published].map(|run| (&runs.problem, run)))
                 .filter_map(|(problem, run)| {
-                    let why = run.stopped.as_ref()?;
+                    let why = run.stopped.as_ref()?.split(':').next()?;
                     Some(format!("{}, {problem}, {}: {why}.", of.name, run.tangent))
                 })
         });
@@ -82,6 +82,10 @@ impl Elements {
                 newton.collect(),
             ),
             Block::List(reasons.collect()),
+            Block::text(
+                "Where the smallest residual is rounding, the step was solved, and the tangent then amplified rounding until the beams left \
+                 the equilibrium. A test of the residual alone would have ended before.",
+            ),
             Block::heading("How it was made"),
             Block::text(
                 "The pairs are two bent Hermite beams of length 2 that cross at 20 to 160 degrees and penetrate by up to half a radius. Slips \

@@ -26,14 +26,17 @@ impl Iterations {
     /// Solves a problem whose first `open` steps are without contact.
     pub(super) fn of(problem: &Problem, open: usize, name: &str, tangent: Tangent) -> Self {
         let mut steps = Vec::new();
-        let mut factor: f64 = 0.0;
+        let (mut factor, mut smallest): (f64, f64) = (0.0, f64::INFINITY);
         let solved = problem.solve_each(tangent, |step, _| {
             steps.push((step.residuals.len(), step.converged));
+            smallest = step.residuals.iter().copied().fold(f64::INFINITY, f64::min);
             factor = factor.max(quadratic_factor(std::slice::from_ref(step), NEAR, problem.rounding));
         });
         let stopped = match (solved, steps.last()) {
             (Err(error), _) => Some(error.to_string()),
-            (Ok(()), Some((iterations, false))) => Some(format!("no convergence in {iterations} iterations")),
+            (Ok(()), Some((iterations, false))) => Some(format!(
+                "no convergence in {iterations} iterations; the smallest residual is {smallest:.1e}"
+            )),
             _ => None,
         };
         let iterations =

@@ -87,8 +87,6 @@ impl Published {
         let published = match self {
             Self::FourC => -without_friction::stiffness(pair),
             Self::FourCBasic => terms.without(Term::NormalHessian),
-            // In stick its tangent is exact.
-            Self::Giraffe if terms.state == State::Stick => exact.clone(),
             Self::Giraffe => terms.without(Term::Direction),
             Self::Lagged => terms.lagged(),
         };

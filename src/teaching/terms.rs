@@ -25,9 +25,11 @@ enumeration! {
         Projection => "motion of the closest point",
         /// K_T.
         Friction => "K_T, all of friction",
-        /// A ∇Fᵀ + Ā ∇F̄ᵀ at constant F_N: in stick all of it, in slip μ F_N (A ∇mᵀ + Ā ∇m̄ᵀ).
-        Direction => "A grad F' at constant F_N",
-        /// The change of the angle between the tangents, ∇c, in that term.
+        /// A ∇Fᵀ + Ā ∇F̄ᵀ in stick.
+        Elastic => "A grad F' in stick",
+        /// μ F_N (A ∇mᵀ + Ā ∇m̄ᵀ) in slip: A ∇Fᵀ + Ā ∇F̄ᵀ at constant F_N.
+        Direction => "mu F_N A grad m' in slip",
+        /// The change of the angle between the tangents, ∇c, in these terms.
         Angle => "grad c in grad F",
         /// μ (m A + m̄ Ā) ∇F_Nᵀ in slip.
         Cone => "mu (m A + m_bar A_bar) grad F_N'",
@@ -213,7 +215,7 @@ impl Terms {
         let friction = &direction + &cone + &stretch + &hessian + &paper;
         matrices.extend([
             (Term::Friction, friction),
-            (Term::Direction, direction),
+            (if slips { Term::Direction } else { Term::Elastic }, direction),
             (Term::Angle, angle),
             (Term::Cone, cone),
             (Term::Stretch, stretch),
