@@ -51,7 +51,7 @@ pub use elements::{ElementErrors, ElementRuns, Elements, PublishedElement, eleme
 pub use environment::Environment;
 pub use equations::Equations;
 pub use error::ReportError;
-pub use explain::{Explain, ExplainProgram, ExplainSample, NamingCount, NotFirst, explain};
+pub use explain::{Explain, ExplainProgram, ExplainSample, KindCount, NamingCount, NotFirst, explain};
 pub use faults::Faults;
 pub use front_page::front_page;
 pub use newton::Iterations;

@@ -2,6 +2,7 @@
 
 use super::{Environment, Record, ReportError};
 use crate::check::external::{ExplainedFault, Naming, Programs, explained_faults};
+use crate::variant::Kind;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -27,8 +28,14 @@ pub struct ExplainProgram {
     pub faults: usize,
     /// The kind of answers.
     pub answers: String,
+    /// The significant digits of the answers; none if they have all.
+    #[serde(default)]
+    pub digits: Option<u8>,
     /// The number of programs for each quality of naming.
     pub counts: Vec<NamingCount>,
+    /// The same by the kind of the fault, if there is one.
+    #[serde(default)]
+    pub kinds: Vec<KindCount>,
     /// The programs whose faults are detected, but not named first alone.
     pub others: Vec<NotFirst>,
     /// The largest number of explanations that are named together.
@@ -44,6 +51,23 @@ pub struct NamingCount {
     pub naming: String,
     /// The number of programs.
     pub programs: usize,
+}
+
+/// The programs whose fault is of one kind.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct KindCount {
+    /// The kind of the fault.
+    pub kind: String,
+    /// The number of programs for each quality of naming.
+    pub counts: Vec<NamingCount>,
+}
+
+impl KindCount {
+    /// The number of programs with one of these qualities of naming.
+    pub fn count(&self, namings: &[Naming]) -> usize {
+        let is_asked = |of: &&NamingCount| namings.iter().any(|naming| naming.name() == of.naming);
+        self.counts.iter().filter(is_asked).map(|of| of.programs).sum()
+    }
 }
 
 /// A program whose faults are not named first alone.
@@ -70,11 +94,20 @@ impl Record for Explain {
 }
 
 impl ExplainProgram {
-    fn new(faults: usize, answers: &str, found: &[ExplainedFault]) -> Self {
+    fn new(faults: usize, answers: &str, digits: Option<u8>, found: &[ExplainedFault]) -> Self {
         let found: Vec<_> = found.iter().filter(|of| of.faults.len() == faults).collect();
         let of = |naming: Naming| found.iter().filter(move |of| of.naming == naming);
-        let counts = Naming::ALL
-            .map(|naming| NamingCount { naming: naming.name().to_owned(), programs: of(naming).count() });
+        let counted = |is_asked: &dyn Fn(&ExplainedFault) -> bool| {
+            Naming::ALL.map(|naming| NamingCount {
+                naming: naming.name().to_owned(),
+                programs: of(naming).filter(|of| is_asked(of)).count(),
+            })
+        };
+        let counts = counted(&|_| true);
+        let kind = |kind: Kind| KindCount {
+            kind: kind.name().to_owned(),
+            counts: counted(&|of| of.faults[0].kind == kind).to_vec(),
+        };
         let is_other = |of: &&&ExplainedFault| !matches!(of.naming, Naming::First | Naming::Undetected);
         let others = found.iter().filter(is_other).map(|of| NotFirst {
             fault: of.faults.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and "),
@@ -87,7 +120,9 @@ impl ExplainProgram {
         Self {
             faults,
             answers: answers.to_owned(),
+            digits,
             counts: counts.to_vec(),
+            kinds: if faults == 1 { Kind::ALL.map(kind).to_vec() } else { Vec::new() },
             others: others.collect(),
             largest_set: found.iter().map(|of| of.named.len()).max().unwrap_or(0),
             largest_left: rounded(left),
@@ -140,7 +175,7 @@ impl Explain {
             [1, 2]
                 .into_iter()
                 .filter(of_faults)
-                .map(|n| ExplainProgram::new(n, answers, &found))
+                .map(|n| ExplainProgram::new(n, answers, digits, &found))
                 .collect::<Vec<_>>()
         });
         Self {

@@ -1,6 +1,6 @@
 //! The quality of explanations as a page, from the record alone.
 
-use super::explain::{Explain, ExplainProgram};
+use super::explain::{Explain, ExplainProgram, KindCount};
 use super::number::{count, error};
 use super::page::{Block, Page};
 use crate::check::external::Naming;
@@ -43,6 +43,7 @@ impl Explain {
                  the faults alone are named.",
             ),
         ]);
+        blocks.extend(self.by_kind());
         blocks.extend([
             Block::heading("How it was made"),
             Block::text("All numbers are in `explain.json`, from which alone this page is made. It lists the programs whose faults are not \
@@ -50,6 +51,31 @@ impl Explain {
             self.environment.table(vec![("seed", format!("{:#x}", self.seed))]),
         ]);
         Page::new("Explanations", blocks)
+    }
+
+    /// How often the fault is named, by its kind and by the digits of the answers.
+    fn by_kind(&self) -> Vec<Block> {
+        let programs: Vec<&ExplainProgram> = self.programs.iter().filter(|of| !of.kinds.is_empty()).collect();
+        let Some(first) = programs.first() else { return Vec::new() };
+        let of_program = |program: &&ExplainProgram| {
+            let digits = program.digits.map_or_else(|| "all digits".to_owned(), |n| format!("{n} digits"));
+            COLUMNS.map(|(words, _)| format!("#{words}, {digits}"))
+        };
+        let head: Vec<String> =
+            std::iter::once("kind".to_owned()).chain(programs.iter().flat_map(of_program)).collect();
+        let row = |(k, kind): (usize, &KindCount)| {
+            let counts = programs.iter().flat_map(|program| {
+                COLUMNS.map(|(_, namings)| count(program.kinds[k].count(namings) as u64))
+            });
+            std::iter::once(kind.kind.clone()).chain(counts).collect()
+        };
+        vec![
+            Block::heading("By kind of error"),
+            Block::text(
+                "Programs with one fault, by its kind and by the digits of their answers. *Named*: first or equivalent.",
+            ),
+            Block::table(&head, first.kinds.iter().enumerate().map(row).collect()),
+        ]
     }
 
     /// The frequency with which faults that change an answer are named.
@@ -90,6 +116,13 @@ impl Explain {
         )
     }
 }
+
+/// The columns of the table by kind.
+const COLUMNS: [(&str, &[Naming]); 3] = [
+    ("named", &[Naming::First, Naming::Equivalent]),
+    ("among", &[Naming::Among]),
+    ("other or none", &[Naming::Other, Naming::None]),
+];
 
 impl ExplainProgram {
     fn row(&self) -> Vec<String> {

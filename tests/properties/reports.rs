@@ -1,6 +1,7 @@
 //! The reports state what was found and measured, and nothing else.
 
 use crate::program::guides;
+use beamgap::check::external::Naming;
 use beamgap::check::{self, CheckConfig, Regime, Selection};
 use beamgap::equations;
 use beamgap::faults::{Check, Operations};
@@ -46,6 +47,12 @@ fn committed_pages_are_what_the_committed_records_render_to() {
     is_committed("symbols.md", &symbols().to_markdown());
     let explain = Explain::from_json(&committed("explain.json")).unwrap();
     is_committed("explain.md", &explain.page().to_markdown());
+    for program in explain.programs.iter().filter(|program| !program.kinds.is_empty()) {
+        for naming in Naming::ALL {
+            let of_kinds: usize = program.kinds.iter().map(|kind| kind.count(&[naming])).sum();
+            assert_eq!(of_kinds, program.count(naming), "{}", naming.name());
+        }
+    }
     let verified = Verify::from_json(&committed("verify.json")).unwrap();
     is_committed("verify.md", &verified.page().to_markdown());
     is_committed("beams.svg", &picture().unwrap());
