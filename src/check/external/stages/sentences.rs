@@ -27,23 +27,21 @@ pub(super) fn number(equation: &Equation) -> String {
     if equation.number.is_empty() { String::new() } else { format!(" {}", equation.number) }
 }
 
-/// The readings of what was found of a sum of an equation; `triangle` is the part of the Hessian that was computed.
+/// The readings of what was found of a sum of an equation; `which` are the entries that are wrong.
 pub(super) fn of_status(
     equation: &Equation,
     status: &Status,
     points: &[Point],
     (wrong, right): &Cases,
-    triangle: &str,
+    which: &str,
 ) -> Vec<Reading> {
     let subject = result_words(equation);
-    let triangle =
-        if triangle.is_empty() { String::new() } else { format!(", in the entries {triangle} the diagonal") };
     match status {
         Status::Right | Status::Unknown => Vec::new(),
-        Status::WrongForm(words) => {
+        Status::Stated(words) => {
             let name = format!("{subject}: {words}");
             vec![Reading {
-                words: format!("in {name}{}", scope(points, wrong, right)),
+                words: format!("in {name}{which}{}", scope(points, wrong, right)),
                 names: vec![name],
                 coefficient: None,
             }]
@@ -59,7 +57,7 @@ pub(super) fn of_status(
                     _ => None,
                 };
                 let words = format!(
-                    "in {subject} {}{triangle}{scope}",
+                    "in {subject} {}{which}{scope}",
                     each(&cause.number.map_or_else(|| number(equation), |of| format!(" {of}"))).join(" and ")
                 );
                 Reading { names: each(""), words, coefficient }
@@ -70,10 +68,10 @@ pub(super) fn of_status(
 }
 
 /// The number of readings that are told.
-const READINGS: usize = 4;
+pub(super) const READINGS: usize = 4;
 
 /// An error of an equation with this number, which is left out if it is empty.
-fn of_row(number: &str, row: &Row, by: f64) -> String {
+pub(super) fn of_row(number: &str, row: &Row, by: f64) -> String {
     let of_equation = if number.is_empty() { String::new() } else { format!(", eq.{number},") };
     match &row.what {
         What::Replaced { of, words } if of.is_empty() => {
