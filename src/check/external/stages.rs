@@ -10,7 +10,6 @@
 //! made of. A wrong Hessian whose one triangle was computed and mirrored is compared entry by entry.
 
 mod condition;
-mod entries;
 mod equations;
 mod inputs;
 mod judgement;
@@ -20,15 +19,12 @@ mod sample;
 mod search;
 mod sentences;
 mod terms;
-mod unanswered;
 mod words;
 
 use super::answers::Answers;
 use super::compare::Demands;
 use super::vectors::Vector;
-use crate::number::RunningError;
-use entries::entries;
-use equations::{CLOSEST_POINT, Equation, equations};
+use equations::{CLOSEST_POINT, equations};
 use judgement::{Cases, Status, examined, is_wrong, judged};
 use point::Point;
 use rayon::prelude::*;
@@ -94,16 +90,16 @@ pub(super) struct Reading {
     pub(super) coefficient: Option<f64>,
 }
 
-/// The number of equations in which single entries and pairs of errors are looked for.
-const UNKNOWN: usize = 2;
+/// The number of equations in which pairs of errors are looked for.
+const WITH_PAIRS: usize = 2;
 
 /// The first equation that the answers do not satisfy, and the error that explains it; nothing if all are satisfied.
 ///
 /// Gradients and Hessians are put into the equations first, and then the variations along the directions.
 pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<Traced> {
-    let of = |along: Along, is_asked: &dyn Fn(usize) -> bool| -> Vec<Sample> {
-        let asked: Vec<_> = cases.iter().enumerate().filter(|(i, _)| is_asked(*i)).collect();
-        asked
+    let of = |along: Along| -> Vec<Sample> {
+        let numbered: Vec<_> = cases.par_iter().enumerate().collect();
+        numbered
             .into_par_iter()
             .flat_map_iter(|(i, (vector, answers))| samples(i, vector, answers, demands, along))
             .collect()
@@ -123,17 +119,10 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
     Some(first)
 }
 
-/// The samples of the cases that are asked for.
-trait Samples: Fn(Along, &dyn Fn(usize) -> bool) -> Vec<Sample> + Sync {}
-
-impl<F: Fn(Along, &dyn Fn(usize) -> bool) -> Vec<Sample> + Sync> Samples for F {}
-
 /// The same with the numbers along some of the directions.
-fn traced_along(along: Along, of: &impl Samples) -> Option<Traced> {
-    let samples = of(along, &|_| true);
-    // Numbers that are not finite follow from a division by zero or an overflow. Which one, the others do not say.
-    let is_finite = |number: &RunningError| number.value.is_finite();
-    if samples.is_empty() || !samples.iter().all(|of| of.own.iter().flatten().flatten().all(is_finite)) {
+fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Option<Traced> {
+    let samples = of(along);
+    if samples.is_empty() {
         return None;
     }
     let has_arrays = along == Along::Random;
@@ -170,92 +159,40 @@ fn traced_along(along: Along, of: &impl Samples) -> Option<Traced> {
             return Some(traced);
         }
     }
-    let search = Search { of, points: &points, has_arrays, triangles: Default::default() };
-    let mut unknown = 0;
+    let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
+    let mut with_pairs = 0;
     let of_one_error: Vec<_> =
         all_wrong.par_iter().map(|(e, cases)| examined(&equations[*e], &points, cases, false)).collect();
     for ((e, cases), mut found) in all_wrong.iter().zip(of_one_error) {
-        let (equation, is_first) = (&equations[*e], *e == wrong[0]);
-        let mut which = String::new();
-        if !is_known(&found) && is_first {
-            traced.causes = unanswered::found(equation, &samples);
-            if !traced.causes.is_empty() {
-                continue;
+        let (equation, mut words_of_triangle) = (&equations[*e], "");
+        let in_entries = || {
+            let is_matrix = has_arrays && equation.results.iter().all(|(_, part)| *part == 3);
+            entries.iter().filter(|_| is_matrix).find_map(|(along, samples)| {
+                let points: Vec<Point> = samples.get_or_init(|| of(*along)).iter().map(Point::new).collect();
+                let cases = judged(equation, &points);
+                let mut found = examined(equation, &points, &cases, false);
+                if !is_known(&found) && found.iter().any(|of| matches!(of, Status::Explained(_))) {
+                    found = examined(equation, &points, &cases, true);
+                }
+                let words = if *along == Along::Lower { "below" } else { "above" };
+                is_known(&found).then_some((found, words))
+            })
+        };
+        if !is_known(&found) {
+            if let Some(in_entries) = in_entries() {
+                (found, words_of_triangle) = in_entries;
+            } else if with_pairs < WITH_PAIRS {
+                with_pairs += 1;
+                found = examined(equation, &points, cases, true);
             }
         }
-        if !is_known(&found) {
-            let is_tried = unknown < UNKNOWN;
-            unknown += 1;
-            let place = if is_first { &mut traced.place } else { &mut String::new() };
-            (found, which) = search.beyond_terms(equation, cases, is_tried, place).unwrap_or((found, which));
-        }
-        let readings: Vec<_> =
-            found.iter().map(|status| of_status(equation, status, &points, cases, &which)).collect();
-        traced.add(&found, readings, is_first);
+        let readings: Vec<_> = found
+            .iter()
+            .map(|status| of_status(equation, status, &points, cases, words_of_triangle))
+            .collect();
+        traced.add(&found, readings, *e == wrong[0]);
     }
     Some(traced)
-}
-
-/// What was found of the sums of an equation, and in which entries, as the end of a sentence.
-type Found = (Vec<Status>, String);
-
-/// The search for what is wrong in equations that one error does not explain.
-struct Search<'a, S> {
-    of: &'a S,
-    points: &'a [Point<'a>],
-    has_arrays: bool,
-    /// The entries below the diagonal of Hessians, and those above it.
-    triangles: [OnceCell<Vec<Sample>>; 2],
-}
-
-impl<S: Samples> Search<'_, S> {
-    /// Looks for an error in some entries alone, and for pairs of errors. The entries that are wrong are added to `place`.
-    fn beyond_terms(
-        &self,
-        equation: &Equation,
-        cases: &Cases,
-        is_tried: bool,
-        place: &mut String,
-    ) -> Option<Found> {
-        if let Some(found) = self.in_triangle(equation, false) {
-            return Some(found);
-        }
-        if !is_tried {
-            return None;
-        }
-        let of_entries = self.has_arrays.then(|| entries(equation, &cases.0, self.of)).flatten();
-        match of_entries {
-            Some(of_entries) if is_known(&of_entries.found) => {
-                return Some((of_entries.found, of_entries.which));
-            }
-            Some(of_entries) => *place += &of_entries.which,
-            None => {}
-        }
-        let in_triangle = self.in_triangle(equation, true);
-        Some(in_triangle.unwrap_or_else(|| (examined(equation, self.points, cases, true), String::new())))
-    }
-
-    /// The errors that explain the entries of one triangle, if these are known. The other triangle may be its mirror image.
-    fn in_triangle(&self, equation: &Equation, with_pairs: bool) -> Option<Found> {
-        if !self.has_arrays || !equation.results.iter().all(|(_, part)| *part == 3) {
-            return None;
-        }
-        let mut triangles =
-            [(Along::Lower, "below"), (Along::Upper, "above")].into_iter().zip(&self.triangles);
-        triangles.find_map(|((along, words), samples)| {
-            let samples = samples.get_or_init(|| (self.of)(along, &|_| true));
-            let points: Vec<Point> = samples.iter().map(Point::new).collect();
-            let cases = judged(equation, &points);
-            let mut found = examined(equation, &points, &cases, false);
-            let is_near = found.iter().any(|of| matches!(of, Status::Explained(_)));
-            if with_pairs && is_near && !is_known(&found) {
-                found = examined(equation, &points, &cases, true);
-            }
-            // If this triangle is right, the other one is no mirror image of it.
-            let is_wrong = found.iter().any(|of| !matches!(of, Status::Right));
-            (is_wrong && is_known(&found)).then(|| (found, format!(", in the entries {words} the diagonal")))
-        })
-    }
 }
 
 fn is_known(found: &[Status]) -> bool {

@@ -3,10 +3,9 @@
 use super::point::Point;
 use super::terms::Vector;
 use crate::contact::State;
-use std::borrow::Cow;
 
-/// A statement on a case or an entry: its words, the words of its opposite, and whether it holds.
-pub(super) type Statement = (Cow<'static, str>, Cow<'static, str>, bool);
+/// A statement on a case: its words, the words of its opposite, and whether it holds.
+type Statement = (&'static str, &'static str, bool);
 
 /// The maximum number of statements of a condition.
 const STATEMENTS: usize = 3;
@@ -20,7 +19,7 @@ fn statements(point: &Point) -> Vec<Statement> {
     let is_parallel = cross.norm() < 0.1 * t.norm() * t_bar.norm();
     let friction = s.element.as_ref().and_then(|element| element.friction.as_ref());
     let is = |state| friction.is_some_and(|of| of.state == state);
-    let all = [
+    vec![
         ("the contact slips", "the contact does not slip", is(State::Slip)),
         ("the contact sticks", "the contact does not stick", is(State::Stick)),
         (
@@ -50,26 +49,21 @@ fn statements(point: &Point) -> Vec<Statement> {
             side * angle < 0.0,
         ),
         ("the gap is closed", "the gap is open", d.norm() < s.contact.radius + s.contact.radius_bar),
-    ];
-    all.into_iter().map(|(words, opposite, holds)| (words.into(), opposite.into(), holds)).collect()
+    ]
 }
 
 /// The fewest statements that hold at the wrong cases, and at no right one all of them.
 pub(super) fn condition(points: &[Point], wrong: &[usize], right: &[usize]) -> Option<String> {
     let of = |case: &usize| points.iter().find(|point| point.sample.case == *case).map(statements);
-    let [wrong, right] = [wrong, right].map(|cases| cases.iter().filter_map(of).collect::<Vec<_>>());
-    fewest(&wrong, &right)
-}
-
-/// The fewest statements that hold at all of the wrong ones, and at no right one all of them.
-pub(super) fn fewest(wrong: &[Vec<Statement>], right: &[Vec<Statement>]) -> Option<String> {
+    let wrong: Vec<Vec<Statement>> = wrong.iter().filter_map(of).collect();
+    let right: Vec<Vec<Statement>> = right.iter().filter_map(of).collect();
     let first = wrong.first()?;
     let is_common = |k: &usize| wrong.iter().all(|of| of[*k].2 == first[*k].2);
     let common: Vec<usize> = (0..first.len()).filter(is_common).collect();
     let found = (1..=STATEMENTS)
         .find_map(|count| separating(&common, count, &|k| first[k].2, &right.iter().collect::<Vec<_>>()))?;
-    let words = |k: usize| if first[k].2 { &first[k].0 } else { &first[k].1 };
-    Some(found.into_iter().map(|k| words(k).as_ref()).collect::<Vec<_>>().join(" and "))
+    let words = |k: usize| if first[k].2 { first[k].0 } else { first[k].1 };
+    Some(found.into_iter().map(words).collect::<Vec<_>>().join(" and "))
 }
 
 /// So many of these statements, of which at least one does not hold as at the wrong cases at each of the others.

@@ -13,9 +13,9 @@ use super::terms::{
 };
 use crate::linearization::Quantity;
 use Quantity::{D, DVector, GN, GT, GTBar, T, TBar, TBarVector, TVector, X, XBar, Xi, XiBar};
-use distance::{everywhere, general, normal, printed, symmetric};
+use distance::{general, normal, printed, symmetric};
 use system::{held, r_first, r_second, system};
-use variations::{d, delta_d, delta_t, delta_x, exchanged, exchanged_second, of, second, second_d, t};
+use variations::{d, delta_d, delta_t, delta_x, of, second, second_d, t};
 
 /// An equation, or a system of equations.
 #[derive(Clone, Debug)]
@@ -112,8 +112,7 @@ impl List {
         }
         let c = vector(Vector::Cross);
         let normal = [numbers(1.0, &[of(D, 0), Number::Length(Vector::Cross)]), scaled(-1.0, &dot(&c, &d()))];
-        let forms =
-            [length(D, Vector::D), normal.concat(), square(D, Vector::D)].map(|terms| vec![Zero::of(terms)]);
+        let forms = [length(D, Vector::D), normal.concat()].map(|terms| vec![Zero::of(terms)]);
         self.add(&[(D, 0)], "(1)", At::All, forms.to_vec());
         let radii = [0, 1].map(|beam| numbers(1.0, &[Number::Radius(beam)]));
         let gap = [numbers(1.0, &[of(GN, 0)]), numbers(-1.0, &[of(D, 0)]), radii.concat()];
@@ -136,10 +135,7 @@ impl List {
             [numbers(1.0, &[of(D, 0), of(D, part)]), scaled(-1.0, &tag("d.du_hat", dot(&d(), &u_hat)))];
         let along_n =
             [numbers(1.0, &[c_length, of(D, part)]), scaled(-1.0, &tag("n.du_hat", dot(&c, &u_hat)))];
-        // Also where d is not normal to the tangents, because the curves of a program are wrong.
-        let along_all =
-            [numbers(1.0, &[of(D, 0), of(D, part)]), scaled(-1.0, &tag("d.dd", dot(&d(), &delta_d(side))))];
-        let forms = [along_d, along_n, along_all].map(|terms| vec![Zero::of(terms.concat())]);
+        let forms = [along_d, along_n].map(|terms| vec![Zero::of(terms.concat())]);
         self.add(&[(D, part)], "(37)", At::All, forms.to_vec());
         self.one((GN, part), "(18)", &[numbers(1.0, &[of(GN, part)]), numbers(-1.0, &[of(D, part)])]);
     }
@@ -149,20 +145,10 @@ impl List {
         let r = [r_second(0), r_second(1)];
         self.0.extend([0, 1].map(|beam| held(beam, 3, "(55)", &r)));
         self.0.extend(system(3, "(55)", &r));
-        let mut extras = exchanged(-1.0, ["dd", "Dd"]);
-        extras.extend(exchanged_second(-1.0, Vector::D, [0, 0]));
-        extras.extend(exchanged_second(1.0, Vector::D, [1, 0]));
-        let with_products = |terms| Zero { extras: extras.clone(), ..Zero::of(terms) };
-        let forms = [
-            Zero::of(symmetric()),
-            with_products(general()),
-            Zero::of(printed()),
-            Zero::of(normal()),
-            with_products(everywhere()),
-        ];
-        self.add(&[(D, 3)], "(40)", At::Free, forms.map(|zero| vec![zero]).to_vec());
+        let forms = [symmetric(), general(), printed(), normal()].map(|terms| vec![Zero::of(terms)]);
+        self.add(&[(D, 3)], "(40)", At::Free, forms.to_vec());
         let by_system = Zero { number: Some("(40)"), ..Zero::of(symmetric()) };
-        self.add(&[(D, 3)], "(39)", At::SomeHeld, vec![vec![with_products(general())], vec![by_system]]);
+        self.add(&[(D, 3)], "(39)", At::SomeHeld, vec![vec![Zero::of(general())], vec![by_system]]);
         self.one((GN, 3), "(19)", &[numbers(1.0, &[of(GN, 3)]), numbers(-1.0, &[of(D, 3)])]);
     }
 
@@ -199,8 +185,7 @@ impl List {
     /// The length of a tangent, eq. (41) and (42).
     fn tangent(&mut self, beam: Beam) {
         let (quantity, v) = (LENGTH[beam], Vector::T(beam, 0));
-        let forms = [length(quantity, v), square(quantity, v)].map(|terms| vec![Zero::of(terms)]);
-        self.add(&[(quantity, 0)], "(6)", At::All, forms.to_vec());
+        self.one((quantity, 0), "(6)", &[length(quantity, v)]);
         for side in 0..2 {
             let first = tag(["t.dt", "t_bar.dt_bar"][beam], dot(&vector(v), &delta_t(side, beam)));
             let terms = [numbers(1.0, &[of(quantity, 0), of(quantity, 1 + side)]), scaled(-1.0, &first)];
@@ -216,11 +201,7 @@ impl List {
             scaled(-1.0, &tag(["t.Ddt", "t_bar.Ddt_bar"][beam], rest)),
             scaled(-1.0, &tag(["t.t,xi Ddxi", "t_bar.t_bar,xi Ddxi_bar"][beam], curved)),
         ];
-        let products = [["dt", "Dt"], ["dt_bar", "Dt_bar"]][beam];
-        let mut extras = exchanged(-1.0, products);
-        extras.extend(exchanged_second(-1.0, v, [beam, 1]));
-        let zero = Zero { extras, ..Zero::of(terms.concat()) };
-        self.add(&[(quantity, 3)], "(42)", At::All, vec![vec![zero]]);
+        self.one((quantity, 3), "(42)", &terms);
     }
 
     /// A slip, eq. (15), (20) and (21).
@@ -269,12 +250,6 @@ impl List {
 fn length(quantity: Quantity, v: Vector) -> Terms {
     let squared = dot(&vector(v), &vector(v));
     [numbers(1.0, &[of(quantity, 0), Number::Length(v)]), scaled(-1.0, &squared)].concat()
-}
-
-/// The square of the length of a vector.
-fn square(quantity: Quantity, v: Vector) -> Terms {
-    let squared = dot(&vector(v), &vector(v));
-    [numbers(1.0, &[of(quantity, 0), of(quantity, 0)]), scaled(-1.0, &squared)].concat()
 }
 
 /// All equations in the order of evaluation. Those of the second direction of first variations are left out if `has_arrays`,

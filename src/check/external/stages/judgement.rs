@@ -30,8 +30,8 @@ pub(super) struct Cause {
 pub(super) enum Status {
     /// It is zero.
     Right,
-    /// What is wrong, in words: the numbers satisfy another equation, which is not valid there.
-    Stated(String),
+    /// The numbers satisfy another equation, which is not valid there.
+    WrongForm(&'static str),
     /// An error explains the numbers.
     Explained(Cause),
     /// No error does.
@@ -43,7 +43,7 @@ impl Status {
     fn cost(&self) -> u32 {
         match self {
             Self::Right => 0,
-            Self::Stated(_) => 1,
+            Self::WrongForm(_) => 1,
             Self::Explained(cause) => {
                 1 + u32::from(!cause.everywhere)
                     + 3 * u32::from(cause.readings[0].len() > 1)
@@ -89,27 +89,6 @@ pub(super) fn judged(equation: &Equation, points: &[Point]) -> Cases {
     (wrong, right)
 }
 
-/// The residual of an equation at each case over its rounding, in the form and with the earlier numbers for which it is
-/// smallest. Nothing at a case where it is not used.
-pub(super) fn excess(equation: &Equation, points: &[Point], count: usize) -> Vec<Option<f64>> {
-    let mut smallest: Vec<Option<f64>> = vec![None; count];
-    let is_valid = |form: &&Vec<Zero>| form.iter().all(|zero| zero.is_wrong_form.is_none());
-    for earlier in [Earlier::Own, Earlier::Exact] {
-        for form in equation.forms.iter().filter(is_valid) {
-            let mut largest: Vec<Option<f64>> = vec![None; count];
-            for (case, excess) in
-                form.iter().flat_map(|zero| System::new(equation, zero, points, earlier).excess())
-            {
-                largest[case] = Some(largest[case].map_or(excess, |known| known.max(excess)));
-            }
-            for (smallest, largest) in smallest.iter_mut().zip(largest) {
-                *smallest = smallest.map_or(largest, |known| Some(largest.map_or(known, |of| known.min(of))));
-            }
-        }
-    }
-    smallest
-}
-
 /// Whether an equation is wrong. One case may be wrong by chance.
 pub(super) fn is_wrong(wrong: &[usize], right: &[usize]) -> bool {
     wrong.len() > 1 || (!wrong.is_empty() && right.is_empty())
@@ -130,7 +109,7 @@ pub(super) fn examined(
     for form in &equation.forms {
         if let Some(words) = form[0].is_wrong_form {
             if form.iter().all(|zero| examination.is_right(zero, &[Earlier::Own])) {
-                return vec![Status::Stated(words.to_owned())];
+                return vec![Status::WrongForm(words)];
             }
             continue;
         }

@@ -1,8 +1,8 @@
 //! The values of terms at a sample.
 
 use super::sample::Sample;
-use super::terms::{Beam, Earlier, Factor, Number, Reading, Side, Term, Vector};
-use crate::linearization::{COMPONENTS, Quantity};
+use super::terms::{Beam, Earlier, Factor, Number, Reading, Term, Vector};
+use crate::linearization::Quantity;
 use crate::number::{Real, RunningError};
 use nalgebra::Vector3;
 
@@ -23,9 +23,7 @@ pub(super) fn place(of: Vector) -> Option<usize> {
         Vector::Mixed(beam, order) => 21 + 2 * beam + order,
         Vector::Axis(axis) => 25 + axis,
         Vector::Cross => 28,
-        Vector::Normal | Vector::OtherAxis(..) | Vector::OtherShape(..) | Vector::Permuted(..) => {
-            return None;
-        }
+        Vector::Permuted(..) => return None,
     })
 }
 
@@ -33,8 +31,6 @@ pub(super) fn place(of: Vector) -> Option<usize> {
 #[derive(Clone, Debug)]
 pub(super) struct Point<'a> {
     pub(super) sample: &'a Sample,
-    /// The numbers of the program, and those that follow from them.
-    pub(super) own: [[Option<RunningError>; 4]; COMPONENTS],
     vectors: Vec<Vector3<RunningError>>,
     dots: Vec<RunningError>,
 }
@@ -65,7 +61,7 @@ impl<'a> Point<'a> {
                 (dots[i * VECTORS + j], dots[j * VECTORS + i]) = (dot, dot);
             }
         }
-        Self { sample, own: sample.own, vectors, dots }
+        Self { sample, vectors, dots }
     }
 
     pub(super) fn vector(&self, of: Vector) -> Vector3<RunningError> {
@@ -74,20 +70,8 @@ impl<'a> Point<'a> {
                 let v = self.vectors[of];
                 Vector3::from_fn(|c, _| v[order[c]])
             }
-            Vector::Normal => self.vectors[0] * (exact(1.0) / self.dots[0].sqrt()),
-            Vector::OtherAxis(side, beam, order) => self.slipped([side, 1 - side], beam, order),
-            Vector::OtherShape(side, beam, order) => self.slipped([1 - side, side], beam, order),
             _ => self.vectors[place(of).unwrap_or(0)],
         }
-    }
-
-    /// The shape function of the dof of one direction, along the axis of that of a direction; zero if the directions are no
-    /// single dofs.
-    fn slipped(&self, [shape, axis]: [Side; 2], beam: Beam, order: usize) -> Vector3<RunningError> {
-        let has_axes = self.sample.nodes.iter().all(|nodes| !nodes.is_empty());
-        let along = self.sample.dofs.filter(|_| has_axes).map(|dofs| dofs[axis].number % 3);
-        let size = self.vector(Vector::U(shape, beam, order)).sum();
-        Vector3::from_fn(|c, _| if Some(c) == along { size } else { exact(0.0) })
     }
 
     fn dot(&self, v: Vector, w: Vector) -> RunningError {
@@ -105,7 +89,7 @@ impl<'a> Point<'a> {
         Some(match of {
             Number::Of(quantity, part) => {
                 let at = quantity.component();
-                let own = self.own[at][part];
+                let own = sample.own[at][part];
                 if reading.results.contains(&(quantity, part)) {
                     own?
                 } else if reading.earlier == Earlier::Own {
@@ -114,7 +98,7 @@ impl<'a> Point<'a> {
                     sample.exact[at][part]
                 }
             }
-            Number::Component(quantity, axis, part) => self.own[quantity.component() + axis][part]?,
+            Number::Component(quantity, axis, part) => sample.own[quantity.component() + axis][part]?,
             Number::Length(of) => self.dot(of, of).sqrt(),
             Number::Radius(beam) => exact([sample.contact.radius, sample.contact.radius_bar][beam]),
             Number::Moved(beam, of) => self.number(Number::Of(beam_of(beam), 0), reading)? - reference(of),
@@ -132,7 +116,6 @@ impl<'a> Point<'a> {
             Factor::Entry(v, i, w, j) => self.vector(v)[i] * self.vector(w)[j],
             Factor::Number(number) => self.number(number, reading)?,
             Factor::SizeOf(number) => size(self.number(number, reading)?),
-            Factor::Inverse(number) => exact(1.0) / self.number(number, reading)?,
             Factor::Power(of, n) => {
                 let length = self.number(Number::Of(of, 0), reading)?;
                 let power = (1..n.abs()).fold(length, |power, _| power * length);

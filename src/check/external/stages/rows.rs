@@ -48,10 +48,6 @@ pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
         }
     }
     in_both(form, &mut rows);
-    // In the second order of d these terms vanish with the first order of xi.
-    if results.iter().all(|(quantity, part)| *part == 3 && *quantity != Quantity::D) {
-        fixed(form, &mut rows);
-    }
     for group in &groups {
         replaced(group, &mut rows);
     }
@@ -141,27 +137,6 @@ fn in_both(form: &Zero, rows: &mut Vec<Row>) {
                 what: What::Replaced { of: tag.into(), words: format!("it {words}, in both factors") },
                 terms,
             });
-        }
-    }
-}
-
-/// Parameters that are held fixed along a direction, or along both.
-fn fixed(form: &Zero, rows: &mut Vec<Row>) {
-    const BOTH: [Quantity; 2] = [Quantity::Xi, Quantity::XiBar];
-    let which: [(&[Quantity], &str); 3] =
-        [(&BOTH, "xi and xi_bar"), (&BOTH[..1], "xi"), (&BOTH[1..], "xi_bar")];
-    let along: [(&[Part], &str); 3] = [(&[2], "Delta"), (&[1], "delta"), (&[1, 2], "both directions")];
-    for (quantities, names) in which {
-        for (parts, direction) in along {
-            let is_meant = |factor: &Factor| match factor {
-                Factor::Number(Number::Of(q, p)) => quantities.contains(q) && parts.contains(p),
-                _ => false,
-            };
-            let terms = form.terms.iter().filter(|term| term.factors.iter().any(is_meant));
-            let terms = terms.map(|term| Term { coefficient: -term.coefficient, ..term.clone() }).collect();
-            let verb = if quantities.len() > 1 { "are" } else { "is" };
-            let words = format!("{names} {verb} held fixed along {direction}");
-            rows.push(Row { what: What::Replaced { of: String::new(), words }, terms });
         }
     }
 }

@@ -39,17 +39,6 @@ pub(super) enum Along {
     Lower,
     /// Entries above the diagonal.
     Upper,
-    /// Each dof by itself: the entries of gradients.
-    EachDof,
-    /// Each pair of dofs: the entries of Hessians.
-    EachEntry,
-}
-
-/// A dof: its beam, and its number there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Dof {
-    pub(super) beam: usize,
-    pub(super) number: usize,
 }
 
 /// A case along a pair of directions.
@@ -77,8 +66,6 @@ pub(super) struct Sample {
     pub(super) element: Option<Element>,
     /// The control vectors of both beams with their shape functions, if the curves have these.
     pub(super) nodes: [Vec<Node>; 2],
-    /// The dofs of the directions, if these are single dofs.
-    pub(super) dofs: Option<[Dof; 2]>,
 }
 
 /// A control vector with its shape function.
@@ -138,8 +125,6 @@ pub(super) fn samples(
         Along::Stated if is_stated => of(0).into_iter().collect(),
         Along::Random if has_arrays => (0..DIRECTIONS).filter_map(of).collect(),
         Along::Lower | Along::Upper if has_arrays => (1..=DIRECTIONS).filter_map(of).collect(),
-        Along::EachDof if has_arrays => (0..dofs(vector)).filter_map(of).collect(),
-        Along::EachEntry if has_arrays => (0..dofs(vector).pow(2)).filter_map(of).collect(),
         _ => Vec::new(),
     }
 }
@@ -150,61 +135,33 @@ fn rounding(dofs: &[f64]) -> Vector3<f64> {
     Vector3::from_fn(|c, _| f64::EPSILON / 2.0 * size(c))
 }
 
-/// The number of dofs of both beams.
-fn dofs(vector: &Vector) -> u64 {
-    vector.case.test_beams.iter().map(|beam| beam.q.len() as u64).sum()
-}
-
-/// The dofs of the k-th pair of directions, if these are single dofs. Nothing if the element does not have one of them.
-#[expect(clippy::cast_possible_truncation, reason = "a small number")]
-fn single_dofs(vector: &Vector, along: Along, k: u64, rng: &mut ChaCha8Rng) -> Option<[usize; 2]> {
-    let [n, m] = vector.case.test_beams.each_ref().map(|beam| beam.q.len());
-    let (k, size) = (k as usize, n + m);
-    let [row, column] = match along {
-        Along::EachDof => [k, k],
-        Along::EachEntry => [k / size, k % size],
-        Along::Lower | Along::Upper => {
-            // Pairs of dofs of all blocks in turn.
-            let (low, high) = [(0..n, 0..n), (n..size, n..size), (0..n, n..size)][k % 3].clone();
-            let [i, mut j] = [rng.random_range(low), rng.random_range(high.clone())];
-            if i == j {
-                j = if j + 1 < high.end { j + 1 } else { j - 1 };
-            }
-            let (i, j) = (i.min(j), i.max(j));
-            if along == Along::Lower { [j, i] } else { [i, j] }
-        }
-        Along::Stated | Along::Random => return None,
-    };
-    let directions = vector.directions();
-    let is_there = |dof: usize| directions.iter().any(|direction| direction[dof] != 0.0);
-    (is_there(row) && is_there(column)).then_some([row, column])
-}
-
-/// Two directions, each of both beams, and their dofs if they are single dofs.
-type Directions = ([[Vec<f64>; 2]; 2], Option<[Dof; 2]>);
-
 /// The directions of the case, or others that the program cannot know.
-fn directions(vector: &Vector, along: Along, k: u64) -> Option<Directions> {
+#[expect(clippy::cast_possible_truncation, reason = "a small number")]
+fn directions(vector: &Vector, along: Along, k: u64) -> [[Vec<f64>; 2]; 2] {
     let dofs = vector.case.test_beams.iter().flat_map(|beam| &beam.q);
     let seed = dofs.fold(k, |seed, dof| seed.rotate_left(7) ^ dof.to_bits());
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let [beam, bar] = &vector.case.test_beams;
-    if !matches!(along, Along::Stated | Along::Random) {
-        let both = single_dofs(vector, along, k, &mut rng)?;
+    if matches!(along, Along::Lower | Along::Upper) {
+        // Pairs of dofs of all blocks in turn.
         let (n, m) = (beam.q.len(), bar.q.len());
+        let (low, high) = [(0..n, 0..n), (n..n + m, n..n + m), (0..n, n..n + m)][k as usize % 3].clone();
+        let [mut i, mut j] = [rng.random_range(low), rng.random_range(high.clone())];
+        if i == j {
+            j = if j + 1 < high.end { j + 1 } else { j - 1 };
+        }
+        (i, j) = (i.min(j), i.max(j));
+        let [row, column] = if along == Along::Lower { [j, i] } else { [i, j] };
         let unit = |at: usize| {
             let of = |range: std::ops::Range<usize>| range.map(|i| if i == at { 1.0 } else { 0.0 }).collect();
             [of(0..n), of(n..n + m)]
         };
-        let dof =
-            |at: usize| if at < n { Dof { beam: 0, number: at } } else { Dof { beam: 1, number: at - n } };
-        return Some((both.map(unit), Some(both.map(dof))));
+        return [unit(row), unit(column)];
     }
     let mut factor =
         || if k == 0 { 1.0 } else { rng.random_range(0.5..1.5) * if rng.random() { 1.0 } else { -1.0 } };
-    let along = [[&beam.dq, &bar.dq], [&beam.linear_dq, &bar.linear_dq]]
-        .map(|both| both.map(|dq| dq.iter().map(|entry| entry * factor()).collect()));
-    Some((along, None))
+    [[&beam.dq, &bar.dq], [&beam.linear_dq, &bar.linear_dq]]
+        .map(|both| both.map(|dq| dq.iter().map(|entry| entry * factor()).collect()))
 }
 
 /// A closest point: the exact parameters and those of the program.
@@ -228,7 +185,7 @@ impl Point {
         (kind, k): (Along, u64),
     ) -> Option<Sample> {
         let Self { exact: exact_xi, own: xi, held, has_shapes, element: ref of_element } = *self;
-        let (along, dofs) = directions(vector, kind, k)?;
+        let along = directions(vector, kind, k);
         let moved: [Box<dyn AnyBeam>; 2] = std::array::from_fn(|i| {
             beams[i].with_numbers(&[
                 vector.case.test_beams[i].q.clone(),
@@ -236,15 +193,13 @@ impl Point {
                 along[1][i].clone(),
             ])
         });
-        // In a single dof the rounding of one shape function counts, and not that of a sum of many.
-        let by_dof = if dofs.is_some() { CAREFUL } else { 1.0 };
         let at = |xi: [RunningError2; 2]| {
             let of = |i: usize| {
                 let mut partial = moved[i].partial_variations(xi[i]);
                 if has_shapes[i] {
-                    let [q, delta, linear] =
+                    let by =
                         [&vector.case.test_beams[i].q, &along[0][i], &along[1][i]].map(|dofs| rounding(dofs));
-                    widen(&mut partial, &[q, by_dof * delta, by_dof * linear]);
+                    widen(&mut partial, &by);
                 }
                 partial
             };
@@ -289,7 +244,6 @@ impl Point {
             own,
             exact,
             element,
-            dofs,
             nodes: std::array::from_fn(|i| {
                 if has_shapes[i] {
                     nodes(&*beams[i], xi[i].value, [&along[0][i], &along[1][i]])

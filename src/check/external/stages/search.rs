@@ -57,12 +57,6 @@ impl<'a> System<'a> {
         cases
     }
 
-    /// The residual at each sample over the rounding of it, with the number of the case.
-    pub(super) fn excess(&self) -> Vec<(usize, f64)> {
-        let of = |(point, r): (&&Point, &RunningError)| (point.sample.case, r.value.abs() / r.bound);
-        self.points.iter().zip(&self.residuals).map(of).collect()
-    }
-
     pub(super) fn retain(&mut self, keep: impl Fn(usize) -> bool) {
         let keep: Vec<bool> = self.points.iter().map(|point| keep(point.sample.case)).collect();
         let mut flags = keep.iter();
@@ -115,10 +109,6 @@ impl<'a> System<'a> {
         }
         let factor = -residual.value / column.value;
         let doubt = residual.bound / residual.value.abs() + column.bound / column.value.abs();
-        // A residual that is little more than rounding is explained by many errors.
-        if doubt > UNCLEAR {
-            return None;
-        }
         for &i in &probes[1..] {
             let (residual, column) = (self.residuals[i], self.column(row, i)?);
             let left = residual.value + factor * column.value;
@@ -165,11 +155,7 @@ impl<'a> System<'a> {
     pub(super) fn pairs(&self, rows: &[Row]) -> Vec<Vec<(usize, f64)>> {
         const PROBES: usize = 24;
         let probes = self.probes(PROBES);
-        let is_unclear = |i: &usize| {
-            let residual = self.residuals[*i];
-            residual.bound > UNCLEAR_OF_PAIRS * residual.value.abs()
-        };
-        if cases(&self.points).len() < 3 || probes.len() < 5 || probes[..3].iter().any(is_unclear) {
+        if cases(&self.points).len() < 3 || probes.len() < 5 {
             return vec![];
         }
         let weights: Vec<f64> = probes
@@ -238,12 +224,6 @@ impl<'a> System<'a> {
         found
     }
 }
-
-/// The rounding of a residual or of a term over its value, above which no error is named. Common factors differ by 0.25, and
-/// a factor may differ from one of these by ten times as much.
-const UNCLEAR: f64 = 0.01;
-/// The same for pairs of errors.
-const UNCLEAR_OF_PAIRS: f64 = 1e-3;
 
 pub(super) const COMMON: [f64; 12] = [-1.0, -2.0, 1.0, -0.5, 2.0, 0.5, -3.0, 3.0, -4.0, -0.25, -0.75, 5.0];
 

@@ -27,21 +27,23 @@ pub(super) fn number(equation: &Equation) -> String {
     if equation.number.is_empty() { String::new() } else { format!(" {}", equation.number) }
 }
 
-/// The readings of what was found of a sum of an equation; `which` are the entries that are wrong.
+/// The readings of what was found of a sum of an equation; `triangle` is the part of the Hessian that was computed.
 pub(super) fn of_status(
     equation: &Equation,
     status: &Status,
     points: &[Point],
     (wrong, right): &Cases,
-    which: &str,
+    triangle: &str,
 ) -> Vec<Reading> {
     let subject = result_words(equation);
+    let triangle =
+        if triangle.is_empty() { String::new() } else { format!(", in the entries {triangle} the diagonal") };
     match status {
         Status::Right | Status::Unknown => Vec::new(),
-        Status::Stated(words) => {
+        Status::WrongForm(words) => {
             let name = format!("{subject}: {words}");
             vec![Reading {
-                words: format!("in {name}{which}{}", scope(points, wrong, right)),
+                words: format!("in {name}{}", scope(points, wrong, right)),
                 names: vec![name],
                 coefficient: None,
             }]
@@ -57,7 +59,7 @@ pub(super) fn of_status(
                     _ => None,
                 };
                 let words = format!(
-                    "in {subject} {}{which}{scope}",
+                    "in {subject} {}{triangle}{scope}",
                     each(&cause.number.map_or_else(|| number(equation), |of| format!(" {of}"))).join(" and ")
                 );
                 Reading { names: each(""), words, coefficient }
@@ -68,10 +70,10 @@ pub(super) fn of_status(
 }
 
 /// The number of readings that are told.
-pub(super) const READINGS: usize = 4;
+const READINGS: usize = 4;
 
 /// An error of an equation with this number, which is left out if it is empty.
-pub(super) fn of_row(number: &str, row: &Row, by: f64) -> String {
+fn of_row(number: &str, row: &Row, by: f64) -> String {
     let of_equation = if number.is_empty() { String::new() } else { format!(", eq.{number},") };
     match &row.what {
         What::Replaced { of, words } if of.is_empty() => {

@@ -26,12 +26,6 @@ pub(super) enum Vector {
     Axis(usize),
     /// t x t_bar, on the side of d.
     Cross,
-    /// d/|d|.
-    Normal,
-    /// The variation in a dof, along the axis of the dof of the other direction.
-    OtherAxis(Side, Beam, usize),
-    /// The variation in a dof, with the shape function of the dof of the other direction.
-    OtherShape(Side, Beam, usize),
     /// A vector of the table with its components in another order.
     Permuted(usize, [usize; 3]),
 }
@@ -79,8 +73,6 @@ pub(super) enum Factor {
     Number(Number),
     /// The absolute value of a number.
     SizeOf(Number),
-    /// One over a number.
-    Inverse(Number),
     /// A power of a length.
     Power(Quantity, i32),
 }

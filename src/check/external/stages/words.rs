@@ -13,13 +13,6 @@ pub(super) fn vector_words(of: Vector) -> String {
         Vector::Mixed(beam, order) => format!("Ddu{}{}", bar(beam), xi(order)),
         Vector::Axis(axis) => ["e_x", "e_y", "e_z"][axis].into(),
         Vector::Cross => "t x t_bar".into(),
-        Vector::Normal => "d/|d|".into(),
-        Vector::OtherAxis(side, beam, order) => {
-            format!("{} along the axis of the other dof", vector_words(Vector::U(side, beam, order)))
-        }
-        Vector::OtherShape(side, beam, order) => {
-            format!("{} with the shape function of the other dof", vector_words(Vector::U(side, beam, order)))
-        }
         Vector::Permuted(_, order) => {
             let axes: Vec<_> = order.iter().map(|c| ["x", "y", "z"][*c]).collect();
             format!("the components {} of it", axes.join(", "))

@@ -22,12 +22,6 @@ pub(super) fn general() -> Terms {
     .concat()
 }
 
-/// The same with the second variations of xi and xi_bar, whose terms vanish at a closest point.
-pub(super) fn everywhere() -> Terms {
-    let along = |beam: Beam| dot(&d(), &times(&[of(XI[beam], 3)], Vector::T(beam, 0)));
-    [general(), scaled(-1.0, &tag("d.t Ddxi", along(0))), tag("d.t_bar Ddxi_bar", along(1))].concat()
-}
-
 /// The form of eq. (40) that has (51) in it.
 pub(super) fn symmetric() -> Terms {
     let pair = |i: Beam, j: Beam| numbers(1.0, &[of(XI[i], 1), of(XI[j], 2)]);

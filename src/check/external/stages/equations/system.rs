@@ -1,6 +1,6 @@
 //! The system of xi and xi_bar, eq. (50) to (59), and its solution.
 
-use super::variations::{d, delta_d, delta_t, exchanged, exchanged_second, of, second, second_d, t};
+use super::variations::{d, delta_d, delta_t, of, second, second_d, t};
 use super::{At, Equation, XI, Zero};
 use crate::check::external::stages::terms::{
     Beam, Part, Side, Terms, Vector, dot, minus, numbers, product, scaled, tag, tagged, vector,
@@ -110,19 +110,7 @@ pub(super) fn held(beam: Beam, part: Part, number: &'static str, r: &[Terms; 2])
 /// The equations of xi and xi_bar where both are free, and where one of them is.
 pub(super) fn system(part: Part, number: &'static str, r: &[Terms; 2]) -> [Equation; 3] {
     let results = XI.map(|xi| (xi, part));
-    let products = [[["dd", "Dt"], ["Dd", "dt"]], [["dd", "Dt_bar"], ["Dd", "dt_bar"]]];
-    let extras = |beam: Beam| {
-        if part < 3 {
-            return Vec::new();
-        }
-        let t = Vector::T(beam, 0);
-        let mut all: Vec<_> = products[beam].iter().flat_map(|of| exchanged(1.0, *of)).collect();
-        all.extend(exchanged_second(1.0, t, [0, 0]));
-        all.extend(exchanged_second(-1.0, t, [1, 0]));
-        all.extend(exchanged_second(1.0, Vector::D, [beam, 1]));
-        all
-    };
-    let implicit = |beam: Beam| Zero { extras: extras(beam), ..Zero::of(implicit(beam, part, &r[beam])) };
+    let implicit = |beam: Beam| Zero::of(implicit(beam, part, &r[beam]));
     let solved = |beam: Beam| solved(beam, part, [&r[0], &r[1]]);
     let both = Equation {
         results: results.to_vec(),
@@ -131,10 +119,9 @@ pub(super) fn system(part: Part, number: &'static str, r: &[Terms; 2]) -> [Equat
         forms: vec![vec![implicit(0), implicit(1)], vec![solved(0), solved(1)]],
     };
     let alone = |beam: Beam| {
-        let by_other = [scaled(-1.0, &r[1 - beam]), r[beam].clone()].concat();
+        let exchanged = [scaled(-1.0, &r[1 - beam]), r[beam].clone()].concat();
         let words = ["R_bar stands in the place of R", "R stands in the place of R_bar"][beam];
-        let mut zero = implicit(beam);
-        zero.extras.push((words.into(), by_other));
+        let zero = Zero { extras: vec![(words.into(), exchanged)], ..implicit(beam) };
         let full = Zero {
             extras: Vec::new(),
             is_wrong_form: Some("the system of both parameters is solved, although one is held"),

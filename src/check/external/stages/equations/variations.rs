@@ -2,9 +2,8 @@
 
 use super::XI;
 use crate::check::external::stages::terms::{
-    Beam, Number, Part, Side, Sum, Terms, Vector, all_tagged, dot, minus, scaled, tagged, times, vector,
+    Beam, Number, Part, Side, Sum, Terms, Vector, all_tagged, dot, minus, tagged, times, vector,
 };
-use crate::check::external::stages::words::vector_words;
 use crate::linearization::Quantity;
 
 pub(super) fn of(quantity: Quantity, part: Part) -> Number {
@@ -83,58 +82,6 @@ pub(super) fn second(beam: Beam, k: usize) -> Sum {
 
 pub(super) fn second_d() -> Sum {
     tagged("Ddd", [second(0, 0), minus(second(1, 0))].concat())
-}
-
-/// The variations of d and of the tangents.
-fn variations() -> [(&'static str, Sum); 6] {
-    let t = |side: Side, beam: Beam| delta_t(side, beam);
-    [
-        ("dd", delta_d(0)),
-        ("Dd", delta_d(1)),
-        ("dt", t(0, 0)),
-        ("Dt", t(1, 0)),
-        ("dt_bar", t(0, 1)),
-        ("Dt_bar", t(1, 1)),
-    ]
-}
-
-/// dd.Dd, dt.Dt and other products of two variations, with another variation in the place of one of them: by how much the
-/// product changes.
-pub(super) fn exchanged(sign: f64, names: [&str; 2]) -> Vec<(String, Terms)> {
-    let all = variations();
-    let of = |name: &str| {
-        all.iter().find(|(known, _)| *known == name).map_or_else(Vec::new, |(_, sum)| sum.clone())
-    };
-    let right = dot(&of(names[0]), &of(names[1]));
-    let mut extras = Vec::new();
-    for place in 0..2 {
-        for (name, _) in all.iter().filter(|(name, _)| *name != names[place]) {
-            let mut both = names;
-            both[place] = name;
-            let change = [dot(&of(both[0]), &of(both[1])), scaled(-1.0, &right)].concat();
-            let words =
-                format!("{name} stands in the place of {} in {}.{}", names[place], names[0], names[1]);
-            extras.push((words, scaled(sign, &change)));
-        }
-    }
-    extras
-}
-
-/// v.Ddx, v.Ddt and their bar twins, with another one of these in its place: by how much the product changes.
-pub(super) fn exchanged_second(sign: f64, v: Vector, [beam, k]: [usize; 2]) -> Vec<(String, Terms)> {
-    let names = [["Ddx", "Ddt"], ["Ddx_bar", "Ddt_bar"]];
-    let product = |beam: Beam, k: usize| dot(&vector(v), &second(beam, k));
-    let others = [[0, 0], [0, 1], [1, 0], [1, 1]].into_iter().filter(|other| *other != [beam, k]);
-    others
-        .map(|[b, j]| {
-            let of = vector_words(v);
-            let words = format!(
-                "{} stands in the place of {} in {of}.{}",
-                names[b][j], names[beam][k], names[beam][k]
-            );
-            (words, scaled(sign, &[product(b, j), scaled(-1.0, &product(beam, k))].concat()))
-        })
-        .collect()
 }
 
 pub(super) fn u_hat(side: Side) -> Sum {

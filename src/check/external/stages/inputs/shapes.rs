@@ -18,9 +18,6 @@ const STEP: f64 = 1e-5;
 /// The part of the residuals that an iteration may leave.
 const LEFT: f64 = 1e-7;
 
-/// The error of a fitted polynomial over its size. Answers of ten digits have errors like this.
-const FITTED: f64 = 1e-4;
-
 /// A derivative of a polynomial.
 pub(super) fn polynomial(coefficients: &[f64; 4], order: usize, xi: f64) -> f64 {
     derivative(coefficients, order).iter().rev().fold(0.0, |sum, c| sum * xi + c)
@@ -140,19 +137,16 @@ impl Shape {
             return unknown();
         }
         let Ok(fit) = powers.clone().svd(true, true).solve(&values, 1e-12) else { return unknown() };
-        let size = values.amax();
-        if (&powers * &fit - &values).amax() > FITTED * size {
+        if (&powers * &fit - &values).amax() > 1e-6 * values.amax() {
             return unknown();
         }
         // The error is a multiple of the whole, or of one term.
         let whole = (0..count).find(|i| right[*i] != 0.0).map(|i| fit[i] / right[i]);
-        if let Some(by) =
-            whole.filter(|by| (0..count).all(|i| (fit[i] - by * right[i]).abs() < FITTED * size))
-        {
+        if let Some(by) = whole.filter(|by| (0..count).all(|i| (fit[i] - by * right[i]).abs() < 1e-7)) {
             return Some(format!("it {}", factor_words(by)));
         }
         let names = ["constant", "term of xi", "term of xi^2", "term of xi^3"];
-        let wrong: Vec<usize> = (0..count).filter(|i| fit[*i].abs() > FITTED * size).collect();
+        let wrong: Vec<usize> = (0..count).filter(|i| fit[*i].abs() > 1e-7).collect();
         Some(match wrong[..] {
             [i] if right[i] != 0.0 => format!("its {} {}", names[i], factor_words(fit[i] / right[i])),
             _ => {
@@ -165,7 +159,7 @@ impl Shape {
 
 /// A factor less one, in words.
 fn factor_words(by: f64) -> String {
-    let known = super::FACTORS.into_iter().find(|(known, _)| (by - known).abs() < FITTED);
+    let known = super::FACTORS.into_iter().find(|(known, _)| (by - known).abs() < 1e-6);
     known.map_or_else(|| format!("is multiplied by {:.4}", 1.0 + by), |(_, words)| words.to_owned())
 }
 
@@ -176,10 +170,9 @@ pub(super) fn found(
     wrong: &[usize],
     cases: &[usize],
 ) -> Vec<String> {
-    // Of equations with several forms the implicit ones are valid in any program, and so are those of a length.
-    let is_used = |equation: &&Equation| {
-        equation.forms.len() == 1 || matches!(equation.number, "(6)" | "(50)" | "(55)")
-    };
+    // Of equations with several forms the implicit ones are valid in any program.
+    let is_used =
+        |equation: &&Equation| equation.forms.len() == 1 || matches!(equation.number, "(50)" | "(55)");
     let which: Vec<&Equation> = wrong.iter().map(|e| &equations[*e]).filter(is_used).collect();
     let count = |beam: Beam| samples.iter().map(|sample| sample.nodes[beam].len()).max().unwrap_or(0);
     for (of, scope) in OF {

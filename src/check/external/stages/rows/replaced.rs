@@ -138,7 +138,6 @@ pub(super) fn replaced(group: &Group, rows: &mut Vec<Row>) {
         if matches!(number, Number::Of(Quantity::D | Quantity::T | Quantity::TBar, 0)) {
             others.push(("1".into(), vec![]));
         }
-        others.push((format!("1/{}", number_words(number)), vec![Factor::Inverse(number)]));
         for (words, with) in others {
             let terms = changed(group, |(factor, sides)| {
                 (is_on(sides) && *factor == Factor::Number(number)).then(|| vec![(1.0, with.clone())])
@@ -181,23 +180,6 @@ fn of_a_beam(group: &Group, add: &mut impl FnMut(String, Terms)) {
             of => of,
         });
         add(in_place(["bar beam", "beam"][beam], ["beam", "bar beam"][beam]), terms);
-        let terms = changed(group, |(factor, sides)| match *factor {
-            Factor::Dot(a, b) => {
-                let other = |(v, is_on): (Vector, bool)| match v {
-                    Vector::T(b, k) if is_on && b == beam => Vector::T(1 - b, k),
-                    Vector::U(s, b, k) if is_on && b == beam => Vector::U(s, 1 - b, k),
-                    v => v,
-                };
-                let both = [(a, sides[0]), (b, sides[1])].map(other);
-                (both != [a, b]).then(|| vec![(1.0, vec![Factor::Dot(both[0], both[1])])])
-            }
-            Factor::Number(Number::Of(q, part @ 1..)) if sides[0] && q == xi[beam] => {
-                Some(vec![(1.0, vec![Factor::Number(Number::Of(xi[1 - beam], part))])])
-            }
-            _ => None,
-        });
-        let words = in_place(["the bar beam", "the beam"][beam], ["the beam", "the bar beam"][beam]);
-        add(format!("{words}, with its parameter"), terms);
     }
 }
 

@@ -6,20 +6,15 @@ use crate::linearization::Quantity;
 /// Vectors that are taken for this one by mistake.
 pub(super) fn substitutes(of: Vector) -> Vec<Vector> {
     match of {
-        Vector::D => vec![Vector::T(0, 0), Vector::T(1, 0), Vector::Normal],
         Vector::X(beam) => vec![Vector::X(1 - beam)],
         Vector::T(beam, order) => {
             let mut all: Vec<_> = (0..3).filter(|k| *k != order).map(|k| Vector::T(beam, k)).collect();
             all.extend((0..3).map(|k| Vector::T(1 - beam, k)));
-            if order == 0 {
-                all.extend([Vector::D, Vector::Normal]);
-            }
             all
         }
         Vector::U(side, beam, order) => {
             let mut all: Vec<_> = (0..3).filter(|k| *k != order).map(|k| Vector::U(side, beam, k)).collect();
             all.extend([Vector::U(side, 1 - beam, order), Vector::U(1 - side, beam, order)]);
-            all.extend([Vector::OtherAxis(side, beam, order), Vector::OtherShape(side, beam, order)]);
             all
         }
         _ => vec![],
