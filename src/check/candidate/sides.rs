@@ -58,10 +58,10 @@ impl ProblemSize {
         let size = match item {
             // The parameters.
             18 | 19 => 1.0,
+            ..COMPONENTS => self.length,
             COMPONENTS => self.stiffness * self.length * self.length,
             // The forces of a contact element.
-            COMPONENTS.. => self.stiffness * self.length,
-            _ => self.length,
+            _ => self.stiffness * self.length,
         };
         let [delta, linear] = self.directions.map(|direction| direction / self.length);
         size * [1.0, delta, linear, delta * linear][k]

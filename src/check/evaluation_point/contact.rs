@@ -10,7 +10,6 @@ use crate::number::{Real, RunningError};
 use crate::pair::DofVector;
 use crate::test_beam::{DOFS, RunningError2, map_padded};
 use crate::variant::Step;
-use nalgebra::SVector;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -45,12 +44,12 @@ impl EvaluationPoint<'_> {
             let bounded = contracted(&to.residual, &to.tangent, &along);
             let plain = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
             let [(jet, _), (jet_bar, _)] = &plain;
-            let along = along.map(values);
+            let along = along.each_ref().map(values);
             let at = (self.at.0.value, self.at.1.value);
             let mut to = Box::new(Contribution::zeros());
             write(decision, (jet, jet_bar), at, &mut to);
             let by_matrices = contracted(&to.residual, &to.tangent, &along);
-            let q = values(directions(0));
+            let q = values(&directions(0));
             write_by_kernel(decision, (jet, jet_bar), &q, at, &mut to);
             let size = sizes(&to.residual, &to.tangent, &along);
             (bounded, [by_matrices, contracted(&to.residual, &to.tangent, &along)], size)
@@ -87,7 +86,7 @@ impl EvaluationPoint<'_> {
     }
 }
 
-fn values(v: DofVector<RunningError, DOFS, DOFS>) -> DofVector<f64, DOFS, DOFS> {
+fn values(v: &DofVector<RunningError, DOFS, DOFS>) -> DofVector<f64, DOFS, DOFS> {
     DofVector { beam: v.beam.map(|number| number.value), bar: v.bar.map(|number| number.value) }
 }
 
@@ -106,16 +105,16 @@ fn contracted<T: Real>(
     ]
 }
 
-/// The sums of the absolute values of the terms of [`contracted`].
+/// The size of each number of [`contracted`]: the sum of the absolute values of all entries times the largest entries of the
+/// directions. A number may be zero because its directions have few entries.
 fn sizes(
     residual: &DofVector<f64, DOFS, DOFS>,
     tangent: &BlockMatrix<f64, DOFS, DOFS>,
     along: &Directions<f64>,
 ) -> [f64; 4] {
-    let size = |v: &SVector<f64, DOFS>| v.abs();
-    let of = |v: &DofVector<f64, DOFS, DOFS>| DofVector { beam: size(&v.beam), bar: size(&v.bar) };
+    let [delta, linear] = along.each_ref().map(|dq| dq.beam.amax().max(dq.bar.amax()));
     let BlockMatrix { beam, bar_beam, beam_bar, bar } = tangent;
-    let tangent =
-        BlockMatrix { beam: beam.abs(), bar_beam: bar_beam.abs(), beam_bar: beam_bar.abs(), bar: bar.abs() };
-    contracted(&of(residual), &tangent, &along.each_ref().map(of))
+    let residual = residual.beam.abs().sum() + residual.bar.abs().sum();
+    let tangent = beam.abs().sum() + bar_beam.abs().sum() + beam_bar.abs().sum() + bar.abs().sum();
+    [residual * delta, residual * linear, tangent * delta * linear, tangent * delta * linear]
 }

@@ -63,17 +63,17 @@ impl Shape {
 
     /// The shape where the expected matrix is not symmetric.
     fn of_unsymmetric(answered: &[f64], expected: &[f64], size: usize, largest: f64) -> Option<Self> {
-        let is_twice = |takes: fn(usize, usize) -> bool| {
+        let is_twice = |is_upper: bool| {
             answered.len() == expected.len()
                 && (0..answered.len()).all(|k| {
                     let (i, j) = (k / size, k % size);
-                    let from = if takes(i, j) { j * size + i } else { k };
+                    let is_copied = if is_upper { i < j } else { i > j };
+                    let from = if is_copied { j * size + i } else { k };
                     (answered[k] - expected[from]).abs() <= SAME * largest
                 })
         };
-        let shapes: [(fn(usize, usize) -> bool, Self); 2] =
-            [(|i, j| i < j, Self::LowerTriangleTwice), (|i, j| i > j, Self::UpperTriangleTwice)];
-        shapes.into_iter().find(|(takes, _)| is_twice(*takes)).map(|(_, shape)| shape)
+        let shapes = [(true, Self::LowerTriangleTwice), (false, Self::UpperTriangleTwice)];
+        shapes.into_iter().find(|(is_upper, _)| is_twice(*is_upper)).map(|(_, shape)| shape)
     }
 
     /// What is answered, after the words "the Hessian of d".

@@ -44,7 +44,7 @@ pub(super) fn answers(line: &str) -> Read<Answers> {
             "tangent" => answers.tangent = Some(node.numbers(name, None)?),
             "state" => {
                 answers.state_and_forces[0] =
-                    Some(state(node.text(name)?).map_err(|wrong| JsonError::at(node.column, wrong))?)
+                    Some(state(node.text(name)?).map_err(|wrong| JsonError::at(node.column, wrong))?);
             }
             _ => match STATE_AND_FORCES.iter().position(|force| force == name) {
                 Some(k) => answers.state_and_forces[k] = Some(node.number(name)?),

@@ -145,23 +145,9 @@ impl Inputs<'_> {
         Vector3::from_fn(|c, _| self.exact[quantity.component() + c][part])
     }
 
-    fn table(&self, wrong: Wrong) -> [RunningError; Kind::ALL.len()] {
+    /// F_N and k on a side of the bar beam.
+    fn normal(&self, wrong: Wrong, side: f64) -> [RunningError; 2] {
         let zero = number(0.0);
-        let [t, t_bar] = [Quantity::T, Quantity::TBar].map(|of| self.value(of));
-        let tau = self.vector(Quantity::TVector, 0) / t;
-        let tau_bar = self.vector(Quantity::TBarVector, 0) / t_bar;
-        let cosine = tau.dot(&tau_bar);
-        let of_beam = |part: usize| self.vector(Quantity::TVector, part).dot(&(tau_bar - tau * cosine)) / t;
-        let of_bar =
-            |part: usize| self.vector(Quantity::TBarVector, part).dot(&(tau - tau_bar * cosine)) / t_bar;
-        let sign = match wrong {
-            Wrong::Plus | Wrong::PlusInForce => -1.0,
-            Wrong::Uncoupled => 0.0,
-            _ => 1.0,
-        };
-        let [c, delta, delta_bar, linear, linear_bar] =
-            [cosine, of_beam(1), of_bar(1), of_beam(2), of_bar(2)].map(|of| number(sign) * of);
-        let side = if self.is_crossed && wrong != Wrong::NoSide { -1.0 } else { 1.0 };
         let radii = match wrong {
             Wrong::OneRadius => self.radii[0],
             Wrong::OtherRadius => self.radii[1],
@@ -182,6 +168,27 @@ impl Inputs<'_> {
             force -= number(0.5 * eps * g_0);
         }
         let stiffness = of_law(&|piece| law.stiffness(piece, gap));
+        [force, stiffness]
+    }
+
+    fn table(&self, wrong: Wrong) -> [RunningError; Kind::ALL.len()] {
+        let zero = number(0.0);
+        let [t, t_bar] = [Quantity::T, Quantity::TBar].map(|of| self.value(of));
+        let tau = self.vector(Quantity::TVector, 0) / t;
+        let tau_bar = self.vector(Quantity::TBarVector, 0) / t_bar;
+        let cosine = tau.dot(&tau_bar);
+        let of_beam = |part: usize| self.vector(Quantity::TVector, part).dot(&(tau_bar - tau * cosine)) / t;
+        let of_bar =
+            |part: usize| self.vector(Quantity::TBarVector, part).dot(&(tau - tau_bar * cosine)) / t_bar;
+        let sign = match wrong {
+            Wrong::Plus | Wrong::PlusInForce => -1.0,
+            Wrong::Uncoupled => 0.0,
+            _ => 1.0,
+        };
+        let [c, delta, delta_bar, linear, linear_bar] =
+            [cosine, of_beam(1), of_bar(1), of_beam(2), of_bar(2)].map(|of| number(sign) * of);
+        let side = if self.is_crossed && wrong != Wrong::NoSide { -1.0 } else { 1.0 };
+        let [force, stiffness] = self.normal(wrong, side);
         let is_paper = self.is_paper != (wrong == Wrong::Work);
         let [length, length_bar] = match wrong {
             Wrong::OtherLength => [t_bar, t_bar],
