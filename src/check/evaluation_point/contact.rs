@@ -50,8 +50,9 @@ impl EvaluationPoint<'_> {
             write(decision, (jet, jet_bar), at, &mut to);
             let by_matrices = contracted(&to.residual, &to.tangent, &along);
             let q = values(&directions(0));
-            write_by_kernel(decision, (jet, jet_bar), &q, at, &mut to);
-            let size = sizes(&to.residual, &to.tangent, &along);
+            let forces = write_by_kernel(decision, (jet, jet_bar), &q, at, &mut to);
+            let energy = forces.f_n * self.points().d.norm();
+            let size = sizes(&to.residual, &to.tangent, &along, energy);
             (bounded, [by_matrices, contracted(&to.residual, &to.tangent, &along)], size)
         });
         let Some((bounded, doors, size)) = found else { return Vec::new() };
@@ -105,16 +106,17 @@ fn contracted<T: Real>(
     ]
 }
 
-/// The size of each number of [`contracted`]: the sum of the absolute values of all entries times the largest entries of the
-/// directions. A number may be zero because its directions have few entries.
+/// The sums of the absolute values of the terms of [`contracted`], and at least the energy F_N d: a number may be zero because
+/// its directions have few entries.
 fn sizes(
     residual: &DofVector<f64, DOFS, DOFS>,
     tangent: &BlockMatrix<f64, DOFS, DOFS>,
     along: &Directions<f64>,
+    energy: f64,
 ) -> [f64; 4] {
-    let [delta, linear] = along.each_ref().map(|dq| dq.beam.amax().max(dq.bar.amax()));
+    let of = |v: &DofVector<f64, DOFS, DOFS>| DofVector { beam: v.beam.abs(), bar: v.bar.abs() };
     let BlockMatrix { beam, bar_beam, beam_bar, bar } = tangent;
-    let residual = residual.beam.abs().sum() + residual.bar.abs().sum();
-    let tangent = beam.abs().sum() + bar_beam.abs().sum() + beam_bar.abs().sum() + bar.abs().sum();
-    [residual * delta, residual * linear, tangent * delta * linear, tangent * delta * linear]
+    let tangent =
+        BlockMatrix { beam: beam.abs(), bar_beam: bar_beam.abs(), beam_bar: beam_bar.abs(), bar: bar.abs() };
+    contracted(&of(residual), &tangent, &along.each_ref().map(of)).map(|size| size.max(energy))
 }
