@@ -95,6 +95,7 @@ struct Friction<T> {
     g_t: HyperDual<T>,
     g_t_bar: HyperDual<T>,
     /// ε_T γ, the length of the trial force.
+    #[cfg(feature = "check")]
     trial: Dual<T>,
 }
 
@@ -125,7 +126,15 @@ fn forces<T: Real, L: NormalLaw>(
         State::Slip => force * (Dual::from(parameters.mu) * f_n / trial),
         _ => force,
     };
-    let friction = Friction { traction, tau, tau_bar, g_t, g_t_bar, trial };
+    let friction = Friction {
+        traction,
+        tau,
+        tau_bar,
+        g_t,
+        g_t_bar,
+        #[cfg(feature = "check")]
+        trial,
+    };
     Some(Forces { g_n, f_n, friction: Some(friction) })
 }
 
@@ -150,6 +159,7 @@ pub(crate) fn virtual_work<T: Real, L: NormalLaw>(
 }
 
 /// F_N, F = T·τ and F̄ = −T·τ̄, and Φ = ε_T γ − μ F_N; Φ is 0 without friction.
+#[cfg(feature = "check")]
 pub(crate) fn force_values<T: Real, L: NormalLaw>(
     decision: &Decision<'_, L>,
     quantities: &Quantities<HyperDual<T>>,

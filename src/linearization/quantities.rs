@@ -84,6 +84,7 @@ impl<S: Scalar> Quantities<S> {
     }
 
     /// The quantities with these components.
+    #[cfg(feature = "check")]
     pub(crate) fn from_components(of: [S; COMPONENTS]) -> Self {
         let [
             x0,
