@@ -39,20 +39,11 @@ impl ElementData {
     /// # Errors
     /// [`ContactError`] if the point does not define it.
     pub(in crate::check) fn at(&self, evaluation: &EvaluationPoint) -> Result<ElementAt, ContactError> {
-        self.with_contact(evaluation, *evaluation.contact)
-    }
-
-    /// The same with other radii.
-    pub(in crate::check) fn with_contact(
-        &self,
-        evaluation: &EvaluationPoint,
-        contact: Contact,
-    ) -> Result<ElementAt, ContactError> {
         self.check()?;
         let at = ElementAt {
             data: *self,
             points: evaluation.points(),
-            contact,
+            contact: *evaluation.contact,
             at: (evaluation.at.0.value, evaluation.at.1.value),
             form: evaluation.form,
             state: None,

@@ -96,7 +96,7 @@ where
 }
 
 /// [`write`] with the kernel, as far as it applies to the curves.
-pub(crate) fn write_by_kernel<U, V, L, const N: usize, const M: usize>(
+pub(super) fn write_by_kernel<U, V, L, const N: usize, const M: usize>(
     decision: &Decision<'_, L>,
     jets: (&Jet<f64, U>, &Jet<f64, V>),
     q: &DofVector<f64, N, M>,
