@@ -138,5 +138,5 @@ fn hyper_duals<T: Real>(all: &[Varied<T>]) -> Quantities<HyperDual<T>> {
         let Varied { value, delta, linear, second } = all[i];
         HyperDual::new(value, delta, linear, second)
     });
-    Quantities::from_components(of)
+    Quantities::from_components(&of)
 }

@@ -85,46 +85,23 @@ impl<S: Scalar> Quantities<S> {
 
     /// The quantities with these components.
     #[cfg(feature = "check")]
-    pub(crate) fn from_components(of: [S; COMPONENTS]) -> Self {
-        let [
-            x0,
-            x1,
-            x2,
-            y0,
-            y1,
-            y2,
-            d0,
-            d1,
-            d2,
-            t0,
-            t1,
-            t2,
-            s0,
-            s1,
-            s2,
-            d,
-            t,
-            t_bar,
-            xi,
-            xi_bar,
-            g_n,
-            g_t,
-            g_t_bar,
-        ] = of;
+    pub(crate) fn from_components(of: &[S; COMPONENTS]) -> Self {
+        let vector = |v: usize| Vector3::from_fn(|c, _| of[3 * v + c].clone());
+        let scalar = |quantity: Quantity| of[quantity.component()].clone();
         Self {
-            x: Vector3::new(x0, x1, x2),
-            x_bar: Vector3::new(y0, y1, y2),
-            d_vector: Vector3::new(d0, d1, d2),
-            t_vector: Vector3::new(t0, t1, t2),
-            t_bar_vector: Vector3::new(s0, s1, s2),
-            d,
-            t,
-            t_bar,
-            xi,
-            xi_bar,
-            g_n,
-            g_t,
-            g_t_bar,
+            x: vector(0),
+            x_bar: vector(1),
+            d_vector: vector(2),
+            t_vector: vector(3),
+            t_bar_vector: vector(4),
+            d: scalar(Quantity::D),
+            t: scalar(Quantity::T),
+            t_bar: scalar(Quantity::TBar),
+            xi: scalar(Quantity::Xi),
+            xi_bar: scalar(Quantity::XiBar),
+            g_n: scalar(Quantity::GN),
+            g_t: scalar(Quantity::GT),
+            g_t_bar: scalar(Quantity::GTBar),
         }
     }
 }

@@ -4,76 +4,25 @@
 //! BEAMGAP_ADAPTERS is set, it is an error. With BEAMGAP_ELEMENTS=all each error is tried with up to ten cases a regime, and
 //! with as many as ten seeds. The comparison is that of `beamgap verify`, without its search for the cause.
 
+mod cases;
 mod conditions;
 mod friction;
 mod table;
 
 use crate::program::run;
 use beamgap::check::Order;
-use beamgap::check::external::{
-    AnswerReader, Answers, CaseFound, Demands, Judgement, Vector, VectorReader, compare_answers,
-};
+use beamgap::check::external::{AnswerReader, Answers, CaseFound, Demands, Judgement, compare_answers};
 use beamgap::linearization::Quantity;
-use conditions::Condition;
+use cases::{Cases, REGIMES};
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use table::{Row, rows};
 
 /// The number of cases of a regime from which on an error is detected, whether the cases have what it needs or not.
 const ENOUGH: usize = 10;
-/// The number of regimes.
-const REGIMES: usize = beamgap::check::Regime::ALL.len();
-
-/// The cases of a seed.
-struct Cases {
-    seed: u64,
-    path: PathBuf,
-    vectors: Vec<Vector>,
-    lines: Vec<serde_json::Value>,
-}
-
-impl Cases {
-    fn exported(seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
-        Self::of(&["--expected", "none"], seed, cases, families, folder)
-    }
-
-    /// Cases with contact elements.
-    fn with_elements(seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
-        Self::of(&["--element"], seed, cases, families, folder)
-    }
-
-    fn of(options: &[&str], seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
-        let path = folder.join(format!("{}-{seed}-{cases}.jsonl", families.join("-")));
-        let (seed_text, cases_text) = (seed.to_string(), cases.to_string());
-        let families = families.iter().flat_map(|family| ["--family", family]);
-        let arguments =
-            [&["export", "--seed", &seed_text, "--cases", &cases_text], options, &["-o"]].concat();
-        let arguments: Vec<_> =
-            arguments.into_iter().chain([path.to_str().unwrap()]).chain(families).collect();
-        let output = run(&arguments);
-        assert!(output.status.success(), "{output:?}");
-        let mut reader = VectorReader::new(BufReader::new(File::open(&path).unwrap()), "cases").unwrap();
-        let vectors = std::iter::from_fn(|| reader.next_vector().unwrap()).collect();
-        let lines = BufReader::new(File::open(&path).unwrap()).lines().skip(1);
-        let lines = lines.map(|line| serde_json::from_str(&line.unwrap()).unwrap()).collect();
-        Self { seed, path, vectors, lines }
-    }
-
-    /// The number of cases of each regime.
-    fn of_a_regime(&self) -> usize {
-        self.vectors.len() / REGIMES
-    }
-
-    /// The smallest number of cases a regime that has the condition of an error.
-    fn with(&self, needs: &Condition) -> usize {
-        let first = self.lines.iter().position(|line| needs.holds(line));
-        first.map_or(usize::MAX, |first| first / REGIMES + 1)
-    }
-}
-
 /// What is wrong first in the order of evaluation: the order, the place of the quantity in [`QUANTITIES`].
 type FirstWrong = (Order, usize);
 
