@@ -216,8 +216,11 @@ impl Report {
         }
     }
 
-    /// Quantities without an answer at any case.
+    /// Quantities without an answer at any case; none if a contact element alone is asked for.
     pub fn never_answered(&self) -> Vec<Quantity> {
+        if self.coverage.is_of_element() {
+            return Vec::new();
+        }
         let is_answered = |quantity: &Quantity| self.parts.keys().any(|(_, known, _)| known == quantity);
         Quantity::ALL.into_iter().filter(|quantity| !is_answered(quantity)).collect()
     }

@@ -132,6 +132,11 @@ fn missing(report: &Report) -> Option<String> {
 fn never(report: &Report) -> Option<String> {
     let parts = report.coverage.open_parts();
     let never = parts.values().filter(|count| **count == 0).count();
+    if report.coverage.is_of_element() && never > 0 {
+        let names = parts.iter().filter(|(_, count)| **count == 0).map(|((_, _, name), _)| *name);
+        let verb = if never == 1 { "is" } else { "are" };
+        return Some(format!("the {} {verb} never answered", names.collect::<Vec<_>>().join(" and the ")));
+    }
     let [_, _, none] = report.coverage.quantities();
     let words = match (never, none) {
         (0, _) => return None,

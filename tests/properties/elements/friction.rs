@@ -3,6 +3,7 @@
 //! With BEAMGAP_ELEMENTS=all more seeds are tried, and all errors are explained.
 
 use super::{Cases, answers_of, cause, compiled};
+use crate::program::run;
 use beamgap::check::external::{CaseFound, Demands, Judgement, compare_answers};
 use beamgap::contact::State;
 use std::path::{Path, PathBuf};
@@ -62,6 +63,44 @@ fn errors_of_an_element_with_friction_are_detected() {
         assert!(!is_red(&program, 0, &mixed), "Hermite curves and segments, seed {seed}");
         let green: Vec<_> = errors.iter().filter(|error| !is_red(&program, **error, &cases)).collect();
         assert!(green.is_empty(), "not detected with seed {seed}: {green:?}");
+    }
+}
+
+/// A program without the tangent is not complete, and one in another state is wrong.
+#[test]
+fn a_part_that_is_left_out_is_not_green() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("element-parts");
+    std::fs::create_dir_all(&folder).unwrap();
+    let cases = Cases::with_elements(1, 2, &["segment"], &folder);
+    let evaluated = run(&["evaluate", cases.path.to_str().unwrap()]);
+    let text = String::from_utf8(evaluated.stdout).unwrap();
+    let verified = |name: &str, change: &dyn Fn(&mut serde_json::Value)| {
+        let path = folder.join(name);
+        let changed = text.lines().map(|line| {
+            let mut line: serde_json::Value = serde_json::from_str(line).unwrap();
+            change(&mut line);
+            line.to_string() + "\n"
+        });
+        std::fs::write(&path, changed.collect::<String>()).unwrap();
+        let files = [&cases.path, &path].map(|path| path.to_str().unwrap());
+        let output = run(&["verify", files[0], files[1], "--no-explanation"]);
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (code, told) = verified("all", &|_| ());
+    assert!(code == Some(0) && !told.contains("ever answered"), "{told}");
+    let (code, told) = verified("no-tangent", &|line| {
+        line.as_object_mut().unwrap().remove("tangent");
+    });
+    assert!(code == Some(4) && told.contains("INCOMPLETE: the tangent is never answered."), "{told}");
+    for (key, wrong) in
+        [("state", "frictionless".into()), ("F_N", 1.5.into()), ("F_bar", serde_json::json!(0.25))]
+    {
+        let (code, told) = verified(key, &|line| {
+            if line.get(key).is_some() {
+                line[key] = wrong.clone();
+            }
+        });
+        assert_eq!(code, Some(1), "{key}: {told}");
     }
 }
 

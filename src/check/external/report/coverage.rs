@@ -71,6 +71,11 @@ impl Coverage {
         partly.map(|(part, count)| (only::words(&[*part].into()).join(", "), *count)).collect()
     }
 
+    /// Whether residual and tangent of a contact element are asked for, and not the geometry.
+    pub fn is_of_element(&self) -> bool {
+        self.required == only::of_element()
+    }
+
     /// The answered cases.
     pub fn cases(&self) -> u64 {
         self.cases
