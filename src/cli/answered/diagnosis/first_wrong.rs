@@ -24,11 +24,14 @@ pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {
             "In {count} of {} the first wrong number is {part} of {}:\nlook at {}",
             counted(report.wrong, "wrong case"),
             quantity.name(),
-            at(order, quantity)
+            if report.coverage.is_of_element() { OF_ELEMENT } else { at(order, quantity) }
         );
     }
     text + "\n"
 }
+
+/// Where the formulas of a contact element are.
+const OF_ELEMENT: &str = "the formulas of the contact element, docs/contact-element.md";
 
 fn at(order: Order, quantity: Quantity) -> &'static str {
     match (order, quantity) {
