@@ -56,9 +56,7 @@ async function written(text) {
 // The start.
 
 async function start() {
-  const bytes = bytesOf(at("module").textContent.trim());
-  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  module = await WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+  await compile();
   if (!draw(true)) return;
   recall();
   showControls();

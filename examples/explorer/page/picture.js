@@ -1,30 +1,12 @@
 // The picture: state in, pieces of the page out. All numbers come from the module.
 
 const data = JSON.parse(document.getElementById("data").textContent);
-const at = (id) => document.getElementById(id);
 const svg = at("picture");
-const bytesOf = (base64) => Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
 const copy = (value) => JSON.parse(JSON.stringify(value));
 let state = copy(data.standard);
 let answer = null;
-let module = null;
-let exports = null;
 
-// The module.
-
-function ask(request) {
-  try {
-    exports ??= new WebAssembly.Instance(module, {}).exports;
-    const bytes = new TextEncoder().encode(JSON.stringify(request));
-    const start = exports.reserve(bytes.length);
-    new Uint8Array(exports.memory.buffer, start, bytes.length).set(bytes);
-    const length = exports.respond();
-    return JSON.parse(new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.answer_at(), length)));
-  } catch (error) {
-    exports = null; // A module that stopped is not asked again; the next request starts it anew.
-    return { error: `the computation stopped: ${error}` };
-  }
-}
+const ask = (request) => call("respond", request);
 
 // The page.
 

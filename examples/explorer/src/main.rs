@@ -1,12 +1,17 @@
-//! Builds the page from the template, the style of the derivation, the standard case and the module.
+//! Builds the pages from their templates, the style of the derivation, the opening states and the module.
 //!
-//! `beamgap-explorer MODULE REPORTS` reads `REPORTS/equations.json` and writes `REPORTS/explorer.html`.
+//! `beamgap-explorer MODULE REPORTS` reads `REPORTS/equations.json`, and writes `REPORTS/explorer.html` and
+//! `REPORTS/learn.html`. `beamgap-explorer frames` answers requests of scenes, one a line.
+
+mod learn_page;
+#[path = "../../../src/report/derivation/math.rs"]
+mod math;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use beamgap::test_beam::Family;
 use beamgap::variant::catalogue;
-use beamgap_explorer::{Answer, EquationCells, State, preset};
+use beamgap_explorer::{Answer, EquationCells, State, learn, preset};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde_json::{Map, Value, json};
@@ -21,6 +26,8 @@ const TEMPLATE: &str = include_str!("../page/page.html");
 /// The parts of the script, which share one scope.
 const SCRIPT: &str = concat!(
     "\"use strict\";\n(() => {\n",
+    include_str!("../page/module.js"),
+    "\n",
     include_str!("../page/picture.js"),
     "\n",
     include_str!("../page/controls.js"),
@@ -43,11 +50,15 @@ const LESSONS: [(&str, &str); 6] = [
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    let [module, reports] = &arguments[..] else {
-        eprintln!("usage: beamgap-explorer MODULE REPORTS");
-        return ExitCode::from(2);
+    let done = match &arguments[..] {
+        [module, reports] => write(Path::new(module), Path::new(reports)),
+        [command] if command == "frames" => frames(),
+        _ => {
+            eprintln!("usage: beamgap-explorer MODULE REPORTS, or beamgap-explorer frames");
+            return ExitCode::from(2);
+        }
     };
-    match write(Path::new(module), Path::new(reports)) {
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -63,6 +74,15 @@ fn write(module: &Path, reports: &Path) -> Result<(), Box<dyn Error>> {
     let equations: Value = serde_json::from_slice(&read(&reports.join("equations.json"))?)?;
     let page = page(&module, &equations)?;
     fs::write(reports.join("explorer.html"), page)?;
+    fs::write(reports.join("learn.html"), learn_page::page(&module)?)?;
+    Ok(())
+}
+
+/// Answers requests of scenes from standard input, for the test in a browser.
+fn frames() -> Result<(), Box<dyn Error>> {
+    for request in std::io::stdin().lines() {
+        println!("{}", learn(&request?));
+    }
     Ok(())
 }
 
@@ -111,8 +131,13 @@ fn page(module: &str, equations: &Value) -> Result<String, Box<dyn Error>> {
         ("script", SCRIPT.to_owned()),
         ("module", module.to_owned()),
     ];
-    let mut page = String::with_capacity(module.len() + 200_000);
-    let mut rest = TEMPLATE;
+    compose(TEMPLATE, &pieces)
+}
+
+/// The template with its placeholders replaced.
+fn compose(template: &str, pieces: &[(&str, String)]) -> Result<String, Box<dyn Error>> {
+    let mut page = String::with_capacity(1_000_000);
+    let mut rest = template;
     while let Some((before, from)) = rest.split_once("{{") {
         let (name, after) = from.split_once("}}").ok_or("a placeholder does not end")?;
         let piece =

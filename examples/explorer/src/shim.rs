@@ -30,6 +30,15 @@ pub extern "C" fn respond() -> usize {
     })
 }
 
+/// The same for a request of a scene.
+#[unsafe(no_mangle)]
+pub extern "C" fn learn() -> usize {
+    BUFFER.with_borrow_mut(|buffer| {
+        *buffer = crate::learn(&String::from_utf8_lossy(buffer)).into_bytes();
+        buffer.len()
+    })
+}
+
 /// The address of the answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer_at() -> *const u8 {

@@ -1,25 +1,28 @@
-//! The module in the committed page is built from the current library: its answers equal the native answers, byte by
-//! byte. `examples/explorer/build` builds the page again.
+//! The module in the committed pages is built from the current library: its answers equal the native answers, byte by
+//! byte. `examples/explorer/build` builds the pages again.
 
 use beamgap::test_beam::Family;
-use beamgap_explorer::{Dragged, State, answer, preset};
+use beamgap_explorer::{Dragged, SCENES, State, answer, learn, opening, preset};
 use serde_json::Value;
 use std::io::Read;
 use wasmi::{Engine, Instance, Linker, Memory, Module, Store, TypedFunc};
 
-const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reports/explorer.html");
+const EXPLORER: &str = "explorer.html";
+const LEARN: &str = "learn.html";
 
 /// The running module of the page.
 struct Running {
     store: Store<()>,
     memory: Memory,
     reserve: TypedFunc<u32, u32>,
+    /// The function that answers.
     respond: TypedFunc<(), u32>,
     answer_at: TypedFunc<(), u32>,
 }
 
-fn committed() -> String {
-    std::fs::read_to_string(PAGE).unwrap_or_else(|error| panic!("{PAGE}: {error}"))
+fn committed(name: &str) -> String {
+    let path = format!("{}/../../reports/{name}", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
 /// The content of the element with this id.
@@ -29,15 +32,15 @@ fn element<'a>(page: &'a str, id: &str) -> &'a str {
 }
 
 impl Running {
-    fn of_page() -> Self {
-        let bytes = decoded(element(&committed(), "module"));
+    fn of_page(page: &str, function_name: &str) -> Self {
+        let bytes = decoded(element(&committed(page), "module"));
         let engine = Engine::default();
         let module = Module::new(&engine, &bytes[..]).unwrap();
         assert_eq!(module.imports().count(), 0, "the module needs nothing from the page");
         let mut store = Store::new(&engine, ());
         let instance: Instance = Linker::new(&engine).instantiate_and_start(&mut store, &module).unwrap();
         let function = |name| instance.get_typed_func(&store, name).unwrap();
-        let (respond, answer_at) = (function("respond"), function("answer_at"));
+        let (respond, answer_at) = (function(function_name), function("answer_at"));
         let reserve = instance.get_typed_func(&store, "reserve").unwrap();
         let memory = instance.get_memory(&store, "memory").unwrap();
         Self { store, memory, reserve, respond, answer_at }
@@ -105,9 +108,45 @@ fn requests() -> Vec<String> {
     requests
 }
 
+/// Requests of every scene: as it opens, with each handle at several places, with each control.
+fn scene_requests() -> Vec<String> {
+    let mut requests = vec![String::new(), "{\"scene\":\"none\"}".to_owned()];
+    for scene in SCENES {
+        let request = |action: &str| format!("{{\"scene\":\"{scene}\",\"action\":{action}}}");
+        requests.push(request("null"));
+        let places = opening(scene).unwrap().places;
+        for (handle, place) in &places {
+            let Some([x, y]) = place else { continue };
+            for [right, down] in [[14.0, -9.0], [-40.0, 25.0], [500.0, 500.0]] {
+                let drag =
+                    format!("{{\"drag\":{{\"handle\":\"{handle}\",\"to\":[{},{}]}}}}", x + right, y + down);
+                requests.push(request(&drag));
+            }
+        }
+        for (name, value) in [
+            ("situation", "waves"),
+            ("situation", "straight"),
+            ("situation", "arcs"),
+            ("walk", "end"),
+            ("tangent", "frozen"),
+            ("tangent", "sign_b"),
+            ("push", "0.4"),
+            ("check", "0"),
+            ("check", "2"),
+            ("suspect", "4"),
+            ("next", ""),
+            ("accept", ""),
+        ] {
+            let choose = format!("{{\"choose\":{{\"name\":\"{name}\",\"value\":\"{value}\"}}}}");
+            requests.push(request(&choose));
+        }
+    }
+    requests
+}
+
 #[test]
 fn the_module_of_the_page_answers_like_the_library() {
-    let mut running = Running::of_page();
+    let mut running = Running::of_page(EXPLORER, "respond");
     for request in requests() {
         let (native, module) = (answer(&request), running.answer(&request));
         if native != module {
@@ -121,19 +160,58 @@ fn the_module_of_the_page_answers_like_the_library() {
 
 #[test]
 fn the_page_shows_the_standard_case_before_the_module_runs() {
-    let page = committed();
+    let page = committed(EXPLORER);
     let answer: Value =
         serde_json::from_str(&answer(&serde_json::to_string(&State::default()).unwrap())).unwrap();
     for piece in ["scene", "words", "points", "checks", "prediction", "plot", "numbers", "gap"] {
         assert!(page.contains(answer[piece].as_str().unwrap()), "{piece} is stale: examples/explorer/build");
     }
-    for file in ["page/picture.js", "page/controls.js", "page/link.js", "page/explorer.css"] {
+    let files =
+        ["page/module.js", "page/picture.js", "page/controls.js", "page/link.js", "page/explorer.css"];
+    is_complete(&page, &files);
+}
+
+/// The page contains these files, needs no other place, and is small enough.
+fn is_complete(page: &str, files: &[&str]) {
+    for file in files {
         let text = std::fs::read_to_string(format!("{}/{file}", env!("CARGO_MANIFEST_DIR"))).unwrap();
         assert!(page.contains(text.trim()), "{file} is stale: examples/explorer/build");
     }
-    assert!(
-        !page.contains("http://")
-            || page.matches("http://").count() == page.matches("http://www.w3.org/").count()
-    );
-    assert!(page.len() < 1_000_000, "{} bytes", page.len());
+    assert_eq!(page.matches("http://").count(), page.matches("http://www.w3.org/").count());
+    assert_eq!(page.matches("https://").count(), 0);
+    assert!(page.len() < 1_200_000, "{} bytes", page.len());
+}
+
+#[test]
+fn the_module_answers_requests_of_scenes_like_the_library() {
+    let mut running = Running::of_page(LEARN, "learn");
+    for request in scene_requests() {
+        let (native, module) = (learn(&request), running.answer(&request));
+        assert_eq!(native, module, "the page is stale, or the platform rounds otherwise: {request}");
+    }
+}
+
+#[test]
+fn the_page_of_the_scenes_shows_how_they_open() {
+    let page = committed(LEARN);
+    for scene in SCENES {
+        let frame = opening(scene).unwrap();
+        let (_, from) = page.split_once(&format!("data-scene=\"{scene}\"")).unwrap();
+        let html = from.split("</section>").next().unwrap();
+        for (name, path) in &frame.paths {
+            let is_shown = html.contains(&format!("data-path=\"{name}\" d=\"{path}\""));
+            assert!(is_shown, "{scene}: {name} is stale: examples/explorer/build");
+        }
+        for (name, text) in &frame.values {
+            let from = html.split_once(&format!("data-value=\"{name}\"")).map(|(_, from)| from);
+            let shown = from.and_then(|from| from.split_once('>')).map(|(_, from)| from.split('<').next());
+            // A value that no sentence shows is not needed on the page.
+            assert!(
+                shown.is_none_or(|shown| shown == Some(text.as_str())),
+                "{scene}: {name} is stale: examples/explorer/build"
+            );
+        }
+    }
+    let files = ["page/module.js", "page/learn/scene.js", "page/learn/hands.js", "page/learn/learn.css"];
+    is_complete(&page, &files);
 }

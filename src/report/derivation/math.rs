@@ -51,7 +51,7 @@ pub(super) fn parsed<'a>(source: &'a str, storage: &'a Storage) -> Result<Vec<Ev
 ///
 /// # Errors
 /// The message of the parser, with the formula.
-pub(in crate::report) fn mathml(latex: &str, block: bool) -> Result<String, String> {
+pub(crate) fn mathml(latex: &str, block: bool) -> Result<String, String> {
     let (source, storage) = (with_macros(latex), Storage::new());
     let events = parsed(&source, &storage)?;
     let display_mode = if block { DisplayMode::Block } else { DisplayMode::Inline };

@@ -1,0 +1,93 @@
+// Mouse, touch and keys.
+
+const KEYS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+/** The way of a handle for one key, in units of the picture. */
+const WAY = 6;
+
+function listen(scene, handle) {
+  const svg = handle.ownerSVGElement;
+  const name = handle.dataset.handle;
+  const isSlider = handle.getAttribute("role") === "slider";
+  let grip = null;
+  handle.addEventListener("pointerdown", (event) => {
+    handle.setPointerCapture(event.pointerId);
+    const scale = svg.viewBox.baseVal.width / svg.getBoundingClientRect().width;
+    grip = { x: event.clientX, y: event.clientY, scale, place: scene.places[name] };
+    event.preventDefault();
+    handle.focus({ preventScroll: true });
+  });
+  handle.addEventListener("pointermove", (event) => {
+    if (!grip) return;
+    const to = [
+      grip.place[0] + (event.clientX - grip.x) * grip.scale,
+      grip.place[1] + (event.clientY - grip.y) * grip.scale,
+    ];
+    schedule(scene, { drag: { handle: name, to } });
+  });
+  for (const end of ["pointerup", "pointercancel"]) handle.addEventListener(end, () => { grip = null; });
+  handle.addEventListener("keydown", (event) => {
+    const key = KEYS[event.key];
+    if (!key) return;
+    event.preventDefault();
+    const way = (event.shiftKey ? 4 : 1) * (isSlider ? 10 : WAY);
+    // Up is more on a slider.
+    const [right, down] = isSlider ? [key[0] - key[1], 0] : key;
+    const place = scene.places[name];
+    schedule(scene, { drag: { handle: name, to: [place[0] + way * right, place[1] + way * down] } });
+  });
+}
+
+/** Buttons and sliders of a scene. */
+function listenToControls(scene) {
+  for (const element of scene.section.querySelectorAll("[data-choose]")) {
+    const name = element.dataset.choose;
+    if (element.tagName === "INPUT") {
+      element.addEventListener("input", () => schedule(scene, { choose: { name, value: element.value } }));
+    } else {
+      element.addEventListener("click", () => act(scene, { choose: { name, value: element.dataset.to } }));
+    }
+  }
+  for (const element of scene.section.querySelectorAll("button.play")) element.addEventListener("click", () => play(scene));
+}
+
+/** Lets the walker go down, one step a frame; at once if the reader wants no motion. */
+function play(scene) {
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+    act(scene, { choose: { name: "walk", value: "end" } });
+    return;
+  }
+  const before = JSON.stringify(scene.state);
+  act(scene, { choose: { name: "walk", value: "step" } });
+  if (JSON.stringify(scene.state) !== before) requestAnimationFrame(() => play(scene));
+}
+
+/** A term lights its parts of the pictures, while it is pointed at or focused. */
+function light(scene) {
+  const parts = [...scene.section.querySelectorAll("[data-part]")];
+  const set = (name) => {
+    scene.section.classList.toggle("lighting", name !== null);
+    for (const part of parts) part.classList.toggle("lit", name !== null && part.dataset.part.split(" ").includes(name));
+  };
+  for (const term of scene.section.querySelectorAll("[data-term]")) {
+    const on = () => set(term.dataset.term);
+    for (const event of ["pointerenter", "focus"]) term.addEventListener(event, on);
+    for (const event of ["pointerleave", "blur"]) term.addEventListener(event, () => set(null));
+  }
+}
+
+async function start() {
+  await compile();
+  for (const section of document.querySelectorAll("[data-scene]")) {
+    const scene = sceneOf(section);
+    scenes.push(scene);
+    if (!act(scene, null)) return;
+    for (const handle of section.querySelectorAll("[data-handle]")) listen(scene, handle);
+    listenToControls(scene);
+    light(scene);
+  }
+  document.documentElement.dataset.ready = "true";
+}
+start().catch((error) => {
+  at("message").textContent = `The module does not start: ${error}`;
+  at("message").hidden = false;
+});

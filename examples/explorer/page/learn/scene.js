@@ -1,0 +1,93 @@
+// The scenes: a frame of the module sets texts and attributes of existing elements. Nothing is computed here.
+
+const scenes = [];
+const PARTS = ["value", "path", "place", "shades", "shown"];
+
+/** A scene with its elements by kind and name. */
+function sceneOf(section) {
+  const scene = { section, name: section.dataset.scene, state: null, places: {}, pending: null, shown: new Map() };
+  for (const kind of PARTS) {
+    scene[kind] = new Map();
+    for (const element of section.querySelectorAll(`[data-${kind}]`)) {
+      const name = element.dataset[kind];
+      if (!scene[kind].has(name)) scene[kind].set(name, []);
+      scene[kind].get(name).push(element);
+    }
+  }
+  section.scene = scene;
+  return scene;
+}
+
+/** Asks for the frame after an action, and shows it. */
+function act(scene, action) {
+  const frame = call("learn", { scene: scene.name, state: scene.state, action });
+  const message = at("message");
+  message.hidden = !frame.error;
+  message.textContent = frame.error ?? "";
+  if (frame.error) return false;
+  scene.state = frame.state;
+  show(scene, frame);
+  return true;
+}
+
+/** The elements of a name, if its content has changed. */
+function changed(scene, kind, name, content) {
+  const key = `${kind} ${name}`;
+  if (scene.shown.get(key) === content) return [];
+  scene.shown.set(key, content);
+  return scene[kind].get(name) ?? [];
+}
+
+function show(scene, frame) {
+  for (const [name, text] of Object.entries(frame.values)) {
+    for (const element of changed(scene, "value", name, text)) element.textContent = text;
+  }
+  for (const [name, path] of Object.entries(frame.paths)) {
+    for (const element of changed(scene, "path", name, path)) element.setAttribute("d", path);
+  }
+  for (const [name, place] of Object.entries(frame.places)) {
+    scene.places[name] = place;
+    for (const element of changed(scene, "place", name, String(place))) {
+      if (place) element.setAttribute("transform", `translate(${place[0]} ${place[1]})`);
+      element.style.display = place ? "" : "none";
+    }
+  }
+  for (const [name, letters] of Object.entries(frame.shades ?? {})) {
+    for (const canvas of changed(scene, "shades", name, letters)) shade(canvas, letters);
+  }
+  for (const [name, is] of Object.entries(frame.shown ?? {})) {
+    for (const element of changed(scene, "shown", name, is)) element.hidden = !is;
+  }
+  for (const [name, value] of Object.entries(frame.controls ?? {})) control(scene, name, value);
+}
+
+/** A map: the letter of each point is its opacity. */
+function shade(canvas, letters) {
+  const context = canvas.getContext("2d");
+  const image = context.createImageData(canvas.width, canvas.height);
+  for (let i = 0; i < letters.length; i++) image.data[4 * i + 3] = 9 * (letters.charCodeAt(i) - 97);
+  context.putImageData(image, 0, 0);
+}
+
+function control(scene, name, value) {
+  for (const element of scene.section.querySelectorAll(`[data-choose="${name}"], [data-handle="${name}"]`)) {
+    if (element.dataset.handle) element.setAttribute("aria-valuenow", value);
+    else if (element.tagName === "INPUT") { if (element.value !== value) element.value = value; }
+    else element.setAttribute("aria-pressed", String(element.dataset.to === value));
+  }
+}
+
+/** Shows the last of several actions at the next frame. */
+function schedule(scene, action) {
+  const isFirst = !scene.pending;
+  scene.pending = action;
+  if (isFirst) requestAnimationFrame(() => {
+    const next = scene.pending;
+    scene.pending = null;
+    act(scene, next);
+  });
+  if ("rest" in scene.section.dataset) {
+    clearTimeout(scene.rest);
+    scene.rest = setTimeout(() => act(scene, { choose: { name: "rest", value: "" } }), 180);
+  }
+}

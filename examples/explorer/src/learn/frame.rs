@@ -1,0 +1,117 @@
+//! What a scene shows: texts, paths and places by name.
+
+use beamgap::nalgebra::Vector3;
+use serde::Serialize;
+use serde_json::Value;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// The name of an element.
+type Name = Cow<'static, str>;
+
+/// The parts of a picture and of its formula, by the names of their elements.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Frame {
+    /// The error in the request; all other fields are then empty.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<String>,
+    /// The state that this is the frame of.
+    pub state: Value,
+    /// Texts.
+    pub values: BTreeMap<Name, String>,
+    /// Lines and arrows, as the data of SVG paths. An empty one is not visible.
+    pub paths: BTreeMap<Name, String>,
+    /// Handles, points and letters; those without a place are not visible.
+    pub places: BTreeMap<Name, Option<[f64; 2]>>,
+    /// Maps in shades: a letter for each point, `a` the lightest.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub shades: BTreeMap<Name, String>,
+    /// Which parts of the text are visible.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub shown: BTreeMap<Name, bool>,
+    /// The values of controls and of handles that are sliders.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub controls: BTreeMap<Name, String>,
+}
+
+impl Frame {
+    pub(super) fn text(&mut self, name: impl Into<Name>, words: impl Into<String>) {
+        self.values.insert(name.into(), words.into());
+    }
+
+    /// A number with three decimals.
+    pub(super) fn number(&mut self, name: impl Into<Name>, x: f64) {
+        self.text(name, number(x));
+    }
+
+    pub(super) fn place(&mut self, name: impl Into<Name>, at: [f64; 2]) {
+        self.places.insert(name.into(), Some(at.map(tenth)));
+    }
+
+    /// A place, if there is one.
+    pub(super) fn place_if(&mut self, name: impl Into<Name>, at: Option<[f64; 2]>) {
+        self.places.insert(name.into(), at.map(|at| at.map(tenth)));
+    }
+
+    pub(super) fn hide(&mut self, name: impl Into<Name>) {
+        self.places.insert(name.into(), None);
+    }
+
+    /// A line through points.
+    pub(super) fn line(&mut self, name: impl Into<Name>, points: impl IntoIterator<Item = [f64; 2]>) {
+        self.paths.insert(name.into(), line(points));
+    }
+
+    pub(super) fn no_path(&mut self, name: impl Into<Name>) {
+        self.paths.insert(name.into(), String::new());
+    }
+
+    /// An arrow with a head. A very short one is not drawn.
+    pub(super) fn arrow(&mut self, name: impl Into<Name>, from: [f64; 2], to: [f64; 2]) {
+        self.paths.insert(name.into(), arrow(from, to));
+    }
+}
+
+fn tenth(x: f64) -> f64 {
+    (x * 10.0).round() / 10.0
+}
+
+/// The data of a line through points.
+pub(super) fn line(points: impl IntoIterator<Item = [f64; 2]>) -> String {
+    let mut data = String::new();
+    for (i, [x, y]) in points.into_iter().enumerate() {
+        let _ = write!(data, "{}{} {}", if i == 0 { "M" } else { "L" }, tenth(x), tenth(y));
+    }
+    data
+}
+
+fn arrow(from: [f64; 2], to: [f64; 2]) -> String {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let length = (dx * dx + dy * dy).sqrt();
+    if length < 2.5 {
+        return String::new();
+    }
+    let size = length.min(11.0);
+    let (ux, uy) = (dx / length, dy / length);
+    let back = [to[0] - size * ux, to[1] - size * uy];
+    let side = |sign: f64| [back[0] - sign * 0.42 * size * uy, back[1] + sign * 0.42 * size * ux];
+    line([from, back]) + &line([to, side(1.0), side(-1.0)]) + "z"
+}
+
+/// A number with three decimals, or with an exponent if it is very large or very small.
+pub(super) fn number(x: f64) -> String {
+    let text = match x.abs() {
+        size if !size.is_finite() => return "not finite".to_owned(),
+        size if size < 5e-13 => "0.000".to_owned(),
+        size if (5e-4..1e4).contains(&size) => format!("{x:.3}"),
+        _ => format!("{x:.1e}"),
+    };
+    text.replace('-', "−")
+}
+
+/// A vector with two decimals.
+pub(super) fn vector(v: &Vector3<f64>) -> String {
+    let entry = |x: f64| format!("{:.2}", if x.abs() < 0.005 { 0.0 } else { x }).replace('-', "−");
+    format!("({}, {}, {})", entry(v.x), entry(v.y), entry(v.z))
+}

@@ -1,0 +1,141 @@
+//! Scene 3: the beam moves, and the contact point moves by its material and along the beam.
+
+use super::camera::Camera;
+use super::frame::{Frame, number, vector};
+use super::pair::{Both, Dofs, First, above, below, drawn, followed, geometry, nearest};
+use super::{Scene, rounded};
+use beamgap::closest_point::Held;
+use beamgap::nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+
+/// How much larger the second picture is.
+const LARGER: f64 = 3.4;
+
+/// The displacement of the second end of the beam.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Slide {
+    end: [f64; 3],
+}
+
+impl Default for Slide {
+    fn default() -> Self {
+        Self { end: [0.26, 0.1, 0.34] }
+    }
+}
+
+fn camera() -> Camera {
+    Camera::usual(112.0, [168.0, 178.0])
+}
+
+/// The dofs, and the direction in which the beam turns about its first end.
+fn moved(end: [f64; 3]) -> (Both, Both) {
+    let mut dq = Dofs::zeros();
+    dq.fixed_rows_mut::<3>(3).copy_from(&(Vector3::from(end) * 0.5));
+    dq.fixed_rows_mut::<3>(6).copy_from(&Vector3::from(end));
+    (Both { beam: above(), bar: below() }, Both::of_beam(dq))
+}
+
+impl Scene for Slide {
+    fn drag(&mut self, handle: &str, to: [f64; 2]) {
+        if handle == "end" {
+            let camera = camera();
+            let [x, y] = camera.at(&geometry(&above(), 1.0).x);
+            let [across, down] = [(to[0] - x).clamp(-70.0, 45.0), (to[1] - y).clamp(-80.0, 60.0)];
+            let origin = camera.at(&Vector3::zeros());
+            self.end = camera.in_plane([origin[0] + across, origin[1] + down]).map(rounded).into();
+        }
+    }
+
+    fn frame(&self) -> Result<Frame, String> {
+        let end = self.end.map(|x| x.clamp(-1.0, 1.0));
+        let (q, dq) = moved(end);
+        let point = nearest(&q, (0.0, 0.0)).ok_or("the beams have no closest point")?;
+        let first = First::new(&q, &dq, (point.xi, point.xi_bar), Held::default());
+        let (x, y) = (first.beam.geometry, first.bar.geometry);
+        let material = first.delta.beam.u[0];
+        let along = x.t * first.delta.beam.xi;
+        let varied = q.plus(1.0, &dq);
+        let again = followed(&q, &dq, 1.0, &point);
+
+        let mut frame = Frame::default();
+        let camera = camera();
+        let close = Camera::usual(camera.scale * LARGER, [0.0, 0.0]);
+        let [u, v] = close.at(&(x.x + (material + along) * 0.5));
+        let close = Camera::usual(camera.scale * LARGER, [180.0 - u, 160.0 - v]);
+        for (camera, names) in [
+            (
+                camera,
+                [
+                    "beam",
+                    "beam_axis",
+                    "bar",
+                    "bar_axis",
+                    "varied",
+                    "material",
+                    "along",
+                    "total",
+                    "d",
+                    "now",
+                    "then",
+                    "fibre",
+                    "again",
+                    "now_bar",
+                ],
+            ),
+            (
+                close,
+                [
+                    "close_beam",
+                    "close_axis",
+                    "close_bar",
+                    "close_bar_axis",
+                    "close_varied",
+                    "close_material",
+                    "close_along",
+                    "close_total",
+                    "close_d",
+                    "close_now",
+                    "close_then",
+                    "close_fibre",
+                    "close_again",
+                    "close_now_bar",
+                ],
+            ),
+        ] {
+            let points = drawn(&camera, |xi| geometry(&q.beam, xi));
+            frame.line(names[0], points.iter().copied());
+            frame.line(names[1], points);
+            let points = drawn(&camera, |xi| geometry(&q.bar, xi));
+            frame.line(names[2], points.iter().copied());
+            frame.line(names[3], points);
+            frame.line(names[4], drawn(&camera, |xi| geometry(&varied.beam, xi)));
+            let at = |x: &Vector3<f64>| camera.at(x);
+            frame.arrow(names[5], at(&x.x), at(&(x.x + material)));
+            frame.arrow(names[6], at(&(x.x + material)), at(&(x.x + material + along)));
+            frame.arrow(names[7], at(&x.x), at(&(x.x + material + along)));
+            frame.line(names[8], [at(&y.x), at(&x.x)]);
+            frame.place(names[9], at(&x.x));
+            frame.place(names[10], at(&(x.x + material + along)));
+            frame.place(names[11], at(&geometry(&varied.beam, point.xi).x));
+            match &again {
+                Some(again) => frame.place(names[12], at(&geometry(&varied.beam, again.xi).x)),
+                None => frame.hide(names[12]),
+            }
+            frame.place(names[13], at(&y.x));
+        }
+        frame.place("end", camera.at(&geometry(&varied.beam, 1.0).x));
+        let [from, to] = [&q.beam, &varied.beam].map(|q| camera.at(&geometry(q, 1.0).x));
+        frame.line("rod", [from, to]);
+
+        frame.text("dx", vector(&(material + along)));
+        frame.text("t_dxi", vector(&along));
+        frame.text("du", vector(&material));
+        frame.number("dxi", first.delta.beam.xi);
+        frame.number("dxi_bar", first.delta.bar.xi);
+        frame.number("xi", point.xi);
+        frame.number("predicted", point.xi + first.delta.beam.xi);
+        frame.text("solved", again.map_or_else(|| "none".to_owned(), |again| number(again.xi)));
+        Ok(frame)
+    }
+}
