@@ -9,6 +9,8 @@ function listen(scene, handle) {
   const name = handle.dataset.handle;
   const isSlider = handle.getAttribute("role") === "slider";
   let grip = null;
+  // Parts of a picture do not obey touch-action in every browser: without this the page scrolls.
+  handle.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
   handle.addEventListener("pointerdown", (event) => {
     handle.setPointerCapture(event.pointerId);
     const scale = svg.viewBox.baseVal.width / svg.getBoundingClientRect().width;

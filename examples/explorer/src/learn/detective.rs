@@ -144,11 +144,8 @@ impl Scene for Detective {
         let mut frame = Frame::default();
         let [beam, bar] = case.test_beams.each_ref().map(|beam| beam.centroid().map_err(|e| e.to_string()));
         let (beam, bar) = (beam?, bar?);
-        for (names, beam) in [(["beam", "beam_axis"], &beam), (["bar", "bar_axis"], &bar)] {
-            let points = super::pair::drawn(&camera, |xi| beam.geometry(xi));
-            for name in names {
-                frame.line(name, points.iter().copied());
-            }
+        for (name, beam) in [("beam", &beam), ("bar", &bar)] {
+            frame.line(name, super::pair::drawn(&camera, |xi| beam.geometry(xi)));
         }
         frame.place("bend", camera.at(&beam.geometry(0.0).x));
         let point = refine(&*beam, &*bar, (0.0, 0.0), Held::default()).map_err(|error| error.to_string())?;

@@ -98,11 +98,8 @@ impl Scene for Friction {
         let (q, point, outcome, _) = self.contact()?;
         let mut frame = Frame::default();
         let camera = camera();
-        for (names, q) in [(["beam", "beam_axis"], &q.beam), (["bar", "bar_axis"], &q.bar)] {
-            let points = drawn(&camera, |xi| geometry(q, xi));
-            for name in names {
-                frame.line(name, points.iter().copied());
-            }
+        for (name, q) in [("beam", &q.beam), ("bar", &q.bar)] {
+            frame.line(name, drawn(&camera, |xi| geometry(q, xi)));
         }
         let before = beam([0.0; 2]);
         frame.line("before", drawn(&camera, |xi| geometry(&before, xi)));

@@ -141,11 +141,8 @@ fn plane([xi, xi_bar]: [f64; 2]) -> [f64; 2] {
 /// The picture of the beams.
 fn beams(frame: &mut Frame, q: &Both, dq: &Both) {
     let camera = camera();
-    for (names, q) in [(["beam", "beam_axis"], &q.beam), (["bar", "bar_axis"], &q.bar)] {
-        let points = drawn(&camera, |xi| geometry(q, xi));
-        for name in names {
-            frame.line(name, points.iter().copied());
-        }
+    for (name, q) in [("beam", &q.beam), ("bar", &q.bar)] {
+        frame.line(name, drawn(&camera, |xi| geometry(q, xi)));
     }
     let varied = q.plus(1.0, dq).beam;
     frame.line("varied", drawn(&camera, |xi| geometry(&varied, xi)));

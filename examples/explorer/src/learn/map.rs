@@ -8,7 +8,7 @@ const LEFT: f64 = 40.0;
 const TOP: f64 = 12.0;
 const SIDE: f64 = 300.0;
 /// Cells of the grid in each direction.
-const CELLS: usize = 32;
+const CELLS: usize = 20;
 /// The number of shades.
 const SHADES: f64 = 15.0;
 

@@ -51,11 +51,8 @@ impl Scene for Normal {
         let [beam, bar] = beams();
         let camera = camera();
         let mut frame = Frame::default();
-        for (names, q) in [(["beam", "beam_axis"], &beam), (["bar", "bar_axis"], &bar)] {
-            let points = drawn(&camera, |xi| geometry(q, xi));
-            for name in names {
-                frame.line(name, points.iter().copied());
-            }
+        for (name, q) in [("beam", &beam), ("bar", &bar)] {
+            frame.line(name, drawn(&camera, |xi| geometry(q, xi)));
         }
         let at = self.at.map(|xi| xi.clamp(-1.0, 1.0));
         let (x, y) = (geometry(&beam, at[0]), geometry(&bar, at[1]));
@@ -81,13 +78,9 @@ impl Scene for Normal {
             frame.line(names[2], corners.map(|x| camera.at(&x)));
         }
 
-        let pair = super::pair::parabolas();
-        let q = DofVector { beam, bar };
-        let (beam, bar) = pair.centroids(&q);
-        let centroids: [&dyn Centroid; 2] = [&beam, &bar];
-        let [first, second] = Grid::of(centroids, [|at| at.gradient[0], |at| -at.gradient[1]]);
-        frame.paths.insert("zero".into(), first.contours(&[0.0]));
-        frame.paths.insert("zero_bar".into(), second.contours(&[0.0]));
+        let [zero, zero_bar] = zeros();
+        frame.paths.insert("zero".into(), zero);
+        frame.paths.insert("zero_bar".into(), zero_bar);
         frame.place("both", map::at(at));
         frame.number("d_t", here.gradient[0]);
         frame.number("d_t_bar", -here.gradient[1]);
@@ -99,6 +92,20 @@ impl Scene for Normal {
         frame.text("degrees_bar", degrees(n.dot(&y.t) / y.t.norm()));
         Ok(frame)
     }
+}
+
+/// The lines on which d.t = 0 and d.t_bar = 0. The beams do not move, so the lines are computed once.
+fn zeros() -> [String; 2] {
+    thread_local! {
+        static ZEROS: [String; 2] = {
+            let [beam, bar] = beams();
+            let (pair, q) = (super::pair::parabolas(), DofVector { beam, bar });
+            let (beam, bar) = pair.centroids(&q);
+            let centroids: [&dyn Centroid; 2] = [&beam, &bar];
+            Grid::of(centroids, [|at| at.gradient[0], |at| -at.gradient[1]]).map(|grid| grid.contours(&[0.0]))
+        };
+    }
+    ZEROS.with(Clone::clone)
 }
 
 /// The middle of two places, moved aside.

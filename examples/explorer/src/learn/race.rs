@@ -163,12 +163,8 @@ impl Scene for Race {
         frame.place("iteration", [across(count(shown)), PLOT[3]]);
         frame.line("here", [[across(count(shown)), PLOT[2]], [across(count(shown)), PLOT[3]]]);
         let camera = Camera::new([-0.2, 1.0, -1.1], 96.0, [170.0, 175.0]);
-        for (run, names) in [
-            (&exact, ["exact_beam", "exact_axis", "exact_bar", "exact_bar_axis"]),
-            (&wrong, ["wrong_beam", "", "wrong_bar", ""]),
-        ] {
-            let last = run.states.len().saturating_sub(1);
-            let q = &run.states[shown.min(last)];
+        for (run, names) in [(&exact, ["exact_beam", "exact_bar"]), (&wrong, ["wrong_beam", "wrong_bar"])] {
+            let q = &run.states[shown.min(run.states.len().saturating_sub(1))];
             let drawn = |q| {
                 let at = |i: u32| {
                     let xi = 2.0 * f64::from(i) / f64::from(PIECES) - 1.0;
@@ -176,14 +172,13 @@ impl Scene for Race {
                 };
                 (0..=PIECES).map(at).collect::<Vec<_>>()
             };
-            for (line_names, q) in [(&names[..2], &q.beam), (&names[2..], &q.bar)] {
-                for &name in line_names.iter().filter(|name| !name.is_empty()) {
-                    frame.line(name, drawn(q));
-                }
+            let lines = [drawn(&q.beam), drawn(&q.bar)];
+            if names[0] == "exact_beam" {
+                frame.place("clamp", lines[0][0]);
+                frame.place("clamp_bar", lines[1][0]);
             }
-            if names[1] == "exact_axis" {
-                frame.place("clamp", drawn(&q.beam)[0]);
-                frame.place("clamp_bar", drawn(&q.bar)[0]);
+            for (name, points) in names.into_iter().zip(lines) {
+                frame.line(name, points);
             }
         }
         let residual = |run: &Run| {

@@ -67,29 +67,15 @@ impl Scene for Slide {
             (
                 camera,
                 [
-                    "beam",
-                    "beam_axis",
-                    "bar",
-                    "bar_axis",
-                    "varied",
-                    "material",
-                    "along",
-                    "total",
-                    "d",
-                    "now",
-                    "then",
-                    "fibre",
-                    "again",
-                    "now_bar",
+                    "beam", "bar", "varied", "material", "along", "total", "d", "now", "then", "fibre",
+                    "again", "now_bar",
                 ],
             ),
             (
                 close,
                 [
                     "close_beam",
-                    "close_axis",
                     "close_bar",
-                    "close_bar_axis",
                     "close_varied",
                     "close_material",
                     "close_along",
@@ -103,26 +89,22 @@ impl Scene for Slide {
                 ],
             ),
         ] {
-            let points = drawn(&camera, |xi| geometry(&q.beam, xi));
-            frame.line(names[0], points.iter().copied());
-            frame.line(names[1], points);
-            let points = drawn(&camera, |xi| geometry(&q.bar, xi));
-            frame.line(names[2], points.iter().copied());
-            frame.line(names[3], points);
-            frame.line(names[4], drawn(&camera, |xi| geometry(&varied.beam, xi)));
+            frame.line(names[0], drawn(&camera, |xi| geometry(&q.beam, xi)));
+            frame.line(names[1], drawn(&camera, |xi| geometry(&q.bar, xi)));
+            frame.line(names[2], drawn(&camera, |xi| geometry(&varied.beam, xi)));
             let at = |x: &Vector3<f64>| camera.at(x);
-            frame.arrow(names[5], at(&x.x), at(&(x.x + material)));
-            frame.arrow(names[6], at(&(x.x + material)), at(&(x.x + material + along)));
-            frame.arrow(names[7], at(&x.x), at(&(x.x + material + along)));
-            frame.line(names[8], [at(&y.x), at(&x.x)]);
-            frame.place(names[9], at(&x.x));
-            frame.place(names[10], at(&(x.x + material + along)));
-            frame.place(names[11], at(&geometry(&varied.beam, point.xi).x));
+            frame.arrow(names[3], at(&x.x), at(&(x.x + material)));
+            frame.arrow(names[4], at(&(x.x + material)), at(&(x.x + material + along)));
+            frame.arrow(names[5], at(&x.x), at(&(x.x + material + along)));
+            frame.line(names[6], [at(&y.x), at(&x.x)]);
+            frame.place(names[7], at(&x.x));
+            frame.place(names[8], at(&(x.x + material + along)));
+            frame.place(names[9], at(&geometry(&varied.beam, point.xi).x));
             match &again {
-                Some(again) => frame.place(names[12], at(&geometry(&varied.beam, again.xi).x)),
-                None => frame.hide(names[12]),
+                Some(again) => frame.place(names[10], at(&geometry(&varied.beam, again.xi).x)),
+                None => frame.hide(names[10]),
             }
-            frame.place(names[13], at(&y.x));
+            frame.place(names[11], at(&y.x));
         }
         frame.place("end", camera.at(&geometry(&varied.beam, 1.0).x));
         let [from, to] = [&q.beam, &varied.beam].map(|q| camera.at(&geometry(q, 1.0).x));

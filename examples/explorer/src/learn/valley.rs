@@ -11,12 +11,13 @@ use beamgap::closest_point::{
 use beamgap::nalgebra::Vector3;
 use beamgap::test_beam::{Family, TestBeam};
 use serde::{Deserialize, Serialize};
+use std::cell::RefCell;
 
 /// Steps of the way down, and the fraction of the slope that a step follows.
 const STEPS: usize = 120;
 const STEP: f64 = 0.12;
 /// Lines of equal distance.
-const LEVELS: u8 = 13;
+const LEVELS: u8 = 9;
 
 const MINIMA: [[&str; 4]; 3] = [
     ["min0", "low0", "low_bar0", "link0"],
@@ -106,6 +107,34 @@ impl Valley {
     }
 }
 
+/// What depends on the beams alone.
+#[derive(Clone, Debug)]
+struct Landscape {
+    of: (Situation, [f64; 2]),
+    contours: String,
+    shades: String,
+    found: ClosestPoints,
+}
+
+/// The landscape of these beams. The last one is kept, since the walker moves in it.
+fn landscape(of: (Situation, [f64; 2]), beams: [&dyn Centroid; 2]) -> Result<Landscape, String> {
+    thread_local! {
+        static LAST: RefCell<Option<Landscape>> = const { RefCell::new(None) };
+    }
+    let last = LAST.with_borrow(|last| last.as_ref().filter(|last| last.of == of).cloned());
+    if let Some(last) = last {
+        return Ok(last);
+    }
+    let [grid] = Grid::of(beams, [|at| at.distance]);
+    let [low, high] = grid.range();
+    let level = |i: u8| low + (high - low) * (f64::from(i) + 0.35) / f64::from(LEVELS);
+    let levels: Vec<f64> = (0..LEVELS).map(level).collect();
+    let found = closest_points(beams[0], beams[1], &Search::default()).map_err(|e| e.to_string())?;
+    let landscape = Landscape { of, contours: grid.contours(&levels), shades: grid.shades(), found };
+    LAST.with_borrow_mut(|last| *last = Some(landscape.clone()));
+    Ok(landscape)
+}
+
 impl Scene for Valley {
     fn drag(&mut self, handle: &str, to: [f64; 2]) {
         match handle {
@@ -151,11 +180,8 @@ impl Scene for Valley {
         let at = self.at.map(|xi| xi.clamp(-1.0, 1.0));
         let (x, y) = (beam.geometry(at[0]), bar.geometry(at[1]));
         let here = SquaredDistance::new(&x, &y);
-        for (names, beam) in [(["beam", "beam_axis"], beam), (["bar", "bar_axis"], bar)] {
-            let points = drawn(&camera, |xi| beam.geometry(xi));
-            for name in names {
-                frame.line(name, points.iter().copied());
-            }
+        for (name, beam) in [("beam", beam), ("bar", bar)] {
+            frame.line(name, drawn(&camera, |xi| beam.geometry(xi)));
         }
         let [on_beam, on_bar] = [x.x, y.x].map(|x| camera.at(&x));
         frame.line("distance", [on_bar, on_beam]);
@@ -164,12 +190,9 @@ impl Scene for Valley {
         frame.place("turn", camera.at(&bar.geometry(1.0).x));
         frame.place("walker", map::at(at));
 
-        let [grid] = Grid::of([beam, bar], [|at| at.distance]);
-        let [low, high] = grid.range();
-        let level = |i: u8| low + (high - low) * (f64::from(i) + 0.35) / f64::from(LEVELS);
-        let levels: Vec<f64> = (0..LEVELS).map(level).collect();
-        frame.paths.insert("contours".into(), grid.contours(&levels));
-        frame.shades.insert("map".into(), grid.shades());
+        let Landscape { contours, shades, found, .. } = landscape((self.situation, self.turn), [beam, bar])?;
+        frame.paths.insert("contours".into(), contours);
+        frame.shades.insert("map".into(), shades);
         let (way, end) = descent([beam, bar], at);
         frame.paths.insert("way".into(), line(way));
         frame.place("end", map::at(end));
@@ -182,7 +205,6 @@ impl Scene for Valley {
         frame.arrow("slope", map::at(at), tip([slope, 0.0]));
         frame.arrow("slope_bar", map::at(at), tip([0.0, slope_bar]));
 
-        let found = closest_points(beam, bar, &Search::default()).map_err(|error| error.to_string())?;
         marks(&mut frame, &camera, [beam, bar], &found);
         frame.number("F", 0.5 * here.distance * here.distance);
         frame.number("F_xi", slope);
