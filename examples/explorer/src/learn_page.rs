@@ -42,10 +42,11 @@ const PROSE: [&str; 8] = [
 pub(crate) fn page(module: &str) -> Result<String, Box<dyn Error>> {
     let mut scenes = String::new();
     let mut contents = String::new();
-    for (name, prose) in SCENES.into_iter().zip(PROSE) {
+    for (count, (name, prose)) in (1..).zip(SCENES.into_iter().zip(PROSE)) {
         let frame = opening(name)?;
         let html = filled(&typeset(&with_values(prose)?)?, &frame)?;
-        let title = between(&html, "-title\">", "</h2>").ok_or("a scene has no title")?;
+        let title = between(&html, "-title\">", "</h2>").ok_or("a scene has no title")?.to_owned();
+        let html = html.replacen("-title\">", &format!("-title\"><span class=\"count\">{count}</span> "), 1);
         writeln!(contents, "<li><a href=\"#{name}\">{title}</a></li>")?;
         let rests = if name == "detective" { " data-rest" } else { "" };
         writeln!(
