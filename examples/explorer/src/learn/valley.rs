@@ -213,6 +213,8 @@ impl Scene for Valley {
         frame.number("xi", at[0]);
         frame.number("xi_bar", at[1]);
         frame.text("found", words(&found));
+        let smallest = found.minima.first().filter(|_| found.unresolved.is_empty());
+        frame.text("smallest", smallest.map_or_else(|| "–".to_owned(), |point| number(point.distance)));
         let situation = serde_json::to_value(self.situation).map_err(|error| error.to_string())?;
         frame.controls.insert("situation".into(), situation.as_str().unwrap_or_default().to_owned());
         Ok(frame)
@@ -279,11 +281,8 @@ fn words(found: &ClosestPoints) -> String {
     };
     let inside = found.minima.iter().filter(|point| point.is_interior()).count();
     let ends = found.minima.len() - inside;
-    let smallest = found.minima.first().map_or_else(String::new, |nearest| {
-        format!(" The smallest distance is {}.", number(nearest.distance))
-    });
     format!(
-        "The search finds {} inside both beams, {} at an end, and {}.{smallest}",
+        "The search finds {} inside both beams, {} at an end, and {}.",
         count(inside, "minimum", "minima"),
         count(ends, "minimum", "minima"),
         count(saddles(found).count(), "saddle", "saddles")
