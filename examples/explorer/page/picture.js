@@ -81,12 +81,20 @@ function placeHandles(list) {
     });
     layer.replaceChildren(...handles);
     handles.forEach((group, i) => listen(group, i));
+    sizeGrips();
   }
   list.forEach((handle, i) => {
     handles[i].setAttribute("transform", `translate(${handle.at[0].toFixed(1)} ${handle.at[1].toFixed(1)})`);
     handles[i].setAttribute("aria-label", `${handle.name}: ${handle.value.map((x) => x.toFixed(3)).join(", ")}`);
   });
 }
+
+/** A handle can be touched where it is 44 pixels wide, however small the picture is. */
+function sizeGrips() {
+  const unit = svg.viewBox.baseVal.width / svg.getBoundingClientRect().width;
+  for (const grip of svg.querySelectorAll(".grip")) grip.setAttribute("r", Math.max(17, 22.5 * unit).toFixed(1));
+}
+new ResizeObserver(sizeGrips).observe(svg);
 
 const rounded = (x) => Math.round(x * 1000) / 1000;
 const beam = (which) => (which ? state.bar : state.beam);
@@ -104,6 +112,8 @@ function move(i, [right, up, away], from) {
 
 function listen(group, i) {
   let from = null;
+  // Parts of a picture do not obey touch-action in every browser: without this the page scrolls.
+  group.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
   group.addEventListener("pointerdown", (event) => {
     group.setPointerCapture(event.pointerId);
     from = { x: event.clientX, y: event.clientY, value: answer.handles[i].value };

@@ -102,7 +102,9 @@ async function explorer() {
   // A finger.
   ({ page, close } = await opened("explorer.html", { hasTouch: true, viewport: { width: 400, height: 800 } }));
   const start = await gap(page);
+  const scrolled = await page.evaluate(() => scrollY);
   const box = await page.locator('[aria-label^="point 1 of the bar beam"]').boundingBox();
+  assert.ok(Math.min(box.width, box.height) >= 44, `a handle is ${box.width} px wide`);
   const touch = await page.context().newCDPSession(page);
   const [px, py] = [box.x + box.width / 2, box.y + box.height / 2];
   const at = (type, points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points });
@@ -111,6 +113,7 @@ async function explorer() {
   await at("touchEnd", []);
   await settled(page);
   assert.notEqual(await gap(page), start);
+  assert.equal(await page.evaluate(() => scrollY), scrolled, "the page scrolls");
   await close();
 
   // A broken link is told.
