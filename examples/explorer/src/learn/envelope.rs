@@ -5,6 +5,7 @@ use super::pair::{Both, Dofs, First, above, below, followed, geometry, nearest};
 use super::{Scene, rounded};
 use beamgap::closest_point::{ClosestPoint, Held};
 use serde::{Deserialize, Serialize};
+use std::cell::OnceCell;
 
 /// The frame of both plots: left, right, top, bottom.
 const PLOT: [f64; 4] = [48.0, 344.0, 20.0, 270.0];
@@ -37,6 +38,20 @@ fn distance(q: &Both, (xi, xi_bar): (f64, f64)) -> f64 {
     (geometry(&q.beam, xi).x - geometry(&q.bar, xi_bar).x).norm()
 }
 
+/// The distances of the closest points over the step. The motion does not change, so they are computed once.
+fn all_followed(q: &Both, dq: &Both, point: &ClosestPoint) -> Vec<Option<f64>> {
+    thread_local! {
+        static ALL: OnceCell<Vec<Option<f64>>> = const { OnceCell::new() };
+    }
+    let at = |i: u32| followed(q, dq, part(i), point).map(|found| found.distance);
+    ALL.with(|all| all.get_or_init(|| (0..=PIECES).map(at).collect()).clone())
+}
+
+/// The steps of a drawn curve, from -1 to 1.
+fn part(i: u32) -> f64 {
+    2.0 * f64::from(i) / f64::from(PIECES) - 1.0
+}
+
 fn across(x: f64) -> f64 {
     PLOT[0] + (PLOT[1] - PLOT[0]) * 0.5 * (x + 1.0)
 }
@@ -60,20 +75,14 @@ impl Scene for Envelope {
         let moved = q.plus(step, &dq);
 
         // The scale of both plots contains all that they show.
+        let followed_all = all_followed(&q, &dq, &point);
         let corners = [-1.0, 1.0].map(|s| distance(&q.plus(s, &dq), at));
         let high = corners[0].max(corners[1]) + 0.02;
-        let low = [-1.0, -0.5, 0.0, 0.5, 1.0]
-            .iter()
-            .filter_map(|&s| followed(&q, &dq, s, &point))
-            .fold(point.distance, |low, found| low.min(found.distance))
-            - 0.03;
+        let low = followed_all.iter().flatten().fold(point.distance, |low, &d| low.min(d)) - 0.03;
         let up = |d: f64| PLOT[3] - (PLOT[3] - PLOT[2]) * ((d - low) / (high - low)).clamp(-0.2, 1.3);
         let curve = |f: &dyn Fn(f64) -> Option<f64>| {
-            let place = |i: u32| {
-                let x = 2.0 * f64::from(i) / f64::from(PIECES) - 1.0;
-                f(x).map(|d| [across(x), up(d)])
-            };
-            (0..=PIECES).filter_map(place).collect::<Vec<_>>()
+            let place = |x: f64| f(x).map(|d| [across(x), up(d)]);
+            (0..=PIECES).map(part).filter_map(place).collect::<Vec<_>>()
         };
 
         let mut frame = Frame::default();
@@ -94,7 +103,8 @@ impl Scene for Envelope {
         frame.line("drop", drop.into_iter().flatten());
 
         // Right: the distance over the step.
-        frame.line("followed", curve(&|s| followed(&q, &dq, s, &point).map(|found| found.distance)));
+        let places = (0..=PIECES).map(part).zip(&followed_all);
+        frame.line("followed", places.filter_map(|(s, d)| d.map(|d| [across(s), up(d)])));
         frame.line("held", curve(&|s| Some(distance(&q.plus(s, &dq), at))));
         let all = first.seconds(at, Held::default());
         let held = first.seconds(at, Held { xi: true, xi_bar: true });

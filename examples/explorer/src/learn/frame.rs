@@ -5,7 +5,6 @@ use serde::Serialize;
 use serde_json::Value;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// The name of an element.
 type Name = Cow<'static, str>;
@@ -80,10 +79,40 @@ fn tenth(x: f64) -> f64 {
 /// The data of a line through points.
 pub(super) fn line(points: impl IntoIterator<Item = [f64; 2]>) -> String {
     let mut data = String::new();
-    for (i, [x, y]) in points.into_iter().enumerate() {
-        let _ = write!(data, "{}{} {}", if i == 0 { "M" } else { "L" }, tenth(x), tenth(y));
-    }
+    push_line(&mut data, points);
     data
+}
+
+/// Adds a line through points.
+pub(super) fn push_line(data: &mut String, points: impl IntoIterator<Item = [f64; 2]>) {
+    for (i, [x, y]) in points.into_iter().enumerate() {
+        data.push(if i == 0 { 'M' } else { 'L' });
+        push_tenths(data, x);
+        data.push(' ');
+        push_tenths(data, y);
+    }
+}
+
+/// Adds a number with at most one decimal. A map has a thousand of them, and the formatting of floats takes too long.
+fn push_tenths(data: &mut String, x: f64) {
+    #[expect(clippy::cast_possible_truncation, reason = "clamped; a number that is not finite becomes 0")]
+    let tenths = (x * 10.0).round().clamp(-1e6, 1e6) as i32;
+    if tenths < 0 {
+        data.push('-');
+    }
+    let mut rest = tenths.unsigned_abs();
+    let mut digits = [b'0'; 8];
+    let mut count = 0;
+    while rest > 0 || count < 2 {
+        digits[count] = b'0' + u8::try_from(rest % 10).unwrap_or(0);
+        rest /= 10;
+        count += 1;
+    }
+    data.extend(digits[1..count].iter().rev().map(|&digit| char::from(digit)));
+    if digits[0] != b'0' {
+        data.push('.');
+        data.push(char::from(digits[0]));
+    }
 }
 
 fn arrow(from: [f64; 2], to: [f64; 2]) -> String {

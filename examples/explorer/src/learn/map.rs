@@ -1,8 +1,7 @@
 //! The square of both parameters as a map: xi to the right, xi_bar upwards.
 
-use super::frame::line;
+use super::frame::push_line;
 use beamgap::closest_point::{Centroid, SquaredDistance};
-use std::fmt::Write;
 
 const LEFT: f64 = 40.0;
 const TOP: f64 = 12.0;
@@ -102,6 +101,6 @@ fn segments(corners: &[(f64, [f64; 2]); 4], level: f64, data: &mut String) {
         }
     }
     for pair in crossings[..count].chunks_exact(2) {
-        let _ = write!(data, "{}", line([pair[0], pair[1]]));
+        push_line(data, [pair[0], pair[1]]);
     }
 }
