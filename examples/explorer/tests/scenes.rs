@@ -152,3 +152,17 @@ fn friction_sticks_and_then_slips() {
         frame("friction", &accepted["state"], &json!({ "drag": { "handle": "move", "to": [x + 20.0, y] } }));
     assert!(text(&back, "state").contains("sticks"), "{back}");
 }
+
+/// A handle that is pressed without being moved changes nothing but rounding.
+#[test]
+fn handles_do_not_jump() {
+    for situation in ["crossing", "waves", "straight", "arcs"] {
+        let before = chosen("valley", &[("situation", situation)]);
+        let drag = json!({ "drag": { "handle": "turn", "to": before["places"]["turn"] } });
+        let after = frame("valley", &before["state"], &drag);
+        for i in [0, 1] {
+            let [one, other] = [&before, &after].map(|frame| frame["state"]["turn"][i].as_f64().unwrap());
+            assert!((one - other).abs() < 5e-3, "{situation}: {one} {other}");
+        }
+    }
+}

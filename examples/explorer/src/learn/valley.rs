@@ -98,6 +98,11 @@ impl Valley {
 }
 
 impl Valley {
+    /// The end of the bar beam that is on the side of its angle. An arc begins there.
+    fn end(&self) -> f64 {
+        if self.situation == Situation::Arcs { -1.0 } else { 1.0 }
+    }
+
     /// Goes some steps down.
     fn walk(&mut self, steps: usize) {
         let Ok([beam, bar]) = self.beams() else { return };
@@ -140,7 +145,7 @@ impl Scene for Valley {
         match handle {
             "walker" => self.at = map::from(to).map(rounded),
             "turn" => {
-                let Some(end) = self.beams().ok().map(|[_, bar]| bar.geometry(1.0).x) else { return };
+                let Some(end) = self.beams().ok().map(|[_, bar]| bar.geometry(self.end()).x) else { return };
                 let x = camera().on_level(to, end.z);
                 let length = (x.x * x.x + x.y * x.y).sqrt();
                 if length > 0.05 {
@@ -187,7 +192,7 @@ impl Scene for Valley {
         frame.line("distance", [on_bar, on_beam]);
         frame.place("point", on_beam);
         frame.place("point_bar", on_bar);
-        frame.place("turn", camera.at(&bar.geometry(1.0).x));
+        frame.place("turn", camera.at(&bar.geometry(self.end()).x));
         frame.place("walker", map::at(at));
 
         let Landscape { contours, shades, found, .. } = landscape((self.situation, self.turn), [beam, bar])?;
@@ -214,7 +219,7 @@ impl Scene for Valley {
         frame.number("xi_bar", at[1]);
         frame.text("found", words(&found));
         let smallest = found.minima.first().filter(|_| found.unresolved.is_empty());
-        frame.text("smallest", smallest.map_or_else(|| "–".to_owned(), |point| number(point.distance)));
+        frame.text("smallest", smallest.map_or_else(|| "none".to_owned(), |point| number(point.distance)));
         let situation = serde_json::to_value(self.situation).map_err(|error| error.to_string())?;
         frame.controls.insert("situation".into(), situation.as_str().unwrap_or_default().to_owned());
         Ok(frame)
