@@ -43,6 +43,10 @@ EXPECTED = [
     ("jet-of-lagrange", CHECK, 1, ["wrong layer: the equations, or the jets"]),
     ("slope-by-orders", CHECK, 1, ["wrong layer: this function", "expand_by_orders"]),
     # The contact element
+    ("sign-of-grad-c", CHECK, 1, ["contact::"]),
+    ("gamma-without-angle", CHECK, 1, ["contact::"]),
+    ("sign-of-grad-c", PROVE, 1, ["contact element, stick: tangent"]),
+    ("gamma-without-angle", PROVE, 1, ["contact element, slip: tangent"]),
     ("sign-of-grad-c", ELEMENT, 1, ["tangent"]),
     ("gamma-without-angle", ELEMENT, 1, ["tangent"]),
     # The search

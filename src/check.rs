@@ -80,7 +80,7 @@ pub use diagnosis::{Diagnosis, Finding, layer, look_at};
 pub use distribution::Quantiles;
 pub use draw::{Case, Selection};
 pub use element::ElementData;
-pub(crate) use evaluation_point::EvaluationPoint;
+pub(crate) use evaluation_point::{ELEMENT_ENTRIES, EvaluationPoint};
 pub(crate) use independent_search::{IndependentSearch, pair_of};
 pub use independent_search::{SearchFinding, SearchFindingKind, SearchTally, Searched};
 pub use left_out::{LARGEST_SHARE, LeftOut, left_out_warning};

@@ -24,6 +24,8 @@ pub use error::ContactError;
 pub use history::{History, Slips, Start};
 pub use law::{Law, NormalLaw, Piece};
 pub use matrix::BlockMatrix;
+#[cfg(feature = "check")]
+pub(crate) use matrix::contracted;
 pub use parameters::{Parameters, Work};
 
 #[cfg(test)]

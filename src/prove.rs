@@ -5,7 +5,7 @@
 //! construction. A draw whose d, t or t_bar has no square root in the field is drawn again. Two chord steps in hyper-dual
 //! arithmetic differentiate the orthogonality conditions; they are exact, as the dual parts are nilpotent. Every value,
 //! first and second variation of the closed form must be equal to that of AD. So must gradients and Hessians, contracted
-//! with the same directions. Some draws hold parameters at ends, each at both. The draws go
+//! with the same directions, and residual and tangent of a contact element in a state that is drawn. Some draws hold parameters at ends, each at both. The draws go
 //! through every [`Formulation`](crate::linearization::closed_form::Formulation): both distances, with both signs of the
 //! normal, and both ways to solve the system.
 //!
@@ -15,13 +15,16 @@
 //! degree at most 8 n, where n bounds the degree of numerator and denominator of either side. The bound is computed by
 //! running both sides over [`PolynomialDegree`](crate::number::PolynomialDegree). A polynomial of degree m vanishes at a random point with probability m / p at
 //! most (Schwartz and Zippel), and at least one point in eight is not drawn again. One draw therefore misses a wrong
-//! formula with probability 64 n / p at most, and the probabilities of independent draws multiply.
+//! formula with probability 64 n / p at most, and the probabilities of independent draws multiply. A contact element that slips
+//! has a fourth square root, the length of the trial force, and so 256 n / p.
 
 mod draw;
+mod element;
 mod entry;
 mod run;
 
 pub use draw::Draw;
+pub(crate) use element::Situation;
 pub use entry::{Entry, Layer};
 pub use run::{Proof, Row, prove};
 
@@ -41,6 +44,15 @@ struct Sides<T> {
     matrices: Option<[[T; 3]; SCALARS]>,
     /// The kernel in its layouts, for curves with shape functions; if requested.
     kernel: Layouts<T>,
+    /// Residual and tangent of a contact element; if requested.
+    element: Option<Element<T>>,
+}
+
+/// Residual and tangent of a contact element: along delta and Delta, and between them in both orders.
+struct Element<T> {
+    candidate: &'static str,
+    closed: [T; 4],
+    ad: [T; 4],
 }
 
 /// Automatic differentiation at a stationary point.

@@ -26,6 +26,8 @@ enumeration! {
         Chord => "AD",
         /// The public functions of the kernel, with the beams' own numbers of dofs.
         Kernel => "kernel",
+        /// Residual (first order) and tangent (second order) of a contact element, in its two ways to the geometry.
+        Element => "contact element",
     }
 }
 

@@ -6,7 +6,7 @@ use super::evaluation_point::EvaluationPoint;
 use crate::contact::ad::{force_values, virtual_work};
 use crate::contact::{ContactError, Decision, History, Law, Parameters, State};
 use crate::linearization::closed_form::{Formulation, Points};
-use crate::linearization::{COMPONENTS, Quantities, Varied};
+use crate::linearization::{Quantities, Varied};
 use crate::number::{HyperDual, Real};
 use crate::pair::Contact;
 use crate::test_beam::RunningError2;
@@ -39,11 +39,20 @@ impl ElementData {
     /// # Errors
     /// [`ContactError`] if the point does not define it.
     pub(in crate::check) fn at(&self, evaluation: &EvaluationPoint) -> Result<ElementAt, ContactError> {
+        self.with_contact(evaluation, *evaluation.contact)
+    }
+
+    /// The same with other radii.
+    pub(in crate::check) fn with_contact(
+        &self,
+        evaluation: &EvaluationPoint,
+        contact: Contact,
+    ) -> Result<ElementAt, ContactError> {
         self.check()?;
         let at = ElementAt {
             data: *self,
             points: evaluation.points(),
-            contact: *evaluation.contact,
+            contact,
             at: (evaluation.at.0.value, evaluation.at.1.value),
             form: evaluation.form,
             state: None,
@@ -101,7 +110,7 @@ impl ElementAt {
             State::Slip => State::Stick,
             _ => return None,
         };
-        let excess = self.with(|decision| force_values(decision, &hyper_duals(all)))?[3];
+        let excess = self.with(|decision| force_values(decision, &Quantities::of_varied(all)))?[3];
         let is_open = excess.value.abs() <= 2.0 * excess.bound[1];
         is_open.then(|| Self { state: Some(other), ..self.clone() })
     }
@@ -113,7 +122,7 @@ impl ElementAt {
         all: &[Varied<T>],
         form: Formulation,
     ) -> Option<[Varied<T>; NUMBERS]> {
-        let quantities = hyper_duals(all);
+        let quantities = Quantities::of_varied(all);
         let exchanged = quantities.map(|x| HyperDual::new(x.re, x.eps2, x.eps1, x.eps1eps2));
         self.in_formulation(form).with(|decision| {
             let (along, other) = (virtual_work(decision, &quantities), virtual_work(decision, &exchanged));
@@ -130,13 +139,4 @@ impl ElementAt {
 /// The index of a state, as a number.
 pub(in crate::check) fn index(state: State) -> f64 {
     f64::from(state as u8)
-}
-
-/// The components as hyper-dual numbers.
-fn hyper_duals<T: Real>(all: &[Varied<T>]) -> Quantities<HyperDual<T>> {
-    let of: [HyperDual<T>; COMPONENTS] = std::array::from_fn(|i| {
-        let Varied { value, delta, linear, second } = all[i];
-        HyperDual::new(value, delta, linear, second)
-    });
-    Quantities::from_components(&of)
 }

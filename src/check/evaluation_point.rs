@@ -1,5 +1,6 @@
 //! A closest point at which both linearizations are evaluated, in every scalar that the check needs.
 
+mod contact;
 mod dense;
 mod refined;
 mod solved_again;
@@ -17,6 +18,8 @@ use crate::test_beam::{AnyBeam, FEW_DOFS, PaddedBeam, RunningError2, map_padded}
 use crate::variant::{
     Contracted, Returned, SCALARS, Step, Variant, bounded_kernel, contracted, kernel_functions, routes, terms,
 };
+pub(crate) use contact::ELEMENT_ENTRIES;
+pub(super) use contact::state_of;
 pub(super) use dense::Dense;
 use refined::Refined;
 use std::sync::OnceLock;

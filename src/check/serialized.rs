@@ -31,7 +31,7 @@ macro_rules! by_name {
 }
 pub(crate) use by_name;
 
-by_name!(crate::linearization::Quantity, crate::test_beam::Family);
+by_name!(crate::linearization::Quantity, crate::test_beam::Family, crate::contact::State);
 
 /// A number, or `"inf"`, `"-inf"` or `"NaN"`.
 pub(crate) mod number {

@@ -6,6 +6,7 @@ use super::arbitration::{Arbitration, DIFFERENCES};
 use super::counts::Counts;
 use super::diagnosis::Finding;
 use super::draw::Case;
+use super::evaluation_point::state_of;
 use super::independent_search::SearchTally;
 use super::regime::Regime;
 use super::serialized::{Name, name, nested};
@@ -162,6 +163,9 @@ impl Summary {
                 tally.cover(case, point);
             }
             compared += 1;
+            if let Some(state) = entries.iter().rev().find_map(state_of) {
+                *tally.elements.entry(state).or_default() += 1;
+            }
             for entry in entries.iter().filter(|entry| entry.is_meaningful()) {
                 let by_differences = usize::from(entry.against == DIFFERENCES);
                 cells[entry.quantity as usize][entry.order as usize][by_differences].merge(&Cell {

@@ -102,7 +102,7 @@ fn outcome(record: &Bounds) -> Outcome {
 fn order_of(part: &str) -> Order {
     match part {
         "value" => Order::Value,
-        "Delta-delta" => Order::Second,
+        "Delta-delta" | "tangent, delta-Delta" | "tangent, Delta-delta" => Order::Second,
         _ => Order::First,
     }
 }

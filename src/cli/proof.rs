@@ -18,6 +18,9 @@ use std::fmt::Write;
 /// The number of refutations shown; the others are counted.
 const SHOWN: usize = 5;
 
+/// The formulas of the contact element.
+const ELEMENT: &str = "src/contact/closed_form/assemble.rs";
+
 /// The outcome of a proof, with one entry for each layer of each quantity.
 pub(super) fn outcome(proof: &Proof) -> Outcome {
     let (exit, name, words) = if proof.holds() {
@@ -35,16 +38,28 @@ pub(super) fn outcome(proof: &Proof) -> Outcome {
             Layer::First => Order::First,
             Layer::Second => Order::Second,
             Layer::Matrix | Layer::Kernel => Order::Matrix,
+            Layer::Residual | Layer::Tangent => Order::Function,
         };
         OutcomeEntry {
             group: layer.name().to_owned(),
-            name: quantity.name().to_owned(),
+            name: subject(layer, quantity).to_owned(),
             state: State::of(equal + refuted, refuted),
             message: format!("equal in {}, unequal in {refuted}", count(equal, "draw")),
-            source: Some(Source::of_formula(order, quantity)),
+            source: Some(match layer {
+                Layer::Residual | Layer::Tangent => Source { file: ELEMENT.into(), line: 1 },
+                _ => Source::of_formula(order, quantity),
+            }),
         }
     });
     Outcome { command: "prove", verdict: Verdict::new(exit, name, words), entries: entries.collect() }
+}
+
+/// What a row is about.
+fn subject(layer: Layer, quantity: Quantity) -> &'static str {
+    match layer {
+        Layer::Residual | Layer::Tangent => "element",
+        _ => quantity.name(),
+    }
 }
 
 /// The heading: the request.
@@ -69,7 +84,7 @@ pub(super) fn human(proved: &Proved) -> String {
     for row in &proof.rows {
         let Row { quantity, layer, equal, refuted, degree } = row;
         table.row(vec![
-            quantity.name().into(),
+            subject(*layer, *quantity).into(),
             layer.name().into(),
             equal.to_string(),
             refuted.to_string(),
@@ -114,7 +129,7 @@ fn in_full(draw: &Draw) -> String {
             "All numbers of draw {} of {beam} and {bar}, with the ratio of those not equal",
             draw.number
         ),
-        |entry| !matches!(entry.layer, Layer::Matrix | Layer::Kernel),
+        |entry| matches!(entry.layer, Layer::Value | Layer::First | Layer::Second),
     );
     let matrices = part("Gradients and Hessians of this draw, contracted with its directions", |entry| {
         entry.layer == Layer::Matrix
@@ -122,7 +137,10 @@ fn in_full(draw: &Draw) -> String {
     let kernel = part("Unequal numbers of the kernel, contracted with the same directions", |entry| {
         entry.layer == Layer::Kernel && !entry.is_equal()
     });
-    let parts = [variations, matrices, kernel];
+    let element = part("Residual and tangent of a contact element, contracted in the same way", |entry| {
+        matches!(entry.layer, Layer::Residual | Layer::Tangent)
+    });
+    let parts = [variations, matrices, kernel, element];
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("\n")
 }
 
@@ -130,10 +148,11 @@ fn in_full(draw: &Draw) -> String {
 fn told(repeat: &str, draw: &Draw) -> String {
     let Draw { families: [one, other], number, held, .. } = draw;
     let Some(first) = draw.unequal().next() else { return String::new() };
-    let candidate = match first.layer {
-        Layer::Matrix => "contracted matrix, ".into(),
-        Layer::Kernel => format!("{}, ", first.candidate),
-        _ => String::new(),
+    let first_name = match first.layer {
+        Layer::Matrix => format!("contracted matrix, {} of {}", first.part, name(first)),
+        Layer::Kernel => format!("{}, {} of {}", first.candidate, first.part, name(first)),
+        Layer::Residual | Layer::Tangent => format!("{}: {}", first.candidate, name(first)),
+        _ => format!("{} of {}", first.part, name(first)),
     };
     let ends = match (held.xi, held.xi_bar) {
         (false, false) => "inside both beams",
@@ -143,13 +162,11 @@ fn told(repeat: &str, draw: &Draw) -> String {
     };
     let times = ratio(first).map(|ratio| format!(", {ratio} times AD")).unwrap_or_default();
     format!(
-        "{} and {}, draw {number}, {ends}: {} of {} unequal\n  first {candidate}{} of {}{times}\n  {}\n",
+        "{} and {}, draw {number}, {ends}: {} of {} unequal\n  first {first_name}{times}\n  {}\n",
         one.name(),
         other.name(),
         draw.unequal().count(),
         draw.entries.len(),
-        first.part,
-        name(first),
         repeat
     )
 }
@@ -164,8 +181,11 @@ fn repeat(seed: u64, Draw { families: [one, other], number, .. }: &Draw, plant: 
     format!("{program} prove --seed {seed:#x} --draws {draws} {families}{}", planting(plant))
 }
 
-/// The quantity with its component.
+/// The quantity with its component, or the part of the element.
 fn name(entry: &Entry<PrimeField>) -> String {
+    if matches!(entry.layer, Layer::Residual | Layer::Tangent) {
+        return entry.layer.name().into();
+    }
     let quantity = Quantity::name(entry.quantity());
     entry.axis().map_or_else(|| quantity.into(), |axis| format!("{quantity}.{axis}"))
 }
@@ -253,7 +273,7 @@ mod tests {
         assert_eq!(last(["d", "Delta-delta"]).as_deref(), Some("unequal"));
         assert_eq!(last(["xi_bar", "Delta-delta"]), None);
         assert!(
-            text.contains("draw 1, inside both beams: 6 of 113 unequal\n  first Delta-delta of d\n"),
+            text.contains("draw 1, inside both beams: 6 of 117 unequal\n  first Delta-delta of d\n"),
             "{text}"
         );
         assert!(text.contains(" prove --seed 0x1 --draws 2 --family segment --family arc\n"), "{text}");
@@ -273,6 +293,6 @@ mod tests {
         let expected = serde_json::json!([["d", null], ["xi", [-1, 1]], ["g_T", [1, 2]]]);
         assert_eq!(serde_json::json!(told("second")), expected);
         assert_eq!(serde_json::json!(told("matrix")), expected);
-        assert_eq!((entries.len(), unequal.len()), (113, 6));
+        assert_eq!((entries.len(), unequal.len()), (117, 6));
     }
 }

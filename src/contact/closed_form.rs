@@ -98,7 +98,7 @@ where
 }
 
 /// [`write`] with the kernel, as far as it applies to the curves.
-pub(super) fn write_by_kernel<U, V, L, const N: usize, const M: usize>(
+pub(crate) fn write_by_kernel<U, V, L, const N: usize, const M: usize>(
     decision: &Decision<'_, L>,
     jets: (&Jet<f64, U>, &Jet<f64, V>),
     q: &DofVector<f64, N, M>,
@@ -172,6 +172,7 @@ pub(super) struct Forces<T> {
     /// l = e − c ē and its twin; 0 if held.
     l: T,
     l_bar: T,
+    /// Φ/(μ F_N); not used without friction.
     yield_ratio: T,
 }
 
@@ -187,7 +188,7 @@ impl<T: Real> Forces<T> {
         let (eps_t, mu) = (T::from(parameters.eps_t), T::from(parameters.mu));
         let (zero, one) = (T::zero(), T::one());
         let Some(Trial { e, e_bar, c, gamma, .. }) = trial else {
-            return Self { f_n, k, rho: one, eps_t, mu, l: zero, l_bar: zero, yield_ratio: -one };
+            return Self { f_n, k, rho: one, eps_t, mu, l: zero, l_bar: zero, yield_ratio: zero };
         };
         // ρ = μ F_N/(ε_T γ) in slip
         let cone = mu * f_n;
@@ -200,8 +201,7 @@ impl<T: Real> Forces<T> {
     pub(super) fn values(&self, gap: &Gap<T>, trial: Option<&Trial<T>>) -> Values<T> {
         let Self { f_n, rho, eps_t, l, l_bar, yield_ratio, .. } = *self;
         let Gap { n, g_n } = *gap;
-        let open = Values { f_n, ..Values::open(gap) };
-        let Some(trial) = trial else { return open };
+        let Some(trial) = trial else { return Values { f_n, ..Values::open(gap) } };
         let (g_t, g_t_bar) = (trial.t * trial.u, trial.t_bar * trial.u_bar);
         let force = eps_t * rho;
         Values {

@@ -8,7 +8,7 @@ use crate::pair::Contact;
 
 enumeration! {
     /// The state of a contact.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum State {
         /// No contact: residual and tangent are zero.
         Open => "open",

@@ -18,6 +18,21 @@ pub struct BlockMatrix<T, const N: usize, const M: usize> {
     pub bar: SMatrix<T, M, M>,
 }
 
+/// The residual along both directions, and the tangent between them in both orders.
+#[cfg(feature = "check")]
+pub(crate) fn contracted<T: Real, const N: usize, const M: usize>(
+    residual: &DofVector<T, N, M>,
+    tangent: &BlockMatrix<T, N, M>,
+    [delta, linear]: &[DofVector<T, N, M>; 2],
+) -> [T; 4] {
+    [
+        residual.along(delta),
+        residual.along(linear),
+        delta.along(&tangent.times(linear)),
+        linear.along(&tangent.times(delta)),
+    ]
+}
+
 impl<T: Real, const N: usize, const M: usize> BlockMatrix<T, N, M> {
     /// The zero matrix.
     #[inline]

@@ -9,7 +9,8 @@ use super::limit::{Limit, of_terms};
 use super::test_points::{Sample, test_points};
 use crate::check::serialized::by_name;
 use crate::check::{
-    Case, CheckConfig, Comparison, Order, Regime, Selection, Verdict, compare, compares_routes, judged,
+    Case, CheckConfig, Comparison, ELEMENT_ENTRIES, Order, Regime, Selection, Verdict, compare,
+    compares_routes, judged,
 };
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::COMPONENTS;
@@ -115,7 +116,7 @@ fn counts(case: &Case) -> Vec<(Compared, [usize; 2])> {
     let mut counts = vec![(Compared::Minima, [at_points.len(), minima])];
     let is_linear = case.families.into_iter().all(Family::is_linear);
     let kernel = if is_linear { kernel_entries([beam, bar].map(AnyBeam::dofs)) } else { 0 };
-    let routes = if compares_routes(case.number) { ROUTE_ENTRIES } else { 0 };
+    let routes = if compares_routes(case.number) { ROUTE_ENTRIES + ELEMENT_ENTRIES } else { 0 };
     for (_, verdict) in at_points {
         let (Verdict::Pass(entries) | Verdict::Mismatch(entries)) = verdict else { continue };
         let mut found = BTreeMap::new();

@@ -101,7 +101,8 @@ const ALONE: [(&str, Change); 4] = [
     ("plus one", Change::PlusOne),
 ];
 
-/// All operations of the equations, the matrices, the kernel in every layout, and the jets of all families.
+/// All operations of the equations, the matrices, the contact element, the kernel in every layout, and the jets of all
+/// families.
 pub fn all_operations(seed: u64) -> Vec<Operations> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let places = Place::all(&mut rng);

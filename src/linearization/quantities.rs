@@ -106,6 +106,18 @@ impl<S: Scalar> Quantities<S> {
     }
 }
 
+#[cfg(feature = "check")]
+impl<T: Real> Quantities<HyperDual<T>> {
+    /// The quantities with these variations as dual parts, component by component.
+    pub(crate) fn of_varied(all: &[Varied<T>]) -> Self {
+        let of: [HyperDual<T>; COMPONENTS] = std::array::from_fn(|i| {
+            let Varied { value, delta, linear, second } = all[i];
+            HyperDual::new(value, delta, linear, second)
+        });
+        Self::from_components(&of)
+    }
+}
+
 enumeration! {
     /// The name of a quantity, in the order of [`Quantities`].
     ///

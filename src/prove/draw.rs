@@ -1,9 +1,10 @@
 //! One draw: two beams at a stationary point, both sides evaluated, and all their entries.
 
+use super::element::Situation;
 use super::entry::{Entry, entries};
 use super::{Sides, differentiated};
 use crate::closest_point::{Held, Side};
-use crate::linearization::closed_form::Formulation;
+use crate::linearization::closed_form::{Formulation, Points};
 use crate::number::{Faulty, PrimeField};
 use crate::test_beam::{ExactBeam, Family, map_padded, robust, stationary_at};
 use crate::variant::{CONTACT, Step, Variant, contracted, every_layout};
@@ -47,6 +48,7 @@ struct Place {
     beams: [Box<dyn ExactBeam<PrimeField>>; 2],
     at: (PrimeField, PrimeField),
     form: Formulation,
+    rng: ChaCha8Rng,
 }
 
 impl Place {
@@ -73,14 +75,14 @@ impl Place {
             _ => (paper.distance, robust.system),
         };
         let form = Formulation { held, distance, system };
-        Self { beams, at, form }
+        Self { beams, at, form, rng }
     }
 }
 
 impl Draw {
     /// Draws, evaluates both sides, and pairs their entries.
     pub fn new(variant: &Variant, seed: u64, families: [Family; 2], number: u64) -> Self {
-        let Place { beams, at, form } = Place::new(seed, families, number);
+        let Place { beams, at, form, mut rng } = Place::new(seed, families, number);
         let held = form.held;
         let with_matrices = has_matrices(number);
         let beams = [&*beams[0], &*beams[1]];
@@ -99,11 +101,17 @@ impl Draw {
         };
         let dofs = beams.map(ExactBeam::dofs);
         let kernel = || every_layout(&padded(Step::Now), dofs, at, form, &CONTACT);
+        let ad = differentiated(beams, at, held, &CONTACT);
+        let mut element = || {
+            let points = Points::new(&beams[0].geometry(at.0), &beams[1].geometry(at.1));
+            Situation::draw(&points, at, held, &mut rng).sides(&padded(Step::Now), at, form, &ad)
+        };
         let sides = Sides {
+            // Faults are injected into the formulas that the kernel and the element are compared with.
+            element: (with_matrices && *variant == Variant::Unmodified).then(&mut element),
             closed: variant.quantities(partial, at, form, &CONTACT).components(),
-            ad: differentiated(beams, at, held, &CONTACT),
+            ad,
             matrices: with_matrices.then(matrices),
-            // Faults are injected into the formulas that the kernel is compared with.
             kernel: if with_matrices && *variant == Variant::Unmodified { kernel() } else { Vec::new() },
         };
         Self { families, number, held, entries: entries(&sides) }

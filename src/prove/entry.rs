@@ -1,6 +1,6 @@
 //! The compared numbers of a draw, entry by entry.
 
-use super::Sides;
+use super::{Element, Sides};
 use crate::check::serialized::by_name;
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::PrimeField;
@@ -22,6 +22,10 @@ enumeration! {
         Matrix => "matrix",
         /// Value, gradient and Hessian by the kernel, contracted in the same way.
         Kernel => "kernel",
+        /// R of a contact element, along the directions.
+        Residual => "residual",
+        /// K of a contact element, between the directions in both orders.
+        Tangent => "tangent",
     }
 }
 
@@ -34,9 +38,10 @@ pub struct Entry<T> {
     pub component: usize,
     /// The layer.
     pub layer: Layer,
-    /// The code that is compared with AD: the equations, the matrices, or the kernel in one of its layouts.
+    /// The code that is compared with AD: the equations, the matrices, the kernel in one of its layouts, or a contact
+    /// element.
     pub candidate: &'static str,
-    /// The part, by its name in [`Varied::PARTS`].
+    /// The part, by its name in [`Varied::PARTS`]; of a contact element, the directions.
     pub part: &'static str,
     /// The closed form's number.
     pub closed: T,
@@ -87,7 +92,15 @@ impl Serialize for Entry<PrimeField> {
     }
 }
 
-/// The entries that are compared, component by component, then the matrices and the kernel.
+/// The numbers of a contact element.
+const ELEMENT: [(Layer, &str); 4] = [
+    (Layer::Residual, "delta"),
+    (Layer::Residual, "Delta"),
+    (Layer::Tangent, "delta-Delta"),
+    (Layer::Tangent, "Delta-delta"),
+];
+
+/// The entries that are compared, component by component, then the matrices, the kernel and the contact element.
 pub(super) fn entries<T: Copy>(sides: &Sides<T>) -> Vec<Entry<T>> {
     const LAYERS: [Layer; 4] = [Layer::Value, Layer::First, Layer::First, Layer::Second];
     let mut entries = Vec::with_capacity(4 * COMPONENTS + 3 * SCALAR_COMPONENTS.len());
@@ -116,6 +129,17 @@ pub(super) fn entries<T: Copy>(sides: &Sides<T>) -> Vec<Entry<T>> {
                 Entry { component, layer, candidate, part, closed, ad: ad[k] }
             }));
         }
+    }
+    if let Some(Element { candidate, closed, ad }) = &sides.element {
+        let component = Quantity::GN.component();
+        entries.extend(ELEMENT.into_iter().enumerate().map(|(k, (layer, part))| Entry {
+            component,
+            layer,
+            candidate,
+            part,
+            closed: closed[k],
+            ad: ad[k],
+        }));
     }
     entries
 }

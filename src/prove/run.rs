@@ -1,5 +1,6 @@
 //! All draws of all pairs of families, and their result.
 
+use super::element::Situation;
 use super::entry::{Entry, Layer, entries};
 use super::{Draw, Sides, differentiated};
 use crate::closest_point::Held;
@@ -31,9 +32,11 @@ pub struct Row {
 }
 
 impl Row {
-    /// The decimal logarithm of the bound on the probability that a wrong formula passes one draw: 64 n / p.
+    /// The decimal logarithm of the bound on the probability that a wrong formula passes one draw: 64 n / p with three square
+    /// roots, 256 n / p with the fourth of a contact element.
     pub fn log_probability(&self) -> f64 {
-        (64.0 * self.degree.max(1.0)).log10() - 61.0 * 2.0_f64.log10()
+        let roots = if matches!(self.layer, Layer::Residual | Layer::Tangent) { 4 } else { 3 };
+        (4.0_f64.powi(roots) * self.degree.max(1.0)).log10() - 61.0 * 2.0_f64.log10()
     }
 }
 
@@ -142,11 +145,13 @@ fn degrees(families: [Family; 2]) -> Degrees {
         let [beam, bar] = [&*beams[0], &*beams[1]];
         let (partial, partial_bar) = (beam.partial_variations(at.0), bar.partial_variations(at.1));
         let padded = [beam.padded(at.0), bar.padded(at.1)];
+        let ad = differentiated([beam, bar], at, held, &CONTACT);
         let sides = Sides {
             closed: variations_in(form, &partial, &partial_bar, at, &CONTACT).components(),
-            ad: differentiated([beam, bar], at, held, &CONTACT),
             matrices: Some(contracted(&padded, at, form, &CONTACT)),
             kernel: every_layout(&padded, [beam.dofs(), bar.dofs()], at, form, &CONTACT),
+            element: Some(Situation::of_highest_degree(held).sides(&padded, at, form, &ad)),
+            ad,
         };
         for Entry { component, layer, closed, ad, .. } in entries(&sides) {
             let degree = &mut degrees[component][layer as usize];

@@ -35,7 +35,7 @@ impl Bounds {
             Block::text(
                 "The overestimation factor is the bound over the true error. If the bound holds, the factor is at least 1. The check does \
                  not detect a fault that is smaller than the tolerance, which is the sum of both bounds. The true error is the difference from the closed form in double-double \
-                 numbers, at the closest point refined there. *Kernel*: every function of the kernel, with the beams' own numbers of dofs. *First*: delta and Delta, the first variations; *second*: \
+                 numbers, at the closest point refined there. *Kernel*: every function of the kernel, with the beams' own numbers of dofs. *Contact element*: its residual (first) and tangent (second). *First*: delta and Delta, the first variations; *second*: \
                  Delta-delta. The scale of a number is the sum of the absolute values of its terms. 5 % \
                  and 95 % are quantiles; max is the maximum.",
             ),

@@ -4,6 +4,7 @@ use super::crosscheck::Crosscheck;
 use super::number::{count, error, finite};
 use super::page::{Block, Page};
 use crate::check::{Cell, Coverage, Inconclusive, Mismatch, NotCompared, Order, Regime, Symmetry, Tally};
+use crate::contact::State;
 use crate::linearization::Quantity;
 use crate::test_beam::Family;
 
@@ -35,7 +36,7 @@ impl Crosscheck {
         blocks.extend(self.by_quantity());
         blocks.extend(self.by_symmetry());
         blocks.push(Block::heading("Details"));
-        blocks.push(self.by_reason());
+        blocks.extend([self.by_reason(), self.by_state()]);
         blocks.push(self.by_family());
         let (seed, of_each) = (format!("{:#x}", self.seed), count(self.cases_per_regime));
         blocks.extend([
@@ -131,6 +132,21 @@ impl Crosscheck {
             table(|cell| error(finite(cell.scaled_error))),
             Block::details("The cases with these errors", vec![table(|cell| cell.case.to_string())]),
         ]
+    }
+
+    /// The contact elements, with the regimes as rows and the states as columns.
+    fn by_state(&self) -> Block {
+        let row = |(regime, tally): (&Regime, &Tally)| {
+            let counts = State::ALL.map(|state| count(tally.elements.get(&state).copied().unwrap_or(0)));
+            std::iter::once(regime.name().to_owned()).chain(counts).collect()
+        };
+        let states = State::ALL.map(|state| format!("#{}", state.name()));
+        let head: Vec<String> = std::iter::once("regime".to_owned()).chain(states).collect();
+        let text = "At each closest point of one case in eight, a contact element is drawn in one of twelve situations: sticking, slipping, \
+                    within 1e-6 of the cone on both sides, open, crossed, without friction or history, with a large slip, on the parabola of a \
+                    law. If rounding hides its numbers, or leaves its state open, the next situation is taken.";
+        let table = Block::table(&head, self.found.regimes.iter().map(row).collect());
+        Block::details("Contact elements compared, by state", vec![Block::text(text), table])
     }
 
     fn by_reason(&self) -> Block {

@@ -17,7 +17,9 @@ fn no_error_exceeds_its_bound() {
     for regime in Regime::ALL {
         assert!(found.points[&regime].measured >= 990, "{regime:?} {:?}", found.points[&regime]);
         for side in Side::ALL {
-            for order in [Order::Value, Order::First, Order::Second] {
+            // A contact element has a residual and a tangent.
+            let orders = [Order::Value, Order::First, Order::Second];
+            for order in orders.into_iter().skip(usize::from(side == Side::Element)) {
                 let measured = &found.regimes[&(side, order)][&regime];
                 assert!(measured.entries > 1000, "{regime:?} {side:?} {order:?}: {measured:?}");
                 // The smallest overestimation factor is at least one, and `f64` has rounding errors.

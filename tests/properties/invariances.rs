@@ -95,7 +95,12 @@ fn in_unit(compared: &Compared, power: i32) -> Compared {
     let entries = |entries: &[Comparison]| {
         let scaled = |entry: &Comparison| {
             // The variation of a length has the unit of a length, because the directions have it.
-            let unit = if matches!(entry.quantity, Quantity::Xi | Quantity::XiBar) { 1.0 } else { unit };
+            let unit = match (entry.quantity, entry.part) {
+                (Quantity::Xi | Quantity::XiBar, _) => 1.0,
+                // The force of a contact element has the unit of a length, because the stiffness is given.
+                (_, part) if part.starts_with("residual") || part.starts_with("tangent") => unit * unit,
+                _ => unit,
+            };
             let [closed, other, scale, bound, tolerance] =
                 [entry.closed, entry.other, entry.scale, entry.bound, entry.tolerance].map(|x| x * unit);
             Comparison { closed, other, scale, bound, tolerance, ..*entry }

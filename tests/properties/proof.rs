@@ -12,8 +12,8 @@ fn all_pairs_of_families_are_proved() {
     let proof = prove(&Variant::Unmodified, 7, &Family::ALL, 8, || ());
     assert_eq!(proof.pairs, 121);
     assert!(proof.holds(), "{:?}", proof.refutations.first());
-    // Thirteen quantities in three layers, and seven quantities in matrices and in the kernel.
-    assert_eq!(proof.rows.len(), 13 * 3 + 2 * 7);
+    // Thirteen quantities in three layers, seven quantities in matrices and in the kernel, residual and tangent.
+    assert_eq!(proof.rows.len(), 13 * 3 + 2 * 7 + 2);
     for row in &proof.rows {
         let draws = 8 * proof.pairs as u64;
         assert!(row.equal >= draws, "{row:?}");

@@ -5,7 +5,7 @@ use crate::check::distribution::Distribution;
 use crate::check::draw::Case;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::regime::Regime;
-use crate::check::verdict::Order;
+use crate::check::verdict::{Comparison, Order};
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::{DoubleDouble, RunningError, RunningErrorBy};
@@ -109,7 +109,25 @@ impl Counted {
             not_meaningful |= !(tolerance <= scale && tolerance.is_finite()) && tolerance != 0.0;
         }
         of_kernel(evaluation, |of, number| add(Side::Kernel, of, number));
+        for (comparison, exact) in evaluation.precise_element(&sides[1].1, precise) {
+            self.add_element(case, &comparison, exact);
+        }
         not_meaningful
+    }
+
+    fn add_element(&mut self, case: &Case, comparison: &Comparison, exact: DoubleDouble) {
+        let Comparison { quantity, part, other, scale, bound, .. } = *comparison;
+        let error = (DoubleDouble::from(other) - exact).abs().value();
+        let (order, bound) =
+            (if part.starts_with("residual") { Order::First } else { Order::Second }, 2.0 * bound);
+        let counts = self.counts.entry((case.regime, Side::Element, order)).or_default();
+        if !counts.add(
+            RunningError { value: other, bound },
+            if error <= NOISE * bound { 0.0 } else { error },
+            scale,
+        ) {
+            self.blame(case.number, Violation { side: Side::Element, quantity, part, bound, error });
+        }
     }
 
     fn blame(&mut self, case: u64, violation: Violation) {

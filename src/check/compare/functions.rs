@@ -39,6 +39,9 @@ impl Closed {
         add(&differentiated, &|of| bound(of)[1] + of_routes(of));
         // By the kernel, by the matrices or by a route.
         add(own, &|of| 2.0 * bound(of)[1] + of_kernel(of) + of_matrices(of) + of_routes(of));
+        if with_routes {
+            entries.extend(evaluation.contact_element(&references.chord));
+        }
         entries
     }
 

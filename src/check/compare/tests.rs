@@ -243,3 +243,26 @@ fn every_function_of_the_library_is_compared() {
         [16, 20, 24, 28]
     );
 }
+
+/// In each case with all routes, and in every state.
+#[test]
+fn a_contact_element_is_compared_at_every_point() {
+    let mut states: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut points = 0;
+    for number in (0..1210).filter(|&number| super::compares_routes(number)) {
+        for (_, verdict) in found(Oracles::Ad, 7, number) {
+            let (Verdict::Pass(entries) | Verdict::Mismatch(entries)) = verdict else { continue };
+            points += 1;
+            let of_element =
+                entries.iter().filter_map(|entry| entry.against.strip_prefix("contact::Element, "));
+            for state in of_element.step_by(4) {
+                *states.entry(state).or_default() += 1;
+            }
+        }
+    }
+    assert_eq!(states.values().sum::<usize>(), points);
+    // Two of twelve situations are open. The contact is open, too, where rounding hides the numbers of all others.
+    let percent = |state: &str| 100 * states[state] / points;
+    assert!(percent("open") < 25 && percent("frictionless") > 12, "{states:?}");
+    assert!(percent("stick") > 12 && percent("slip") > 30, "{states:?}");
+}

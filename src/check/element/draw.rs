@@ -44,6 +44,9 @@ const SITUATIONS: [Situation; 12] = [
 ];
 
 impl ElementData {
+    /// The number of situations, which alternate.
+    pub(in crate::check) const SITUATIONS: u64 = SITUATIONS.len() as u64;
+
     /// Draws the element of case `number` at contact points, and sets the radii.
     ///
     /// Situations, laws and both works alternate.
@@ -55,7 +58,7 @@ impl ElementData {
         contact: &mut Contact,
         rng: &mut ChaCha8Rng,
     ) -> Self {
-        let count = SITUATIONS.len() as u64;
+        let count = Self::SITUATIONS;
         let of = |number: u64, count: u64| usize::try_from(number % count).unwrap_or(0);
         let (situation, round) = (&SITUATIONS[of(number, count)], number / count);
         let distance = points.d.norm();

@@ -5,6 +5,7 @@ use crate::check::draw::Case;
 use crate::check::serialized::number;
 use crate::check::verdict::{Inconclusive, Order};
 use crate::closest_point::ClosestPoint;
+use crate::contact::State;
 use crate::linearization::Quantity;
 use crate::test_beam::Family;
 use serde::{Deserialize, Serialize};
@@ -75,6 +76,8 @@ pub struct Tally {
     pub worst: Cell,
     /// The points or cases that were not compared, by reason.
     pub not_compared: BTreeMap<Inconclusive, NotCompared>,
+    /// The compared contact elements, by state.
+    pub elements: BTreeMap<State, u64>,
     /// The compared points on both sides of each symmetry.
     pub coverage: Coverage,
     /// The same, by family of either beam.
@@ -101,6 +104,9 @@ impl Tally {
         self.worst.merge(&other.worst);
         for (reason, other) in &other.not_compared {
             self.leave_out(*reason, *other);
+        }
+        for (state, count) in &other.elements {
+            *self.elements.entry(*state).or_default() += count;
         }
         self.coverage.merge(&other.coverage);
         for (family, coverage) in &other.coverage_of_families {

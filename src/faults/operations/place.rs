@@ -4,13 +4,15 @@
 //! shape functions has all terms, with the fewest operations.
 
 use crate::closest_point::Held;
+use crate::contact::{BlockMatrix, Contribution, State, Values, Work, closed_form};
 use crate::curve::{Geometry, Jet, Shapes};
 use crate::linearization::closed_form::formulation::{Distance, System};
 use crate::linearization::closed_form::kernel::{Gradient, Target};
 use crate::linearization::closed_form::{Formulation, Matrices, PartialVariations, variations_in};
 use crate::linearization::{Derivatives, Linearization};
 use crate::number::{Bits, Faulty, PrimeField, Traced};
-use crate::pair::Contact;
+use crate::pair::{Contact, DofVector};
+use crate::prove::Situation;
 use crate::test_beam::{Padded, PaddedBeam, map_padded, normal_to_free};
 use crate::variant::{CONTACT, Kind, Second, kernel};
 use nalgebra::{SMatrix, SVector, Vector3};
@@ -84,6 +86,9 @@ impl Place {
             ("matrices, other curves", MATRICES, Box::new(|kind| self.matrices(nonlinear, kind))),
         ];
         let [blocks, full, packed] = Memory::ALL;
+        for (name, element) in self.elements() {
+            codes.push((name, MATRICES, Box::new(move |kind| self.element(nonlinear, kind, &element))));
+        }
         codes.push(("kernel, full", MATRICES, Box::new(move |kind| self.kernel(linear, kind, full))));
         if self.everywhere {
             codes.push(("kernel, blocks", MATRICES, Box::new(move |kind| self.kernel(linear, kind, blocks))));
@@ -121,6 +126,40 @@ impl Place {
         let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = all;
         let quantities = [d, t, t_bar, xi, xi_bar, g_t, g_t_bar];
         quantities.iter().flat_map(numbers).chain([radii.0.bits()]).collect()
+    }
+
+    /// The contact elements of this place: in every state with both kinds of work if all parts of the geometry are used, else in
+    /// slip.
+    fn elements(&self) -> Vec<(&'static str, Situation)> {
+        let element = |state, work| Situation::of_state(state, work, self.form.held);
+        let frictionless = ("contact element, frictionless", element(State::Frictionless, Work::Rate));
+        let slip = ("contact element, the paper's work, slip", element(State::Slip, Work::Paper));
+        match (self.form.held.xi, self.form.held.xi_bar) {
+            (true, true) => vec![frictionless],
+            (false, false) if self.form == Formulation::paper(Held::default()) => vec![
+                frictionless,
+                ("contact element, stick", element(State::Stick, Work::Rate)),
+                ("contact element, slip", element(State::Slip, Work::Rate)),
+                ("contact element, the paper's work, stick", element(State::Stick, Work::Paper)),
+                slip,
+            ],
+            _ => vec![slip],
+        }
+    }
+
+    /// Residual, tangent, and the values that are returned with them.
+    fn element(&self, runs: &Runs, kind: Option<Kind>, element: &Situation) -> Vec<u64> {
+        let ([(jet, _), (jet_bar, _)], at, contact) = runs.beams(kind);
+        let mut to = Contribution::zeros();
+        let values = closed_form::write(&element.decision(contact, self.form), (jet, jet_bar), at, &mut to);
+        let Contribution { residual: DofVector { beam, bar }, tangent, .. } = &to;
+        let BlockMatrix { beam: own, bar_beam, beam_bar, bar: other } = tangent;
+        let blocks = own.iter().chain(bar_beam).chain(beam_bar).chain(other);
+        let Values { g_n, normal, f_n, traction, f, f_bar, g_t, g_t_bar, e, e_bar, rho, yield_ratio } =
+            values;
+        let scalars = [g_n, f_n, f, f_bar, g_t, g_t_bar, e, e_bar, rho, yield_ratio];
+        let values = normal.iter().chain(&traction).chain(&scalars);
+        beam.iter().chain(bar).chain(blocks).chain(values).map(|number| number.0.bits()).collect()
     }
 
     fn kernel<W: Target<Scalar, D, D>>(

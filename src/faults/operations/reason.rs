@@ -35,7 +35,11 @@ const RISE: &str = "the derivative in the pitch is not used, because an arc has 
 const ZERO_OR_PITCH: &str =
     "it multiplies a component of a unit vector that is zero, or the pitch, which is zero for an arc";
 
-const REASONS: [Reason; 17] = [
+const HESS_T: &str = "the Hessian of |t| enters with the paper's work only";
+const UNIT: &str = "the common normal has unit length, so a factor cancels";
+const ONE_SLIP: &str = "the force of one slip alone is mu F_N, which does not depend on the slip";
+
+const REASONS: [Reason; 22] = [
     of(Lost::TimesZero, "", " end", "", HELD),
     of(Lost::TimesZero, "", " ends", "", HELD),
     of(Lost::Unused, "equations", " end", "closed_form/", RATES),
@@ -47,7 +51,12 @@ const REASONS: [Reason; 17] = [
     of(Lost::Unused, "kernel, blocks", "", KERNEL, ROW),
     of(Lost::Unused, "kernel, packed", "", KERNEL, ROW),
     of(Lost::Unused, "kernel, gradient", "", KERNEL, "a gradient does not use what is of second order"),
+    of(Lost::Unused, "contact element, stick", "", "closed_form/matrices.rs", HESS_T),
+    of(Lost::Unused, "contact element, slip", "", "closed_form/matrices.rs", HESS_T),
     of(Lost::Cancels, "matrices", "", "closed_form/formulation.rs", "t x t_bar enters by its square"),
+    of(Lost::Cancels, "contact element", "", "closed_form/formulation.rs", "t x t_bar enters by its square"),
+    of(Lost::Cancels, "contact element", "", "contact/geometry.rs", UNIT),
+    of(Lost::Cancels, "contact element", " end", "contact/closed_form/assemble.rs", ONE_SLIP),
     of(Lost::Cancels, "jet of nurbs", "", "curve/bspline.rs", "a factor of all basis functions cancels"),
     of(
         Lost::TimesZero,

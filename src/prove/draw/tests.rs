@@ -1,9 +1,11 @@
 //! Tests that the draws reach every branch that depends on a sign.
 
-use super::{Place, has_matrices};
+use super::{Draw, Place, has_matrices};
 use crate::linearization::closed_form::formulation::System;
 use crate::number::PrimeField;
+use crate::prove::Layer;
 use crate::test_beam::Family;
+use crate::variant::Variant;
 use std::collections::BTreeSet;
 
 /// The draws of a pair of families that `beamgap prove` makes if no number is given.
@@ -55,4 +57,21 @@ fn eight_draws_have_all_combinations_of_held_parameters_and_all_formulations() {
         (form.held.xi, form.held.xi_bar, form.sign().is_some(), form.uses_cross_products())
     });
     assert_eq!(kinds.collect::<BTreeSet<_>>().len(), 3 + 4);
+}
+
+/// Each state of a contact element is drawn, with every formulation of the geometry.
+#[test]
+fn a_contact_element_is_drawn_in_every_state() {
+    let draws = (0..DRAWS).filter(|&number| has_matrices(number));
+    let drawn: BTreeSet<_> = draws
+        .filter_map(|number| {
+            let Draw { held, entries, .. } =
+                Draw::new(&Variant::Unmodified, 0x5eed, [Family::Segment, Family::Arc], number);
+            let element = entries.into_iter().find(|entry| entry.layer == Layer::Tangent)?;
+            assert!(element.is_equal());
+            Some((element.candidate, held.xi, held.xi_bar))
+        })
+        .collect();
+    // Stick and slip need a parameter that is free.
+    assert_eq!(drawn.len(), 3 * 3 + 1, "{drawn:?}");
 }

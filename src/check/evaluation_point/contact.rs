@@ -1,0 +1,161 @@
+//! Residual and tangent of a contact element at a closest point, against the virtual work of automatic differentiation.
+
+use super::EvaluationPoint;
+use crate::check::element::{ElementAt, ElementData};
+use crate::check::verdict::{Comparison, Order};
+use crate::contact::closed_form::{write, write_by_kernel};
+use crate::contact::{BlockMatrix, Contribution, State, contracted};
+use crate::linearization::{Quantity, Varied};
+use crate::number::{DoubleDouble, Real, RunningError};
+use crate::pair::DofVector;
+use crate::test_beam::{DOFS, RunningError2, map_padded};
+use crate::variant::Step;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+/// The two ways to the geometry that the element has, by state.
+fn doors(state: State) -> [&'static str; 2] {
+    match state {
+        State::Open => ["contact::closed_form, open", "contact::Element, open"],
+        State::Frictionless => ["contact::closed_form, frictionless", "contact::Element, frictionless"],
+        State::Stick => ["contact::closed_form, stick", "contact::Element, stick"],
+        State::Slip => ["contact::closed_form, slip", "contact::Element, slip"],
+    }
+}
+
+/// The residual along delta and Delta, and the tangent between them in both orders.
+const PARTS: [&str; 4] =
+    ["residual, delta", "residual, Delta", "tangent, delta-Delta", "tangent, Delta-delta"];
+/// The number of comparisons at a closest point.
+pub(crate) const ELEMENT_ENTRIES: usize = 2 * PARTS.len();
+
+impl EvaluationPoint<'_> {
+    /// A contact element that is drawn for this point, in closed form and by automatic differentiation.
+    ///
+    /// `chord` are the components of the quantities by automatic differentiation.
+    pub(in crate::check) fn contact_element(&self, chord: &[Varied<RunningError2>]) -> Vec<Comparison> {
+        self.drawn_element(chord).map_or_else(Vec::new, |(_, comparisons)| comparisons)
+    }
+
+    /// The same comparisons, each with its number in double-double, from the quantities `precise`.
+    pub(in crate::check) fn precise_element(
+        &self,
+        chord: &[Varied<RunningError2>],
+        precise: &[Varied<DoubleDouble>],
+    ) -> Vec<(Comparison, DoubleDouble)> {
+        let Some((element, comparisons)) = self.drawn_element(chord) else { return Vec::new() };
+        let Some(numbers) = self.numbers(&element, precise) else { return Vec::new() };
+        comparisons.into_iter().zip(numbers.into_iter().cycle()).collect()
+    }
+
+    /// The numbers of the case choose a situation. If rounding leaves its state open, or hides its numbers, the next one is
+    /// taken: an open contact has no rounding.
+    fn drawn_element(&self, chord: &[Varied<RunningError2>]) -> Option<(ElementAt, Vec<Comparison>)> {
+        // The parameters are the same in every unit of length.
+        let seed = self.at.0.value.to_bits().rotate_left(7) ^ self.at.1.value.to_bits();
+        let first = seed.rotate_right(11) % 1024;
+        let mut drawn = None;
+        for number in first..first + ElementData::SITUATIONS {
+            let Some(element) = self.in_situation(number, seed, chord) else { continue };
+            let Some(comparisons) = self.compared(&element, chord) else { continue };
+            let is_clear = comparisons.iter().all(Comparison::is_meaningful);
+            drawn = Some((element, comparisons));
+            if is_clear {
+                break;
+            }
+        }
+        drawn
+    }
+
+    /// The element of this number. None if the point does not define it, or rounding leaves its state open.
+    fn in_situation(&self, number: u64, seed: u64, chord: &[Varied<RunningError2>]) -> Option<ElementAt> {
+        let points = self.points();
+        let at = (self.at.0.value, self.at.1.value);
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut contact = *self.contact;
+        let element = ElementData::draw(number, &points, at, self.held, &mut contact, &mut rng);
+        let element = element.with_contact(self, contact).ok()?;
+        element.other_state(chord).is_none().then_some(element)
+    }
+
+    /// The numbers of [`PARTS`], from the components of the quantities.
+    fn numbers<T: Real>(&self, element: &ElementAt, all: &[Varied<T>]) -> Option<[T; 4]> {
+        let exchanged: Vec<_> = all.iter().map(|varied| varied.exchanged()).collect();
+        let ([work, ..], [other, ..]) =
+            (element.numbers(all, self.form)?, element.numbers(&exchanged, self.form)?);
+        Some([work.delta, work.linear, work.second, other.second])
+    }
+
+    fn compared(&self, element: &ElementAt, chord: &[Varied<RunningError2>]) -> Option<Vec<Comparison>> {
+        let expected = self.numbers(element, chord)?;
+        let (bounded, found_by, size) = element.with(|decision| {
+            let beams = self.padded(Step::Now);
+            let [(jet, vectors), (jet_bar, vectors_bar)] = beams;
+            let directions = |k: usize| DofVector { beam: vectors[k], bar: vectors_bar[k] };
+            let along = [directions(1), directions(2)];
+            let mut to = Box::new(Contribution::zeros());
+            write(decision, (jet, jet_bar), self.sharp(), &mut to);
+            let bounded = contracted(&to.residual, &to.tangent, &along);
+            let plain = beams.each_ref().map(|beam| map_padded(beam, |number| number.value));
+            let [(jet, _), (jet_bar, _)] = &plain;
+            let along = along.each_ref().map(values);
+            let at = (self.at.0.value, self.at.1.value);
+            let mut to = Box::new(Contribution::zeros());
+            write(decision, (jet, jet_bar), at, &mut to);
+            let by_matrices = contracted(&to.residual, &to.tangent, &along);
+            let q = values(&directions(0));
+            let forces = write_by_kernel(decision, (jet, jet_bar), &q, at, &mut to);
+            let energy = forces.f_n * self.points().d.norm();
+            let size = sizes(&to.residual, &to.tangent, &along, energy);
+            (bounded, [by_matrices, contracted(&to.residual, &to.tangent, &along)], size)
+        })?;
+        let names = doors(element.state());
+        let comparison = |door: usize, k: usize| {
+            let (closed, other): (f64, f64) = (expected[k].value, found_by[door][k]);
+            // The sums of the kernel have another order. A number that is not finite has no bound, and is wrong.
+            let is_lost = closed.is_finite() && !other.is_finite();
+            let bound = 2.0 * bounded[k].bound + expected[k].bound[0];
+            Comparison {
+                quantity: Quantity::GN,
+                axis: None,
+                order: Order::Function,
+                part: PARTS[k],
+                against: names[door],
+                closed,
+                other,
+                scale: size[k],
+                bound: bounded[k].bound,
+                tolerance: if is_lost { 0.0 } else { bound },
+            }
+        };
+        let of_door = |door: usize| (0..PARTS.len()).map(move |k| comparison(door, k));
+        Some((0..names.len()).flat_map(of_door).collect())
+    }
+}
+
+/// The state of the contact element that this number is of, if it is the first number of one.
+pub(in crate::check) fn state_of(comparison: &Comparison) -> Option<State> {
+    if comparison.part != PARTS[0] {
+        return None;
+    }
+    State::ALL.into_iter().find(|&state| doors(state)[1] == comparison.against)
+}
+
+fn values(v: &DofVector<RunningError, DOFS, DOFS>) -> DofVector<f64, DOFS, DOFS> {
+    DofVector { beam: v.beam.map(|number| number.value), bar: v.bar.map(|number| number.value) }
+}
+
+/// The sums of the absolute values of the terms of [`contracted`], and at least the energy F_N d: a number may be zero because
+/// its directions have few entries.
+fn sizes(
+    residual: &DofVector<f64, DOFS, DOFS>,
+    tangent: &BlockMatrix<f64, DOFS, DOFS>,
+    along: &[DofVector<f64, DOFS, DOFS>; 2],
+    energy: f64,
+) -> [f64; 4] {
+    let of = |v: &DofVector<f64, DOFS, DOFS>| DofVector { beam: v.beam.abs(), bar: v.bar.abs() };
+    let BlockMatrix { beam, bar_beam, beam_bar, bar } = tangent;
+    let tangent =
+        BlockMatrix { beam: beam.abs(), bar_beam: bar_beam.abs(), beam_bar: beam_bar.abs(), bar: bar.abs() };
+    contracted(&of(residual), &tangent, &along.each_ref().map(of)).map(|size| size.max(energy))
+}
