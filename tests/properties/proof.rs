@@ -25,7 +25,9 @@ fn all_pairs_of_families_are_proved() {
         } else {
             assert_eq!(row.equal % draws, 0, "{row:?}");
         }
-        assert!(row.log_probability() < -4.0, "{row:?}");
+        // The tangent of a contact element has the highest degree, and one more square root.
+        let limit = if row.layer == Layer::Tangent { -2.5 } else { -4.0 };
+        assert!(row.log_probability() < limit, "{row:?}");
     }
     assert!(proof.rows.iter().any(|row| row.layer == Layer::Matrix));
 }
