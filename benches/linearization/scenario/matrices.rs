@@ -2,7 +2,7 @@
 
 use super::input::{self, Input, Inputs, TimedCurve, Twins};
 use super::work::Judge;
-use super::{Scenario, Task, automatic, closed, differences, truth};
+use super::{Scenario, Task, automatic, closed, differences, element, truth};
 use beamgap::curve::Hermite;
 
 /// The standard pair, with the methods that are compiled for one pair only.
@@ -14,6 +14,7 @@ pub(super) fn standard(input: &Twins<Hermite, 12>) -> Vec<Scenario> {
     scenarios.extend(automatic::scenarios(input, &judge));
     scenarios.extend(automatic::at_once::<_, _, 12, 12, 24>(input, &judge));
     scenarios.extend(differences::scenarios::<_, _, 12, 12, 24>(input, &judge));
+    scenarios.extend(element::scenarios(input, &judge));
     scenarios
 }
 

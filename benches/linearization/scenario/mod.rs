@@ -9,6 +9,7 @@ mod closed;
 mod closest;
 mod counted;
 mod differences;
+mod element;
 mod error;
 mod input;
 mod many;

@@ -191,7 +191,7 @@ pub(super) fn closest_point<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, 
 }
 
 /// xi and xi_bar in double-double, and the values found in `f64` with their error bounds.
-fn parameters<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
+pub(super) fn parameters<A: TimedCurve<N>, B: TimedCurve<M>, const N: usize, const M: usize>(
     input: &Input<A, B, N, M>,
 ) -> [(DoubleDouble, RunningError); 2] {
     let Input { pair, q, point, .. } = input;

@@ -43,6 +43,9 @@ impl Benchmark {
             ];
             blocks.push(Block::details(&format!("Every method: {}", task.name()), tables.to_vec()));
         }
+        let task = Task::ContactElement;
+        let of_element = vec![Block::text(task.description()), self.standard(task)];
+        blocks.push(Block::details(&format!("Every method: {}", task.name()), of_element));
         for task in [Task::WithSlips, Task::GradientOfDistance, Task::Gradients] {
             let table = self.by_family(task, |of| Some(time(of.median)));
             let tables = vec![Block::text(task.description()), table];

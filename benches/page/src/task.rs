@@ -13,6 +13,8 @@ pub enum Task {
     GradientOfDistance,
     /// The quantities of [`Task::All`] with gradients alone.
     Gradients,
+    /// Residual and tangent of a contact element with friction.
+    ContactElement,
     /// All quantities, vectors included, with their variations along two directions.
     Directions,
     /// The closest point, which all other tasks take as given.
@@ -36,6 +38,7 @@ impl Task {
             Self::WithSlips => "all quantities",
             Self::GradientOfDistance => "gradient of d",
             Self::Gradients => "gradients of all but the slips",
+            Self::ContactElement => "contact element",
             Self::Directions => "two directions",
             Self::ClosestPoint => "closest point",
             Self::DistanceBySize => "d by size",
@@ -63,6 +66,10 @@ impl Task {
             }
             Self::Gradients => {
                 "d, xi, xi_bar, t and t_bar, each with its gradient: what a step without a tangent needs."
+            }
+            Self::ContactElement => {
+                "Residual and tangent of a contact element with friction, in slip, in stick and without friction, by \
+                 `contact::Element`; automatic differentiation is that of the virtual work."
             }
             Self::Directions => {
                 "All quantities, points and vectors included, with delta, Delta and Delta-delta along two given \
