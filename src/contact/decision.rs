@@ -96,7 +96,7 @@ impl<'a, L: NormalLaw> Decision<'a, L> {
             if parameters.mu > 0.0 && !(held.xi && held.xi_bar) { history.start(held) } else { None };
         let Some(start) = decision.start else { return Ok(decision) };
         let trial = Trial::new(points, at, held, &start);
-        // eq. (15) of the paper is for the slips; Φ = ε_T γ − μ F_N, and Φ = 0 sticks.
+        // Φ = ε_T γ − μ F_N, and Φ = 0 sticks.
         let cone = parameters.mu * parameters.law.force(piece, gap.g_n);
         decision.state = if parameters.eps_t * trial.gamma > cone { State::Slip } else { State::Stick };
         Ok(decision)

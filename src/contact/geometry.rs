@@ -62,7 +62,7 @@ impl<T: Real> Trial<T> {
         let (tau, tau_bar) = (points.beam.t / t, points.bar.t / t_bar);
         let slip = |xi: T, start: f64, held: bool| if held { T::zero() } else { xi - T::from(start) };
         let (u, u_bar) = (slip(xi, start.xi, held.xi), slip(xi_bar, start.xi_bar, held.xi_bar));
-        // e = eₙ + g_T with g_T = t (ξ − ξₙ), eq. (15)
+        // Eq. (15): g_T = t (ξ − ξₙ). Its trial value is e = eₙ + g_T.
         let (e, e_bar) = (T::from(start.e) + t * u, T::from(start.e_bar) + t_bar * u_bar);
         let s = tau * e - tau_bar * e_bar;
         Self { t, t_bar, tau, tau_bar, c: tau.dot(&tau_bar), u, u_bar, e, e_bar, s, gamma: length(&s) }

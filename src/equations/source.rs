@@ -42,6 +42,9 @@ sources![
     "linearization/ad/lift.rs",
     "linearization/ad/orders.rs",
     "closest_point/squared_distance.rs",
+    "contact/geometry.rs",
+    "contact/closed_form/assemble.rs",
+    "contact/ad.rs",
     "check/evaluation_point/refined.rs",
     "curve.rs",
 ];

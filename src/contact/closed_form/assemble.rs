@@ -22,10 +22,11 @@ pub(in crate::contact) fn assemble<T: Real, L: NormalLaw, const N: usize, const 
     gradients: impl Fn(&Vector3<T>, &Vector3<T>) -> DofVector<T, N, M>,
     to: &mut Contribution<T, N, M>,
 ) {
+    // Eq. (57)-(59) are the Hessians of d, t, t̄, ξ and ξ̄.
     let Contribution { tangent, residual, kinematics: Kinematics { d, t, t_bar, xi, xi_bar } } = to;
     let Forces { f_n, k, rho, eps_t, mu, l, l_bar, .. } = *forces;
     let side = T::from(if decision.is_crossed { -1.0 } else { 1.0 });
-    // R_N = −F_N ∇g_N   K_N = k ∇g_N∇g_Nᵀ − F_N H_gN   ∇F_N = −k ∇g_N
+    // Eq. (18): ∇g_N is ∇d. R_N = −F_N ∇g_N   K_N = k ∇g_N∇g_Nᵀ − F_N H_gN   ∇F_N = −k ∇g_N
     let by_d = -f_n * side;
     let normal = d.gradient.times(k);
     let Some(trial) = trial else {
@@ -35,7 +36,7 @@ pub(in crate::contact) fn assemble<T: Real, L: NormalLaw, const N: usize, const 
     };
     let Trial { tau, tau_bar, c, u, u_bar, e, e_bar, gamma, .. } = *trial;
     let (g, g_bar, grad_t, grad_t_bar) = (&xi.gradient, &xi_bar.gradient, &t.gradient, &t_bar.gradient);
-    // ∇e = t g + (ξ − ξₙ) ∇t, eq. (20)
+    // Eq. (20): ∇e = t g + (ξ − ξₙ) ∇t
     let grad_e = g.times(t.value).plus(u, grad_t);
     let grad_e_bar = g_bar.times(t_bar.value).plus(u_bar, grad_t_bar);
     // ∇c = J_tᵀ(τ̄ − c τ)/t + J_t̄ᵀ(τ − c τ̄)/t̄ with J_tᵀv = A₁ᵀv + (v·t,ξ) g
@@ -72,7 +73,7 @@ pub(in crate::contact) fn assemble<T: Real, L: NormalLaw, const N: usize, const 
     match decision.parameters.work {
         Work::Rate => set_sum(tangent, hessians, outer),
         Work::Paper => {
-            // A also has (ξ − ξₙ)∇t, and H_A has (ξ − ξₙ) H_t + ∇t gᵀ
+            // Eq. (20) and (21): A also has (ξ − ξₙ)∇t, and H_A has (ξ − ξₙ) H_t + ∇t gᵀ
             *residual = residual.plus(f * u, grad_t).plus(f_bar * u_bar, grad_t_bar);
             let with_t = grad_f.times(u).plus(f, g);
             let with_t_bar = grad_f_bar.times(u_bar).plus(f_bar, g_bar);
