@@ -3,7 +3,7 @@
 mod draw;
 
 use super::evaluation_point::EvaluationPoint;
-use crate::contact::ad::{force_values, virtual_work};
+use crate::contact::ad::{ForceValues, force_values, virtual_work};
 use crate::contact::{ContactError, Decision, History, Law, Parameters, State};
 use crate::linearization::closed_form::{Formulation, Points};
 use crate::linearization::{Quantities, Varied};
@@ -20,9 +20,17 @@ pub struct ElementData {
     pub history: History,
 }
 
-/// The numbers of an element along two directions: the residual along both and the tangent, and then the state, F_N, F and F̄
-/// as values.
-pub(in crate::check) const NUMBERS: usize = 5;
+/// State and forces of an element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::check) struct Forces<T> {
+    /// The index of the state.
+    pub(in crate::check) state: T,
+    pub(in crate::check) f_n: T,
+    /// F = T·τ and F̄ = −T·τ̄.
+    pub(in crate::check) covariant: [T; 2],
+    /// T is the first times τ less the second times τ̄.
+    pub(in crate::check) contravariant: [T; 2],
+}
 
 impl ElementData {
     /// Checks parameters and history.
@@ -110,28 +118,26 @@ impl ElementAt {
             State::Slip => State::Stick,
             _ => return None,
         };
-        let excess = self.with(|decision| force_values(decision, &Quantities::of_varied(all)))?[3];
+        let excess = self.with(|decision| force_values(decision, &Quantities::of_varied(all)))?.excess;
         let is_open = excess.value.abs() <= 2.0 * excess.bound[1];
         is_open.then(|| Self { state: Some(other), ..self.clone() })
     }
 
-    /// Its numbers, from the components of the quantities in any arithmetic: R along the directions and K between them as
-    /// variations, and the forces as values. `form` has the formulas that d came from.
+    /// R along the directions and K between them as variations, and the forces, from the components of the quantities in any
+    /// arithmetic. `form` has the formulas that d came from.
     pub(in crate::check) fn numbers<T: Real>(
         &self,
         all: &[Varied<T>],
         form: Formulation,
-    ) -> Option<[Varied<T>; NUMBERS]> {
+    ) -> Option<(Varied<T>, Forces<T>)> {
         let quantities = Quantities::of_varied(all);
         let exchanged = quantities.map(|x| HyperDual::new(x.re, x.eps2, x.eps1, x.eps1eps2));
         self.in_formulation(form).with(|decision| {
             let (along, other) = (virtual_work(decision, &quantities), virtual_work(decision, &exchanged));
-            let [f_n, f, f_bar, _] = force_values(decision, &quantities);
-            let zero = T::zero();
+            let ForceValues { f_n, covariant, contravariant, .. } = force_values(decision, &quantities);
+            let work = Varied { value: T::zero(), delta: along.re, linear: other.re, second: along.eps };
             let state = T::from(index(decision.state));
-            let value = |value: T| Varied { value, delta: zero, linear: zero, second: zero };
-            let work = Varied { value: zero, delta: along.re, linear: other.re, second: along.eps };
-            [work, value(state), value(f_n), value(f), value(f_bar)]
+            (work, Forces { state, f_n, covariant, contravariant })
         })
     }
 }

@@ -28,7 +28,7 @@ mod vectors;
 
 pub use answers::{ANSWERS, AnswerReader, Answers, Program};
 pub use compare::{CaseFound, Demands, Judged, Judgement, compare_answers};
-pub use conventions::{Conventions, Dofs, Length, Penalty, Range};
+pub use conventions::{Conventions, Dofs, ForceConventions, Length, Penalty, Range};
 pub use diagnose::{OtherConventions, other_conventions};
 pub use error::{ExternalError, Place};
 pub use evaluate::{Evaluator, Formulas};

@@ -97,6 +97,9 @@ struct Friction<T> {
     /// ε_T γ, the length of the trial force.
     #[cfg(feature = "check")]
     trial: Dual<T>,
+    /// ε_T ρ e and ε_T ρ ē: the traction is the first times τ less the second times τ̄.
+    #[cfg(feature = "check")]
+    contravariant: [Dual<T>; 2],
 }
 
 /// The forces; nothing if the contact is open.
@@ -110,7 +113,7 @@ fn forces<T: Real, L: NormalLaw>(
     let f_n = force(&parameters.law, piece, value(g_n));
     let Some(start) = start else { return Some(Forces { g_n, f_n, friction: None }) };
     let Quantities { t_vector, t_bar_vector, t, t_bar, xi, xi_bar, .. } = *quantities;
-    // eq. (15): g_T = t (ξ − ξₙ); a held parameter does not slip.
+    // Eq. (15): g_T = t (ξ − ξₙ); a held parameter does not slip.
     let slip = |t: HyperDual<T>, xi: HyperDual<T>, start: f64, held: bool| {
         if held { HyperDual::from(0.0) } else { t * (xi - HyperDual::from(start)) }
     };
@@ -118,14 +121,14 @@ fn forces<T: Real, L: NormalLaw>(
         (slip(t, xi, start.xi, form.held.xi), slip(t_bar, xi_bar, start.xi_bar, form.held.xi_bar));
     let tau = t_vector.map(value) / value(t);
     let tau_bar = t_bar_vector.map(value) / value(t_bar);
-    let force = (tau * (value(g_t) + Dual::from(start.e))
-        - tau_bar * (value(g_t_bar) + Dual::from(start.e_bar)))
-        * Dual::from(parameters.eps_t);
+    let (e, e_bar) = (value(g_t) + Dual::from(start.e), value(g_t_bar) + Dual::from(start.e_bar));
+    let force = (tau * e - tau_bar * e_bar) * Dual::from(parameters.eps_t);
     let trial = force.dot(&force).sqrt();
-    let traction = match state {
-        State::Slip => force * (Dual::from(parameters.mu) * f_n / trial),
-        _ => force,
+    let rho = match state {
+        State::Slip => Dual::from(parameters.mu) * f_n / trial,
+        _ => Dual::from(1.0),
     };
+    let traction = if *state == State::Slip { force * rho } else { force };
     let friction = Friction {
         traction,
         tau,
@@ -134,6 +137,8 @@ fn forces<T: Real, L: NormalLaw>(
         g_t_bar,
         #[cfg(feature = "check")]
         trial,
+        #[cfg(feature = "check")]
+        contravariant: [e, e_bar].map(|e| e * Dual::from(parameters.eps_t) * rho),
     };
     Some(Forces { g_n, f_n, friction: Some(friction) })
 }
@@ -158,21 +163,40 @@ pub(crate) fn virtual_work<T: Real, L: NormalLaw>(
         }
 }
 
-/// F_N, F = T·τ and F̄ = −T·τ̄, and Φ = ε_T γ − μ F_N; Φ is 0 without friction.
+/// The forces of a contact element as values. They are 0 where there is no friction.
+#[cfg(feature = "check")]
+pub(crate) struct ForceValues<T> {
+    /// F_N.
+    pub(crate) f_n: T,
+    /// F = T·τ and F̄ = −T·τ̄; 0 for a held parameter.
+    pub(crate) covariant: [T; 2],
+    /// ε_T ρ e and ε_T ρ ē.
+    pub(crate) contravariant: [T; 2],
+    /// Φ = ε_T γ − μ F_N.
+    pub(crate) excess: T,
+}
+
+/// The forces, from the components of the quantities.
 #[cfg(feature = "check")]
 pub(crate) fn force_values<T: Real, L: NormalLaw>(
     decision: &Decision<'_, L>,
     quantities: &Quantities<HyperDual<T>>,
-) -> [T; 4] {
+) -> ForceValues<T> {
     let zero = T::zero();
-    let Some(Forces { f_n, friction, .. }) = forces(decision, quantities) else { return [zero; 4] };
-    let Some(Friction { traction, tau, tau_bar, trial, .. }) = friction else {
-        return [f_n.re, zero, zero, zero];
-    };
+    let found = forces(decision, quantities);
+    let f_n = found.as_ref().map_or(zero, |forces| forces.f_n.re);
+    let nothing = [zero; 2];
+    let without_friction = ForceValues { f_n, covariant: nothing, contravariant: nothing, excess: zero };
+    let Some(Forces { f_n, friction: Some(friction), .. }) = found else { return without_friction };
+    let Friction { traction, tau, tau_bar, trial, contravariant, .. } = friction;
     let held = decision.form.held;
     let along = |is_held: bool, force: Dual<T>| if is_held { zero } else { force.re };
-    let excess = trial - Dual::from(decision.parameters.mu) * f_n;
-    [f_n.re, along(held.xi, traction.dot(&tau)), along(held.xi_bar, -traction.dot(&tau_bar)), excess.re]
+    ForceValues {
+        covariant: [along(held.xi, traction.dot(&tau)), along(held.xi_bar, -traction.dot(&tau_bar))],
+        contravariant: contravariant.map(|force| force.re),
+        excess: (trial - Dual::from(decision.parameters.mu) * f_n).re,
+        ..without_friction
+    }
 }
 
 /// g_N, along d or along the common normal of the tangents.

@@ -213,6 +213,15 @@ impl<T> Varied<T> {
         [self.value, self.delta, self.linear, self.second]
     }
 
+    /// A number that does not vary.
+    #[cfg(feature = "check")]
+    pub(crate) fn constant(value: T) -> Self
+    where
+        T: Real,
+    {
+        Self { value, delta: T::zero(), linear: T::zero(), second: T::zero() }
+    }
+
     /// All parts, with `f` applied to each.
     #[must_use]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Varied<U> {

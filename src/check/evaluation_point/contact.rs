@@ -81,7 +81,7 @@ impl EvaluationPoint<'_> {
     /// The numbers of [`PARTS`], from the components of the quantities.
     fn numbers<T: Real>(&self, element: &ElementAt, all: &[Varied<T>]) -> Option<[T; 4]> {
         let exchanged: Vec<_> = all.iter().map(|varied| varied.exchanged()).collect();
-        let ([work, ..], [other, ..]) =
+        let ((work, _), (other, _)) =
             (element.numbers(all, self.form)?, element.numbers(&exchanged, self.form)?);
         Some([work.delta, work.linear, work.second, other.second])
     }

@@ -4,6 +4,7 @@
 //! distance, for example, has its own tolerance. The order and the scale of dofs are those of the directions that
 //! gradients and Hessians are contracted with.
 
+mod forces;
 mod others;
 
 use crate::check::element::ElementAt;
@@ -11,6 +12,7 @@ use crate::linearization::Varied;
 use crate::linearization::closed_form::Formulation;
 use crate::number::Real;
 use crate::test_beam::Family;
+pub use forces::ForceConventions;
 
 /// The item of the work of the contact element, after the components of the quantities: the penalty energy, or the virtual
 /// work. The items after it are those of [`STATE_AND_FORCES`].
@@ -77,6 +79,8 @@ pub struct Conventions {
     pub residual_is_negative: bool,
     /// Whether its tangent has the opposite sign.
     pub tangent_is_negative: bool,
+    /// Its forces.
+    pub forces: ForceConventions,
     /// The contact element, if there is one.
     pub penalty: Option<Penalty>,
     /// The first index of rows and columns, in answers that have indices.
@@ -107,6 +111,7 @@ impl Default for Conventions {
             hermite_tangent: 1.0,
             residual_is_negative: false,
             tangent_is_negative: false,
+            forces: ForceConventions::default(),
             penalty: None,
             first_index: 0,
             null_is_no_dof: false,
@@ -115,7 +120,7 @@ impl Default for Conventions {
 }
 
 /// The keys of the head, each with its values. The first value is the default.
-pub(super) const KEYS: [(&str, &[&str]); 14] = [
+pub(super) const KEYS: [(&str, &[&str]); 18] = [
     ("parameter", &["[-1,1]", "[0,1]"]),
     ("d", &["x - x_bar", "x_bar - x"]),
     ("distance", &["d", "d^2", "d^2/2"]),
@@ -125,6 +130,10 @@ pub(super) const KEYS: [(&str, &[&str]); 14] = [
     ("matrix", &["row-major", "column-major"]),
     ("residual_sign", &["+", "-"]),
     ("tangent_sign", &["+", "-"]),
+    ("normal_force", &["positive in compression", "negative in compression"]),
+    ("friction_force", &["on the beam", "on the bar beam"]),
+    ("friction_components", &["covariant", "contravariant"]),
+    ("F_bar", &["along -t_bar", "along t_bar"]),
     ("first_index", &["0", "1"]),
     ("penalty_active", &["penetration", "always"]),
     ("penalty_stiffness", &[]),
@@ -133,6 +142,11 @@ pub(super) const KEYS: [(&str, &[&str]); 14] = [
 ];
 
 impl Conventions {
+    /// The values of a key; none if it is unknown.
+    fn values(key: &str) -> &'static [&'static str] {
+        KEYS.iter().find(|(known, _)| *known == key).map_or(&[], |(_, values)| values)
+    }
+
     /// Sets an entry of the head.
     ///
     /// # Errors
@@ -165,6 +179,10 @@ impl Conventions {
             "matrix" => self.column_major = choice()? == 1,
             "residual_sign" => self.residual_is_negative = choice()? == 1,
             "tangent_sign" => self.tangent_is_negative = choice()? == 1,
+            "normal_force" => self.forces.compression_is_negative = choice()? == 1,
+            "friction_force" => self.forces.on_bar = choice()? == 1,
+            "friction_components" => self.forces.contravariant = choice()? == 1,
+            "F_bar" => self.forces.along_bar_tangent = choice()? == 1,
             "first_index" => self.first_index = choice()?,
             "null" => self.null_is_no_dof = choice()? == 1,
             "penalty_active" => self.penalty = Some(Penalty { always: choice()? == 1, ..penalty }),
@@ -218,15 +236,14 @@ impl Conventions {
             Length::Square => converted[15] = square(converted[15], T::one()),
             Length::HalfSquared => converted[15] = square(converted[15], half),
         }
-        let zero = T::zero();
-        let nothing = Varied { value: zero, delta: zero, linear: zero, second: zero };
+        let nothing = Varied::constant(T::zero());
         let penalty = || {
             let active = self.penalty.filter(|penalty| penalty.always || is_closed);
             active.map_or(nothing, |penalty| square(all[20], half * T::from(penalty.stiffness)))
         };
         let of_element = element.and_then(|element| element.numbers(all, form));
-        let [energy, forces @ ..] =
-            of_element.unwrap_or_else(|| [penalty(), nothing, nothing, nothing, nothing]);
+        let (energy, forces) = of_element
+            .map_or_else(|| (penalty(), [nothing; 4]), |(work, forces)| (work, self.forces.of(&forces)));
         let sign = |is_negative| if is_negative { -T::one() } else { T::one() };
         let (residual, tangent) = (sign(self.residual_is_negative), sign(self.tangent_is_negative));
         converted.push(Varied {

@@ -179,3 +179,40 @@ fn a_contact_element_is_checked_by_its_residual_and_tangent() {
     let told = other_conventions(&report.kept, &demands).filter(OtherConventions::agree).unwrap().words;
     assert!(told.contains("the tangent has the other sign"), "{told}");
 }
+
+#[test]
+fn forces_of_other_conventions_are_converted_if_they_are_stated_and_named_if_not() {
+    let mut drawing = drawing(&[Family::Hermite], &[Regime::Generic], 12);
+    drawing.elements = true;
+    let all = vectors(&drawing);
+    let text = answers(&Evaluator::default(), &all);
+    let vector = |line: &serde_json::Value, name: &str| {
+        ["x", "y", "z"].map(|c| line[format!("{name}.{c}")]["value"].as_f64().unwrap())
+    };
+    let dot = |v: [f64; 3], w: [f64; 3]| v.iter().zip(w).map(|(v, w)| v * w).sum::<f64>();
+    // T = f t/|t| - f_bar t_bar/|t_bar| is solved for f and f_bar. A held parameter has no force.
+    let contravariant = changed(&text, |line| {
+        let (t, t_bar) = (vector(line, "t_vector"), vector(line, "t_bar_vector"));
+        let c = dot(t, t_bar) / (dot(t, t).sqrt() * dot(t_bar, t_bar).sqrt());
+        let [f, f_bar] = ["F", "F_bar"].map(|name| line[name].as_f64().unwrap());
+        if f != 0.0 && f_bar != 0.0 {
+            let solved = |own: f64, other: f64| ((own + c * other) / (1.0 - c * c)).into();
+            (line["F"], line["F_bar"]) = (solved(f, f_bar), solved(f_bar, f));
+        }
+    });
+    let negative =
+        |names: &[&str]| changed(&text, |line| names.iter().for_each(|name| map(&mut line[*name], &|x| -x)));
+    for (text, head, words) in [
+        (contravariant, "\"friction_components\":\"contravariant\"", "F and F_bar are other components"),
+        (negative(&["F_N"]), "\"normal_force\":\"negative in compression\"", "F_N has the other sign"),
+        (negative(&["F", "F_bar"]), "\"friction_force\":\"on the bar beam\"", "that on the other beam"),
+        (negative(&["F_bar"]), "\"F_bar\":\"along t_bar\"", "F_bar has the other sign"),
+    ] {
+        let stated = verified(&all, &with_head(&text, head), None).unwrap();
+        assert!(stated.agrees(), "{head}: {:?}", stated.first);
+        let silent = verified(&all, &text, None).unwrap();
+        assert!(silent.wrong > 0, "{head}");
+        let told = other_conventions(&silent.kept, &Demands::default()).unwrap();
+        assert!(told.agree() && told.words.contains(words) && told.words.contains(head), "{told:?}");
+    }
+}

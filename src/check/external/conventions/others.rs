@@ -6,7 +6,8 @@ impl Conventions {
     /// The other conventions that a program may have, each with its description. Fewer changes come first.
     ///
     /// Changes that concern all gradients and Hessians are combined in all ways, because one without another may correct
-    /// no number. The signs of residual and tangent are tried if there is a contact element. The others concern different quantities, and can be found one after the other.
+    /// no number. The signs of residual and tangent, and the forces, are tried if there is a contact element. The others
+    /// concern different quantities, and can be found one after the other.
     pub(in super::super) fn others(&self, has_element: bool) -> Vec<(Self, String)> {
         let single = self.single_changes(has_element);
         let mut of_dofs = vec![(*self, Vec::new())];
@@ -24,6 +25,10 @@ impl Conventions {
                 let both = [vec![words.clone()], known_words.clone()].concat();
                 all.push((known.with_changes_of(change, self), both));
             }
+        }
+        if has_element {
+            let of_forces = self.forces.others();
+            all.extend(of_forces.map(|(forces, words)| (Self { forces, ..*self }, vec![words])));
         }
         all.sort_by_key(|(_, words)| words.len());
         let joined = |(conventions, words): (Self, Vec<String>)| (conventions, words.join(" and "));
@@ -135,6 +140,7 @@ impl Conventions {
                 other.tangent_is_negative,
                 base.tangent_is_negative,
             ),
+            forces: self.forces,
             penalty: self.penalty,
             first_index: self.first_index,
             null_is_no_dof: self.null_is_no_dof,
