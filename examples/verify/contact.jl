@@ -21,21 +21,8 @@ function normal_law(data, gap)
         rest = max(data.g_0 - gap, 0.0)
         return eps * rest^2 / (2 * data.g_0), eps * rest / data.g_0
     end
-    at_zero = data.law == "lpqp" ? eps * data.g_0 / 2 : data.law == "augmented" ? data.lambda : 0.0
-    force = at_zero - eps * gap
+    force = data.lambda + eps * data.g_0 / 2 - eps * gap
     return force > 0 ? (force, eps) : (0.0, 0.0)
-end
-
-"e_n and e_bar_n of the history. A parameter that becomes held loses its part."
-function elastic_slips(slips, held)
-    if held == slips.held || held == "none"
-        return slips.e, slips.e_bar
-    elseif slips.held == "none" && held == "xi"
-        return 0.0, slips.e_bar - slips.cosine * slips.e
-    elseif slips.held == "none" && held == "xi_bar"
-        return slips.e - slips.cosine * slips.e_bar, 0.0
-    end
-    return 0.0, 0.0
 end
 
 """
@@ -60,19 +47,17 @@ function element(q, xi, xi_bar, held, radii, data)
 
     # Geometry. Eq. (50) and (52), reduced to one equation or none if parameters are held at an end.
     a, b, a_bar = dot(t, t), dot(t, t_bar), -dot(t_bar, t_bar)
-    det = a * a_bar + b * b
-    function solve(r, r_bar)
-        if held == "none"
-            return (a_bar * r + b * r_bar) / det, (-b * r + a * r_bar) / det
-        elseif held == "xi"
-            return zero(r), r_bar / a_bar
-        elseif held == "xi_bar"
-            return r / a, zero(r_bar)
-        end
-        return zero(r), zero(r_bar)
+    inverse = zeros(2, 2)
+    if held == "none"
+        inverse = [a_bar b; -b a] / (a * a_bar + b^2)
+    elseif held == "xi"
+        inverse[2, 2] = 1 / a_bar
+    elseif held == "xi_bar"
+        inverse[1, 1] = 1 / a
     end
     Gt, Gt_bar = along(shapes, t), along(shapes, t_bar)
-    g, g_bar = solve(-Gt - A1(d), -Gt_bar - B1(d))
+    r, r_bar = -Gt - A1(d), -Gt_bar - B1(d)
+    g, g_bar = inverse[1, 1] * r + inverse[1, 2] * r_bar, inverse[2, 1] * r + inverse[2, 2] * r_bar
     # n = d/|d|; t x t_bar has the same direction, also where the beams cross. It keeps the side of the last step.
     side = held == "none" ? cross(t, t_bar) : d
     before = data.normal === nothing ? d : data.normal
@@ -84,8 +69,8 @@ function element(q, xi, xi_bar, held, radii, data)
     F_N, k = normal_law(data, d_s - radii)
     grad_F_N = -k * grad_gap
     if held == "none"
-        turned = -a_bar * A1n * A1n' - b * both(A1n, B1n) + a * B1n * B1n'
-        H_gap = both(A1n, g) - both(B1n, g_bar) - d_s / det * turned
+        turned = inverse[1, 1] * A1n * A1n' + inverse[1, 2] * both(A1n, B1n) - inverse[2, 2] * B1n * B1n'
+        H_gap = both(A1n, g) - both(B1n, g_bar) + d_s * turned
     else
         moved = Gt * g' - Gt_bar * g_bar'
         H_gap = (blocks(shapes, shapes) + moved - grad_gap * grad_gap') / d_s + A1n * g' - B1n * g_bar'
@@ -98,20 +83,25 @@ function element(q, xi, xi_bar, held, radii, data)
     end
 
     # Slip, eq. (15) and (20), and trial.
-    length_t, length_t_bar = norm(t), norm(t_bar)
-    tau, tau_bar = t / length_t, t_bar / length_t_bar
+    abs_t, abs_t_bar = norm(t), norm(t_bar)
+    tau, tau_bar = t / abs_t, t_bar / abs_t_bar
     c = dot(tau, tau_bar)
     u = held == "xi" ? 0.0 : xi - slips.xi
     u_bar = held == "xi_bar" ? 0.0 : xi_bar - slips.xi_bar
-    e_n, e_bar_n = elastic_slips(slips, held)
-    e, e_bar = e_n + length_t * u, e_bar_n + length_t_bar * u_bar
+    e_n, e_bar_n = slips.e, slips.e_bar
+    if held != "none" && held != slips.held  # a parameter that becomes held loses its part
+        was_free = slips.held == "none"
+        e_n = was_free && held == "xi_bar" ? slips.e - slips.cosine * slips.e_bar : 0.0
+        e_bar_n = was_free && held == "xi" ? slips.e_bar - slips.cosine * slips.e : 0.0
+    end
+    e, e_bar = e_n + abs_t * u, e_bar_n + abs_t_bar * u_bar
     s = e * tau - e_bar * tau_bar
     gamma = norm(s)
     l = held == "xi" ? 0.0 : dot(s, tau)  # e - c e_bar
     l_bar = held == "xi_bar" ? 0.0 : -dot(s, tau_bar)  # e_bar - c e
     grad_t, grad_t_bar = A1(tau), B1(tau_bar)
-    grad_e, grad_e_bar = length_t * g + u * grad_t, length_t_bar * g_bar + u_bar * grad_t_bar
-    grad_c = A1(tau_bar - c * tau) / length_t + B1(tau - c * tau_bar) / length_t_bar
+    grad_e, grad_e_bar = abs_t * g + u * grad_t, abs_t_bar * g_bar + u_bar * grad_t_bar
+    grad_c = A1(tau_bar - c * tau) / abs_t + B1(tau - c * tau_bar) / abs_t_bar
     grad_l = grad_e - c * grad_e_bar - e_bar * grad_c
     grad_l_bar = grad_e_bar - c * grad_e - e * grad_c
 
@@ -127,20 +117,19 @@ function element(q, xi, xi_bar, held, radii, data)
     grad_F_bar = data.eps_T * (rho * grad_l_bar + l_bar * grad_rho)
 
     # Work. The derivatives of eq. (50), solved as eq. (52).
-    A1t, A1t_bar, B1t, B1t_bar = A1(t), A1(t_bar), B1(t), B1(t_bar)
-    GA = blocks(shapes, slopes) + blocks(slopes, shapes)
-    GB = blocks(shapes, slopes_bar) + blocks(slopes_bar, shapes)
-    r = -GA - 2 * both(A1t, g) + both(A1t_bar, g_bar) + both(B1t, g_bar)
-    r_bar = -GB + 2 * both(B1t_bar, g_bar) - both(B1t, g) - both(A1t_bar, g)
-    H_xi, H_xi_bar = solve(r, r_bar)
-    A, A_bar = length_t * g, length_t_bar * g_bar
-    H_A = g * grad_t' + length_t * H_xi
-    H_A_bar = g_bar * grad_t_bar' + length_t_bar * H_xi_bar
+    grad_a, grad_b, grad_a_bar = 2 * A1(t), A1(t_bar) + B1(t), -2 * B1(t_bar)
+    H_r = -blocks(shapes, slopes) - blocks(slopes, shapes) - both(grad_a, g) + both(grad_b, g_bar)
+    H_r_bar = -blocks(shapes, slopes_bar) - blocks(slopes_bar, shapes) - both(grad_b, g) - both(grad_a_bar, g_bar)
+    H_xi = inverse[1, 1] * H_r + inverse[1, 2] * H_r_bar
+    H_xi_bar = inverse[2, 1] * H_r + inverse[2, 2] * H_r_bar
+    A, A_bar = abs_t * g, abs_t_bar * g_bar
+    H_A = g * grad_t' + abs_t * H_xi
+    H_A_bar = g_bar * grad_t_bar' + abs_t_bar * H_xi_bar
     if data.work == "paper"  # A = grad g_T
         A += u * grad_t
         A_bar += u_bar * grad_t_bar
-        H_A += grad_t * g' + u / length_t * (blocks(slopes, slopes) - grad_t * grad_t')
-        H_A_bar += grad_t_bar * g_bar' + u_bar / length_t_bar * (blocks(slopes_bar, slopes_bar) - grad_t_bar * grad_t_bar')
+        H_A += grad_t * g' + u / abs_t * (blocks(slopes, slopes) - grad_t * grad_t')
+        H_A_bar += grad_t_bar * g_bar' + u_bar / abs_t_bar * (blocks(slopes_bar, slopes_bar) - grad_t_bar * grad_t_bar')
     end
     R += F * A + F_bar * A_bar
     K += A * grad_F' + A_bar * grad_F_bar' + F * H_A + F_bar * H_A_bar
@@ -177,12 +166,12 @@ function main()
         for family in (beams[1], beams[3])
             family == FAMILY || error("contact.jl is for the family $FAMILY; a case is of the family $family. Change FAMILY and element.")
         end
-        parts = split(line, "\"element\":"; limit=2)
-        length(parts) == 2 || error("contact.jl: a case has no element. Write the cases with `beamgap export --element`.")
         point = match(r"\"point\":\{\"xi\":([^,]*),\"xi_bar\":([^}]*)\}.*?\"held\":\"([a-z_]*)\"", line)
         if point === nothing
             println("{\"id\":\"$id\",\"result\":\"degenerate\"}")  # the case has no regular closest point
         else
+            parts = split(line, "\"element\":"; limit=2)
+            length(parts) == 2 || error("contact.jl: a case has no element. Write the cases with `beamgap export --element`.")
             q = vcat(numbers(beams[2]), numbers(beams[4]))
             radii = number(line, "radius") + number(line, "radius_bar")
             state, F_N, F, F_bar, R, K =

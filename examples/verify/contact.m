@@ -35,10 +35,10 @@ while ischar(line)
             error('contact.m is for the family %s; a case is of the family %s. Change family and element.', family, name{1});
         end
     end
-    if ~isfield(one, 'element')
-        error('contact.m: a case has no element. Write the cases with `beamgap export --element`.');
-    end
     if strcmp(one.result, 'valid')
+        if ~isfield(one, 'element')
+            error('contact.m: a case has no element. Write the cases with `beamgap export --element`.');
+        end
         radii = one.contact.radius + one.contact.radius_bar;
         [state, forces, R, K] = element([one.beam.q; one.bar.q], one.point.xi, one.point.xi_bar, ...
             one.held, radii, one.element);
@@ -80,11 +80,25 @@ B1 = @(w) along(slopes_bar, w);
 both = @(v, w) v * w' + w * v';
 blocks = @(of, with) kron(of * with', eye(3));
 
-% Geometry. Eq. (50).
-matrix = [dot(t, t), -dot(t, t_bar); dot(t, t_bar), -dot(t_bar, t_bar)];
+% Geometry. Eq. (50) and (52), reduced to one equation or none if parameters are held at an end.
+a = dot(t, t);
+b = dot(t, t_bar);
+a_bar = -dot(t_bar, t_bar);
+inverse = zeros(2);
+switch held
+    case 'none'
+        inverse = [a_bar, b; -b, a] / (a * a_bar + b^2);
+    case 'xi'
+        inverse(2, 2) = 1 / a_bar;
+    case 'xi_bar'
+        inverse(1, 1) = 1 / a;
+end
 Gt = along(shapes, t);
 Gt_bar = along(shapes, t_bar);
-[g, g_bar] = solve(matrix, held, -Gt - A1(d), -Gt_bar - B1(d));
+r = -Gt - A1(d);
+r_bar = -Gt_bar - B1(d);
+g = inverse(1, 1) * r + inverse(1, 2) * r_bar;
+g_bar = inverse(2, 1) * r + inverse(2, 2) * r_bar;
 % n = d/|d|; t x t_bar has the same direction, also where the beams cross. It keeps the side of the last step.
 n = d / norm(d);
 if strcmp(held, 'none')
@@ -107,9 +121,8 @@ B1n = B1(n);
 grad_F_N = -k * grad_gap;
 % The Hessian of the gap: eq. (40), or if both parameters are free a form that also holds at d = 0.
 if strcmp(held, 'none')
-    V = [A1n, B1n];
-    square = [dot(t_bar, t_bar), -dot(t, t_bar); -dot(t, t_bar), dot(t, t)] / dot(cross(t, t_bar), cross(t, t_bar));
-    H_gap = both(A1n, g) - both(B1n, g_bar) + d_s * V * square * V';
+    turned = inverse(1, 1) * (A1n * A1n') + inverse(1, 2) * both(A1n, B1n) - inverse(2, 2) * (B1n * B1n');
+    H_gap = both(A1n, g) - both(B1n, g_bar) + d_s * turned;
 else
     moved = Gt * g' - Gt_bar * g_bar';
     H_gap = (blocks(shapes, shapes) + moved - grad_gap * grad_gap') / d_s + A1n * g' - B1n * g_bar';
@@ -127,25 +140,31 @@ if F_N == 0 || data.mu == 0 || isempty(slips) || strcmp(held, 'both')
 end
 
 % Slip, eq. (15) and (20), and trial.
-length_t = norm(t);
-length_t_bar = norm(t_bar);
-tau = t / length_t;
-tau_bar = t_bar / length_t_bar;
+abs_t = norm(t);
+abs_t_bar = norm(t_bar);
+tau = t / abs_t;
+tau_bar = t_bar / abs_t_bar;
 c = dot(tau, tau_bar);
 u = (xi - slips.xi) * ~strcmp(held, 'xi');
 u_bar = (xi_bar - slips.xi_bar) * ~strcmp(held, 'xi_bar');
-[e, e_bar] = elastic_slips(slips, held);
-e = e + length_t * u;
-e_bar = e_bar + length_t_bar * u_bar;
+e = slips.e;
+e_bar = slips.e_bar;
+if ~any(strcmp(held, {'none', slips.held}))
+    % A parameter that becomes held loses its part.
+    e = (slips.e - slips.cosine * slips.e_bar) * (strcmp(slips.held, 'none') && strcmp(held, 'xi_bar'));
+    e_bar = (slips.e_bar - slips.cosine * slips.e) * (strcmp(slips.held, 'none') && strcmp(held, 'xi'));
+end
+e = e + abs_t * u;
+e_bar = e_bar + abs_t_bar * u_bar;
 s = e * tau - e_bar * tau_bar;
 gamma = norm(s);
 l = dot(s, tau) * ~strcmp(held, 'xi');  % e - c e_bar
 l_bar = -dot(s, tau_bar) * ~strcmp(held, 'xi_bar');  % e_bar - c e
 grad_t = A1(tau);
 grad_t_bar = B1(tau_bar);
-grad_e = length_t * g + u * grad_t;
-grad_e_bar = length_t_bar * g_bar + u_bar * grad_t_bar;
-grad_c = A1(tau_bar - c * tau) / length_t + B1(tau - c * tau_bar) / length_t_bar;
+grad_e = abs_t * g + u * grad_t;
+grad_e_bar = abs_t_bar * g_bar + u_bar * grad_t_bar;
+grad_c = A1(tau_bar - c * tau) / abs_t + B1(tau - c * tau_bar) / abs_t_bar;
 grad_l = grad_e - c * grad_e_bar - e_bar * grad_c;
 grad_l_bar = grad_e_bar - c * grad_e - e * grad_c;
 
@@ -166,43 +185,26 @@ grad_F_bar = data.eps_T * (rho * grad_l_bar + l_bar * grad_rho);
 forces = [F_N, F, F_bar];
 
 % Work. The derivatives of eq. (50), solved as eq. (52).
-A1t = A1(t);
-A1t_bar = A1(t_bar);
-B1t = B1(t);
-B1t_bar = B1(t_bar);
-GA = blocks(shapes, slopes) + blocks(slopes, shapes);
-GB = blocks(shapes, slopes_bar) + blocks(slopes_bar, shapes);
-[H_xi, H_xi_bar] = solve(matrix, held, ...
-    -GA - 2 * both(A1t, g) + both(A1t_bar, g_bar) + both(B1t, g_bar), ...
-    -GB + 2 * both(B1t_bar, g_bar) - both(B1t, g) - both(A1t_bar, g));
-A = length_t * g;
-A_bar = length_t_bar * g_bar;
-H_A = g * grad_t' + length_t * H_xi;
-H_A_bar = g_bar * grad_t_bar' + length_t_bar * H_xi_bar;
+grad_a = 2 * A1(t);
+grad_b = A1(t_bar) + B1(t);
+grad_a_bar = -2 * B1(t_bar);
+r = -blocks(shapes, slopes) - blocks(slopes, shapes) - both(grad_a, g) + both(grad_b, g_bar);
+r_bar = -blocks(shapes, slopes_bar) - blocks(slopes_bar, shapes) - both(grad_b, g) - both(grad_a_bar, g_bar);
+H_xi = inverse(1, 1) * r + inverse(1, 2) * r_bar;
+H_xi_bar = inverse(2, 1) * r + inverse(2, 2) * r_bar;
+A = abs_t * g;
+A_bar = abs_t_bar * g_bar;
+H_A = g * grad_t' + abs_t * H_xi;
+H_A_bar = g_bar * grad_t_bar' + abs_t_bar * H_xi_bar;
 if strcmp(data.work, 'paper')
     % A = grad g_T.
     A = A + u * grad_t;
     A_bar = A_bar + u_bar * grad_t_bar;
-    H_A = H_A + grad_t * g' + u * (blocks(slopes, slopes) - grad_t * grad_t') / length_t;
-    H_A_bar = H_A_bar + grad_t_bar * g_bar' + u_bar * (blocks(slopes_bar, slopes_bar) - grad_t_bar * grad_t_bar') / length_t_bar;
+    H_A = H_A + grad_t * g' + u * (blocks(slopes, slopes) - grad_t * grad_t') / abs_t;
+    H_A_bar = H_A_bar + grad_t_bar * g_bar' + u_bar * (blocks(slopes_bar, slopes_bar) - grad_t_bar * grad_t_bar') / abs_t_bar;
 end
 R = R + F * A + F_bar * A_bar;
 K = K + A * grad_F' + A_bar * grad_F_bar' + F * H_A + F_bar * H_A_bar;
-end
-
-function [x, x_bar] = solve(matrix, held, r, r_bar)
-% Eq. (52), reduced to one equation or none if parameters are held at an end.
-x = zeros(size(r));
-x_bar = zeros(size(r));
-switch held
-    case 'none'
-        x = (matrix(2, 2) * r - matrix(1, 2) * r_bar) / det(matrix);
-        x_bar = (-matrix(2, 1) * r + matrix(1, 1) * r_bar) / det(matrix);
-    case 'xi'
-        x_bar = r_bar / matrix(2, 2);
-    case 'xi_bar'
-        x = r / matrix(1, 1);
-end
 end
 
 function [F_N, k] = normal_law(data, gap)
@@ -223,22 +225,6 @@ end
 if F_N <= 0
     F_N = 0;
     k = 0;
-end
-end
-
-function [e, e_bar] = elastic_slips(slips, held)
-% e_n and e_bar_n of the history. A parameter that becomes held loses its part.
-e = slips.e;
-e_bar = slips.e_bar;
-if strcmp(held, slips.held) || strcmp(held, 'none')
-    return
-end
-e = 0;
-e_bar = 0;
-if strcmp(slips.held, 'none') && strcmp(held, 'xi')
-    e_bar = slips.e_bar - slips.cosine * slips.e;
-elseif strcmp(slips.held, 'none') && strcmp(held, 'xi_bar')
-    e = slips.e - slips.cosine * slips.e_bar;
 end
 end
 

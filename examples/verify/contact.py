@@ -33,18 +33,8 @@ def normal_law(law, gap):
     if law["law"] == "lpqp" and gap > 0:
         rest = max(law["g_0"] - gap, 0.0)
         return eps * rest * rest / (2 * law["g_0"]), eps * rest / law["g_0"]
-    force = {"linear": 0.0, "lpqp": eps * law.get("g_0", 0.0) / 2, "augmented": law.get("lambda")}[law["law"]] - eps * gap
+    force = law.get("lambda", 0.0) + eps * law.get("g_0", 0.0) / 2 - eps * gap
     return (force, eps) if force > 0 else (0.0, 0.0)
-
-
-def elastic_slips(slips, held):
-    """e_n and e_bar_n of the history. A parameter that becomes held loses its part."""
-    e, e_bar, c, before = slips["e"], slips["e_bar"], slips["cosine"], slips["held"]
-    if held == before or held == "none":
-        return e, e_bar
-    if before != "none" or held == "both":
-        return 0.0, 0.0
-    return (0.0, e_bar - c * e) if held == "xi" else (e - c * e_bar, 0.0)
 
 
 def element(q, xi, xi_bar, held, radii, case):
@@ -65,13 +55,15 @@ def element(q, xi, xi_bar, held, radii, case):
 
     # Geometry. Eq. (50) and (52), reduced to one equation or none if parameters are held at an end.
     a, b, a_bar = dot(t, t), dot(t, t_bar), -dot(t_bar, t_bar)
-    det = a * a_bar + b * b
-
-    def solve(r, r_bar):
-        if held == "none":
-            return (a_bar * r + b * r_bar) / det, (-b * r + a * r_bar) / det
-        return (r / a if held == "xi_bar" else 0.0), (r_bar / a_bar if held == "xi" else 0.0)
-
+    inverse = [[0.0, 0.0], [0.0, 0.0]]
+    if held == "none":
+        det = a * a_bar + b * b
+        inverse = [[a_bar / det, b / det], [-b / det, a / det]]
+    elif held == "xi":
+        inverse[1][1] = 1 / a_bar
+    elif held == "xi_bar":
+        inverse[0][0] = 1 / a
+    solve = lambda r, r_bar: [row[0] * r + row[1] * r_bar for row in inverse]
     Gt, Gt_bar, A1d, B1d = along(shapes, t), along(shapes, t_bar), A1(d), B1(d)
     g, g_bar = zip(*(solve(-Gt[i] - A1d[i], -Gt_bar[i] - B1d[i]) for i in DOFS))
     # n = d/|d|; t x t_bar has the same direction, also where the beams cross. It keeps the side of the last step.
@@ -90,8 +82,8 @@ def element(q, xi, xi_bar, held, radii, case):
     # Slip, eq. (15) and (20), and trial.
     slips = case["history"]["slips"]
     has_friction = F_N > 0 and case["mu"] > 0 and slips and held != "both"
-    l_t, l_t_bar = a**0.5, (-a_bar) ** 0.5  # |t|, |t_bar|
-    tau, tau_bar = [w / l_t for w in t], [w / l_t_bar for w in t_bar]
+    abs_t, abs_t_bar = a**0.5, (-a_bar) ** 0.5  # |t|, |t_bar|
+    tau, tau_bar = [w / abs_t for w in t], [w / abs_t_bar for w in t_bar]
     c = dot(tau, tau_bar)
     grad_t, grad_t_bar = A1(tau), B1(tau_bar)
     u = u_bar = F = F_bar = 0.0
@@ -100,16 +92,22 @@ def element(q, xi, xi_bar, held, radii, case):
     if has_friction:
         u = 0.0 if held == "xi" else xi - slips["xi"]
         u_bar = 0.0 if held == "xi_bar" else xi_bar - slips["xi_bar"]
-        e, e_bar = elastic_slips(slips, held)
-        e, e_bar = e + l_t * u, e_bar + l_t_bar * u_bar
+        e, e_bar, c_n = slips["e"], slips["e_bar"], slips["cosine"]
+        if held not in ("none", slips["held"]):  # a parameter that becomes held loses its part
+            was_free = slips["held"] == "none"
+            e, e_bar = (
+                e - c_n * e_bar if was_free and held == "xi_bar" else 0.0,
+                e_bar - c_n * e if was_free and held == "xi" else 0.0,
+            )
+        e, e_bar = e + abs_t * u, e_bar + abs_t_bar * u_bar
         s = [e * v - e_bar * w for v, w in zip(tau, tau_bar)]
         gamma = dot(s, s) ** 0.5
         l = 0.0 if held == "xi" else dot(s, tau)  # e - c e_bar
         l_bar = 0.0 if held == "xi_bar" else -dot(s, tau_bar)  # e_bar - c e
-        grad_e = [l_t * g[i] + u * grad_t[i] for i in DOFS]
-        grad_e_bar = [l_t_bar * g_bar[i] + u_bar * grad_t_bar[i] for i in DOFS]
-        turned = A1([(v - c * w) / l_t for v, w in zip(tau_bar, tau)])
-        turned_bar = B1([(v - c * w) / l_t_bar for v, w in zip(tau, tau_bar)])
+        grad_e = [abs_t * g[i] + u * grad_t[i] for i in DOFS]
+        grad_e_bar = [abs_t_bar * g_bar[i] + u_bar * grad_t_bar[i] for i in DOFS]
+        turned = A1([(v - c * w) / abs_t for v, w in zip(tau_bar, tau)])
+        turned_bar = B1([(v - c * w) / abs_t_bar for v, w in zip(tau, tau_bar)])
         grad_c = [turned[i] + turned_bar[i] for i in DOFS]
         grad_l = [grad_e[i] - c * grad_e_bar[i] - e_bar * grad_c[i] for i in DOFS]
         grad_l_bar = [grad_e_bar[i] - c * grad_e[i] - e * grad_c[i] for i in DOFS]
@@ -128,12 +126,13 @@ def element(q, xi, xi_bar, held, radii, case):
 
     # Work: with "paper", A = grad g_T.
     paper = 1.0 if case["work"] == "paper" else 0.0
-    A = [l_t * g[i] + paper * u * grad_t[i] for i in DOFS]
-    A_bar = [l_t_bar * g_bar[i] + paper * u_bar * grad_t_bar[i] for i in DOFS]
+    A = [abs_t * g[i] + paper * u * grad_t[i] for i in DOFS]
+    A_bar = [abs_t_bar * g_bar[i] + paper * u_bar * grad_t_bar[i] for i in DOFS]
     residual = [-F_N * grad_gap[i] + F * A[i] + F_bar * A_bar[i] for i in DOFS]
 
     # Tangent.
-    A1t, B1t, A1t_bar, B1t_bar = A1(t), B1(t), A1(t_bar), B1(t_bar)
+    grad_a, grad_a_bar = [2 * w for w in A1(t)], [-2 * w for w in B1(t_bar)]
+    grad_b = [v + w for v, w in zip(A1(t_bar), B1(t))]
     tangent = []
     for i in DOFS:
         for j in DOFS:
@@ -141,20 +140,20 @@ def element(q, xi, xi_bar, held, radii, case):
             product = lambda v, w: v[i // 3] * w[j // 3] if i % 3 == j % 3 else 0.0
             # The Hessian of the gap: eq. (40), or if both parameters are free a form that also holds at d = 0.
             if held == "none":
-                turned = -a_bar * A1n[i] * A1n[j] - b * both(A1n, B1n) + a * B1n[i] * B1n[j]
-                H_gap = both(A1n, g) - both(B1n, g_bar) - d_s * turned / det
+                turned = inverse[0][0] * A1n[i] * A1n[j] + inverse[0][1] * both(A1n, B1n) - inverse[1][1] * B1n[i] * B1n[j]
+                H_gap = both(A1n, g) - both(B1n, g_bar) + d_s * turned
             else:
                 moved = Gt[i] * g[j] - Gt_bar[i] * g_bar[j] - grad_gap[i] * grad_gap[j]
                 H_gap = (product(shapes, shapes) + moved) / d_s + A1n[i] * g[j] - B1n[i] * g_bar[j]
             # The derivatives of eq. (50), solved as eq. (52).
             GA, GB = (product(shapes, of) + product(of, shapes) for of in (slopes, slopes_bar))
-            r = -GA - 2 * both(A1t, g) + both(A1t_bar, g_bar) + both(B1t, g_bar)
-            r_bar = -GB + 2 * both(B1t_bar, g_bar) - both(B1t, g) - both(A1t_bar, g)
-            H_xi, H_xi_bar = solve(r, r_bar)
-            H_t = (product(slopes, slopes) - grad_t[i] * grad_t[j]) / l_t
-            H_t_bar = (product(slopes_bar, slopes_bar) - grad_t_bar[i] * grad_t_bar[j]) / l_t_bar
-            H_A = g[i] * grad_t[j] + l_t * H_xi + paper * (grad_t[i] * g[j] + u * H_t)
-            H_A_bar = g_bar[i] * grad_t_bar[j] + l_t_bar * H_xi_bar + paper * (grad_t_bar[i] * g_bar[j] + u_bar * H_t_bar)
+            H_xi, H_xi_bar = solve(
+                -GA - both(grad_a, g) + both(grad_b, g_bar), -GB - both(grad_b, g) - both(grad_a_bar, g_bar)
+            )
+            H_t = (product(slopes, slopes) - grad_t[i] * grad_t[j]) / abs_t
+            H_t_bar = (product(slopes_bar, slopes_bar) - grad_t_bar[i] * grad_t_bar[j]) / abs_t_bar
+            H_A = g[i] * grad_t[j] + abs_t * H_xi + paper * (grad_t[i] * g[j] + u * H_t)
+            H_A_bar = g_bar[i] * grad_t_bar[j] + abs_t_bar * H_xi_bar + paper * (grad_t_bar[i] * g_bar[j] + u_bar * H_t_bar)
             K_N = k * grad_gap[i] * grad_gap[j] - F_N * H_gap
             K_T = A[i] * grad_F[j] + A_bar[i] * grad_F_bar[j] + F * H_A + F_bar * H_A_bar
             tangent.append(K_N + K_T)
@@ -170,9 +169,9 @@ def main():
         for family in (beam["family"], bar["family"]):
             if family != FAMILY:
                 sys.exit(f"contact.py is for the family {FAMILY}; a case is of the family {family}. Change FAMILY and element.")
-        if "element" not in case:
-            sys.exit("contact.py: a case has no element. Write the cases with `beamgap export --element`.")
         if case["result"] == "valid":
+            if "element" not in case:
+                sys.exit("contact.py: a case has no element. Write the cases with `beamgap export --element`.")
             point, radii = case["point"], case["contact"]["radius"] + case["contact"]["radius_bar"]
             answer = element(beam["q"] + bar["q"], point["xi"], point["xi_bar"], case["held"], radii, case["element"])
         print(json.dumps({"id": case["id"], **answer}), flush=True)
