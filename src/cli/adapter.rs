@@ -2,7 +2,6 @@
 
 use super::exit::Exit;
 use super::export::Sink;
-use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
 /// The arguments.
@@ -11,7 +10,7 @@ pub(crate) struct Adapter {
     /// The language
     #[arg(value_enum)]
     language: Language,
-    /// Print a contact element that answers residual and tangent; it uses the other program of the language
+    /// Print a contact element with friction, which answers the cases of `export --element`
     #[arg(long)]
     contact: bool,
 }
@@ -29,19 +28,34 @@ enum Language {
 impl Adapter {
     /// Prints the program.
     pub(super) fn run(self) -> anyhow::Result<Exit> {
-        if self.contact && !matches!(self.language, Language::Python) {
-            let words = "--contact: python expected, there is no contact element in another language\n";
-            return Err(clap::Error::raw(ErrorKind::ArgumentConflict, words).into());
-        }
-        let program = match self.language {
-            Language::Python if self.contact => include_str!("../../examples/verify/contact.py"),
-            Language::Fortran => include_str!("../../examples/verify/adapter.f90"),
-            Language::C => include_str!("../../examples/verify/adapter.c"),
-            Language::Cpp => include_str!("../../examples/verify/adapter.cpp"),
-            Language::Python => include_str!("../../examples/verify/adapter.py"),
-            Language::Julia => include_str!("../../examples/verify/adapter.jl"),
-            Language::Matlab => include_str!("../../examples/verify/adapter.m"),
+        // The second program is a contact element with friction.
+        let [geometry, contact] = match self.language {
+            Language::Fortran => [
+                include_str!("../../examples/verify/adapter.f90"),
+                include_str!("../../examples/verify/contact.f90"),
+            ],
+            Language::C => [
+                include_str!("../../examples/verify/adapter.c"),
+                include_str!("../../examples/verify/contact.c"),
+            ],
+            Language::Cpp => [
+                include_str!("../../examples/verify/adapter.cpp"),
+                include_str!("../../examples/verify/contact.cpp"),
+            ],
+            Language::Python => [
+                include_str!("../../examples/verify/adapter.py"),
+                include_str!("../../examples/verify/contact.py"),
+            ],
+            Language::Julia => [
+                include_str!("../../examples/verify/adapter.jl"),
+                include_str!("../../examples/verify/contact.jl"),
+            ],
+            Language::Matlab => [
+                include_str!("../../examples/verify/adapter.m"),
+                include_str!("../../examples/verify/contact.m"),
+            ],
         };
+        let program = if self.contact { contact } else { geometry };
         let mut sink = Sink::open(None)?;
         sink.line(program.trim_end())?;
         sink.finish()?;

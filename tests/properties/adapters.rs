@@ -3,6 +3,8 @@
 //! A language without a compiler is skipped. If BEAMGAP_ADAPTERS is set, a missing compiler is an error, but for Julia and
 //! Octave.
 
+mod contact;
+
 use crate::program::{command, run, shown_in_the_guides, stdout};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,7 +14,7 @@ struct Adapter {
     language: &'static str,
     file: &'static str,
     compiler: &'static [&'static str],
-    /// The term du,xi.d of the right-hand side of (50).
+    /// The term du,xi.d of the right-hand side of (50), or a term of a contact element.
     term: [&'static str; 2],
 }
 
@@ -231,36 +233,4 @@ fn the_matlab_program_agrees_until_a_term_is_wrong() {
 fn the_julia_program_agrees_until_a_term_is_wrong() {
     assert!(stdout(&run(&["adapter", "julia"])).starts_with("# Answers"));
     verified(&ADAPTERS[4]);
-}
-
-/// A contact element answers residual and tangent. A wrong term in it is red.
-#[test]
-fn the_contact_element_agrees_until_a_term_is_wrong() {
-    let folder = folder("contact");
-    let [vectors, element, contact] =
-        ["vectors.jsonl", "adapter.py", "contact.py"].map(|name| folder.join(name).display().to_string());
-    let is_there = Command::new("python3").arg("--version").output().is_ok();
-    if !is_there {
-        return;
-    }
-    assert!(run(&["export", "--family", "segment", "--cases", "4", "-o", &vectors]).status.success());
-    std::fs::write(&element, stdout(&run(&["adapter", "python"]))).unwrap();
-    let text = stdout(&run(&["adapter", "python", "--contact"]));
-    let verified = |text: &str| {
-        std::fs::write(&contact, text).unwrap();
-        let output = run(&["verify", &vectors, "--no-explanation", "--run", &format!("python3 '{contact}'")]);
-        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
-    };
-    let (code, told) = verified(&text);
-    assert!(code == Some(0) && told.contains("for residual and tangent, "), "{told}");
-    for (right, wrong) in [
-        ("STIFFNESS * gap * g for g", "STIFFNESS * g for g"),
-        ("+ gap * hessian[", "+ 0 * hessian["),
-        ("if gap >= 0:", "if False:"),
-    ] {
-        assert_eq!(text.matches(right).count(), 1, "{right}");
-        let (code, told) = verified(&text.replace(right, wrong));
-        assert_eq!(code, Some(1), "{right}: {told}");
-    }
-    assert_eq!(run(&["adapter", "cpp", "--contact"]).status.code(), Some(2));
 }
