@@ -1,7 +1,7 @@
 //! The contact elements with friction of `beamgap adapter --contact` are correct, and wrong terms in them are named.
 
 use super::{ADAPTERS, Adapter, folder, other_family};
-use crate::program::{run, stdout};
+use crate::program::{run, shown_in_the_guides, stdout};
 use std::path::Path;
 use std::process::Command;
 
@@ -72,6 +72,23 @@ fn the_cpp_contact_element_agrees_until_a_term_is_wrong() {
         ["s = sum(e, tau, -e_bar, tau_bar)", "s = sum(e, tau, e_bar, tau_bar)"],
     ];
     of_language(&ADAPTERS[2], "contact.cpp", terms);
+}
+
+/// A guide shows what comes of its commands.
+#[test]
+fn the_cpp_contact_element_is_verified_as_a_guide_shows() {
+    let folder = folder("contact-guide");
+    let vectors = folder.join("vectors.jsonl");
+    let vectors = vectors.to_str().unwrap();
+    let exported = run(&["export", "--element", "--family", "segment", "-o", vectors]);
+    assert!(exported.status.success(), "{exported:?}");
+    let adapter = Adapter { file: "contact.cpp", ..ADAPTERS[2] };
+    let text = stdout(&run(&["adapter", "cpp", "--contact"]));
+    let Some(program) = super::made(&adapter, &folder, &text) else { return };
+    shown_in_the_guides(
+        &stdout(&run(&["verify", vectors, "--run", &program])),
+        "$ beamgap verify vectors.jsonl --run ./contact",
+    );
 }
 
 #[test]
