@@ -164,14 +164,10 @@ contains
       real(real64), intent(in) :: gap
       real(real64), intent(out) :: F_N, k
       k = of%eps_N
-      F_N = of%lambda + k*of%g_0/2 - k*gap
-      if (of%law == 'lpqp' .and. gap > 0) then
-         k = of%eps_N*(of%g_0 - gap)/of%g_0
-         F_N = k*(of%g_0 - gap)/2
-      end if
-      if (F_N > 0 .and. k > 0) return
-      F_N = 0
-      k = 0
+      if (of%law == 'lpqp' .and. gap > 0) k = max(k*(of%g_0 - gap)/of%g_0, zero)
+      F_N = max(of%lambda + k*of%g_0/2 - k*gap, zero)
+      if (of%law == 'lpqp' .and. gap > 0) F_N = k*(of%g_0 - gap)/2
+      if (F_N <= 0) k = 0
    end subroutine
 
    ! The gradient of w . delta u for a vector w. That of d is along G, those of t and t_bar are along A1 and B1.
