@@ -46,7 +46,9 @@ impl Entry {
     /// wrong answer may be so large that its rounding exceeds the scale.
     pub(in crate::check) fn is_meaningful_with(&self, tolerance: f64, size: f64) -> bool {
         let Comparison { closed, other, .. } = self.comparison;
-        let of_references = (tolerance - self.own_bound).max(0.0);
+        // A bound that is not a number explains any difference; `f64::max` would drop it.
+        let of_references =
+            if tolerance.is_nan() { f64::INFINITY } else { (tolerance - self.own_bound).max(0.0) };
         let is_small = of_references <= LEAST * size.max(self.scale()) && of_references.is_finite();
         is_small || (other.is_finite() && !closed.is_finite()) || self.is_beyond()
     }
@@ -63,3 +65,45 @@ impl Entry {
 
 /// The largest tolerance over the scale of a number that is meaningful.
 const LEAST: f64 = 1e-3;
+
+#[cfg(test)]
+mod tests {
+    use super::Entry;
+    use crate::check::Order;
+    use crate::check::verdict::Comparison;
+    use crate::linearization::Quantity;
+
+    #[test]
+    fn a_tolerance_that_is_not_a_number_is_not_meaningful() {
+        let of = |closed: f64, tolerance: f64| Entry {
+            comparison: Comparison {
+                quantity: Quantity::GN,
+                axis: None,
+                order: Order::Second,
+                part: "Delta-delta",
+                against: "differences",
+                closed,
+                other: 1.0,
+                tolerance,
+                scale: 1.0,
+                bound: 0.0,
+            },
+            place: [20, 3],
+            is_contracted: true,
+            loss: 0.0,
+            attainable: 0.0,
+            best_scale: 1.0,
+            size: 1.0,
+            spread: 1.0,
+            sensitivity: 1.0,
+            own_bound: 1e-16,
+            reference_bound: tolerance,
+        };
+        assert!(of(1.5, 1e-12).is_meaningful_with(1e-12, 0.0));
+        for tolerance in [f64::NAN, f64::INFINITY, 0.1] {
+            assert!(!of(1.5, tolerance).is_meaningful_with(tolerance, 0.0), "{tolerance}");
+            // An answer that is not a number is wrong, whatever the tolerance.
+            assert!(of(f64::NAN, tolerance).is_meaningful_with(tolerance, 0.0), "{tolerance}");
+        }
+    }
+}
