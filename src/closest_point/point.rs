@@ -167,6 +167,15 @@ impl ClosestPoint {
         }
     }
 
+    /// Frees these parameters: their ends are those of an element within a longer beam.
+    pub(crate) fn free(&mut self, which: Held) {
+        self.end = self.end.filter(|_| !which.xi);
+        self.end_bar = self.end_bar.filter(|_| !which.xi_bar);
+        if which != Held::default() && matches!(self.degeneracy, Some(Degeneracy::WeakEnd { .. })) {
+            self.degeneracy = None;
+        }
+    }
+
     /// Which parameters are held at an end.
     pub fn held(&self) -> Held {
         Held { xi: self.end.is_some(), xi_bar: self.end_bar.is_some() }

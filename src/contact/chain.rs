@@ -11,6 +11,8 @@ use crate::closest_point::{ClosestPoint, End, Side};
 use crate::curve::Curve;
 use nalgebra::SVector;
 
+mod minima;
+
 #[cfg(test)]
 mod tests;
 
@@ -52,6 +54,22 @@ pub struct Chain {
     links: Vec<Link>,
 }
 
+/// The part of an element in which a minimum lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Inside,
+    /// An end of the chain.
+    End,
+    /// The inner node at which the element begins, with a distance that is stationary there.
+    Node,
+    /// The same, with a distance that increases into the element.
+    FirstEnd,
+    /// The inner node at which the element ends, with a distance that increases into the element.
+    LastEnd,
+    /// The same, with a stationary distance: the next element has the minimum too.
+    Other,
+}
+
 /// A point on a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
@@ -88,22 +106,32 @@ impl Chain {
     /// Whether a minimum of the distance to an element is one of the distance to the chain, and belongs to this element.
     ///
     /// An element owns its inside and the end at which it begins in running order; the last one owns both ends. A parameter
-    /// is held at the ends of the chain only: at another end the distance decreases along the neighbour. `end` is
-    /// [`ClosestPoint::end`] of this beam.
+    /// is held at the ends of the chain only: at another end the distance decreases along the neighbour, unless the chain has
+    /// a kink there (see [`Chains::minima`]). `end` is [`ClosestPoint::end`] of this beam.
     ///
     /// # Errors
     /// [`ContactError::NoElement`].
     pub fn owns(&self, place: Place, end: Option<&End>) -> Result<bool, ContactError> {
+        Ok(matches!(self.part(place, end)?, Part::Inside | Part::End | Part::Node))
+    }
+
+    fn part(&self, place: Place, end: Option<&End>) -> Result<Part, ContactError> {
         let Place { element, xi } = place;
         let link = self.link(element)?;
         let side = match end {
             Some(End { side: Side::Lower, .. }) => -1.0,
             Some(End { side: Side::Upper, .. }) => 1.0,
-            None if xi.abs() < 1.0 => return Ok(true),
+            None if xi.abs() < 1.0 => return Ok(Part::Inside),
             None => xi.signum(),
         };
         let is_first = link.direction() * side < 0.0;
-        Ok(self.is_end(element, side) || is_first && !end.is_some_and(|end| end.strict))
+        Ok(match (is_first, end.is_some_and(|end| end.strict)) {
+            _ if self.is_end(element, side) => Part::End,
+            (true, false) => Part::Node,
+            (true, true) => Part::FirstEnd,
+            (false, false) => Part::Other,
+            (false, true) => Part::LastEnd,
+        })
     }
 
     /// The parameter of a place in another element, by the lengths of the tangents at the ends on the way; and the sign of a
@@ -123,6 +151,11 @@ impl Chain {
         let way = (1.0 - s_i * xi) * left.tangent(s_i) + between.iter().map(Link::length).sum::<f64>();
         // ξₙ⁽ʲ⁾ = s_j (1 + ((1 − s_i ξₙ) |t_i(s_i)| + Σ 2 |t_k(0)|)/|t_j(s_j)|)
         Ok((s_j * (1.0 + way / entered.tangent(s_j)), left.direction() * entered.direction()))
+    }
+
+    /// A length that is small beside the element of a place.
+    fn small(&self, place: Place) -> Result<f64, ContactError> {
+        Ok(1e-6 * self.link(place.element)?.length())
     }
 
     /// The length of the way between two places.

@@ -76,17 +76,9 @@ fn drag(
             let middle = x - Vector3::z() * (2.0 * RADIUS - 0.01) + across * 0.1;
             let (low, high) = (middle - across, middle + across);
             let bar = SVector::from([low.x, low.y, low.z, high.x, high.y, high.z]);
-            let mut now = Vec::new();
-            for (k, q) in beam.dofs.iter().enumerate() {
-                let owners = Owners { beam: k, bar: 0 };
-                let q = DofVector { beam: *q, bar };
-                for point in pair.closest_points(&q).unwrap().minima {
-                    if chains.own(owners, &point).unwrap() {
-                        now.push((owners, point));
-                    }
-                }
-            }
+            let now = chains.minima(&minima_of_elements(&beam.dofs, bar)).unwrap();
             assert_eq!(now.len(), 1, "{s}: {now:?}");
+            assert!(now[0].1.is_interior() && chains.own(now[0].0, &now[0].1).unwrap());
             let of = chains.hand_on(&owned, &now, 0.5).unwrap()[0];
             let q = DofVector { beam: beam.dofs[of.owners.beam], bar };
             let outcome = element.evaluate(&q, &now[0].1, &of.history, &mut to).unwrap();
@@ -94,6 +86,16 @@ fn drag(
             (s, of.owners.beam, outcome)
         })
         .collect()
+}
+
+/// The minima of all elements of a beam and a straight bar.
+fn minima_of_elements(beam: &[SVector<f64, 12>], bar: SVector<f64, 6>) -> Vec<(Owners, ClosestPoint)> {
+    let pair = Pair::new(Hermite::new(), Segment::new());
+    let of = |(k, &beam): (usize, &SVector<f64, 12>)| {
+        let minima = pair.closest_points(&DofVector { beam, bar }).unwrap().minima;
+        minima.into_iter().map(move |point| (Owners { beam: k, bar: 0 }, point))
+    };
+    beam.iter().enumerate().flat_map(of).collect()
 }
 
 /// Lengths from 0.25 to 3.75, none at a node.
@@ -112,9 +114,16 @@ fn along(element: usize, outcome: &Outcome) -> [f64; 4] {
 fn a_straight_beam_cut_into_elements_has_the_same_forces() {
     let whole = Beam::new(line, &[0.0, 4.0], &[false], 1.0);
     let cut = Beam::new(line, &NODES, &REVERSED, 1.0);
-    for (mu, state) in [(1e4, State::Stick), (MU, State::Slip)] {
-        let of_whole = drag(&whole, line, mu, steps(11));
-        let of_cut = drag(&cut, line, mu, steps(11));
+    // Between the nodes, and exactly at each inner node.
+    let at_nodes: Vec<f64> = (2..=14).map(|k| 0.25 * f64::from(k)).collect();
+    for (mu, state, steps) in [
+        (1e4, State::Stick, steps(11).collect::<Vec<_>>()),
+        (MU, State::Slip, steps(11).collect()),
+        (1e4, State::Stick, at_nodes.clone()),
+        (MU, State::Slip, at_nodes.clone()),
+    ] {
+        let of_whole = drag(&whole, line, mu, steps.iter().copied());
+        let of_cut = drag(&cut, line, mu, steps.iter().copied());
         assert_eq!(of_cut.iter().map(|of| of.1).max(), Some(3));
         for ((_, _, of_whole), (_, k, of_cut)) in of_whole.iter().zip(&of_cut) {
             for (whole, cut) in along(0, of_whole).into_iter().zip(along(*k, of_cut)) {
@@ -249,4 +258,38 @@ fn a_history_goes_to_the_nearest_minimum_and_a_new_one_begins() {
     // The second contact is the nearer one to the first minimum. The first contact is left with the reversed element.
     let slips = owned.iter().map(|of| of.history.slips.map(|slips| (slips.e, slips.cosine)));
     assert_eq!(slips.collect::<Vec<_>>(), [Some((2.0, 0.5)), Some((-1.0, -0.5)), None]);
+}
+
+/// A bar across two straight elements that meet at an angle, on both sides of the kink.
+#[test]
+fn a_kink_that_points_to_the_bar_is_one_contact_with_a_held_parameter() {
+    let beam = |height: f64, reversed: [bool; 2]| {
+        let nodes = [-1.0, 0.0, 1.0].map(|s: f64| Vector3::new(s, 0.0, height * s.abs()));
+        let dofs = [0, 1].map(|k| {
+            let ends = if reversed[k] { [nodes[k + 1], nodes[k]] } else { [nodes[k], nodes[k + 1]] };
+            let half = (ends[1] - ends[0]) * 0.5;
+            SVector::<f64, 12>::from_iterator([ends[0], half, ends[1], half].iter().flatten().copied())
+        });
+        let link = |k: usize| Link::new(&Hermite::new(), &dofs[k], reversed[k]);
+        (dofs, Chain::new(vec![link(0), link(1)]).unwrap())
+    };
+    let rigid = Chain::new(vec![Link { tangents: [1.0; 3], is_reversed: false }]).unwrap();
+    let bar = SVector::from([0.0, -1.0, -0.25, 0.0, 1.0, -0.25]);
+    for reversed in [[false, false], [false, true], [true, false], [true, true]] {
+        let of = |height| {
+            let (dofs, chain) = beam(height, reversed);
+            let chains = Chains { beam: &chain, bar: &rigid };
+            chains.minima(&minima_of_elements(&dofs, bar)).unwrap()
+        };
+        // Pointing down: both elements hold xi at the kink.
+        let found = of(0.5);
+        assert_eq!(found.len(), 1, "{found:?}");
+        let (owners, point) = found[0];
+        assert_eq!((owners.beam, point.held()), (1, Held { xi: true, xi_bar: false }));
+        assert_eq!((point.xi, point.distance), (if reversed[1] { 1.0 } else { -1.0 }, 0.25));
+        // Pointing up: each element has a minimum beside the kink.
+        let found = of(-0.2);
+        assert_eq!(found.iter().map(|of| of.0.beam).collect::<Vec<_>>(), [0, 1], "{found:?}");
+        assert!(found.iter().all(|(_, point)| point.is_interior() && point.distance < 0.25));
+    }
 }
