@@ -39,7 +39,7 @@ pub use few_digits::{FewDigits, FewKind, Precision, few_digits};
 pub use location::{Location, locate};
 pub use matching::Matching;
 pub use number::{NotANumber, hex, parse};
-pub use only::{Only, PartKey};
+pub use only::{Only, PartKey, is_of_element};
 pub use process::{InputState, ProcessError, Runner};
 pub use report::{Coverage, Loss, PartFound, RegimeFound, Report, SearchFound};
 pub use shape::Shape;

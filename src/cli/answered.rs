@@ -9,7 +9,7 @@ use super::human::error;
 use super::outcome::{Entry, Outcome, Source, State};
 use super::terminal::folded;
 use super::verify::Verified;
-use beamgap::check::external::{PartFound, Report};
+use beamgap::check::external::{PartFound, Report, is_of_element};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
 pub(super) use diagnosis::{Diagnosed, first_wrong};
@@ -77,8 +77,9 @@ pub(super) fn human(verified: &Verified) -> String {
         let titles = ["quantity", "order", "numbers", "wrong", "fewer digits", "digits", "bound"];
         let mut table = Table::new(&titles).left(&[1]);
         for ((_, quantity, part), found) in &report.parts {
+            let owner = if is_of_element(part) { "element" } else { quantity.name() };
             table.row(vec![
-                quantity.name().into(),
+                owner.into(),
                 (*part).into(),
                 found.numbers.to_string(),
                 found.wrong.to_string(),

@@ -1,15 +1,32 @@
 //! What a program answers, if it does not answer everything: stated in the head of its answers.
 
 use super::answers::Answers;
+use super::conventions::STATE_AND_FORCES;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
 use std::collections::BTreeSet;
 
-/// A part of a quantity: order, quantity, and the name of the order, or residual or tangent.
+/// A part of a quantity: order, quantity, and the name of the order; or a part of a contact element with its own name.
 pub type PartKey = (Order, Quantity, &'static str);
 
 const RESIDUAL: PartKey = (Order::First, Quantity::GN, "residual");
 const TANGENT: PartKey = (Order::Second, Quantity::GN, "tangent");
+/// State and forces of a contact element.
+const FORCES: [PartKey; 4] = {
+    let [state, f_n, f, f_bar] = STATE_AND_FORCES;
+    let of = Quantity::GN;
+    [(Order::Value, of, state), (Order::Value, of, f_n), (Order::Value, of, f), (Order::Value, of, f_bar)]
+};
+
+/// Whether the name is that of a part of a contact element: residual, tangent, state, `F_N`, F, `F_bar`.
+pub fn is_of_element(name: &str) -> bool {
+    matches!(name, "residual" | "tangent") || is_force(name)
+}
+
+/// Whether the name is that of a state or force.
+pub(super) fn is_force(name: &str) -> bool {
+    STATE_AND_FORCES.contains(&name)
+}
 
 /// The parts and the cases that a program answers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -89,11 +106,12 @@ fn parts(word: &str) -> Result<Vec<PartKey>, String> {
     let unknown = || {
         let names = Quantity::ALL.map(Quantity::name).join(", ");
         format!(
-            "only: residual, tangent or one of {names} expected, alone or with :value, :first or :second, found {word:?}"
+            "only: residual, tangent, state, F_N, F, F_bar or one of {names} expected, alone or with :value, :first or :second, found {word:?}"
         )
     };
-    if let ("residual" | "tangent", None) = (name, part) {
-        return Ok(vec![if name == "residual" { RESIDUAL } else { TANGENT }]);
+    let mut of_element = [RESIDUAL, TANGENT].into_iter().chain(FORCES);
+    if let (Some(found), None) = (of_element.find(|(_, _, known)| *known == name), part) {
+        return Ok(vec![found]);
     }
     let quantity = Quantity::ALL.into_iter().find(|known| known.name() == name).ok_or_else(unknown)?;
     let all = of_quantity(quantity);
@@ -117,7 +135,7 @@ pub(super) fn words(parts: &BTreeSet<PartKey>) -> Vec<String> {
             _ => words.extend(of.iter().map(|(_, _, order)| format!("{}:{order}", quantity.name()))),
         }
     }
-    let of_element = [RESIDUAL, TANGENT].into_iter().filter(|part| parts.contains(part));
+    let of_element = [RESIDUAL, TANGENT].into_iter().chain(FORCES).filter(|part| parts.contains(part));
     words.into_iter().chain(of_element.map(|(_, _, name)| name.to_owned())).collect()
 }
 
@@ -137,7 +155,9 @@ pub(super) fn answered(answers: &Answers) -> BTreeSet<PartKey> {
         answers.answers.iter().filter(has).count() >= if is_vector { 3 } else { 1 }
     };
     let element = [(RESIDUAL, answers.residual.is_some()), (TANGENT, answers.tangent.is_some())];
-    let of_element = element.into_iter().filter_map(|(part, is_there)| is_there.then_some(part));
+    let forces = FORCES.into_iter().zip(answers.state_and_forces.map(|of| of.is_some()));
+    let of_element =
+        element.into_iter().chain(forces).filter_map(|(part, is_there)| is_there.then_some(part));
     Quantity::ALL.into_iter().flat_map(of_quantity).filter(of).chain(of_element).collect()
 }
 
@@ -149,11 +169,11 @@ mod tests {
     fn parts_are_named_as_they_are_read() {
         let mut only = Only::default();
         for (key, value) in
-            [("only", "[\"d\", xi:gradient,residual]"), ("only_cases", "[1, 2]"), ("only_held", "none")]
+            [("only", "[\"d\", xi:gradient,residual,F_bar]"), ("only_cases", "[1, 2]"), ("only_held", "none")]
         {
             only.set(key, value).unwrap();
         }
-        assert_eq!(words(&only.required(false)), ["d", "xi:first", "residual"]);
+        assert_eq!(words(&only.required(false)), ["d", "xi:first", "residual", "F_bar"]);
         assert!(only.has_case("1", "none") && !only.has_case("3", "none") && !only.has_case("1", "xi"));
         assert_eq!((Only::default().required(false).len(), Only::default().required(true).len()), (39, 41));
     }
@@ -161,7 +181,7 @@ mod tests {
     #[test]
     fn unknown_words_say_what_was_expected() {
         for (key, value, expected) in [
-            ("only", "e", "only: residual, tangent or one of x, x_bar,"),
+            ("only", "e", "only: residual, tangent, state, F_N, F, F_bar or one of x, x_bar,"),
             ("only", "d:third", "found \"d:third\""),
             ("only", "[]", "only: a list of words expected, found none"),
             ("only_held", "left", "only_held: none, xi, xi_bar or both expected, found \"left\""),

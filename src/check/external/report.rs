@@ -8,7 +8,7 @@ use super::answers::{Answers, Program};
 use super::compare::{CaseFound, Judged, Judgement};
 use super::error::Place;
 use super::few_digits::Precision;
-use super::only::{Only, PartKey};
+use super::only::{Only, PartKey, is_force, is_of_element};
 use super::vectors::Vector;
 use crate::check::left_out_warning;
 use crate::check::verdict::Inconclusive;
@@ -221,7 +221,9 @@ impl Report {
         if self.coverage.is_of_element() {
             return Vec::new();
         }
-        let is_answered = |quantity: &Quantity| self.parts.keys().any(|(_, known, _)| known == quantity);
+        let is_answered = |quantity: &Quantity| {
+            self.parts.keys().any(|(_, known, name)| known == quantity && !is_of_element(name))
+        };
         Quantity::ALL.into_iter().filter(|quantity| !is_answered(quantity)).collect()
     }
 
@@ -249,6 +251,14 @@ impl Report {
         left_out_warning(counts.iter().map(|(name, left, all)| (name.as_str(), *left, *all)), "cases")
     }
 
+    /// The names of state and forces that are wrong, if residual or tangent are compared, and nothing else is wrong.
+    pub fn wrong_forces(&self) -> Option<Vec<&'static str>> {
+        let wrong: Vec<_> =
+            self.parts.iter().filter(|(_, of)| of.wrong > 0).map(|((_, _, name), _)| *name).collect();
+        let is_right = self.parts.keys().any(|(_, _, name)| is_of_element(name) && !is_force(name));
+        (is_right && !wrong.is_empty() && wrong.iter().all(|name| is_force(name))).then_some(wrong)
+    }
+
     /// The part that is wrong first in most wrong cases. If there are several, the earliest in the order of evaluation.
     pub fn beginning(&self) -> Option<(PartKey, u64)> {
         let most = self.beginnings.values().max()?;
@@ -258,8 +268,7 @@ impl Report {
 
 fn key(judged: &Judged) -> PartKey {
     let comparison = &judged.comparison;
-    let is_of_element = matches!(comparison.part, "residual" | "tangent");
-    let name = if is_of_element { comparison.part } else { comparison.order.name() };
+    let name = if is_of_element(comparison.part) { comparison.part } else { comparison.order.name() };
     (comparison.order, comparison.quantity, name)
 }
 

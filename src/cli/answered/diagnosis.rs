@@ -30,6 +30,8 @@ pub(in crate::cli) struct Diagnosed {
     is_antisymmetric: bool,
     /// The matrix and its shape, if the first wrong one is a triangle or has doubled entries.
     shape: Option<(String, Shape)>,
+    /// The names of state and forces, if nothing else is wrong.
+    forces: Option<Vec<&'static str>>,
     /// The conventions in which the answers agree, or in which the explanation is valid.
     pub(in crate::cli) conventions: Option<OtherConventions>,
     /// The digits of the answers, if they are few and none were requested.
@@ -64,6 +66,10 @@ impl Diagnosed {
         }
         let other = other_conventions(&report.kept, demands);
         let found = Self { is_not_finite, is_antisymmetric, few_digits, ..Self::default() };
+        let forces = report.wrong_forces();
+        if forces.is_some() && !other.as_ref().is_some_and(OtherConventions::agree) {
+            return Self { forces, ..found };
+        }
         // Several terms lead to one number that is not finite.
         if !explain
             || other.as_ref().is_some_and(OtherConventions::agree)
@@ -109,6 +115,13 @@ impl Diagnosed {
                 folded(&format!("Cause: the {matrix} {}. Both triangles are expected.", shape.words()), "", "  ")
             }
             Self { few_digits: Some(few), .. } if few.settles() => String::new(),
+            Self { forces: Some(names), .. } => {
+                let words = format!(
+                    "Cause: what is answered beside residual and tangent, which are right, is wrong: {}.",
+                    names.join(", ")
+                );
+                folded(&words, "", "  ")
+            }
             Self { conventions: Some(other), .. } if other.agree() => {
                 folded(&format!("The answers agree if {}.", other.words), "", "  ")
                     + "\nState it in the first line of the answers."

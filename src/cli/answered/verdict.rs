@@ -5,7 +5,7 @@ use crate::cli::exit::Exit;
 use crate::cli::outcome::Verdict;
 use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
-use beamgap::check::external::Report;
+use beamgap::check::external::{Report, is_of_element};
 
 /// The verdict on the answers.
 pub(in crate::cli) fn verdict(Verified { report, allow_missing, .. }: &Verified) -> Verdict {
@@ -103,9 +103,10 @@ fn share(report: &Report) -> String {
         let in_part = if part > 0 { format!(" ({part} in part)") } else { String::new() };
         what.push(format!("{} of {} quantities{in_part}", whole + part, whole + part + none));
     }
-    let words = report.coverage.words();
-    what.extend(words.into_iter().filter(|word| word == "residual" || word == "tangent"));
-    format!("{points}, for {}, ", what.join(" and "))
+    what.extend(report.coverage.words().into_iter().filter(|word| is_of_element(word)));
+    let last = what.pop().unwrap_or_default();
+    let others = if what.is_empty() { String::new() } else { what.join(", ") + " and " };
+    format!("{points}, for {others}{last}, ")
 }
 
 /// The cases that are not answered, and why.

@@ -73,7 +73,7 @@ impl Coverage {
 
     /// Whether residual and tangent of a contact element are asked for, and not the geometry.
     pub fn is_of_element(&self) -> bool {
-        self.required == only::of_element()
+        self.required.iter().all(|(_, _, name)| only::is_of_element(name))
     }
 
     /// The answered cases.
@@ -90,10 +90,8 @@ impl Coverage {
     pub fn quantities(&self) -> [usize; 3] {
         let mut counts = [0; 3];
         for quantity in Quantity::ALL {
-            let of = self
-                .parts
-                .keys()
-                .filter(|(_, known, name)| *known == quantity && !matches!(*name, "residual" | "tangent"));
+            let of =
+                self.parts.keys().filter(|(_, known, name)| *known == quantity && !only::is_of_element(name));
             counts[match of.count() {
                 3 => 0,
                 0 => 2,

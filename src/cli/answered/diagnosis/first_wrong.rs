@@ -5,8 +5,9 @@ use crate::cli::answered::name_of;
 use crate::cli::count::count as counted;
 use crate::cli::human::error;
 use crate::cli::verify::Verified;
-use beamgap::check::external::{Judged, Location, locate};
+use beamgap::check::external::{Judged, Location, is_of_element, locate};
 use beamgap::check::{Comparison, Order, look_at};
+use beamgap::contact::State;
 use beamgap::linearization::Quantity;
 use std::fmt::Write;
 
@@ -21,10 +22,10 @@ pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {
     if let Some(((order, quantity, part), count)) = report.beginning() {
         let _ = writeln!(
             text,
-            "In {count} of {} the first wrong number is {part} of {}:\nlook at {}",
+            "In {count} of {} the first wrong number is {}:\nlook at {}",
             counted(report.wrong, "wrong case"),
-            quantity.name(),
-            if report.coverage.is_of_element() { OF_ELEMENT } else { at(order, quantity) }
+            if is_of_element(part) { (*part).to_owned() } else { format!("{part} of {}", quantity.name()) },
+            if is_of_element(part) { OF_ELEMENT } else { at(order, quantity) }
         );
     }
     text + "\n"
@@ -50,6 +51,14 @@ pub(super) fn matrix_name(location: &Location, comparison: &Comparison) -> Strin
     }
 }
 
+/// The name of a state by its index.
+fn state(index: f64) -> &'static str {
+    State::ALL
+        .into_iter()
+        .find(|state| (f64::from(*state as u8) - index).abs() < 0.5)
+        .map_or("none", State::name)
+}
+
 /// Why a contact element is zero.
 const OPEN: &str = "The gap is open at this point: residual and tangent are exactly zero there.\n";
 
@@ -59,12 +68,18 @@ fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, 
     let name = name_of(comparison);
     let [difference, tolerance, scaled] =
         [comparison.difference(), comparison.tolerance, comparison.scaled_error()].map(error);
-    let numbers = |answered: f64, expected: f64| {
-        format!("  in {place}\n  answered {answered:e}\n  expected {expected:e}\n")
+    let pair = |answered: &str, expected: &str| {
+        format!("  in {place}\n  answered {answered}\n  expected {expected}\n")
     };
+    let numbers = |answered: f64, expected: f64| pair(&format!("{answered:e}"), &format!("{expected:e}"));
+    if comparison.part == "state" {
+        let [answered, expected] = [comparison.closed, comparison.other].map(state);
+        return format!("First wrong number: the state, case {case}\n{}", pair(answered, expected));
+    }
     let Some((location, first_index)) = location else {
+        let what = if is_of_element(comparison.part) { String::new() } else { format!(" of {name}") };
         return format!(
-            "First wrong number: {} of {name}, case {case}\n{}  difference {difference}, tolerance {tolerance}, \
+            "First wrong number: {}{what}, case {case}\n{}  difference {difference}, tolerance {tolerance}, \
              scaled error {scaled}\n",
             comparison.part,
             numbers(comparison.closed, comparison.other)
