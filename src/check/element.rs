@@ -95,6 +95,10 @@ impl ElementAt {
         self.decided().ok().map(|decision| f(&decision))
     }
 
+    pub(in crate::check) fn history(&self) -> &History {
+        &self.data.history
+    }
+
     pub(in crate::check) fn state(&self) -> State {
         self.with(|decision| decision.state).unwrap_or(State::Open)
     }

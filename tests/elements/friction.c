@@ -91,8 +91,8 @@ static void geometry(const Pair *of) {
 /* Parameters and history. */
 typedef struct {
     char law;
-    double eps, g_0, lambda, eps_t, mu, normal[3], xi_n[2], e_n[2];
-    int is_paper, has_slips;
+    double eps, g_0, lambda, eps_t, mu, normal[3], xi_n[2], e_n[2], cosine;
+    int is_paper, has_slips, was_held[2];
 } Data;
 
 static int read_data(const char *line, Data *to) {
@@ -114,8 +114,25 @@ static int read_data(const char *line, Data *to) {
         numbers(after(at, "\"xi_bar\":"), 1, &to->xi_n[1]);
         numbers(after(at, "\"e\":"), 1, &to->e_n[0]);
         numbers(after(at, "\"e_bar\":"), 1, &to->e_n[1]);
+        numbers(after(at, "\"cosine\":"), 1, &to->cosine);
+        at = after(at, "\"held\":\"");
+        const int both = !strncmp(at, "both", 4);
+        to->was_held[0] = both || !strncmp(at, "xi\"", 3);
+        to->was_held[1] = both || !strncmp(at, "xi_bar\"", 7);
     }
     return 1;
+}
+
+/* The elastic slips at the start of the step: the force along the beam that stays free is kept where the other one becomes held. */
+static void start(const Data *of, const int held[2], double cosine, double e[2]) {
+    e[0] = F(412, 0) * F(445, 0) * of->e_n[0];
+    e[1] = F(412, 0) * F(414, -1) * F(446, 0) * of->e_n[1];
+    const int exchanged = held[0] != of->was_held[0] && held[1] != of->was_held[1];
+    if (exchanged && (of->was_held[0] || of->was_held[1])) e[0] = e[1] = 0;
+    const double by = F(447, 0) * F(448, -1) * E(449, of->cosine, cosine);
+    const double e_0 = e[0] - by * e[1], e_1 = e[1] - by * e[0];
+    if (held[1]) e[0] = e_0, e[1] = 0;
+    if (held[0]) e[0] = 0, e[1] = e_1;
 }
 
 /* F_N and k. */
@@ -147,9 +164,11 @@ static void element(const Pair *of, const Data *data) {
             K[i * size + j] = F(408, 0) * F(409, 2) * k * g[i] * g[j] - F(410, 0) * F(411, -1) * force * side * Hg[i][j];
     }
     if (!has_friction) return;
-    const double u = of->held[0] ? 0 : of->xi[0] - data->xi_n[0], u_bar = of->held[1] ? 0 : of->xi[1] - data->xi_n[1];
-    const double e = F(412, 0) * data->e_n[0] + E(413, t, t_bar) * u;
-    const double e_bar = F(412, 0) * F(414, -1) * data->e_n[1] + t_bar * u_bar;
+    const double u = of->held[0] ? 0 : F(450, 0) * (of->xi[0] - data->xi_n[0]);
+    const double u_bar = of->held[1] ? 0 : F(450, 0) * (of->xi[1] - data->xi_n[1]);
+    double e_n[2];
+    start(data, of->held, dot(T, S) / (t * t_bar), e_n);
+    const double e = e_n[0] + E(413, t, t_bar) * u, e_bar = e_n[1] + t_bar * u_bar;
     for (int c = 0; c < 3; c++) tau[c] = T[c] / t, tau_bar[c] = S[c] / t_bar;
     for (int c = 0; c < 3; c++) trial[c] = e * tau[c] - F(415, -1) * e_bar * tau_bar[c];
     const double gamma = E(416, sqrt(dot(trial, trial)), sqrt(e * e + e_bar * e_bar));

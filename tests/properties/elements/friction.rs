@@ -101,6 +101,10 @@ fn a_part_that_is_left_out_is_not_green() {
             }
         });
         assert_eq!(code, Some(1), "{key}: {told}");
+        let name = if key == "state" { "the state" } else { key };
+        assert!(told.contains(&format!("First wrong number: {name}, case ")), "{told}");
+        let is_row = |line: &str| line.trim_start().starts_with("element") && line.contains(key);
+        assert!(told.lines().any(is_row), "{told}");
     }
 }
 
@@ -124,7 +128,14 @@ fn exported_elements_are_in_every_state() {
     let force = |line: &serde_json::Value| number(&line["expected"]["F_N"]);
     assert!(cases.lines.iter().all(|line| force(line) >= 0.0));
     assert!(count(&|line| number(&line["element"]["mu"]) == 0.0 && force(line) > 0.0) >= 1);
-    assert!(count(&|line| line["element"]["history"]["slips"].is_null()) >= 1);
+    let history = |line: &serde_json::Value| line["element"]["history"].clone();
+    assert!(count(&|line| history(line)["slips"].is_null()) >= 1);
+    assert!(count(&|line| history(line)["normal"].is_null()) >= 1);
+    // A parameter that becomes held, and one that becomes free.
+    let changes =
+        |to: &str, from: &str| count(&|line| line["held"] == to && history(line)["slips"]["held"] == from);
+    assert!(changes("xi", "none") + changes("xi_bar", "none") >= 1);
+    assert!(changes("none", "xi") + changes("none", "xi_bar") >= 1);
 }
 
 /// The errors that are explained in every test run: of the law, of the slip vector, of a term, of the vector form, and one
