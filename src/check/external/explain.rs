@@ -44,7 +44,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 /// The explanation of the answers.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Explanation {
     /// The causes: several if the answers cannot distinguish them; none if nothing explains the answers.
     pub causes: Vec<Cause>,
@@ -103,6 +103,12 @@ pub fn explain(
     let cell = OnceCell::new();
     let trace =
         || cell.get_or_init(|| traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands)).as_ref();
+    // The rows of a contact element are exact in its own equations, so these come first.
+    if cases.iter().all(|(vector, _)| vector.element.is_some())
+        && let Some(traced) = trace().filter(|traced| !traced.causes.is_empty())
+    {
+        return Some(Explanation::default().with(traced.clone()));
+    }
     let found = of_faults(cases, demands, &Memo::default(), || trace().is_some_and(Traced::is_complete))?;
     let has_better = cell.get().is_some_and(|traced| traced.as_ref().is_some_and(Traced::is_complete));
     if (!found.causes.is_empty() && !has_better) || found.is_faint {

@@ -42,11 +42,20 @@ pub(super) struct Zero {
     pub(super) is_wrong_form: Option<&'static str>,
     /// Whether single terms are looked at, or only groups of them.
     pub(super) is_elementary: bool,
+    /// Whether it is looked at only if no other form explains the numbers.
+    pub(super) is_last: bool,
 }
 
 impl Zero {
     pub(super) fn of(terms: Terms) -> Self {
-        Self { terms, extras: Vec::new(), number: None, is_wrong_form: None, is_elementary: true }
+        Self {
+            terms,
+            extras: Vec::new(),
+            number: None,
+            is_wrong_form: None,
+            is_elementary: true,
+            is_last: false,
+        }
     }
 }
 
@@ -242,7 +251,8 @@ impl List {
             let zero = friction::residual(side);
             self.add(&[(GN, RESIDUAL + side)], "", At::All, vec![vec![zero]]);
         }
-        self.add(&[(GN, TANGENT)], "", At::All, vec![vec![friction::tangent()]]);
+        let forms = friction::tangent_forms().map(|zero| vec![zero]);
+        self.add(&[(GN, TANGENT)], "", At::All, forms.to_vec());
     }
 }
 

@@ -68,7 +68,11 @@ impl<'a> System<'a> {
     /// The samples that tell most: the clearest of each case.
     fn probes(&self, count: usize) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.points.len()).collect();
-        let clear = |i: &usize| -(self.residuals[*i].value.abs() / self.residuals[*i].bound);
+        let clear = |i: &usize| {
+            let RunningError { value, bound } = self.residuals[*i];
+            // Zero is not clear, also if it is exact.
+            if value == 0.0 { 0.0 } else { -(value.abs() / bound) }
+        };
         order.sort_by(|a, b| clear(a).total_cmp(&clear(b)));
         let mut of_case = HashMap::new();
         let mut ranked: Vec<(usize, usize)> = order

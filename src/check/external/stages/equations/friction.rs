@@ -1,12 +1,13 @@
 //! Residual and tangent of a contact element with friction.
 
+use super::distance::{general, normal, symmetric};
 use super::variations::of;
 use super::{LENGTH, XI, Zero};
 use crate::check::external::stages::sample::{Kind, Wrong};
 use crate::check::external::stages::terms::{
-    Beam, Factor, Number, Part, Tag, Term, Terms, numbers, scaled, tag,
+    Beam, Factor, Number, Part, Tag, Term, Terms, Vector, numbers, product, scaled, tag,
 };
-use crate::linearization::Quantity::GN;
+use crate::linearization::Quantity::{D, GN};
 
 fn friction(kind: Kind) -> Number {
     Number::Friction(Wrong::Nothing, kind)
@@ -74,8 +75,35 @@ pub(super) fn residual(side: usize) -> Zero {
     with_errors(terms.concat(), false)
 }
 
+/// The tangent with the Hessian of g_N as a number, and with its terms: those of the forms of eq. (39) and (40).
+pub(super) fn tangent_forms() -> [Zero; 4] {
+    let length = [Number::Length(Vector::Cross); 4];
+    [
+        tangent(),
+        with_terms_of_gap(&symmetric(), &[of(D, 0)]),
+        with_terms_of_gap(&general(), &[of(D, 0)]),
+        with_terms_of_gap(&normal(), &length),
+    ]
+}
+
+/// The tangent times `by`, with the terms of a form in the place of `by` times the Hessian of g_N. These alone have names.
+fn with_terms_of_gap(form: &Terms, by: &[Number]) -> Zero {
+    let is_of = |number: Number| move |term: &&Term| term.factors.contains(&Factor::Number(number));
+    let is_hessian = is_of(of(GN, 3));
+    let mut tangent = tangent().terms;
+    for term in &mut tangent {
+        term.tags.clear();
+    }
+    let others: Terms = tangent.iter().filter(|term| !is_hessian(term)).cloned().collect();
+    let force = numbers(-1.0, &[friction(Kind::NormalForce), friction(Kind::Side)]);
+    let result = is_of(of(D, 3));
+    let of_form: Terms = form.iter().filter(|term| !result(term)).cloned().collect();
+    let terms = [product(&numbers(1.0, by), &others), product(&force, &of_form)].concat();
+    Zero { number: Some("(39) and (40)"), is_elementary: false, is_last: true, ..Zero::of(terms) }
+}
+
 /// K less its terms is zero between two directions: rows belong to delta, columns to Delta.
-pub(super) fn tangent() -> Zero {
+fn tangent() -> Zero {
     let (force, side) = (friction(Kind::NormalForce), friction(Kind::Side));
     let product = [friction(Kind::Stiffness), of(GN, 1), of(GN, 2)];
     let mut terms = vec![
@@ -162,13 +190,15 @@ fn of_force(beam: Beam, (a, of_a): &(Vec<Number>, &[Tag]), is_rate: bool) -> Ter
 fn of_vector(beam: Beam) -> Terms {
     let factor = [factor_of(beam), vec![friction(L[beam])]].concat();
     let (xi, t, u, paper) = (XI[beam], LENGTH[beam], friction(U[beam]), friction(Kind::IsPaper));
-    let names: [[Tag; 5]; 2] = [
+    let names: [[Tag; 7]; 2] = [
         [
             "F H_A",
             "F t H_xi",
             "F grad xi grad t^T",
             "F times what the other work adds to H_A",
             "T.grad t of the beam",
+            "F (xi - xi_n) H_t",
+            "F grad t grad xi^T",
         ],
         [
             "F_bar H_A_bar",
@@ -176,16 +206,18 @@ fn of_vector(beam: Beam) -> Terms {
             "F_bar grad xi_bar grad t_bar^T",
             "F_bar times what the other work adds to H_A_bar",
             "T.grad t_bar of the bar beam",
+            "F_bar (xi_bar - xi_bar_n) H_t_bar",
+            "F_bar grad t_bar grad xi_bar^T",
         ],
     ];
-    let [all, hessian, product, rest, of_tangent] = names[beam];
+    let [all, hessian, product, rest, of_tangent, stretched, other_product] = names[beam];
     let common: &[Tag] = &[all, "F H_A and its twin"];
     let add = |numbers: &[Number], names: &[Tag]| term(-1.0, &[&factor, numbers], &[common, names]);
     [
         add(&[of(t, 0), of(xi, 3)], &[hessian]),
         add(&[of(xi, 1), of(t, 2)], &[product, of_tangent]),
-        add(&[paper, u, of(t, 3)], &[rest]),
-        add(&[paper, of(t, 1), of(xi, 2)], &[rest]),
+        add(&[paper, u, of(t, 3)], &[rest, stretched]),
+        add(&[paper, of(t, 1), of(xi, 2)], &[rest, other_product]),
     ]
     .concat()
 }

@@ -1,7 +1,8 @@
 //! The numbers of a contact element along a pair of directions: right, and with errors.
 
 use crate::check::element::ElementAt;
-use crate::contact::{Law, NormalLaw, Piece, Start, State, Work};
+use crate::closest_point::Held;
+use crate::contact::{History, Law, NormalLaw, Piece, Slips, Start, State, Work};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::{Real, RunningError};
 use nalgebra::Vector3;
@@ -59,6 +60,12 @@ enumeration! {
         NoReturn => "the trial force is not returned to the cone in slip",
         Returned => "the trial force is scaled to the cone in stick too",
         NoHistory => "the elastic slips e_n and e_bar_n of the history are left out",
+        NoE => "the elastic slip e_n of the history is left out",
+        NoEBar => "the elastic slip e_bar_n of the history is left out",
+        NoProjection => "e_bar_n is not reduced by c_n e_n where xi becomes held, or e_n by c_n e_bar_n where xi_bar does",
+        SignOfProjection => "the projection of the elastic slip has the wrong sign where a parameter becomes held",
+        CosineOfNow => "the cosine of the present tangents stands in the place of c_n where a parameter becomes held",
+        NoStart => "xi_n and xi_bar_n are not used: the step has no slip",
         NoMu => "mu is left out in slip",
         ActsWhenOpen => "the normal force acts at an open gap",
         NoSide => "the side of the normal after crossing is not taken from the history",
@@ -96,10 +103,10 @@ impl Friction {
                 mu: decision.parameters.mu,
                 is_paper: decision.parameters.work == Work::Paper,
                 piece: decision.piece,
-                start: decision.start,
+                slips: decision.start.and(element.history().slips),
                 state: decision.state,
                 is_crossed: decision.is_crossed,
-                held: [decision.form.held.xi, decision.form.held.xi_bar],
+                held: decision.form.held,
                 radii,
                 exact,
             };
@@ -123,10 +130,11 @@ struct Inputs<'a> {
     mu: f64,
     is_paper: bool,
     piece: Option<Piece>,
-    start: Option<Start>,
+    /// Those of the history, if friction is possible.
+    slips: Option<Slips>,
     state: State,
     is_crossed: bool,
-    held: [bool; 2],
+    held: Held,
     radii: [f64; 2],
     exact: &'a [[RunningError; 4]; COMPONENTS],
 }
@@ -171,6 +179,24 @@ impl Inputs<'_> {
         [force, stiffness]
     }
 
+    /// The start of the slips; `now` is the cosine of the present tangents.
+    fn start(&self, wrong: Wrong, now: f64) -> Option<Start> {
+        let slips = self.slips?;
+        let Slips { e, e_bar, .. } = slips;
+        let slips = match wrong {
+            Wrong::NoHistory => Slips { e: 0.0, e_bar: 0.0, ..slips },
+            Wrong::NoE => Slips { e: 0.0, ..slips },
+            Wrong::NoEBar => Slips { e_bar: 0.0, ..slips },
+            Wrong::SignOfE => Slips { e: -e, ..slips },
+            Wrong::SignOfEBar => Slips { e_bar: -e_bar, ..slips },
+            Wrong::NoProjection => Slips { cosine: 0.0, ..slips },
+            Wrong::SignOfProjection => Slips { cosine: -slips.cosine, ..slips },
+            Wrong::CosineOfNow => Slips { cosine: now, ..slips },
+            _ => slips,
+        };
+        History { normal: None, slips: Some(slips) }.start(self.held)
+    }
+
     fn table(&self, wrong: Wrong) -> [RunningError; Kind::ALL.len()] {
         let zero = number(0.0);
         let [t, t_bar] = [Quantity::T, Quantity::TBar].map(|of| self.value(of));
@@ -196,24 +222,17 @@ impl Inputs<'_> {
             Wrong::NoLength => [number(1.0); 2],
             _ => [t, t_bar],
         };
-        let slip = |xi: Quantity, length: RunningError, start: f64, e: f64, is_held: bool, is_wrong: bool| {
-            let u = if is_held { zero } else { self.value(xi) - number(start) };
-            let e = if wrong == Wrong::NoHistory { 0.0 } else { e };
-            (u, number(if is_wrong { -e } else { e }) + length * u)
+        let slip = |xi: Quantity, length: RunningError, start: f64, e: f64, is_held: bool| {
+            let is_fixed = is_held || wrong == Wrong::NoStart;
+            let u = if is_fixed { zero } else { self.value(xi) - number(start) };
+            (u, number(e) + length * u)
         };
-        let start = self.start.filter(|_| force.value > 0.0);
+        let start = self.start(wrong, cosine.value).filter(|_| force.value > 0.0);
         let ((u, e), (u_bar, e_bar)) = start.map_or(((zero, zero), (zero, zero)), |start| {
-            let is = |of: Wrong| wrong == of;
+            let Start { xi, xi_bar, e, e_bar } = start;
             (
-                slip(Quantity::Xi, length, start.xi, start.e, self.held[0], is(Wrong::SignOfE)),
-                slip(
-                    Quantity::XiBar,
-                    length_bar,
-                    start.xi_bar,
-                    start.e_bar,
-                    self.held[1],
-                    is(Wrong::SignOfEBar),
-                ),
+                slip(Quantity::Xi, length, xi, e, self.held.xi),
+                slip(Quantity::XiBar, length_bar, xi_bar, e_bar, self.held.xi_bar),
             )
         });
         let (l, l_bar) = (e - c * e_bar, e_bar - c * e);
@@ -226,7 +245,8 @@ impl Inputs<'_> {
             // A state that is within rounding of the other one is that of the right numbers.
             _ => {
                 let excess = number(self.eps_t) * gamma - number(self.mu) * force;
-                let is_clear = excess.value.abs() > excess.bound;
+                // At gamma = 0 the bound is not a number.
+                let is_clear = excess.bound.is_nan() || excess.value.abs() > excess.bound;
                 has_friction && if is_clear { excess.value > 0.0 } else { self.state == State::Slip }
             }
         };
