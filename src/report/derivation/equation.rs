@@ -50,7 +50,19 @@ impl<'a> Note<'a> {
     }
 }
 
-/// The card of one equation.
+/// The scenes of the page that teaches the geometry, with the equations that each of them links to.
+const SCENES: [(&str, &str, &[u8]); 8] = [
+    ("valley", "Where are two beams closest?", &[1, 2, 3, 4, 11]),
+    ("normal", "Why is the distance normal to both beams?", &[48]),
+    ("slide", "What moves when the contact point moves?", &[23, 24, 28]),
+    ("lines", "How far does the contact point slide?", &[44, 47, 50, 51, 52]),
+    ("envelope", "Which derivatives of the parameters does the gap need?", &[37, 40]),
+    ("race", "What does a wrong tangent cost?", &[19]),
+    ("detective", "Which check finds which error?", &[42, 54]),
+    ("friction", "Why does friction need second variations of the parameters?", &[12, 15, 20, 21, 59]),
+];
+
+/// The card of one equation: its number, what it says and the formula; the rest is closed.
 pub(super) fn card(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Result<String, String> {
     let number = row.number;
     let statement = match (note.statement, row.verdict, &row.corrected) {
@@ -69,7 +81,17 @@ pub(super) fn card(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Resul
     if !letters.is_empty() {
         let _ = writeln!(card, "<p class=\"letters\">Letters: {letters}</p>");
     }
-    let _ = writeln!(card, "<p>{}</p>", prose(note.why)?);
+    for (id, title, _) in SCENES.into_iter().filter(|(.., equations)| equations.contains(&number)) {
+        let _ = writeln!(
+            card,
+            "<p class=\"place\">In a picture that moves: <a href=\"learn.html#{id}\">{title}</a></p>"
+        );
+    }
+    let _ = writeln!(
+        card,
+        "<details><summary>Why it holds, code and numbers</summary>\n<p>{}</p>",
+        prose(note.why)?
+    );
     if row.verdict == Verdict::ExactIfLinear {
         let _ = writeln!(card, "<p>{}</p>", prose(&dropped(row))?);
     }
@@ -82,7 +104,7 @@ pub(super) fn card(row: &EquationRow, note: &Note<'_>, worked: &Worked) -> Resul
     if row.verdict == Verdict::Misprint {
         card += &misprint(row, note, worked)?;
     }
-    Ok(card + "</section>\n")
+    Ok(card + "</details>\n</section>\n")
 }
 
 /// The text for an equation that drops the terms of curves that are not linear in their dofs.

@@ -1,6 +1,7 @@
 //! The letters of the page, each explained once.
 
 use super::math::{mathml, parsed, with_macros};
+use super::text::inline;
 use pulldown_latex::Storage;
 use pulldown_latex::event::{Content, Event, Font, ScriptPosition, ScriptType, StateChange, Visual};
 
@@ -159,8 +160,10 @@ fn is_other(letter: &str, symbols: &[Symbol]) -> bool {
 /// Links to the letters that an equation uses.
 pub(super) fn used(latex: &str) -> Result<String, String> {
     let letters = letters(latex)?;
-    let link = |Symbol { id, latex, name, .. }: &Symbol| {
-        Ok(format!("<a href=\"#sym-{id}\">{} {name}</a>", mathml(latex, false)?))
+    let link = |Symbol { id, latex, name, words, .. }: &Symbol| {
+        let meaning = inline(words)?;
+        let letter = mathml(latex, false)?;
+        Ok(format!("<a href=\"#sym-{id}\">{letter} {name}<span class=\"tip\">{meaning}</span></a>"))
     };
     let links = all()?.into_iter().filter(|symbol| symbol.is_in(&letters));
     Ok(links.map(|symbol| link(&symbol)).collect::<Result<Vec<_>, String>>()?.join(" "))
