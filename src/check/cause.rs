@@ -33,6 +33,7 @@ pub fn likely_cause(variant: &Variant, seed: u64, numbers: &[u64]) -> Option<Lik
             regime: regime.name().to_owned(),
             case,
             element: None,
+            steps: Vec::new(),
             point: None,
             place: None,
         }

@@ -43,4 +43,4 @@ pub use only::{Only, PartKey, is_of_element};
 pub use process::{InputState, ProcessError, Runner};
 pub use report::{Coverage, Loss, PartFound, RegimeFound, Report, SearchFound};
 pub use shape::Shape;
-pub use vectors::{Drawing, Expected, Outcome, VECTORS, Vector, VectorReader, VectorWriter};
+pub use vectors::{Drawing, Expected, Outcome, StepDofs, VECTORS, Vector, VectorReader, VectorWriter};

@@ -25,6 +25,7 @@ const AT_ONCE: u64 = 32;
 /// The arguments of `export`.
 #[derive(Args)]
 #[command(after_help = Exit::help())]
+#[expect(clippy::struct_excessive_bools, reason = "each is an option of its own")]
 pub(crate) struct Export {
     /// Seed of the random pairs, decimal or 0x-hexadecimal
     #[arg(long, default_value = "0x5eed", value_parser = seed)]
@@ -51,6 +52,9 @@ pub(crate) struct Export {
     /// Add a contact element with friction to each case: its parameters and its history, in every state
     #[arg(long, conflicts_with = "penetrating")]
     element: bool,
+    /// Add two earlier converged steps, which lead to the history, for programs that keep their own history
+    #[arg(long, requires = "element")]
+    steps: bool,
     /// Write to this file, and not to standard output
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
@@ -75,6 +79,7 @@ impl Export {
             cases: self.cases,
             penetrating: self.penetrating,
             elements: self.element,
+            steps: self.steps,
         };
         let expected = match self.expected {
             Beside::None => Expected::None,

@@ -1,7 +1,7 @@
 //! The state of a contact, decided once in `f64`. After that both methods evaluate formulas without a branch.
 
 use super::geometry::{Gap, Trial};
-use super::{ContactError, History, NormalLaw, Parameters, Start};
+use super::{ContactError, History, NormalLaw, Parameters, Slips, Start, Values};
 use crate::closest_point::Held;
 use crate::linearization::closed_form::{Formulation, Points};
 use crate::pair::Contact;
@@ -117,6 +117,28 @@ impl<'a, L: NormalLaw> Decision<'a, L> {
             return Err(ContactError::History { name: "slips", value: f64::NAN });
         }
         Ok(Self { state, ..self })
+    }
+
+    /// The history of the next step, if this state is the converged one.
+    pub(crate) fn next_history(
+        &self,
+        points: &Points<f64>,
+        (xi, xi_bar): (f64, f64),
+        values: &Values<f64>,
+    ) -> History {
+        let memory = self.parameters.normal_memory;
+        let remembers =
+            self.state != State::Open || memory == f64::INFINITY || points.d.norm() <= memory * self.radii();
+        let slips = || Slips {
+            xi,
+            xi_bar,
+            e: values.e,
+            e_bar: values.e_bar,
+            held: self.form.held,
+            cosine: points.beam.t.dot(&points.bar.t) / (points.beam.t.norm() * points.bar.t.norm()),
+            is_slipping: self.state == State::Slip,
+        };
+        History { normal: remembers.then_some(values.normal), slips: (self.state != State::Open).then(slips) }
     }
 
     /// r + r_bar.

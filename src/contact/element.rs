@@ -1,7 +1,7 @@
 //! The contact element in `f64`: it checks the input, decides the state, and writes residual, tangent and next history.
 
 use super::closed_form::{self, Contribution, Values};
-use super::{ContactError, Decision, History, NormalLaw, Parameters, Slips, State};
+use super::{ContactError, Decision, History, NormalLaw, Parameters, State};
 use crate::closest_point::{ClosestPoint, Degeneracy};
 use crate::curve::{Curve, Geometry};
 use crate::linearization::closed_form::{Points, jets};
@@ -144,23 +144,7 @@ impl<'a, A: Curve<N>, B: Curve<M>, L: NormalLaw, const N: usize, const M: usize>
         values: Values<f64>,
     ) -> Outcome {
         let state = decision.state;
-        let remembers = state != State::Open
-            || points.d.norm() <= self.parameters.normal_memory * decision.radii()
-            || self.parameters.normal_memory == f64::INFINITY;
-        let slips = || {
-            let cosine = points.beam.t.dot(&points.bar.t) / (points.beam.t.norm() * points.bar.t.norm());
-            Slips {
-                xi: point.xi,
-                xi_bar: point.xi_bar,
-                e: values.e,
-                e_bar: values.e_bar,
-                held: point.held(),
-                cosine,
-                is_slipping: state == State::Slip,
-            }
-        };
-        let next =
-            History { normal: remembers.then_some(values.normal), slips: (state != State::Open).then(slips) };
+        let next = decision.next_history(points, (point.xi, point.xi_bar), &values);
         let to_opening = self.parameters.law.opening_gap() - values.g_n;
         Outcome { state, values, to_opening, next }
     }

@@ -91,8 +91,8 @@ static void geometry(const Pair *of) {
 /* Parameters and history. */
 typedef struct {
     char law;
-    double eps, g_0, lambda, eps_t, mu, normal[3], xi_n[2], e_n[2], cosine;
-    int is_paper, has_slips, was_held[2];
+    double eps, g_0, lambda, eps_t, mu, normal[3], xi_n[2], e_n[2], cosine, kept[3];
+    int is_paper, has_slips, was_held[2], has_kept;
 } Data;
 
 static int read_data(const char *line, Data *to) {
@@ -149,6 +149,9 @@ static double law(const Data *of, double gap, double *k) {
 }
 
 static double R[MOST], K[MOST * MOST];
+/* The elastic slips after the return, and whether the beams are in contact. */
+static double returned[2];
+static int is_closed;
 
 static void element(const Pair *of, const Data *data) {
     const int size = of->size;
@@ -163,6 +166,8 @@ static void element(const Pair *of, const Data *data) {
         for (int j = 0; j < size; j++)
             K[i * size + j] = F(408, 0) * F(409, 2) * k * g[i] * g[j] - F(410, 0) * F(411, -1) * force * side * Hg[i][j];
     }
+    is_closed = force > 0;
+    returned[0] = returned[1] = 0;
     if (!has_friction) return;
     const double u = of->held[0] ? 0 : F(450, 0) * (of->xi[0] - data->xi_n[0]);
     const double u_bar = of->held[1] ? 0 : F(450, 0) * (of->xi[1] - data->xi_n[1]);
@@ -170,11 +175,16 @@ static void element(const Pair *of, const Data *data) {
     start(data, of->held, dot(T, S) / (t * t_bar), e_n);
     const double e = e_n[0] + E(413, t, t_bar) * u, e_bar = e_n[1] + t_bar * u_bar;
     for (int c = 0; c < 3; c++) tau[c] = T[c] / t, tau_bar[c] = S[c] / t_bar;
-    for (int c = 0; c < 3; c++) trial[c] = e * tau[c] - F(415, -1) * e_bar * tau_bar[c];
+    /* Error 451 keeps the elastic slip of the last step as a vector in space. */
+    const int is_kept = error == 451 && data->has_kept && !of->held[0] && !of->held[1];
+    const double own = is_kept ? e - e_n[0] : e, own_bar = is_kept ? e_bar - e_n[1] : e_bar;
+    for (int c = 0; c < 3; c++)
+        trial[c] = own * tau[c] - F(415, -1) * own_bar * tau_bar[c] + (is_kept ? data->kept[c] : 0);
     const double gamma = E(416, sqrt(dot(trial, trial)), sqrt(e * e + e_bar * e_bar));
     const double cone = data->mu * force;
     const int slips = data->eps_t * gamma > cone && error != 417;
     const double factor = F(418, -1) * (slips ? E(419, cone, force) / gamma : data->eps_t);
+    returned[0] = factor / data->eps_t * e, returned[1] = factor / data->eps_t * e_bar;
     for (int c = 0; c < 3; c++) {
         traction[c] = factor * trial[c];
         m[c] = trial[c] / gamma;
@@ -200,7 +210,7 @@ static void element(const Pair *of, const Data *data) {
         for (int c = 0; c < 3; c++) {
             dtau[c] = F(427, 0) * (dT[j][c] - F(428, 0) * tau[c] * dt) / t;
             dtau_bar[c] = F(427, 0) * F(429, 0) * (dS[j][c] - tau_bar[c] * dt_bar) / t_bar;
-            dtrial[c] = de * tau[c] + e * dtau[c] - de_bar * tau_bar[c] - F(430, -1) * e_bar * dtau_bar[c];
+            dtrial[c] = de * tau[c] + own * dtau[c] - de_bar * tau_bar[c] - F(430, -1) * own_bar * dtau_bar[c];
         }
         const double dgamma = dot(m, dtrial), dforce = F(431, 0) * F(432, -1) * -k * side * g[j];
         for (int c = 0; c < 3; c++)
@@ -234,9 +244,54 @@ static void element(const Pair *of, const Data *data) {
             }
 }
 
+/* Newton's method for the closest point, from the one of the pair. A parameter is held at an end. */
+static void find(Pair *of) {
+    static double N[4][4];
+    for (int k = 0; k < 50; k++) {
+        curve(of->nodes[0], of->xi[0], of->q, N, x);
+        curve(of->nodes[1], of->xi[1], of->q + of->dofs[0], N, y);
+        for (int c = 0; c < 3; c++) D[c] = x[0][c] - y[0][c];
+        const double f = dot(D, x[1]), h = dot(D, y[1]);
+        of->held[0] = (of->xi[0] >= 1 && f < 0) || (of->xi[0] <= -1 && f > 0);
+        of->held[1] = (of->xi[1] >= 1 && h > 0) || (of->xi[1] <= -1 && h < 0);
+        double step[2];
+        solve(of, dot(x[1], x[1]) + dot(D, x[2]), dot(x[1], y[1]), dot(y[1], y[1]) - dot(D, y[2]), f, h, &step[0], &step[1]);
+        for (int i = 0; i < 2; i++) of->xi[i] = fmax(-1, fmin(1, of->xi[i] + step[i]));
+    }
+}
+
+/* Goes through the earlier steps of a case, and keeps the history of its own. */
+static void go_through(const char *at, Pair pair, Data *data) {
+    data->has_slips = 0;
+    memset(data->normal, 0, sizeof data->normal);
+    for (at = after(at, "\"beam\":["); at; at = after(at, "\"beam\":[")) {
+        at = numbers(at, pair.dofs[0], pair.q);
+        at = numbers(after(at, "\"bar\":["), pair.dofs[1], pair.q + pair.dofs[0]);
+        find(&pair);
+        geometry(&pair);
+        element(&pair, data);
+        const double side = dot(n, data->normal) < 0 ? -1 : 1;
+        const double t = sqrt(dot(x[1], x[1])), t_bar = sqrt(dot(y[1], y[1]));
+        for (int c = 0; c < 3; c++) {
+            data->normal[c] = side * n[c];
+            data->kept[c] = returned[0] * x[1][c] / t - returned[1] * y[1][c] / t_bar;
+        }
+        data->has_slips = is_closed;
+        data->has_kept = 1;
+        data->cosine = dot(x[1], y[1]) / (t * t_bar);
+        memcpy(data->xi_n, pair.xi, sizeof data->xi_n);
+        memcpy(data->e_n, returned, sizeof data->e_n);
+        memcpy(data->was_held, pair.held, sizeof data->was_held);
+        const char *end = strstr(at, "}");
+        if (end && end[1] == ']') break;
+    }
+}
+
 static int answer(const char *line, const Pair *pair) {
     static Data data;
     if (!read_data(line, &data)) return 0;
+    const char *steps = after(line, "\"steps\":[");
+    if (steps) go_through(steps, *pair, &data);
     geometry(pair);
     element(pair, &data);
     print("residual", R, pair->size);

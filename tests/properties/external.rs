@@ -26,6 +26,7 @@ pub(crate) fn drawing(families: &[Family], regimes: &[Regime], cases: u64) -> Dr
         cases,
         penetrating: false,
         elements: false,
+        steps: false,
     }
 }
 

@@ -47,6 +47,16 @@ impl ElementData {
     /// The number of situations, which alternate.
     pub(in crate::check) const SITUATIONS: u64 = SITUATIONS.len() as u64;
 
+    /// mu F_N over the trial force in the situation of this number; nothing for mu = 0.
+    pub(in crate::check) fn cone(number: u64) -> Option<f64> {
+        situation(number).cone
+    }
+
+    /// The slip of the step in xi in the situation of this number.
+    pub(in crate::check) fn slip(number: u64) -> f64 {
+        situation(number).slip
+    }
+
     /// Draws the element of case `number` at contact points, and sets the radii.
     ///
     /// Situations, laws and both works alternate.
@@ -58,9 +68,7 @@ impl ElementData {
         contact: &mut Contact,
         rng: &mut ChaCha8Rng,
     ) -> Self {
-        let count = Self::SITUATIONS;
-        let of = |number: u64, count: u64| usize::try_from(number % count).unwrap_or(0);
-        let (situation, round) = (&SITUATIONS[of(number, count)], number / count);
+        let (situation, round) = (situation(number), number / Self::SITUATIONS);
         let distance = points.d.norm();
         let (sum, radii) = (contact.radius + contact.radius_bar, situation.radii * distance);
         let share = if sum > 0.0 { contact.radius / sum } else { 0.5 };
@@ -117,6 +125,10 @@ impl ElementData {
         }
         Self { parameters, history }
     }
+}
+
+fn situation(number: u64) -> &'static Situation {
+    &SITUATIONS[usize::try_from(number % ElementData::SITUATIONS).unwrap_or(0)]
 }
 
 /// What was held at the last converged step: something else than now in half of the cases at an end, and in an eighth of the

@@ -2,7 +2,7 @@
 
 use super::{EvaluationPoint, of_value};
 use crate::contact::closed_form::write;
-use crate::contact::{Contribution, Decision, Law, Values};
+use crate::contact::{Contribution, Decision, History, Law, Values};
 use crate::linearization::Quantity;
 use crate::linearization::{BlockHessian, Derivatives, Linearization};
 use crate::number::{Faulty, Real, RunningError};
@@ -63,6 +63,12 @@ impl EvaluationPoint<'_> {
         let entries = dofs.iter().flat_map(|&i| dofs.iter().map(move |&j| (i, j)));
         let tangent = entries.map(|(i, j)| to.tangent.entry(i, j)).collect();
         (dofs.iter().map(|&i| to.residual.entry(i)).collect(), tangent, values)
+    }
+
+    /// The history that a converged contact leaves to the next step.
+    pub(in crate::check) fn next_history(&self, decision: &Decision<'_, Law>) -> History {
+        let at = (self.at.0.value, self.at.1.value);
+        decision.next_history(&self.points(), at, &self.element(decision).2)
     }
 
     /// The places of the dofs of both beams among the padded ones.

@@ -8,10 +8,12 @@
 
 mod element;
 mod read;
+mod steps;
 mod write;
 
 pub use read::VectorReader;
 pub(super) use read::{find, id, schema};
+pub use steps::StepDofs;
 pub use write::{Expected, VectorWriter};
 pub(super) use write::{key, quoted};
 
@@ -40,6 +42,8 @@ pub struct Vector {
     pub case: CaseData,
     /// The contact element, if the case has one.
     pub element: Option<ElementData>,
+    /// Earlier converged steps, from the first contact on: those that lead to the history of the element, if they are known.
+    pub steps: Vec<StepDofs>,
     /// The parameters of its closest point, as written. They select one of several closest points.
     pub point: Option<(f64, f64)>,
     /// Where it was read, if it was read.
@@ -99,6 +103,8 @@ pub struct Drawing {
     pub penetrating: bool,
     /// Whether each case has a contact element, with parameters and history. All its states alternate.
     pub elements: bool,
+    /// Whether these cases also have two earlier steps, from which their history follows.
+    pub steps: bool,
 }
 
 impl Drawing {
@@ -150,6 +156,7 @@ impl Drawing {
             regime: regime.name().to_owned(),
             case: Case::of(seed, number, regime, pair).data(),
             element: None,
+            steps: Vec::new(),
             point: None,
             place: None,
         };
@@ -181,6 +188,9 @@ impl Drawing {
                 ElementData::draw(turn, &evaluation.points(), at, evaluation.held, &mut contact, &mut rng)
             });
             (vector.element, vector.case.contact) = (element.ok(), contact);
+            if self.steps {
+                vector.go_through_steps(place + 5 * shift);
+            }
         }
         vector
     }

@@ -28,6 +28,11 @@ impl Cases {
         Self::of(&["--element"], seed, cases, families, folder)
     }
 
+    /// The same, with earlier steps.
+    pub(super) fn with_steps(seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
+        Self::of(&["--element", "--steps"], seed, cases, families, folder)
+    }
+
     fn of(options: &[&str], seed: u64, cases: usize, families: &[&str], folder: &Path) -> Self {
         let path = folder.join(format!("{}-{seed}-{cases}.jsonl", families.join("-")));
         let (seed_text, cases_text) = (seed.to_string(), cases.to_string());

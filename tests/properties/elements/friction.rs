@@ -66,6 +66,32 @@ fn errors_of_an_element_with_friction_are_detected() {
     }
 }
 
+/// A program that keeps its own history goes through the earlier steps of a case. If it keeps the elastic slip as a vector in
+/// space, this is named.
+#[test]
+fn a_history_of_the_program_itself_agrees_unless_it_does_not_turn_with_the_beams() {
+    let Some((program, folder)) = program() else { return };
+    let folder = folder.join("steps");
+    std::fs::create_dir_all(&folder).unwrap();
+    for seed in [1, 2] {
+        let cases = Cases::with_steps(seed, 6, &["hermite", "segment"], &folder);
+        let with = |is: &dyn Fn(&serde_json::Value) -> bool| {
+            let has_steps = |line: &&serde_json::Value| !line["element"]["steps"].is_null();
+            cases.lines.iter().filter(has_steps).filter(|line| is(line)).count()
+        };
+        assert!(2 * with(&|_| true) >= cases.lines.len(), "{} cases have steps", with(&|_| true));
+        for state in [State::Stick, State::Slip] {
+            let is_in = |line: &serde_json::Value| line["expected"]["state"] == state.name();
+            assert!(with(&is_in) >= 5, "{}: {}", state.name(), with(&is_in));
+        }
+        assert!(!is_red(&program, 0, &cases), "seed {seed}");
+        assert!(is_red(&program, 451, &cases), "seed {seed}");
+    }
+    let cases = Cases::with_steps(1, EXPLAINED_CASES, &["hermite"], &folder);
+    let told = cause(&program, 451, &cases);
+    assert!(told.contains("it does not turn with the beams"), "{told}");
+}
+
 /// A program without the tangent is not complete, and one in another state is wrong.
 #[test]
 fn a_part_that_is_left_out_is_not_green() {

@@ -226,6 +226,7 @@ fn chosen(seed: u64) -> Vec<Vector> {
         cases: DRAWN,
         penetrating: false,
         elements: false,
+        steps: false,
     };
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
     let mut chosen = Vec::new();

@@ -3,6 +3,7 @@
 mod friction;
 mod numbers;
 mod shapes;
+mod wrong;
 
 use crate::check::candidate::CAREFUL;
 use crate::check::element::ElementAt;
@@ -17,13 +18,14 @@ use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, RunningError2};
 use friction::Friction;
-pub(super) use friction::{Kind, Wrong};
+pub(super) use friction::Kind;
 use nalgebra::Vector3;
 pub(super) use numbers::Element;
 use numbers::{element, own_numbers};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use shapes::{nodes, widen};
+pub(super) use wrong::Wrong;
 
 /// The number of pairs of directions of each case.
 const DIRECTIONS: u64 = 8;
@@ -221,9 +223,10 @@ impl Point {
             .map(|[beam, bar]| demands.conventions.direction(families, &[&beam[..], bar].concat()));
         let own = own_numbers(answers, [&dq[0], &dq[1]], demands, &exact, kind == Along::Stated)?;
         let is_closed = exact[Quantity::GN.component()][0].value < 0.0;
-        let friction = of_element
-            .as_ref()
-            .and_then(|element| Friction::new(element, &exact, [contact.radius, contact.radius_bar]));
+        let friction = of_element.as_ref().and_then(|element| {
+            let radii = [contact.radius, contact.radius_bar];
+            Friction::new(element, &exact, radii, vector.last_tangents())
+        });
         let element = element(answers, [&dq[0], &dq[1]], demands, is_closed, friction);
         let sharp = |v: Vector3<RunningError2>| v.map(|n| RunningError { value: n.value, bound: n.bound[0] });
         let geometry = partial.each_ref().map(|of: &PartialVariations<RunningError2>| {

@@ -21,6 +21,7 @@ fn right_answers(digits: Option<u8>) -> (Vec<(Vector, Answers)>, Demands) {
         cases: 6,
         penetrating: false,
         elements: false,
+        steps: false,
     };
     let vectors: Vec<_> = (0..drawing.count()).map(|number| drawing.vector(number)).collect();
     let program = Evaluator { digits: digits.map(usize::from), ..Evaluator::default() };

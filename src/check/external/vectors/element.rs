@@ -1,6 +1,7 @@
 //! The contact element of a case from JSON.
 
 use super::read::{Entries, Read, find, finite, known, missing};
+use super::steps::StepDofs;
 use crate::check::ElementData;
 use crate::check::external::json::{JsonError, Node, Value};
 use crate::closest_point::Held;
@@ -23,10 +24,10 @@ fn choice<T: Copy>(entries: Entries, name: &str, known: &[(&str, T)]) -> Read<T>
     })
 }
 
-/// Parameters and history, with all numbers in their ranges.
-pub(super) fn element(node: &Node) -> Read<ElementData> {
+/// Parameters and history, with all numbers in their ranges, and earlier steps of beams with so many dofs.
+pub(super) fn element(node: &Node, dofs: [usize; 2]) -> Read<(ElementData, Vec<StepDofs>)> {
     let entries = node.object("element")?;
-    known(entries, &["comment", "law", "eps_N", "g_0", "lambda", "eps_T", "mu", "work", "history"])?;
+    known(entries, &["comment", "law", "eps_N", "g_0", "lambda", "eps_T", "mu", "work", "history", "steps"])?;
     let get = |name: &str| number(node, entries, name);
     let eps = get("eps_N")?;
     let law = match choice(entries, "law", &[("linear", 0), ("lpqp", 1), ("augmented", 2)])? {
@@ -39,7 +40,26 @@ pub(super) fn element(node: &Node) -> Read<ElementData> {
     let history = find(entries, "history").map_or(Ok(History::default()), history)?;
     let element = ElementData { parameters, history };
     element.check().map_err(|wrong| JsonError::at(node.column, format!("element: {wrong}")))?;
-    Ok(element)
+    let steps = find(entries, "steps").map_or(Ok(Vec::new()), |node| steps(node, dofs))?;
+    Ok((element, steps))
+}
+
+fn steps(node: &Node, dofs: [usize; 2]) -> Read<Vec<StepDofs>> {
+    let all = match &node.value {
+        Value::List(all) => &all[..],
+        Value::Numbers(none) if none.is_empty() => &[],
+        _ => return Err(JsonError::at(node.column, "element.steps: a list of steps expected")),
+    };
+    let step = |node: &Node| {
+        let entries = node.object("element.steps")?;
+        known(entries, &["beam", "bar"])?;
+        let of = |name: &str, count: usize| {
+            let found = find(entries, name).ok_or_else(|| JsonError::at(node.column, missing(name)))?;
+            found.numbers(name, Some(count))
+        };
+        Ok([of("beam", dofs[0])?, of("bar", dofs[1])?])
+    };
+    all.iter().map(step).collect()
 }
 
 fn history(node: &Node) -> Read<History> {

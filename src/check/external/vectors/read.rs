@@ -103,13 +103,17 @@ pub(in crate::check::external) fn vector(line: &str) -> Read<Vector> {
     let text = |name: &str| find(entries, name).map_or(Ok(""), |node| node.text(name));
     let [beam, bar] = ["beam", "bar"].map(|name| beam(get(name)?, name));
     let contact = find(entries, "contact").map_or(Ok(Contact::default()), contact)?;
-    let element = find(entries, "element").map(element).transpose()?;
+    let (beam, bar) = (beam?, bar?);
+    let dofs = [beam.q.len(), bar.q.len()];
+    let element = find(entries, "element").map(|node| element(node, dofs)).transpose()?;
+    let (element, steps) = element.map_or((None, Vec::new()), |(element, steps)| (Some(element), steps));
     let point = find(entries, "point").map(point).transpose()?;
     Ok(Vector {
         id: id(get("id")?)?,
         regime: text("regime")?.to_owned(),
-        case: CaseData { test_beams: [beam?, bar?], contact },
+        case: CaseData { test_beams: [beam, bar], contact },
         element,
+        steps,
         point,
         place: None,
     })

@@ -1,6 +1,6 @@
 //! Cases as lines of JSON.
 
-use super::{Drawing, Outcome, VECTORS, Vector, held_name};
+use super::{Drawing, Outcome, StepDofs, VECTORS, Vector, held_name};
 use crate::check::candidate::Sides;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::external::conventions::STATE_AND_FORCES;
@@ -63,7 +63,7 @@ impl VectorWriter {
             [("radius", radius), ("radius_bar", radius_bar), ("xi_0", xi_0), ("xi_bar_0", xi_bar_0)];
         let _ = write!(line, ",\"contact\":{}", self.numbers(&contact));
         if let Some(element) = &vector.element {
-            line.push_str(&self.element(element));
+            line.push_str(&self.element(element, &vector.steps));
         }
         let mut sides = Coverage::default();
         let expected = vector.evaluated(|evaluation| {
@@ -102,8 +102,8 @@ impl VectorWriter {
         format!("{{\"family\":\"{family}\"{curve},\"q\":{q},\"dq\":{dq},\"linear_dq\":{linear_dq}}}")
     }
 
-    /// The parameters and the history of a contact element.
-    fn element(self, element: &ElementData) -> String {
+    /// The parameters and the history of a contact element, and the steps that lead to it.
+    fn element(self, element: &ElementData, steps: &[StepDofs]) -> String {
         let ElementData { parameters, history } = element;
         let (law, of_law) = match parameters.law {
             Law::Linear { eps } => ("linear", vec![("eps_N", eps)]),
@@ -123,8 +123,15 @@ impl VectorWriter {
             let numbers = self.numbers(&numbers);
             format!("{},\"held\":\"{}\"}}", numbers.trim_end_matches('}'), held_name(held))
         });
+        let step =
+            |[beam, bar]: &StepDofs| format!("{{\"beam\":{},\"bar\":{}}}", self.list(beam), self.list(bar));
+        let steps = if steps.is_empty() {
+            String::new()
+        } else {
+            format!(",\"steps\":[{}]", steps.iter().map(step).collect::<Vec<_>>().join(","))
+        };
         format!(
-            ",\"element\":{{\"law\":\"{law}\",{},\"work\":\"{work}\",\"history\":{{\"normal\":{normal},\"slips\":{slips}}}}}",
+            ",\"element\":{{\"law\":\"{law}\",{},\"work\":\"{work}\",\"history\":{{\"normal\":{normal},\"slips\":{slips}}}{steps}}}",
             numbers.trim_matches(['{', '}'])
         )
     }

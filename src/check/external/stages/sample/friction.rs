@@ -1,5 +1,6 @@
 //! The numbers of a contact element along a pair of directions: right, and with errors.
 
+use super::wrong::Wrong;
 use crate::check::element::ElementAt;
 use crate::closest_point::Held;
 use crate::contact::{History, Law, NormalLaw, Piece, Slips, Start, State, Work};
@@ -47,41 +48,6 @@ enumeration! {
     }
 }
 
-enumeration! {
-    /// What is wrong in all formulas of the element.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-    pub(in crate::check::external::stages) enum Wrong {
-        Nothing => "",
-        Plus => "the slip vector is g_T t/|t| + g_T_bar t_bar/|t_bar|, in the force and in its work: the sign of its second \
-                 part is wrong",
-        PlusInForce => "the slip vector is g_T t/|t| + g_T_bar t_bar/|t_bar|: the sign of its second part is wrong",
-        Uncoupled => "friction is not coupled: the angle between the tangents, c, is left out",
-        Work => "the other virtual work of friction is used (\"work\")",
-        NoReturn => "the trial force is not returned to the cone in slip",
-        Returned => "the trial force is scaled to the cone in stick too",
-        NoHistory => "the elastic slips e_n and e_bar_n of the history are left out",
-        NoE => "the elastic slip e_n of the history is left out",
-        NoEBar => "the elastic slip e_bar_n of the history is left out",
-        NoProjection => "e_bar_n is not reduced by c_n e_n where xi becomes held, or e_n by c_n e_bar_n where xi_bar does",
-        SignOfProjection => "the projection of the elastic slip has the wrong sign where a parameter becomes held",
-        CosineOfNow => "the cosine of the present tangents stands in the place of c_n where a parameter becomes held",
-        NoStart => "xi_n and xi_bar_n are not used: the step has no slip",
-        NoMu => "mu is left out in slip",
-        ActsWhenOpen => "the normal force acts at an open gap",
-        NoSide => "the side of the normal after crossing is not taken from the history",
-        NoMultiplier => "lambda is left out of the augmented law",
-        NoOffset => "the line of the law lpqp lacks its constant eps_N g_0/2",
-        OneRadius => "r_bar is left out of the gap",
-        OtherRadius => "r is left out of the gap",
-        OtherLength => "t_bar stands in the place of t in the slip g_T",
-        OtherLengthOfBar => "t stands in the place of t_bar in the slip g_T_bar",
-        NoLength => "the slips are not multiplied by t and t_bar",
-        SignOfE => "the sign of the elastic slip e_n is wrong",
-        SignOfEBar => "the sign of the elastic slip e_bar_n is wrong",
-        GammaUncoupled => "the length gamma of the elastic slip lacks the angle between the tangents",
-    }
-}
-
 /// The numbers of a contact element, by what is wrong.
 #[derive(Clone, Debug)]
 pub(in crate::check::external::stages) struct Friction {
@@ -95,6 +61,7 @@ impl Friction {
         element: &ElementAt,
         exact: &[[RunningError; 4]; COMPONENTS],
         radii: [f64; 2],
+        last_tangents: Option<[Vector3<f64>; 2]>,
     ) -> Option<Self> {
         element.with(|decision| {
             let inputs = Inputs {
@@ -108,6 +75,7 @@ impl Friction {
                 is_crossed: decision.is_crossed,
                 held: decision.form.held,
                 radii,
+                last_tangents,
                 exact,
             };
             Self {
@@ -136,6 +104,8 @@ struct Inputs<'a> {
     is_crossed: bool,
     held: Held,
     radii: [f64; 2],
+    /// The unit tangents of the last converged step, if they are known.
+    last_tangents: Option<[Vector3<f64>; 2]>,
     exact: &'a [[RunningError; 4]; COMPONENTS],
 }
 
@@ -235,9 +205,25 @@ impl Inputs<'_> {
                 slip(Quantity::XiBar, length_bar, xi_bar, e_bar, self.held.xi_bar),
             )
         });
+        let not_turned = self
+            .last_tangents
+            .filter(|_| wrong == Wrong::NotTurned && self.held == Held::default())
+            .zip(start)
+            .map(|([last, last_bar], Start { e: e_n, e_bar: e_bar_n, .. })| {
+                let kept = (last * e_n - last_bar * e_bar_n).map(number);
+                kept + tau * (e - number(e_n)) - tau_bar * (e_bar - number(e_bar_n))
+            });
+        let (e, e_bar) = not_turned.map_or((e, e_bar), |s| {
+            let (l, l_bar, square) = (s.dot(&tau), -s.dot(&tau_bar), number(1.0) - c * c);
+            ((l + c * l_bar) / square, (l_bar + c * l) / square)
+        });
         let (l, l_bar) = (e - c * e_bar, e_bar - c * e);
-        let gamma =
-            if wrong == Wrong::GammaUncoupled { e * e + e_bar * e_bar } else { e * l + e_bar * l_bar }.sqrt();
+        let gamma = match not_turned {
+            Some(s) => s.dot(&s),
+            None if wrong == Wrong::GammaUncoupled => e * e + e_bar * e_bar,
+            None => e * l + e_bar * l_bar,
+        }
+        .sqrt();
         let has_friction = start.is_some();
         let slips = match wrong {
             Wrong::NoReturn => false,
