@@ -100,9 +100,8 @@ fn situation(input: &Input, state: State) -> Situation {
     situation
 }
 
-fn decision<'a>(input: &Input, situation: &'a Situation) -> Decision<'a, Law> {
-    let pair = input.pair;
-    let element = Element::new(&pair, &situation.parameters).expect(VALID);
+fn decision<'a>(input: &'a Input, situation: &'a Situation) -> Decision<'a, Law> {
+    let element = Element::new(&input.pair, &situation.parameters).expect(VALID);
     element.decide(&input.q, &input.point, &situation.history).expect(VALID)
 }
 

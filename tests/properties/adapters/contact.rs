@@ -23,7 +23,7 @@ fn verified(language: &str, file: &str, terms: [[&str; 2]; 2], made: impl Fn(&Pa
     let text = stdout(&run(&["adapter", language, "--contact"]));
     let Some(program) = made(&folder, &text) else { return };
     let told = stdout(&run(&["verify", vectors, "--run", &program]));
-    assert!(told.contains("\nAGREE: at ") && told.contains("for residual and tangent, "), "{told}");
+    assert!(told.contains("\nAGREE: at ") && told.contains("for residual, tangent, state,"), "{told}");
     other_family(&folder, &program, file);
     let output = run(&["verify", without, "--run", &program]);
     let told = String::from_utf8_lossy(&output.stderr);
