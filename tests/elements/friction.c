@@ -244,10 +244,12 @@ static void element(const Pair *of, const Data *data) {
             }
 }
 
-/* Newton's method for the closest point, from the one of the pair. A parameter is held at an end. */
+/* The closest point next to the one of the pair: the method of Gauss and Newton, and at last Newton's. A parameter is held at an
+ * end. */
 static void find(Pair *of) {
     static double N[4][4];
-    for (int k = 0; k < 50; k++) {
+    for (int k = 0; k < 400; k++) {
+        const double bend = k < 390 ? 0 : 1;
         curve(of->nodes[0], of->xi[0], of->q, N, x);
         curve(of->nodes[1], of->xi[1], of->q + of->dofs[0], N, y);
         for (int c = 0; c < 3; c++) D[c] = x[0][c] - y[0][c];
@@ -255,7 +257,8 @@ static void find(Pair *of) {
         of->held[0] = (of->xi[0] >= 1 && f < 0) || (of->xi[0] <= -1 && f > 0);
         of->held[1] = (of->xi[1] >= 1 && h > 0) || (of->xi[1] <= -1 && h < 0);
         double step[2];
-        solve(of, dot(x[1], x[1]) + dot(D, x[2]), dot(x[1], y[1]), dot(y[1], y[1]) - dot(D, y[2]), f, h, &step[0], &step[1]);
+        const double a = dot(x[1], x[1]) + bend * dot(D, x[2]), a_bar = dot(y[1], y[1]) - bend * dot(D, y[2]);
+        solve(of, a, dot(x[1], y[1]), a_bar, f, h, &step[0], &step[1]);
         for (int i = 0; i < 2; i++) of->xi[i] = fmax(-1, fmin(1, of->xi[i] + step[i]));
     }
 }
