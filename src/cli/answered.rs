@@ -55,7 +55,7 @@ pub(super) fn outcome(verified: &Verified) -> Outcome {
 fn digits(error: f64) -> String {
     // An error of zero counts as all digits.
     let error = if error.is_nan() { 0.0 } else { error };
-    format!("{:.1}", (-error.log10()).clamp(0.0, 16.0))
+    format!("{:.1}", (-error.log10()).clamp(0.0, 16.0).abs())
 }
 
 /// The heading: the command, and the requested digits with the reason.

@@ -7,8 +7,8 @@ use std::process::Command;
 
 /// What is named if grad gamma is left out of grad rho, and if the slip vector has a plus sign.
 const CAUSES: [&str; 2] = [
-    "Cause: in the tangent the term grad gamma is missing,",
-    "Cause: in the residual the slip vector is g_T t/|t| + g_T_bar t_bar/|t_bar|: the sign of its second part is wrong,",
+    "Cause: in the tangent the term grad gamma is missing",
+    "Cause: in the residual the slip vector is g_T t/|t| + g_T_bar t_bar/|t_bar|: the sign of its second part is wrong",
 ];
 
 /// Verifies a program, and then with the wrong line in the place of each right one. `made` writes and compiles a program; it

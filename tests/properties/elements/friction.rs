@@ -109,7 +109,7 @@ fn a_part_that_is_left_out_is_not_green() {
         });
         std::fs::write(&path, changed.collect::<String>()).unwrap();
         let files = [&cases.path, &path].map(|path| path.to_str().unwrap());
-        let output = run(&["verify", files[0], files[1], "--no-explanation"]);
+        let output = run(&["verify", files[0], files[1]]);
         (output.status.code(), String::from_utf8(output.stdout).unwrap())
     };
     let (code, told) = verified("all", &|_| ());
@@ -131,6 +131,10 @@ fn a_part_that_is_left_out_is_not_green() {
         assert!(told.contains(&format!("First wrong number: {name}, case ")), "{told}");
         let is_row = |line: &str| line.trim_start().starts_with("element") && line.contains(key);
         assert!(told.lines().any(is_row), "{told}");
+        let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
+        let cause =
+            format!("what is answered beside residual and tangent, which are right, is wrong: {key}.");
+        assert!(words.contains(&cause), "{told}");
     }
 }
 
