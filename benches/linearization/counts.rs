@@ -43,6 +43,8 @@ fn main_scenarios() -> Vec<Scenario> {
     let is_main = |scenario: &Scenario| match scenario.task {
         // The counts of several threads differ from run to run.
         Task::DistanceOfMany | Task::AllOfMany => false,
+        // The record does not have them.
+        Task::ContactElement => false,
         Task::ClosestPoint => true,
         _ => scenario.method.contains("closed form") || scenario.method.contains("by orders"),
     };
