@@ -2,6 +2,7 @@
 
 mod coverage;
 mod found;
+mod parts;
 mod searched;
 
 use super::answers::{Answers, Program};
@@ -15,6 +16,7 @@ use crate::check::verdict::Inconclusive;
 use crate::linearization::Quantity;
 pub use coverage::Coverage;
 pub use found::{Loss, PartFound, RegimeFound};
+use parts::key;
 pub use searched::SearchFound;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -259,49 +261,16 @@ impl Report {
         (is_right && !wrong.is_empty() && wrong.iter().all(|name| is_force(name))).then_some(wrong)
     }
 
+    /// The names of wrong forces, if forces are answered.
+    pub fn forces(&self) -> Option<Vec<&'static str>> {
+        let forces: Vec<_> = self.parts.iter().filter(|((.., name), _)| is_force(name)).collect();
+        let wrong = forces.iter().filter(|(_, of)| of.wrong > 0).map(|((.., name), _)| *name).collect();
+        (!forces.is_empty()).then_some(wrong)
+    }
+
     /// The part that is wrong first in most wrong cases. If there are several, the earliest in the order of evaluation.
     pub fn beginning(&self) -> Option<(PartKey, u64)> {
         let most = self.beginnings.values().max()?;
         self.beginnings.iter().find(|(_, count)| *count == most).map(|(key, count)| (*key, *count))
-    }
-}
-
-fn key(judged: &Judged) -> PartKey {
-    let comparison = &judged.comparison;
-    let name = if is_of_element(comparison.part) { comparison.part } else { comparison.order.name() };
-    (comparison.order, comparison.quantity, name)
-}
-
-/// The parts as a list, each with its quantity and order. Their keys are those of the worst numbers.
-mod parts {
-    use super::{PartFound, PartKey, key};
-    use crate::linearization::Quantity;
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-    use std::collections::BTreeMap;
-
-    #[derive(Serialize)]
-    struct Part<'a> {
-        quantity: Quantity,
-        order: &'static str,
-        #[serde(flatten)]
-        found: &'a PartFound,
-    }
-
-    pub(super) fn serialize<S: Serializer>(
-        parts: &BTreeMap<PartKey, PartFound>,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(parts.iter().map(|(&(_, quantity, order), found)| Part {
-            quantity,
-            order,
-            found,
-        }))
-    }
-
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
-        deserializer: D,
-    ) -> Result<BTreeMap<PartKey, PartFound>, D::Error> {
-        let parts = Vec::<PartFound>::deserialize(deserializer)?;
-        Ok(parts.into_iter().map(|part| (key(&part.worst), part)).collect())
     }
 }

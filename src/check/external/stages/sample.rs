@@ -121,7 +121,8 @@ pub(super) fn samples(
         || answers.tangent.is_some()
         || answered.iter().any(|of| of.gradient.is_some() || of.hessian.is_some());
     let is_stated = !has_arrays || answered.iter().any(|of| of.variations != [None; 3]);
-    let point = Point { exact, own: [place(0), place(1)], held, has_shapes, element };
+    let last_tangents = vector.last_tangents();
+    let point = Point { exact, own: [place(0), place(1)], held, has_shapes, element, last_tangents };
     let of = |k: u64| point.sample((case, vector, &beams), answers, demands, (along, k));
     match along {
         Along::Stated if is_stated => of(0).into_iter().collect(),
@@ -173,6 +174,8 @@ struct Point {
     held: [bool; 2],
     has_shapes: [bool; 2],
     element: Option<ElementAt>,
+    /// The unit tangents at the last converged step, if it is known.
+    last_tangents: Option<[Vector3<f64>; 2]>,
 }
 
 /// The index of a case, the case and its beams.
@@ -186,7 +189,8 @@ impl Point {
         demands: &Demands,
         (kind, k): (Along, u64),
     ) -> Option<Sample> {
-        let Self { exact: exact_xi, own: xi, held, has_shapes, element: ref of_element } = *self;
+        let Self { exact: exact_xi, own: xi, held, has_shapes, element: ref of_element, ref last_tangents } =
+            *self;
         let along = directions(vector, kind, k);
         let moved: [Box<dyn AnyBeam>; 2] = std::array::from_fn(|i| {
             beams[i].with_numbers(&[
@@ -225,7 +229,7 @@ impl Point {
         let is_closed = exact[Quantity::GN.component()][0].value < 0.0;
         let friction = of_element.as_ref().and_then(|element| {
             let radii = [contact.radius, contact.radius_bar];
-            Friction::new(element, &exact, radii, vector.last_tangents())
+            Friction::new(element, &exact, radii, *last_tangents)
         });
         let element = element(answers, [&dq[0], &dq[1]], demands, is_closed, friction);
         let sharp = |v: Vector3<RunningError2>| v.map(|n| RunningError { value: n.value, bound: n.bound[0] });

@@ -104,9 +104,9 @@ impl Vector {
 
     /// The unit tangents of both beams at the last converged step, if it is known.
     pub(in crate::check::external) fn last_tangents(&self) -> Option<[Vector3<f64>; 2]> {
-        let slips = self.element.as_ref()?.history.slips?;
+        let (last, slips) = (self.steps.last()?, self.element.as_ref()?.history.slips?);
         let mut at = self.case.clone();
-        for (beam, q) in at.test_beams.iter_mut().zip(self.steps.last()?) {
+        for (beam, q) in at.test_beams.iter_mut().zip(last) {
             beam.q.clone_from(q);
         }
         let beams = at.beams().ok()?;
