@@ -75,7 +75,7 @@ pub fn other_conventions(cases: &[(Vector, Answers)], demands: &Demands) -> Opti
     // A few numbers fewer are chance: answers with a wrong term may be nearer in a wrong convention.
     // A sign of residual or tangent must be clearer: a term with a wrong sign is as good as the others with wrong signs.
     let signs = |of: &Conventions| (of.residual_is_negative, of.tangent_is_negative);
-    let share = if signs(&best) == signs(&demands.conventions) { 9 } else { 5 };
+    let share = if signs(&best) == signs(&demands.conventions) { 8 } else { 5 };
     let is_clear = 10 * fewest <= share * wrong_before;
     let found =
         OtherConventions { conventions: best, words: words.join(" and "), wrong: fewest, wrong_before };

@@ -1,5 +1,6 @@
 //! The first wrong number in the answers of a program, and the cause, for people.
 
+mod few_digits;
 mod first_wrong;
 
 use crate::cli::count::count as counted;
@@ -7,10 +8,11 @@ use crate::cli::human::error;
 use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
 use beamgap::check::external::{
-    self, Cause, Demands, Explanation, FewDigits, FewKind, OtherConventions, RunnerUp, Shape, few_digits,
-    locate, other_conventions,
+    self, Cause, Demands, Explanation, FewDigits, OtherConventions, RunnerUp, Shape, few_digits, locate,
+    other_conventions,
 };
 use beamgap::variant::with_faults;
+use few_digits::of_few;
 use first_wrong::matrix_name;
 use std::fmt::Write;
 
@@ -30,6 +32,8 @@ pub(in crate::cli) struct Diagnosed {
     is_antisymmetric: bool,
     /// The matrix and its shape, if the first wrong one is a triangle or has doubled entries.
     shape: Option<(String, Shape)>,
+    /// Where to look by the forces, if they are answered with residual or tangent and the cause is not known.
+    place_of_force: Option<&'static str>,
     /// The names of state and forces, if nothing else is wrong.
     forces: Option<Vec<&'static str>>,
     /// The conventions in which the answers agree, or in which the explanation is valid.
@@ -65,7 +69,9 @@ impl Diagnosed {
             return Self { shape, few_digits, ..Self::default() };
         }
         let other = other_conventions(&report.kept, demands);
-        let found = Self { is_not_finite, is_antisymmetric, few_digits, ..Self::default() };
+        let forces = report.forces().filter(|_| report.coverage.is_of_element());
+        let place_of_force = forces.map(|wrong| place_of_force(&wrong));
+        let found = Self { is_not_finite, is_antisymmetric, place_of_force, few_digits, ..Self::default() };
         let forces = report.wrong_forces();
         if forces.is_some() && !other.as_ref().is_some_and(OtherConventions::agree) {
             return Self { forces, ..found };
@@ -131,71 +137,16 @@ impl Diagnosed {
             {
                 NOT_FINITE.to_owned()
             }
-            Self { explanation: Some(explanation), is_antisymmetric, conventions, .. } => {
+            Self { explanation: Some(explanation), is_antisymmetric, conventions, place_of_force, .. } => {
                 let nearer = conventions.as_ref().map_or_else(String::new, nearer);
                 let transposed = if *is_antisymmetric && explanation.causes.is_empty() { ANTISYMMETRIC } else { "" };
-                nearer + &cause(explanation) + transposed
+                nearer + &cause(explanation, *place_of_force) + transposed
             }
             _ => return String::new(),
         };
         let few = self.few_digits.as_ref().map_or_else(String::new, of_few);
         format!("\n{}", (few + &text).trim_end())
     }
-}
-
-/// That the answers have few digits.
-fn of_few(few: &FewDigits) -> String {
-    let FewDigits { digits, kind, is_all, agree } = few;
-    let whose = if *is_all { "All answers" } else { "The wrong answers" };
-    let what = match kind {
-        FewKind::Significant => format!("{whose} have at most {digits} significant digits"),
-        FewKind::Decimals => format!("{whose} have at most {digits} decimals"),
-        FewKind::Single(_) => format!("{whose} are numbers of single precision"),
-    };
-    let others = if *is_all { String::new() } else { "Other answers have more digits.\n".to_owned() };
-    match kind {
-        FewKind::Decimals => {
-            let found = if *agree {
-                "To so many decimals the wrong cases that were tried agree."
-            } else {
-                "They differ in these decimals too."
-            };
-            let advice = "Print significant digits, as %.17g does: small numbers have few of them now.";
-            folded(&format!("{what}. {found} {advice}"), "", "  ") + "\n" + &others
-        }
-        FewKind::Single(regimes) if !*agree && *is_all => {
-            format!("{what}.\n{}", of_single(regimes))
-        }
-        _ if *agree => {
-            format!(
-                "{what}. If {digits} are required,\nthe wrong cases that were tried agree: --digits {digits}.\n{others}"
-            )
-        }
-        _ => format!("{what}.\nThey differ in the first {digits} digits too.\n{others}"),
-    }
-}
-
-/// The regimes in which answers in single precision agree, and those in which they do not.
-fn of_single([agree, explained, others]: &[Vec<String>; 3]) -> String {
-    let mut text = String::new();
-    let mut add = |words: String| text += &(folded(&words, "", "  ") + "\n");
-    if !agree.is_empty() {
-        add(format!("They agree to 6 digits in {}.", agree.join(", ")));
-    }
-    if !explained.is_empty() {
-        add(format!(
-            "Rounding in single precision explains the differences in {}: single precision can do no better there.",
-            explained.join(", ")
-        ));
-    }
-    if !others.is_empty() {
-        add("They differ in the first 6 digits too.".to_owned());
-        add(format!(
-            "Rounding in single precision does not explain the differences in {}.",
-            others.join(", ")
-        ));
-    }
-    text
 }
 
 /// The conventions in which fewer numbers are wrong.
@@ -207,16 +158,27 @@ fn nearer(OtherConventions { words, wrong, wrong_before, .. }: &OtherConventions
         + "\nState it in the first line of the answers.\nWhat follows is valid in these conventions.\n"
 }
 
-/// The cause, or that it is not known, 80 columns wide.
-fn cause(explanation: &Explanation) -> String {
+/// Where to look if these forces are wrong.
+fn place_of_force(wrong: &[&str]) -> &'static str {
+    if wrong.contains(&"F_N") {
+        "F_N is wrong already: look at the gap, the side of the normal, and the law."
+    } else if wrong.is_empty() {
+        "The forces are right."
+    } else {
+        "F_N is right, and what is told of friction is wrong: look at the slip, the history, and the cone."
+    }
+}
+
+/// The cause, or that it is not known, 80 columns wide. `place_of_force` says what the forces show.
+fn cause(explanation: &Explanation, place_of_force: Option<&str>) -> String {
     let of_line = |line: &str| match line.strip_prefix("  - ") {
         Some(item) => folded(item, "  - ", "    ") + "\n",
         None => folded(line, "", "  ") + "\n",
     };
-    cause_in_long_lines(explanation).lines().map(of_line).collect()
+    cause_in_long_lines(explanation, place_of_force).lines().map(of_line).collect()
 }
 
-fn cause_in_long_lines(explanation: &Explanation) -> String {
+fn cause_in_long_lines(explanation: &Explanation, place_of_force: Option<&str>) -> String {
     let Explanation { causes, before, after, runner_up, cases, is_faint, place, beyond } = explanation;
     let after = after.map_or_else(|| "-".into(), error);
     let runner_up = runner_up.as_ref();
@@ -229,7 +191,7 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
         }
         [] => {
             // An attempt that leaves much says nothing of the cause.
-            let close = runner_up.filter(|attempt| attempt.left <= 0.1 * before);
+            let close = runner_up.filter(|attempt| attempt.left <= (0.1 * before).min(1e-2));
             let best = close.map_or_else(String::new, |RunnerUp { words, left }| {
                 format!(" The best attempt leaves {}: {words}.", error(*left))
             });
@@ -238,8 +200,14 @@ fn cause_in_long_lines(explanation: &Explanation) -> String {
                 "Cause: not known. No known error explains {}.{best}",
                 counted(*cases, "case")
             );
-            if let Some(place) = place {
-                let _ = writeln!(text, "Look there: {place}; the numbers before it are right.");
+            match (place, place_of_force) {
+                (Some(place), Some(of_force)) => {
+                    let _ = writeln!(text, "Look there: {place}. {of_force}");
+                }
+                (Some(place), None) => {
+                    let _ = writeln!(text, "Look there: {place}; the numbers before it are right.");
+                }
+                (None, _) => {}
             }
             return text;
         }

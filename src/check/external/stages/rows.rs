@@ -95,19 +95,17 @@ fn groups(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Group> {
         add_group(Group { name, terms, reach });
     };
     if form.is_elementary {
-        for term in &form.terms {
+        let is_result = |term: &&Term| term.factors.iter().any(|factor| is_result(factor, results));
+        // A result alone is what the program answers, and not a term of its own.
+        let is_alone = |term: &&Term| is_result(term) && term.factors.len() == 1;
+        for term in form.terms.iter().filter(|term| !is_alone(term)) {
             add(words(term), vec![term.clone()]);
         }
-        let is_result = |term: &&Term| {
-            let of = |factor: &Factor| match factor {
-                Factor::Number(Number::Of(q, p) | Number::Component(q, _, p)) => results.contains(&(*q, *p)),
-                _ => false,
-            };
-            term.factors.iter().any(of)
-        };
         let rest: Terms = form.terms.iter().filter(|term| !is_result(term)).cloned().collect();
         let result: Terms = form.terms.iter().filter(is_result).cloned().collect();
-        add("the result".into(), result);
+        if !result.iter().all(|term| is_alone(&term)) {
+            add("the result".into(), result);
+        }
         add("the right-hand side".into(), rest);
     }
     groups.sort_by_key(|group| group.terms.len());
@@ -141,6 +139,14 @@ fn in_both(form: &Zero, rows: &mut Vec<Row>) {
     }
 }
 
+fn is_result(factor: &Factor, results: &[(Quantity, Part)]) -> bool {
+    match factor {
+        Factor::Number(Number::Of(q, p) | Number::Component(q, _, p)) => results.contains(&(*q, *p)),
+        Factor::Number(Number::Element(_)) => true,
+        _ => false,
+    }
+}
+
 /// Whether a result stays in the equation if these errors are made, so that they say something.
 pub(super) fn leaves_a_result(form: &Zero, results: &[(Quantity, Part)], errors: &[(&Row, f64)]) -> bool {
     let mut sum: Vec<(Vec<Factor>, f64)> = Vec::new();
@@ -156,11 +162,7 @@ pub(super) fn leaves_a_result(form: &Zero, results: &[(Quantity, Part)], errors:
     for (row, by) in errors {
         row.terms.iter().for_each(|term| add(term, *by));
     }
-    let is_result = |factor: &Factor| match factor {
-        Factor::Number(Number::Of(q, p) | Number::Component(q, _, p)) => results.contains(&(*q, *p)),
-        Factor::Number(Number::Element(_)) => true,
-        _ => false,
-    };
+    let is_result = |factor: &Factor| is_result(factor, results);
     let left = || sum.iter().filter(|(_, c)| c.abs() > 1e-12);
     let had_result = form.terms.iter().any(|term| term.factors.iter().any(is_result));
     left().any(|(factors, _)| !had_result || factors.iter().any(is_result))

@@ -61,10 +61,10 @@ pub(super) fn solved(beam: Beam, part: Part, [r, r_bar]: [&Terms; 2]) -> Zero {
     let of_xi = XI[beam].name();
     let mut extras = vec![(format!("{of_xi} is not divided by D"), [result, scaled(-1.0, &left)].concat())];
     let entries = [("a", a(0)), ("b", b()), ("a_bar", a(1))];
-    let names = [["a_bar", "b"], ["b", "a"]][beam];
+    let names = [["a_bar", "b"], ["-b", "a"]][beam];
     for (name, entry) in &entries {
         for (place, right_one, by) in [(0, &first, r), (1, &other, r_bar)] {
-            if *name != names[place] {
+            if *name != names[place].trim_start_matches('-') {
                 for sign in [1.0, -1.0] {
                     let difference =
                         [scaled(sign, &product(entry, by)), scaled(-1.0, &product(right_one, by))].concat();
