@@ -140,11 +140,13 @@ static double law(const Data *of, double gap, double *k) {
     const double force = of->lambda * F(401, 0) - of->eps * gap;
     *k = of->eps;
     if (of->law == 'p' && gap > 0) {
-        *k = gap < of->g_0 ? of->eps * (of->g_0 - gap) / (F(402, 2) * of->g_0) : 0;
-        return gap < of->g_0 ? of->eps * (gap - of->g_0) * (gap - of->g_0) / (2 * of->g_0) : 0;
+        const double rest = of->g_0 - gap;
+        *k = rest > 0 ? E(452, of->eps * rest / (F(402, 2) * of->g_0), of->eps / 2) : 0;
+        const double parabola = of->eps * rest * rest / (2 * of->g_0);
+        return rest > 0 ? E(453, E(454, parabola, of->eps * gap * gap / (2 * of->g_0)), of->eps * rest / 4) : 0;
     }
     if (of->law == 'p') return force + E(403, of->eps * of->g_0 / 2, 0);
-    if (force > 0 || error == 404) return force;
+    if ((force > 0 && !(error == 455 && gap > 0)) || error == 404) return force;
     return *k = 0;
 }
 

@@ -11,9 +11,9 @@ use rand_chacha::ChaCha8Rng;
 
 /// A situation of a contact.
 struct Situation {
-    /// (r + r_bar)/d.
+    /// About (r + r_bar)/d.
     radii: f64,
-    /// mu F_N over the trial force: more than 1 sticks, less slips. Nothing for mu = 0.
+    /// About mu F_N over the trial force: more than 1 sticks, less slips. Nothing for mu = 0.
     cone: Option<f64>,
     /// Whether the beam has crossed to the other side of the bar beam.
     is_crossed: bool,
@@ -70,18 +70,29 @@ impl ElementData {
     ) -> Self {
         let (situation, round) = (situation(number), number / Self::SITUATIONS);
         let distance = points.d.norm();
-        let (sum, radii) = (contact.radius + contact.radius_bar, situation.radii * distance);
-        let share = if sum > 0.0 { contact.radius / sum } else { 0.5 };
-        (contact.radius, contact.radius_bar) = (radii * share, radii * (1.0 - share));
         let eps = 10.0_f64.powf(rng.random_range(-1.0..3.0));
-        // With 7/8 of the distance as radii, g_N lies on the parabola.
         let lpqp = Law::Lpqp { eps, g_0: 0.25 * distance };
+        // The radii over the distance. On the parabola of lpqp, g_N lies anywhere between 0 and g_0.
+        let is_on_parabola = situation.radii > 0.5 && situation.radii < 1.0;
+        let mut radii = if is_on_parabola {
+            rng.random_range(0.76..0.99)
+        } else {
+            situation.radii * rng.random_range(0.9..1.2)
+        };
         let law = match (number + round) % 3 {
-            _ if situation.radii > 0.5 && situation.radii < 1.0 => lpqp,
+            _ if is_on_parabola => lpqp,
             0 => Law::Linear { eps },
             1 => lpqp,
-            _ => Law::Augmented { eps, lambda: 0.25 * eps * distance },
+            // A force at an open gap.
+            _ if !situation.is_crossed && (number / 3 + round) % 3 == 1 => {
+                radii = rng.random_range(0.45..0.6);
+                Law::Augmented { eps, lambda: eps * (1.0 - radii) * distance * rng.random_range(1.2..3.0) }
+            }
+            _ => Law::Augmented { eps, lambda: eps * distance * rng.random_range(0.1..0.4) },
         };
+        let sum = contact.radius + contact.radius_bar;
+        let share = if sum > 0.0 { contact.radius / sum } else { 0.5 };
+        (contact.radius, contact.radius_bar) = (radii * distance * share, radii * distance * (1.0 - share));
         let eps_t = eps * rng.random_range(0.1..2.0);
         let mut parameters = Parameters::with_friction(law, eps_t, 0.0);
         parameters.work =
@@ -121,6 +132,8 @@ impl ElementData {
             });
             // An open contact, a new one, and one of two ends have no cone.
             let ratio = eps_t * trial / force;
+            // Beside the cone itself, any distance from it.
+            let cone = if (cone - 1.0).abs() < 0.1 { cone } else { cone * rng.random_range(0.5..2.0) };
             parameters.mu = if ratio.is_finite() && ratio > 0.0 { cone * ratio } else { 0.5 };
         }
         Self { parameters, history }
@@ -132,7 +145,7 @@ fn situation(number: u64) -> &'static Situation {
 }
 
 /// What was held at the last converged step: something else than now in half of the cases at an end, and in an eighth of the
-/// others.
+/// others. In a few cases the other parameter was held, or both.
 fn held_before(number: u64, held: Held) -> Held {
     match held {
         Held { xi: false, xi_bar: false } if number % 8 == 5 => {
@@ -141,6 +154,8 @@ fn held_before(number: u64, held: Held) -> Held {
         }
         Held { xi: false, xi_bar: false } => held,
         _ if number.is_multiple_of(2) => held,
+        _ if number % 32 == 15 => Held { xi: true, xi_bar: true },
+        Held { xi, xi_bar } if number % 32 == 31 => Held { xi: !xi, xi_bar: !xi_bar },
         _ => Held::default(),
     }
 }
@@ -149,4 +164,64 @@ fn held_before(number: u64, held: Held) -> Held {
 fn force(law: Law, g_n: f64) -> f64 {
     use crate::contact::NormalLaw;
     law.piece(g_n).map_or(0.0, |piece| law.force(piece, g_n))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ElementData, Held, force};
+    use crate::contact::Law;
+    use crate::curve::Geometry;
+    use crate::linearization::closed_form::Points;
+    use crate::pair::Contact;
+    use nalgebra::Vector3;
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use std::collections::BTreeSet;
+
+    /// A law is not tried at one point of its range alone: a wrong law may be right there.
+    #[test]
+    fn every_part_of_the_laws_and_every_change_of_held_parameters_is_drawn() {
+        let beam = |x, t| Geometry { x, t, t_xi: Vector3::zeros(), t_xixi: Vector3::zeros() };
+        let points = Points::new(
+            &beam(Vector3::z() * 0.5, Vector3::x()),
+            &beam(Vector3::zeros(), Vector3::new(1.0, 2.0, 0.0)),
+        );
+        let (mut on_parabola, mut changes, mut forces) = (BTreeSet::<i32>::new(), BTreeSet::new(), [0; 2]);
+        for number in 0..600 {
+            for held in [(false, false), (true, false), (false, true), (true, true)] {
+                let (mut contact, mut rng) = (Contact::default(), ChaCha8Rng::seed_from_u64(number));
+                let now = Held { xi: held.0, xi_bar: held.1 };
+                let element = ElementData::draw(number, &points, (0.0, 0.0), now, &mut contact, &mut rng);
+                element.check().unwrap();
+                let g_n = 0.5 - contact.radius - contact.radius_bar;
+                match element.parameters.law {
+                    Law::Lpqp { g_0, .. } if g_n > 0.0 && g_n < g_0 => {
+                        // The tenth of the parabola.
+                        let at = 10.0 * g_n / g_0;
+                        on_parabola.extend((0..10).filter(|&k| (at - f64::from(k) - 0.5).abs() <= 0.5));
+                    }
+                    law @ Law::Augmented { .. } if g_n > 0.0 => {
+                        forces[usize::from(force(law, g_n) > 0.0)] += 1;
+                    }
+                    _ => {}
+                }
+                let before = element.history.slips.map(|slips| (slips.held.xi, slips.held.xi_bar));
+                changes.insert((before, held));
+            }
+        }
+        assert!(on_parabola.len() >= 9, "{on_parabola:?}");
+        assert!(forces.iter().all(|&count| count > 20), "{forces:?}");
+        let free = Some((false, false));
+        for (before, now) in [
+            (free, (true, false)),
+            (free, (false, true)),
+            (Some((true, false)), (false, false)),
+            (Some((false, true)), (false, false)),
+            (Some((true, false)), (false, true)),
+            (Some((false, true)), (true, false)),
+            (Some((true, true)), (true, false)),
+        ] {
+            assert!(changes.contains(&(before, now)), "{before:?} {now:?}");
+        }
+    }
 }
