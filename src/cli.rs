@@ -73,7 +73,7 @@ enum Command {
     Equations(equations::ListEquations),
     /// Write cases for a program in any language.
     Export(export::Export),
-    /// Print the JSON Schema of the cases or of the answers.
+    /// Print the JSON Schema of the cases or of the answers, or the formulas of a contact element.
     Schema(export::Schema),
     /// Answer cases by the closed form of this library.
     Evaluate(export::Evaluate),

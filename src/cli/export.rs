@@ -7,7 +7,7 @@ use super::output::distinct;
 use super::terminal::{folded, tell};
 use anyhow::Context;
 use beamgap::check::external::{
-    ANSWERS, Drawing, Evaluator, Expected, Formulas, VECTORS, VectorReader, VectorWriter,
+    ANSWERS, Drawing, ELEMENT_FORMULAS, Evaluator, Expected, Formulas, VECTORS, VectorReader, VectorWriter,
 };
 use beamgap::check::{Coverage, Family, Regime};
 use clap::{Args, ValueEnum, value_parser};
@@ -16,9 +16,12 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// The JSON Schemas, by name.
-const SCHEMAS: [(&str, &str); 2] =
-    [(VECTORS, include_str!("schema/vectors.json")), (ANSWERS, include_str!("schema/answers.json"))];
+/// The JSON Schemas, and the list of formulas, by name.
+const SCHEMAS: [(&str, &str); 3] = [
+    (VECTORS, include_str!("schema/vectors.json")),
+    (ANSWERS, include_str!("schema/answers.json")),
+    ("formulas", ELEMENT_FORMULAS),
+];
 /// The number of cases that are drawn in one batch.
 const AT_ONCE: u64 = 32;
 
@@ -122,7 +125,7 @@ fn words_of_unseen(drawing: &Drawing, unseen: &[&str]) -> String {
 /// The arguments of `schema`.
 #[derive(Args)]
 pub(crate) struct Schema {
-    /// Which schema: that of the cases, or that of the answers
+    /// The schema of the cases, that of the answers, or the formulas of a contact element in which errors are looked for
     #[arg(value_enum, default_value_t = Of::Vectors)]
     of: Of,
 }
@@ -131,6 +134,7 @@ pub(crate) struct Schema {
 enum Of {
     Vectors,
     Answers,
+    Formulas,
 }
 
 impl Schema {

@@ -109,7 +109,7 @@ fn compiled(style: &str, file: &str, compiler: &[&str], folder: &Path) -> Option
 
 /// The cause of an error, as `beamgap verify` words it, or where to look if it is not known.
 fn cause(program: &Path, error: u32, cases: &Cases) -> String {
-    let answers = program.with_extension("jsonl");
+    let answers = cases.path.with_extension(format!("{error}.answers"));
     let (stdin, stdout) = (File::open(&cases.path).unwrap(), File::create(&answers).unwrap());
     let status = Command::new(program).arg(error.to_string()).stdin(stdin).stdout(stdout).status().unwrap();
     assert!(status.success(), "error {error}: {status}");

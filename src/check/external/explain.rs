@@ -4,7 +4,7 @@
 //! the program, at several cases: values, variations along the directions, gradients and Hessians contracted with them,
 //! and single entries of these. A fault that leaves only rounding is an explanation. The simplest is chosen: a fault of
 //! one term, a simplification as a whole, a factor on a quantity, two faults. Before two faults are tried, the answers are
-//! put into the equations.
+//! put into the equations. For a contact element with its own data, changes of its formulas are looked for instead.
 //!
 //! Answers may have few digits, so that several faults leave only rounding. Deviations are squared and summed, each
 //! over the probable rounding error. The explanation with the smallest sum is the best. Another one is distinct from
@@ -65,6 +65,9 @@ pub struct Explanation {
     pub place: Option<String>,
     /// What is wrong beyond it, as sentences.
     pub beyond: Vec<String>,
+    /// Whether the causes are changes of [`ELEMENT_FORMULAS`](super::ELEMENT_FORMULAS).
+    #[serde(skip)]
+    pub is_of_formulas: bool,
 }
 
 /// The best attempt that is no explanation.
@@ -103,11 +106,11 @@ pub fn explain(
     let cell = OnceCell::new();
     let trace =
         || cell.get_or_init(|| traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands)).as_ref();
-    // The rows of a contact element are exact in its own equations, so these come first.
+    // The formulas of a contact element are searched as a whole, which tells more than faults of single terms.
     if cases.iter().all(|(vector, _)| vector.element.is_some())
-        && let Some(traced) = trace().filter(|traced| !traced.causes.is_empty())
+        && let Some(traced) = trace().filter(|traced| traced.is_of_element || !traced.causes.is_empty())
     {
-        return Some(Explanation::default().with(traced.clone()));
+        return Some(Explanation { cases: traced.cases, ..Explanation::default() }.with(traced.clone()));
     }
     let found = of_faults(cases, demands, &Memo::default(), || trace().is_some_and(Traced::is_complete))?;
     let has_better = cell.get().is_some_and(|traced| traced.as_ref().is_some_and(Traced::is_complete));
@@ -136,6 +139,7 @@ impl Explanation {
             cases: if is_known { traced.cases } else { self.cases },
             is_faint: false,
             place: Some(traced.place),
+            is_of_formulas: traced.is_of_element,
             beyond: traced.beyond.iter().take(BEYOND).map(|of| format!("Beyond it {}.", of.words)).collect(),
         }
     }
@@ -193,6 +197,7 @@ fn of_faults(
         is_faint: found.is_faint,
         place: None,
         beyond: Vec::new(),
+        is_of_formulas: false,
     })
 }
 

@@ -11,6 +11,7 @@
 
 mod condition;
 mod equations;
+mod formulas;
 mod inputs;
 mod judgement;
 mod point;
@@ -25,6 +26,7 @@ use super::answers::Answers;
 use super::compare::Demands;
 use super::vectors::Vector;
 use equations::{CLOSEST_POINT, equations};
+pub use formulas::ELEMENT_FORMULAS;
 use judgement::{Cases, Status, examined, is_wrong, judged};
 use point::Point;
 use rayon::prelude::*;
@@ -43,6 +45,8 @@ pub(super) struct Traced {
     pub(super) cases: usize,
     /// The first equation that is not satisfied, as a sentence without its full stop.
     pub(super) place: String,
+    /// Whether the formulas of a contact element were searched, because the numbers before them are right.
+    pub(super) is_of_element: bool,
     /// Whether some equation is not satisfied and not explained.
     pub(super) leaves_some: bool,
     /// What is wrong beyond it.
@@ -133,6 +137,10 @@ fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Op
         is_wrong(&wrong, &right).then_some((e, (wrong, right)))
     };
     let all_wrong: Vec<(usize, Cases)> = (0..equations.len()).into_par_iter().filter_map(judged_at).collect();
+    // The formulas of a contact element follow from the geometry.
+    if has_arrays && all_wrong.is_empty() {
+        return formulas::found(&samples, of);
+    }
     let (first, (of_first, others)) = all_wrong.first()?;
     let first = &equations[*first];
     let wrong: Vec<usize> = all_wrong.iter().map(|(e, _)| *e).collect();

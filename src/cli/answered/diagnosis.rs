@@ -89,8 +89,15 @@ impl Diagnosed {
                 external::explain(&report.kept, &report.right, &Demands { conventions, ..*demands });
             Self { conventions: other, explanation, ..found.clone() }
         };
-        // A term seldom comes nearer in other conventions, so these are tried first.
         let Some(other) = other else { return explained(None) };
+        // One error that explains all numbers of an element is meant rather than a convention that explains some of them.
+        if report.kept.iter().all(|(vector, _)| vector.element.is_some()) {
+            let stated = explained(None);
+            if stated.explanation.as_ref().is_some_and(|of| !of.causes.is_empty() && of.beyond.is_empty()) {
+                return stated;
+            }
+        }
+        // A term seldom comes nearer in other conventions, so these are tried first.
         let corrects_most = 2 * other.wrong <= other.wrong_before;
         let nearer = explained(Some(other));
         if nearer.has_cause() && !nearer.has_two_errors() {
@@ -179,7 +186,8 @@ fn cause(explanation: &Explanation, place_of_force: Option<&str>) -> String {
 }
 
 fn cause_in_long_lines(explanation: &Explanation, place_of_force: Option<&str>) -> String {
-    let Explanation { causes, before, after, runner_up, cases, is_faint, place, beyond } = explanation;
+    let Explanation { causes, before, after, runner_up, cases, is_faint, place, beyond, is_of_formulas } =
+        explanation;
     let after = after.map_or_else(|| "-".into(), error);
     let runner_up = runner_up.as_ref();
     let mut text = String::new();
@@ -231,7 +239,10 @@ fn cause_in_long_lines(explanation: &Explanation, place_of_force: Option<&str>) 
                 error(*before),
                 error(left)
             ),
-            None => writeln!(text, "Without it {place}."),
+            None if *is_of_formulas => {
+                writeln!(text, "It explains why {place}. `beamgap schema formulas` prints the formulas.")
+            }
+            None => writeln!(text, "It explains why {place}."),
         };
         for sentence in beyond {
             let _ = writeln!(text, "{sentence} It may be the same error.");

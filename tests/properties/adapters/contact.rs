@@ -6,10 +6,8 @@ use std::path::Path;
 use std::process::Command;
 
 /// What is named if grad gamma is left out of grad rho, and if the slip vector has a plus sign.
-const CAUSES: [&str; 2] = [
-    "Cause: in the tangent the term grad gamma is missing",
-    "Cause: in the residual the slip vector is g_T t/|t| + g_T_bar t_bar/|t_bar|: the sign of its second part is wrong",
-];
+const CAUSES: [&str; 2] =
+    ["in drho the term rho dgamma/gamma is missing", "in s the term e_bar tau_bar has the wrong sign"];
 
 /// Verifies a program, and then with the wrong line in the place of each right one. `made` writes and compiles a program; it
 /// returns the command that runs it, or nothing if there is no compiler.

@@ -89,7 +89,7 @@ fn a_history_of_the_program_itself_agrees_unless_it_does_not_turn_with_the_beams
     }
     let cases = Cases::with_steps(1, EXPLAINED_CASES, &["hermite"], &folder);
     let told = cause(&program, 451, &cases);
-    assert!(told.contains("it does not turn with the beams"), "{told}");
+    assert!(told.contains("tau_n stands in the place of tau"), "{told}");
 }
 
 /// A program without the tangent is not complete, and one in another state is wrong.

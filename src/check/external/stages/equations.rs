@@ -4,7 +4,6 @@
 //! this step of a program is right, whatever was wrong before.
 
 mod distance;
-mod friction;
 mod system;
 mod variations;
 
@@ -235,7 +234,7 @@ impl List {
         self.one((slip, 3), "(21)", &terms);
     }
 
-    /// Residual and tangent of a contact element: k g_N dg_N and k (dg_N Dg_N + g_N Ddg_N), and those with friction.
+    /// Residual and tangent of a contact element with a penalty alone: k g_N dg_N and k (dg_N Dg_N + g_N Ddg_N).
     fn element(&mut self) {
         for side in 0..2 {
             let terms = numbers(-1.0, &[Number::Stiffness, of(GN, 0), of(GN, 1 + side)]);
@@ -247,12 +246,6 @@ impl List {
             numbers(-1.0, &[Number::Stiffness, of(GN, 0), of(GN, 3)]),
         ];
         self.one((GN, TANGENT), "", &terms);
-        for side in 0..2 {
-            let zero = friction::residual(side);
-            self.add(&[(GN, RESIDUAL + side)], "", At::All, vec![vec![zero]]);
-        }
-        let forms = friction::tangent_forms().map(|zero| vec![zero]);
-        self.add(&[(GN, TANGENT)], "", At::All, forms.to_vec());
     }
 }
 

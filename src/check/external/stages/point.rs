@@ -104,7 +104,6 @@ impl<'a> Point<'a> {
             Number::Moved(beam, of) => self.number(Number::Of(beam_of(beam), 0), reading)? - reference(of),
             Number::Stiffness => exact(sample.element.as_ref()?.stiffness?),
             Number::Element(k) => sample.element.as_ref()?.numbers[k]?,
-            Number::Friction(wrong, kind) => sample.element.as_ref()?.friction.as_ref()?.number(wrong, kind),
         })
     }
 

@@ -1,9 +1,7 @@
 //! A case along a pair of directions: the vectors of both beams, the numbers of the program and the exact ones.
 
-mod friction;
 mod numbers;
 mod shapes;
-mod wrong;
 
 use crate::check::candidate::CAREFUL;
 use crate::check::element::ElementAt;
@@ -11,21 +9,19 @@ use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, half_unit};
 use crate::check::external::conventions::Range;
+use crate::check::external::stages::formulas::Inputs;
 use crate::check::external::vectors::Vector;
 use crate::linearization::closed_form::{Formulation, PartialVariations, variations_in};
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, RunningError2};
-use friction::Friction;
-pub(super) use friction::Kind;
 use nalgebra::Vector3;
 pub(super) use numbers::Element;
 use numbers::{element, own_numbers};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use shapes::{nodes, widen};
-pub(super) use wrong::Wrong;
 
 /// The number of pairs of directions of each case.
 const DIRECTIONS: u64 = 8;
@@ -227,11 +223,10 @@ impl Point {
             .map(|[beam, bar]| demands.conventions.direction(families, &[&beam[..], bar].concat()));
         let own = own_numbers(answers, [&dq[0], &dq[1]], demands, &exact, kind == Along::Stated)?;
         let is_closed = exact[Quantity::GN.component()][0].value < 0.0;
-        let friction = of_element.as_ref().and_then(|element| {
-            let radii = [contact.radius, contact.radius_bar];
-            Friction::new(element, &exact, radii, *last_tangents)
+        let inputs = of_element.as_ref().and_then(|element| {
+            Inputs::new((element, contact), &partial, xi, *last_tangents, (answers, demands))
         });
-        let element = element(answers, [&dq[0], &dq[1]], demands, is_closed, friction);
+        let element = element(answers, [&dq[0], &dq[1]], demands, is_closed, inputs);
         let sharp = |v: Vector3<RunningError2>| v.map(|n| RunningError { value: n.value, bound: n.bound[0] });
         let geometry = partial.each_ref().map(|of: &PartialVariations<RunningError2>| {
             let g = &of.geometry;

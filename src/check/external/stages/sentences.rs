@@ -103,7 +103,7 @@ fn with_article(term: &str) -> String {
 }
 
 /// At how many cases, and what they have in common.
-fn scope(points: &[Point], wrong: &[usize], right: &[usize]) -> String {
+pub(super) fn scope(points: &[Point], wrong: &[usize], right: &[usize]) -> String {
     if right.is_empty() {
         return String::new();
     }

@@ -1,7 +1,6 @@
 //! Sums of products: the terms of an equation, and their values.
 
 use super::point::place;
-use super::sample::{Kind, Wrong};
 use crate::linearization::Quantity;
 
 /// A direction: delta or Delta.
@@ -55,8 +54,6 @@ pub(super) enum Number {
     Stiffness,
     /// The residual along a direction, or the tangent.
     Element(usize),
-    /// A number of a contact element with friction, right or with an error.
-    Friction(Wrong, Kind),
 }
 
 /// 0 value, 1 delta, 2 Delta, 3 Delta-delta.

@@ -30,7 +30,6 @@ pub(super) fn number_words(of: Number) -> String {
         Number::Radius(beam) => ["r", "r_bar"][beam].into(),
         Number::Moved(b, c) => format!("{} - {}", ["xi", "xi_bar"][b], ["xi_0", "xi_bar_0"][c]),
         Number::Stiffness => "k".into(),
-        Number::Friction(_, kind) => kind.name().into(),
         Number::Element(k) => ["R", "R", "K"][k].into(),
     }
 }

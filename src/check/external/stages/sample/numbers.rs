@@ -1,10 +1,10 @@
 //! The numbers of a program along directions, in the conventions of this library.
 
-use super::friction::Friction;
 use crate::check::Answer;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, half_unit};
 use crate::check::external::conventions::{Conventions, Length, Penalty, Range};
+use crate::check::external::stages::formulas::Inputs;
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::{Real, RunningError};
 
@@ -45,8 +45,8 @@ pub(in crate::check::external::stages) struct Element {
     pub(in crate::check::external::stages) numbers: [Option<RunningError>; 3],
     /// The penalty stiffness of an element without friction, or zero at an open gap.
     pub(in crate::check::external::stages) stiffness: Option<f64>,
-    /// The numbers of an element with friction.
-    pub(in crate::check::external::stages) friction: Option<Friction>,
+    /// The inputs of the formulas of an element with its own data.
+    pub(in crate::check::external::stages) inputs: Option<Inputs>,
 }
 
 /// The answers of a contact element along two directions.
@@ -55,12 +55,12 @@ pub(super) fn element(
     dq: [&[f64]; 2],
     demands: &Demands,
     is_closed: bool,
-    friction: Option<Friction>,
+    inputs: Option<Inputs>,
 ) -> Option<Element> {
     let conventions = &demands.conventions;
     let stiffness = |penalty: Penalty| if penalty.always || is_closed { penalty.stiffness } else { 0.0 };
-    let stiffness = conventions.penalty.filter(|_| friction.is_none()).map(stiffness);
-    if stiffness.is_none() && friction.is_none() {
+    let stiffness = conventions.penalty.filter(|_| inputs.is_none()).map(stiffness);
+    if stiffness.is_none() && inputs.is_none() {
         return None;
     }
     let (gradient, hessian) = (answers.residual.clone(), answers.tangent.clone());
@@ -73,7 +73,7 @@ pub(super) fn element(
         signed(linear, conventions.residual_is_negative),
         signed(second, conventions.tangent_is_negative),
     ];
-    Some(Element { numbers, stiffness, friction })
+    Some(Element { numbers, stiffness, inputs })
 }
 
 /// An answer along the directions. Nothing if an array has another number of entries.

@@ -1,0 +1,205 @@
+//! The errors that a formula can have: one change of its tree.
+
+use super::list::FORMULAS;
+use super::tree::{Name, Op, Tree};
+
+/// A branch of a formula and what stands in its place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Edit {
+    /// The branches from the root to the place.
+    pub(super) path: Vec<usize>,
+    pub(super) what: What,
+    pub(super) old: Tree,
+    pub(super) new: Tree,
+    /// What is wrong, as a clause.
+    pub(super) words: String,
+    /// The simplest errors have the smallest cost.
+    pub(super) cost: u32,
+}
+
+/// The kind of a change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum What {
+    Sign,
+    Missing,
+    Doubled,
+    Halved,
+    Transposed,
+    /// A factor is left out.
+    Without(usize),
+    /// A factor is there twice.
+    Squared(usize),
+    /// A branch of a choice is always taken.
+    Always(usize),
+    Reversed,
+    /// A condition is always taken to hold, or never.
+    Holds(bool),
+    NoRoot,
+    /// Another name.
+    Other(Name),
+}
+
+impl What {
+    fn cost(self) -> u32 {
+        match self {
+            Self::Sign | Self::Missing | Self::Holds(_) => 2,
+            Self::Other(_) => 4,
+            Self::Squared(_) => 5,
+            _ => 3,
+        }
+    }
+}
+
+/// All changes of a formula. `others` are the names that can be taken for another one by mistake.
+pub(super) fn edits(of: &Tree, others: &dyn Fn(Name) -> Vec<Name>) -> Vec<Edit> {
+    let mut names = Vec::new();
+    of.each_name(&mut |name| names.push(name));
+    let kind = FORMULAS.kind(of);
+    names.retain(|name| FORMULAS.kinds[*name] == kind);
+    names.sort_unstable();
+    names.dedup();
+    let mut edits = Edits { others, names, found: Vec::new() };
+    let whole = Place { path: vec![], is_term: true, term: of, is_whole: true };
+    edits.add_of(of, &whole);
+    edits.found
+}
+
+/// A branch of a formula.
+struct Place<'a> {
+    path: Vec<usize>,
+    /// Whether it is added to something, or is a formula or a choice by itself.
+    is_term: bool,
+    /// The term that it is in.
+    term: &'a Tree,
+    /// Whether this term is the whole formula.
+    is_whole: bool,
+}
+
+impl Place<'_> {
+    /// The term that a change is in, unless it is all that there is.
+    fn words(&self, of: &Tree) -> String {
+        if self.is_whole || of == self.term { String::new() } else { format!(" in {}", text(self.term)) }
+    }
+}
+
+struct Edits<'a> {
+    others: &'a dyn Fn(Name) -> Vec<Name>,
+    /// The names of the formula that are of its kind.
+    names: Vec<Name>,
+    found: Vec<Edit>,
+}
+
+fn text(tree: &Tree) -> String {
+    tree.text(&FORMULAS.names)
+}
+
+impl Edits<'_> {
+    fn add_of(&mut self, tree: &Tree, place: &Place) {
+        let mut add = |what: What, new: Tree, words: String| {
+            let (path, old) = (place.path.clone(), tree.clone());
+            self.found.push(Edit { path, what, old, new, words, cost: what.cost() });
+        };
+        // A choice between something and zero is its one term.
+        let is_zero = |of: &Tree| of.op == Op::Number(0.0);
+        let is_of_one = tree.op == Op::If && tree.of[1..].iter().any(is_zero);
+        if place.is_term && !is_of_one && !matches!(tree.op, Op::Less | Op::Number(_)) {
+            let of = if place.is_whole { "it".into() } else { format!("the term {}", text(tree)) };
+            if tree.op != Op::Root {
+                add(What::Sign, Tree::sum(vec![(true, tree.clone())]), format!("{of} has the wrong sign"));
+            }
+            add(What::Missing, Tree::number(0.0), format!("{of} is missing"));
+            add(What::Doubled, scaled(tree, 2.0), format!("{of} counts twice"));
+            add(What::Halved, scaled(tree, 0.5), format!("{of} is halved"));
+            if FORMULAS.kind(tree).varies == [true; 2]
+                && let Some(transposed) = FORMULAS.transposed(tree)
+            {
+                add(What::Transposed, transposed, format!("{of} is transposed"));
+            }
+        }
+        match &tree.op {
+            Op::Product(divides) => {
+                for (i, factor) in tree.of.iter().enumerate() {
+                    let factors: Vec<_> = divides.iter().copied().zip(tree.of.iter().cloned()).collect();
+                    let what = if divides[i] { "the division by" } else { "the factor" };
+                    let of = format!("{what} {}", text(factor));
+                    let mut without = factors.clone();
+                    let factor = without.remove(i);
+                    let squared = [factors, vec![factor]].concat();
+                    add(
+                        What::Without(i),
+                        Tree::product(without),
+                        format!("{of}{} is left out", place.words(tree)),
+                    );
+                    add(
+                        What::Squared(i),
+                        Tree::product(squared),
+                        format!("{of}{} is there twice", place.words(tree)),
+                    );
+                }
+            }
+            Op::If => {
+                for i in [1, 2] {
+                    let [condition, branch] = [text(&tree.of[0]), text(&tree.of[i])];
+                    let words = format!("{branch} is taken whatever {condition} is");
+                    add(What::Always(i), tree.of[i].clone(), words);
+                }
+                let reversed = vec![tree.of[0].clone(), tree.of[2].clone(), tree.of[1].clone()];
+                let words = format!("the condition {} is reversed", text(&tree.of[0]));
+                add(What::Reversed, Tree::new(Op::If, reversed), words);
+            }
+            Op::Less => {
+                let [one, other] = [tree.of[0].clone(), tree.of[1].clone()];
+                let reversed = Tree::new(Op::Less, vec![other, one]);
+                add(What::Reversed, reversed, format!("the condition {} is reversed", text(tree)));
+                for (holds, word) in [(false, "never"), (true, "always")] {
+                    let value = Tree::number(if holds { 1.0 } else { 0.0 });
+                    add(What::Holds(holds), value, format!("{} is {word} taken to hold", text(tree)));
+                }
+            }
+            Op::Root => {
+                add(
+                    What::NoRoot,
+                    tree.of[0].clone(),
+                    format!("the root of {} is left out", text(&tree.of[0])),
+                );
+            }
+            Op::Number(0.0) if place.is_term => {
+                for &name in &self.names {
+                    let words = format!("{} stands in the place of 0", FORMULAS.names.0[name]);
+                    add(What::Other(name), Tree::name(name), words);
+                }
+            }
+            Op::Name(name) => {
+                for other in (self.others)(*name) {
+                    let [new, old] = [other, *name].map(|of| &FORMULAS.names.0[of]);
+                    add(
+                        What::Other(other),
+                        Tree::name(other),
+                        format!("{new} stands in the place of {old}{}", place.words(tree)),
+                    );
+                }
+            }
+            _ => {}
+        }
+        self.add_of_branches(tree, place);
+    }
+
+    fn add_of_branches(&mut self, tree: &Tree, place: &Place) {
+        let is_sum = matches!(&tree.op, Op::Sum(signs) if signs.len() > 1);
+        for (i, branch) in tree.of.iter().enumerate() {
+            let is_choice = tree.op == Op::If && i > 0;
+            let is_term = matches!(tree.op, Op::Sum(_)) || is_choice;
+            let of = Place {
+                path: [&place.path[..], &[i]].concat(),
+                is_term,
+                term: if is_sum || is_choice { branch } else { place.term },
+                is_whole: place.is_whole && !is_sum && !is_choice,
+            };
+            self.add_of(branch, &of);
+        }
+    }
+}
+
+fn scaled(tree: &Tree, by: f64) -> Tree {
+    Tree::product(vec![(false, Tree::number(by)), (false, tree.clone())])
+}

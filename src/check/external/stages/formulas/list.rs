@@ -1,0 +1,290 @@
+//! The list of formulas, and the order of its evaluation.
+
+use super::changes::Change;
+use super::parser::Parser;
+use super::tree::{Name, Names, Op, Tree};
+use super::values::{Value, value};
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+/// The formulas of a contact element in which errors are looked for, one a line.
+pub const ELEMENT_FORMULAS: &str = include_str!("element.txt");
+/// The number of ways in which all formulas are written.
+pub(super) const WAYS: usize = 6;
+/// The way in which the elastic slip of the last step is a vector. It is tried if the tangents of that step are known.
+pub(super) const WITH_START: usize = 5;
+
+/// The vectors of the curves, with their variations.
+pub(super) const CURVES: [(&str, &[&str]); 4] = [
+    ("x", &["du", "Du", "Ddu"]),
+    ("t", &["du,xi", "Du,xi", "Ddu,xi"]),
+    ("t,xi", &["du,xixi", "Du,xixi"]),
+    ("t,xixi", &[]),
+];
+/// Inputs that are vectors, with their variations.
+const VECTORS: &str = "x x_bar t t_bar t,xi t_bar,xi t,xixi t_bar,xixi n_n tau_n tau_bar_n";
+const VARIATIONS: &str = "du du_bar du,xi du_bar,xi du,xixi du_bar,xixi";
+const MIXED: &str = "Ddu Ddu_bar Ddu,xi Ddu_bar,xi";
+/// Inputs that are numbers.
+const NUMBERS: &str = "xi xi_bar r r_bar xi_n xi_bar_n e_n e_bar_n c_n eps_N g_0 lambda eps_T mu";
+/// Inputs that are conditions.
+const CONDITIONS: &str = "both_free free_xi free_xi_bar has_n has_slips held_changes lpqp paper was_free";
+
+pub(super) static FORMULAS: LazyLock<Formulas> = LazyLock::new(Formulas::new);
+
+/// What a name stands for: names of the same kind can be taken for each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Kind {
+    pub(super) is_vector: bool,
+    pub(super) is_condition: bool,
+    /// Whether it varies with delta and with Delta.
+    pub(super) varies: [bool; 2],
+}
+
+/// A formula, in each way of writing.
+pub(super) struct Formula {
+    pub(super) name: Name,
+    pub(super) ways: [Tree; WAYS],
+    /// The name of the same formula along Delta.
+    pub(super) linear: Option<Name>,
+}
+
+impl Formula {
+    pub(super) fn written(&self, way: usize) -> &Tree {
+        &self.ways[way]
+    }
+
+    /// Writes it so in the ways of these digits.
+    fn write(&mut self, digits: &str, tree: &Tree) {
+        for way in digits.chars().filter_map(|digit| digit.to_digit(10)?.try_into().ok()) {
+            let way: usize = way;
+            self.ways[way] = tree.clone();
+        }
+    }
+}
+
+/// A step of the evaluation.
+pub(super) struct Step {
+    pub(super) name: Name,
+    pub(super) tree: Tree,
+    uses: Vec<Name>,
+}
+
+pub(super) struct Formulas {
+    pub(super) names: Names,
+    pub(super) all: Vec<Formula>,
+    /// The steps in each way of writing.
+    pub(super) ways: [Vec<Step>; WAYS],
+    pub(super) kinds: Vec<Kind>,
+    /// The names of inputs.
+    pub(super) inputs: usize,
+    /// The same name along Delta.
+    pub(super) linear: HashMap<Name, Name>,
+    /// The same name for the other beam.
+    pub(super) twins: HashMap<Name, Name>,
+    /// The formulas of the residual that vary.
+    residual: Vec<Name>,
+}
+
+impl Formulas {
+    fn new() -> Self {
+        let mut list = Self {
+            names: Names::default(),
+            all: Vec::new(),
+            ways: [const { Vec::new() }; WAYS],
+            kinds: Vec::new(),
+            inputs: 0,
+            linear: HashMap::new(),
+            twins: HashMap::new(),
+            residual: Vec::new(),
+        };
+        list.add_inputs();
+        for line in ELEMENT_FORMULAS.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
+            let (name, text) = line.split_once('=').unwrap_or((line, ""));
+            let (way, text) = text.split_once(' ').unwrap_or((text, ""));
+            let tree = Parser::tree(text, &mut list.names);
+            let tree = tree.unwrap_or_else(|at| unreachable!("the list of formulas is wrong at {at}"));
+            if name.trim().is_empty() {
+                if let Some(formula) = list.all.last_mut() {
+                    formula.write(way, &tree);
+                }
+            } else {
+                list.add(name.trim(), &tree);
+            }
+        }
+        list.twins = list.find_twins();
+        list.residual =
+            ["A", "A_bar", "R", "A^T", "A_bar^T", "R^T"].iter().map(|name| list.name(name)).collect();
+        list.ways = std::array::from_fn(|way| list.steps(way));
+        list
+    }
+
+    fn add_inputs(&mut self) {
+        let plain = Kind { is_vector: false, is_condition: false, varies: [false; 2] };
+        for (names, kind) in [
+            (VECTORS, Kind { is_vector: true, ..plain }),
+            (NUMBERS, plain),
+            (CONDITIONS, Kind { is_condition: true, ..plain }),
+            (MIXED, Kind { is_vector: true, varies: [true; 2], ..plain }),
+        ] {
+            for name in names.split(' ') {
+                self.names.add(name);
+                self.kinds.push(kind);
+            }
+        }
+        for name in VARIATIONS.split(' ') {
+            let along = self.names.add(name);
+            self.kinds.push(Kind { is_vector: true, varies: [true, false], ..plain });
+            let linear = self.names.add(&linear_name(name));
+            self.kinds.push(Kind { is_vector: true, varies: [false, true], ..plain });
+            self.linear.insert(along, linear);
+        }
+        self.inputs = self.kinds.len();
+    }
+
+    fn add(&mut self, name: &str, tree: &Tree) {
+        let kind = self.kind(tree);
+        let place = self.names.add(name);
+        self.kinds.push(kind);
+        let linear = (kind.varies == [true, false]).then(|| self.names.add(&linear_name(name)));
+        if let Some(linear) = linear {
+            self.kinds.push(Kind { varies: [false, true], ..kind });
+            self.linear.insert(place, linear);
+        }
+        assert_eq!(self.kinds.len(), self.names.0.len(), "a formula before {name} has an unknown name");
+        self.all.push(Formula { name: place, ways: std::array::from_fn(|_| tree.clone()), linear });
+    }
+
+    /// The kind of the result of a formula.
+    pub(super) fn kind(&self, tree: &Tree) -> Kind {
+        let mut varies = [false; 2];
+        tree.each_name(&mut |name| {
+            let of = self.kinds[name].varies;
+            varies = [varies[0] | of[0], varies[1] | of[1]];
+        });
+        Kind { is_vector: self.is_vector(tree), is_condition: self.is_condition(tree), varies }
+    }
+
+    fn is_condition(&self, tree: &Tree) -> bool {
+        match &tree.op {
+            Op::Less => true,
+            Op::Name(name) => self.kinds[*name].is_condition,
+            Op::If => tree.of[1..].iter().any(|of| self.is_condition(of)),
+            _ => false,
+        }
+    }
+
+    fn is_vector(&self, tree: &Tree) -> bool {
+        match &tree.op {
+            Op::Name(name) => self.kinds[*name].is_vector,
+            Op::Sum(_) | Op::Product(_) => tree.of.iter().any(|of| self.is_vector(of)),
+            Op::Cross => true,
+            Op::If => self.is_vector(&tree.of[1]),
+            Op::Number(_) | Op::Dot | Op::Root | Op::Less => false,
+        }
+    }
+
+    fn steps(&self, way: usize) -> Vec<Step> {
+        let step = |name, tree: Tree| {
+            let mut uses = Vec::new();
+            tree.each_name(&mut |name| uses.push(name));
+            Step { name, tree, uses }
+        };
+        let mut steps = Vec::new();
+        for formula in &self.all {
+            let tree = formula.written(way);
+            steps.push(step(formula.name, tree.clone()));
+            steps.extend(formula.linear.map(|linear| step(linear, self.along_linear(tree))));
+        }
+        steps
+    }
+
+    /// The formula along Delta.
+    pub(super) fn along_linear(&self, tree: &Tree) -> Tree {
+        tree.renamed(&|name| self.linear.get(&name).copied().unwrap_or(name))
+    }
+
+    /// The place of a name that is in the list.
+    pub(super) fn name(&self, name: &str) -> Name {
+        self.names.find(name).unwrap_or_else(|| unreachable!("the list of formulas has no {name}"))
+    }
+
+    /// The values of all names. `known` are the values of conditions that are open within rounding.
+    pub(super) fn values(&self, way: usize, inputs: &[Value], known: &[(Name, Value)]) -> Vec<Value> {
+        let mut values = inputs.to_vec();
+        values.resize(self.names.0.len(), Value::from(0.0));
+        for step in &self.ways[way] {
+            values[step.name] = evaluated(step.name, &step.tree, &values, known);
+        }
+        values
+    }
+
+    /// The values that follow if some are given.
+    pub(super) fn refreshed(
+        &self,
+        way: usize,
+        values: &[Value],
+        known: &[(Name, Value)],
+        given: &[Name],
+    ) -> Vec<Value> {
+        let mut values = values.to_vec();
+        for Step { name, tree, .. } in self.ways[way].iter().filter(|step| !given.contains(&step.name)) {
+            values[*name] = evaluated(*name, tree, &values, known);
+        }
+        values
+    }
+
+    /// The values with other formulas in the place of some. Values that are `given` stay as they are.
+    pub(super) fn changed(
+        &self,
+        way: usize,
+        (right, known): (&[Value], &[(Name, Value)]),
+        change: &Change,
+        given: &[Name],
+    ) -> Vec<Value> {
+        let mut is_other = vec![false; right.len()];
+        let mut values = right.to_vec();
+        for (name, tree) in change.new.iter().filter(|(name, _)| *name < self.inputs) {
+            values[*name] = value(tree, right);
+            is_other[*name] = true;
+        }
+        for Step { name, tree, uses } in &self.ways[way] {
+            let other = change.new.iter().find(|(of, _)| of == name).map(|(_, tree)| tree);
+            let is_kept = change.is_of_derivatives && other.is_none() && !self.is_differentiated(*name);
+            if is_kept
+                || given.contains(name)
+                || (other.is_none() && !uses.iter().any(|name| is_other[*name]))
+            {
+                continue;
+            }
+            let value = evaluated(*name, other.unwrap_or(tree), &values, known);
+            if value != values[*name] {
+                values[*name] = value;
+                is_other[*name] = true;
+            }
+        }
+        if change.is_of_derivatives {
+            for (name, _) in &change.new {
+                values[*name] = right[*name];
+            }
+        }
+        values
+    }
+
+    /// Whether it is a derivative, or made of derivatives; the residual is not.
+    fn is_differentiated(&self, name: Name) -> bool {
+        let is_of_residual = self.residual.contains(&name);
+        self.kinds[name].varies != [false; 2] && !is_of_residual
+    }
+}
+
+fn evaluated(name: Name, tree: &Tree, values: &[Value], known: &[(Name, Value)]) -> Value {
+    let found = value(tree, values);
+    let open = || known.iter().find(|(of, _)| *of == name).map(|(_, value)| *value);
+    if found.is_nan() { open().unwrap_or(found) } else { found }
+}
+
+/// The name of a variation along Delta.
+fn linear_name(name: &str) -> String {
+    name.strip_prefix('d').map_or_else(|| format!("{name}^T"), |rest| format!("D{rest}"))
+}

@@ -1,0 +1,49 @@
+//! A tangent that is right but for its place: exchanged, symmetrised, or one triangle mirrored.
+
+use super::list::FORMULAS;
+use super::point::points;
+use crate::check::candidate::CAREFUL;
+use crate::check::external::stages::Reading;
+use crate::check::external::stages::sample::{Along, Sample};
+use crate::number::RunningError;
+
+/// K and its transpose at each sample, and whether a combination of both is the answer.
+fn is_answered(samples: &[Sample], of: &dyn Fn(RunningError, RunningError) -> RunningError) -> bool {
+    let list = &*FORMULAS;
+    let tangent = list.name("K");
+    let points = points(samples, 0, &[]);
+    let is_right = |point: &super::point::Point| {
+        let Some(inputs) = point.sample.element.as_ref().and_then(|element| element.inputs.as_ref()) else {
+            return true;
+        };
+        let Some((_, answer)) = point.answers.iter().find(|(name, _)| *name == tangent) else { return true };
+        let exchanged = list.values(0, &list.exchanged(&inputs.values), &inputs.known);
+        let number = of(point.values[tangent].number(), exchanged[tangent].number());
+        (number.value - answer.number.value).abs() <= CAREFUL * number.bound + answer.number.bound
+    };
+    !points.is_empty() && points.iter().all(is_right)
+}
+
+/// What is wrong with the places of the entries.
+pub(super) fn reading(samples: &[Sample], entries: &dyn Fn(Along) -> Vec<Sample>) -> Option<Reading> {
+    let told = |words: &str| {
+        let words = format!("in the tangent {words}");
+        Some(Reading { names: vec![words.clone()], words, coefficient: None })
+    };
+    if is_answered(samples, &|_, transposed| transposed) {
+        return told("rows and columns are exchanged");
+    }
+    let half = RunningError::from(0.5);
+    if is_answered(samples, &|own, transposed| half * (own + transposed)) {
+        return told("its symmetric part stands in its place");
+    }
+    let [lower, upper] = [Along::Lower, Along::Upper].map(entries);
+    for (right, other, words) in [(&lower, &upper, "below"), (&upper, &lower, "above")] {
+        if is_answered(right, &|own, _| own) && is_answered(other, &|_, transposed| transposed) {
+            return told(&format!(
+                "the triangle {words} the diagonal is mirrored, although it is not symmetric"
+            ));
+        }
+    }
+    None
+}

@@ -1,0 +1,54 @@
+//! Formulas that belong to each other: those of both beams, and those of both directions.
+
+use super::list::{Formula, Formulas};
+use super::tree::{Name, Tree};
+use super::values::Value;
+use std::collections::HashMap;
+
+impl Formulas {
+    /// The formula with delta and Delta exchanged; nothing if a name of it does not exist so.
+    pub(super) fn transposed(&self, tree: &Tree) -> Option<Tree> {
+        let other = |name: Name| {
+            let back = self.linear.iter().find(|(_, linear)| **linear == name).map(|(along, _)| *along);
+            self.linear.get(&name).copied().or(back).unwrap_or(name)
+        };
+        let mut is_known = true;
+        tree.each_name(&mut |name| is_known &= self.kinds[name].varies != [true; 2]);
+        is_known.then(|| tree.renamed(&other))
+    }
+
+    /// The name of the same number of the other beam, or the name itself if it belongs to both.
+    pub(super) fn twin(&self, name: Name) -> Name {
+        self.twins.get(&name).copied().unwrap_or(name)
+    }
+
+    /// The same for the other beam.
+    pub(super) fn twin_tree(&self, tree: &Tree) -> Tree {
+        tree.renamed(&|name| self.twin(name))
+    }
+
+    /// The inputs with the directions exchanged.
+    pub(super) fn exchanged(&self, inputs: &[Value]) -> Vec<Value> {
+        let mut exchanged = inputs.to_vec();
+        for (&along, &linear) in self.linear.iter().filter(|(along, _)| **along < self.inputs) {
+            exchanged.swap(along, linear);
+        }
+        exchanged
+    }
+
+    /// The formula of the other beam, if it is written alike.
+    pub(super) fn twin_of(&self, formula: &Formula, way: usize) -> Option<&Formula> {
+        let twin = self.twin(formula.name);
+        let twin = self.all.iter().find(|of| of.name == twin && of.name != formula.name)?;
+        formula.written(way).is_congruent(twin.written(way)).then_some(twin)
+    }
+
+    /// Pairs of names that differ in `_bar`.
+    pub(super) fn find_twins(&self) -> HashMap<Name, Name> {
+        let pair = |(name, text): (Name, &String)| {
+            let twin = self.names.find(&text.replacen("_bar", "", 1)).filter(|twin| *twin != name)?;
+            Some([(name, twin), (twin, name)])
+        };
+        self.names.0.iter().enumerate().filter_map(pair).flatten().collect()
+    }
+}

@@ -1,0 +1,127 @@
+//! The values of formulas at a sample.
+
+use super::tree::{Op, Tree};
+use crate::number::{Real, RunningError};
+use nalgebra::Vector3;
+
+/// A number or a vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::check::external::stages) enum Value {
+    Number(RunningError),
+    Vector(Vector3<RunningError>),
+}
+
+use Value::{Number, Vector};
+
+const NOT_A_NUMBER: Value = Number(RunningError { value: f64::NAN, bound: f64::NAN });
+
+impl From<f64> for Value {
+    fn from(value: f64) -> Self {
+        Number(RunningError::from(value))
+    }
+}
+
+impl From<bool> for Value {
+    fn from(value: bool) -> Self {
+        Self::from(if value { 1.0 } else { 0.0 })
+    }
+}
+
+impl Value {
+    /// The number; not a number for a vector.
+    pub(super) fn number(self) -> RunningError {
+        match self {
+            Number(number) => number,
+            Vector(_) => RunningError { value: f64::NAN, bound: f64::NAN },
+        }
+    }
+
+    pub(super) fn is_zero(self) -> bool {
+        match self {
+            Number(number) => number.value == 0.0,
+            Vector(vector) => vector.iter().all(|of| of.value == 0.0),
+        }
+    }
+
+    pub(super) fn is_nan(self) -> bool {
+        matches!(self, Number(number) if number.value.is_nan())
+    }
+
+    fn negative(self) -> Self {
+        match self {
+            Number(number) => Number(-number),
+            Vector(vector) => Vector(-vector),
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        match (self, other) {
+            (Number(one), Number(other)) => Number(one + other),
+            (Vector(one), Vector(other)) => Vector(one + other),
+            // A term that is zero.
+            (Vector(one), Number(RunningError { value: 0.0, .. })) => Vector(one),
+            (Number(RunningError { value: 0.0, .. }), Vector(other)) => Vector(other),
+            _ => NOT_A_NUMBER,
+        }
+    }
+
+    fn times(self, other: Self) -> Self {
+        match (self, other) {
+            (Number(one), Number(other)) => Number(one * other),
+            (Vector(v), Number(by)) | (Number(by), Vector(v)) => Vector(v.map(|of| of * by)),
+            _ => NOT_A_NUMBER,
+        }
+    }
+
+    fn over(self, other: Self) -> Self {
+        match (self, other) {
+            (Number(one), Number(other)) => Number(one / other),
+            (Vector(v), Number(by)) => Vector(v.map(|of| of / by)),
+            _ => NOT_A_NUMBER,
+        }
+    }
+}
+
+/// The value of a formula. A comparison within rounding is not a number.
+pub(super) fn value(tree: &Tree, values: &[Value]) -> Value {
+    let at = |i: usize| value(&tree.of[i], values);
+    match &tree.op {
+        Op::Number(number) => Value::from(*number),
+        Op::Name(name) => values[*name],
+        Op::Sum(minus) => {
+            let signed = |i: usize| if minus[i] { at(i).negative() } else { at(i) };
+            (1..minus.len()).fold(signed(0), |sum, i| sum.plus(signed(i)))
+        }
+        Op::Product(divides) => {
+            let first = usize::from(!divides[0]);
+            let start = if divides[0] { Value::from(1.0) } else { at(0) };
+            (first..divides.len())
+                .fold(start, |product, i| if divides[i] { product.over(at(i)) } else { product.times(at(i)) })
+        }
+        Op::Dot => match (at(0), at(1)) {
+            (Vector(one), Vector(other)) => Number(one.dot(&other)),
+            // A vector that is missing.
+            (zero @ Number(RunningError { value: 0.0, .. }), Vector(_))
+            | (Vector(_), zero @ Number(RunningError { value: 0.0, .. })) => zero,
+            _ => NOT_A_NUMBER,
+        },
+        Op::Cross => match (at(0), at(1)) {
+            (Vector(one), Vector(other)) => Vector(one.cross(&other)),
+            _ => NOT_A_NUMBER,
+        },
+        Op::Root => Number(at(0).number().sqrt()),
+        Op::Less => {
+            let difference = at(1).number() - at(0).number();
+            if difference.value.abs() > difference.bound || difference.bound == 0.0 {
+                Value::from(difference.value > 0.0)
+            } else {
+                NOT_A_NUMBER
+            }
+        }
+        Op::If => match at(0).number().value {
+            condition if condition.is_nan() => NOT_A_NUMBER,
+            0.0 => at(2),
+            _ => at(1),
+        },
+    }
+}
