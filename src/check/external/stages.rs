@@ -1,13 +1,15 @@
 //! The cause of wrong answers: the numbers of the program in each equation.
 //!
 //! The equations follow each other: closest point, d and g_N, first order of xi and d, second order of both, tangents,
-//! slips, contact element. In each the numbers of the program stand for all that came before. So its residual is zero to
+//! slips, contact element with a penalty. In each the numbers of the program stand for all that came before. So its residual is zero to
 //! rounding if this step of the program is right, whatever was wrong before. A residual that is not zero is a sum of few terms
 //! with the same factors in all cases: a term that is missing, that has the wrong sign, in which something else stands in
 //! the place of a factor. Gradients and Hessians are contracted with random directions, so that each term is a number.
 //!
 //! Errors of the curves are in all equations. They are tried first, as changes of the vectors that the equations are
 //! made of. A wrong Hessian whose one triangle was computed and mirrored is compared entry by entry.
+//!
+//! If the geometry is right, the answers to contact elements with data of their own are put into a list of [`formulas`].
 
 mod condition;
 mod equations;

@@ -41,20 +41,11 @@ pub(super) struct Zero {
     pub(super) is_wrong_form: Option<&'static str>,
     /// Whether single terms are looked at, or only groups of them.
     pub(super) is_elementary: bool,
-    /// Whether it is looked at only if no other form explains the numbers.
-    pub(super) is_last: bool,
 }
 
 impl Zero {
     pub(super) fn of(terms: Terms) -> Self {
-        Self {
-            terms,
-            extras: Vec::new(),
-            number: None,
-            is_wrong_form: None,
-            is_elementary: true,
-            is_last: false,
-        }
+        Self { terms, extras: Vec::new(), number: None, is_wrong_form: None, is_elementary: true }
     }
 }
 

@@ -113,11 +113,6 @@ pub(super) fn examined(
             }
             continue;
         }
-        // What was found before explains the numbers.
-        let is_known = best.as_ref().is_some_and(|(cost, _)| *cost < UNKNOWN);
-        if form[0].is_last && is_known {
-            continue;
-        }
         let found: Vec<Status> = form.iter().map(|zero| examination.status(zero, with_pairs)).collect();
         let cost = found.iter().map(Status::cost).sum();
         if best.as_ref().is_none_or(|(known, _)| cost < *known) {

@@ -95,7 +95,6 @@ pub(super) fn solved(beam: Beam, part: Part, [r, r_bar]: [&Terms; 2]) -> Zero {
         number: None,
         is_wrong_form: None,
         is_elementary: false,
-        is_last: false,
     }
 }
 

@@ -83,7 +83,9 @@ fn of_stages(
                 || [&given[..], &[]].into_iter().map(|given| readings(explained(samples, &names, given)));
             let of_matrix =
                 || matrices::reading(samples, entries).filter(|_| stage == ["K"]).into_iter().collect();
-            let of_two = || readings(pairs::found(samples, &names, &given));
+            // Two effects add up where the answer is a sum.
+            let is_sum = stage == ["R"] || stage == ["K"];
+            let of_two = || if is_sum { readings(pairs::found(samples, &names, &given)) } else { Vec::new() };
             let is_some = |found: &Vec<Reading>| !found.is_empty();
             let causes =
                 of_one().find(is_some).or_else(|| Some(of_matrix()).filter(is_some)).unwrap_or_else(of_two);
@@ -125,6 +127,12 @@ fn explained(samples: &[Sample], among: &[Name], given: &[Name]) -> Vec<Change> 
     found.sort_by_key(|change| Reverse(change.new.iter().map(|(name, _)| *name).max()));
     let mut told = BTreeSet::new();
     found.retain(|change| told.insert(change.words.clone()));
+    // Of many, those of the last formula are as good as the others.
+    if found.len() > TOLD {
+        let last = |change: &Change| change.new.iter().map(|(name, _)| *name).max();
+        let name = last(&found[0]);
+        found.retain(|change| last(change) == name);
+    }
     if found.len() > TOLD { Vec::new() } else { found }
 }
 
