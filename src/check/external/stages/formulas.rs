@@ -8,6 +8,7 @@
 mod changes;
 mod derivative;
 mod edits;
+mod evaluation;
 mod inputs;
 mod list;
 mod matrices;

@@ -1,9 +1,7 @@
 //! The list of formulas, and the order of its evaluation.
 
-use super::changes::Change;
 use super::parser::Parser;
 use super::tree::{Name, Names, Op, Tree};
-use super::values::{Value, value};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -67,7 +65,7 @@ impl Formula {
 pub(super) struct Step {
     pub(super) name: Name,
     pub(super) tree: Tree,
-    uses: Vec<Name>,
+    pub(super) uses: Vec<Name>,
 }
 
 pub(super) struct Formulas {
@@ -83,7 +81,7 @@ pub(super) struct Formulas {
     /// The same name for the other beam.
     pub(super) twins: HashMap<Name, Name>,
     /// The formulas of the residual that vary.
-    residual: Vec<Name>,
+    pub(super) residual: Vec<Name>,
 }
 
 impl Formulas {
@@ -208,80 +206,6 @@ impl Formulas {
     pub(super) fn name(&self, name: &str) -> Name {
         self.names.find(name).unwrap_or_else(|| unreachable!("the list of formulas has no {name}"))
     }
-
-    /// The values of all names. `known` are the values of conditions that are open within rounding.
-    pub(super) fn values(&self, way: usize, inputs: &[Value], known: &[(Name, Value)]) -> Vec<Value> {
-        let mut values = inputs.to_vec();
-        values.resize(self.names.0.len(), Value::from(0.0));
-        for step in &self.ways[way] {
-            values[step.name] = evaluated(step.name, &step.tree, &values, known);
-        }
-        values
-    }
-
-    /// The values that follow if some are given.
-    pub(super) fn refreshed(
-        &self,
-        way: usize,
-        values: &[Value],
-        known: &[(Name, Value)],
-        given: &[Name],
-    ) -> Vec<Value> {
-        let mut values = values.to_vec();
-        for Step { name, tree, .. } in self.ways[way].iter().filter(|step| !given.contains(&step.name)) {
-            values[*name] = evaluated(*name, tree, &values, known);
-        }
-        values
-    }
-
-    /// The values with other formulas in the place of some. Values that are `given` stay as they are.
-    pub(super) fn changed(
-        &self,
-        way: usize,
-        (right, known): (&[Value], &[(Name, Value)]),
-        change: &Change,
-        given: &[Name],
-    ) -> Vec<Value> {
-        let mut is_other = vec![false; right.len()];
-        let mut values = right.to_vec();
-        for (name, tree) in change.new.iter().filter(|(name, _)| *name < self.inputs) {
-            values[*name] = value(tree, right);
-            is_other[*name] = true;
-        }
-        for Step { name, tree, uses } in &self.ways[way] {
-            let other = change.new.iter().find(|(of, _)| of == name).map(|(_, tree)| tree);
-            let is_kept = change.is_of_derivatives && other.is_none() && !self.is_differentiated(*name);
-            if is_kept
-                || given.contains(name)
-                || (other.is_none() && !uses.iter().any(|name| is_other[*name]))
-            {
-                continue;
-            }
-            let value = evaluated(*name, other.unwrap_or(tree), &values, known);
-            if value != values[*name] {
-                values[*name] = value;
-                is_other[*name] = true;
-            }
-        }
-        if change.is_of_derivatives {
-            for (name, _) in &change.new {
-                values[*name] = right[*name];
-            }
-        }
-        values
-    }
-
-    /// Whether it is a derivative, or made of derivatives; the residual is not.
-    fn is_differentiated(&self, name: Name) -> bool {
-        let is_of_residual = self.residual.contains(&name);
-        self.kinds[name].varies != [false; 2] && !is_of_residual
-    }
-}
-
-fn evaluated(name: Name, tree: &Tree, values: &[Value], known: &[(Name, Value)]) -> Value {
-    let found = value(tree, values);
-    let open = || known.iter().find(|(of, _)| *of == name).map(|(_, value)| *value);
-    if found.is_nan() { open().unwrap_or(found) } else { found }
 }
 
 /// The name of a variation along Delta.

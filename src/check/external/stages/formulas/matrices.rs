@@ -17,7 +17,7 @@ fn is_answered(samples: &[Sample], of: &dyn Fn(RunningError, RunningError) -> Ru
             return true;
         };
         let Some((_, answer)) = point.answers.iter().find(|(name, _)| *name == tangent) else { return true };
-        let exchanged = list.values(0, &list.exchanged(&inputs.values), &inputs.known);
+        let exchanged = list.values(0, &list.exchanged(&inputs.values), &inputs.known, &[]);
         let number = of(point.values[tangent].number(), exchanged[tangent].number());
         (number.value - answer.number.value).abs() <= CAREFUL * number.bound + answer.number.bound
     };

@@ -30,8 +30,8 @@ pub(super) struct Point<'a> {
     pub(super) known: &'a [(Name, Value)],
     pub(super) values: Vec<Value>,
     pub(super) answers: Vec<(Name, Answer)>,
-    /// The names whose values are answers.
-    given: Vec<Name>,
+    /// Values that are answers.
+    given: Vec<(Name, Value)>,
 }
 
 impl Point<'_> {
@@ -100,26 +100,20 @@ fn point<'a>(sample: &'a Sample, way: usize, given: &[Name]) -> Option<Point<'a>
     let mut numbers = inputs.forces.clone();
     numbers.extend(element.numbers[0].map(|number| (list.name("R"), number)));
     numbers.extend(element.numbers[2].map(|number| (list.name("K"), number)));
-    let mut values = list.values(way, &inputs.values, &inputs.known);
+    // Another way of writing may not be valid here, or lose digits.
     if way > 0 {
-        // Another way of writing may not be valid here, or lose digits.
-        let right = list.values(0, &inputs.values, &inputs.known);
+        let [own, right] = [way, 0].map(|way| list.values(way, &inputs.values, &inputs.known, &[]));
         let is_right = |(name, _): &(Name, RunningError)| {
-            let (one, other) = (values[*name].number(), right[*name].number());
+            let (one, other) = (own[*name].number(), right[*name].number());
             (one.value - other.value).abs() <= CAREFUL * (one.bound + other.bound)
         };
         if !numbers.iter().all(is_right) {
             return None;
         }
     }
-    let mut fixed = Vec::new();
-    for (name, number) in numbers.iter().filter(|(name, _)| given.contains(name)) {
-        values[*name] = Value::Number(*number);
-        fixed.push(*name);
-    }
-    if !fixed.is_empty() {
-        values = list.refreshed(way, &values, &inputs.known, &fixed);
-    }
+    let fixed = numbers.iter().filter(|(name, _)| given.contains(name));
+    let fixed: Vec<_> = fixed.map(|(name, number)| (*name, Value::Number(*number))).collect();
+    let values = list.values(way, &inputs.values, &inputs.known, &fixed);
     let answers = numbers.into_iter().map(|(name, number)| (name, Answer { number, size: 0.0 })).collect();
     Some(Point { sample, known: &inputs.known, values, answers, given: fixed })
 }
