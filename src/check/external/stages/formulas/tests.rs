@@ -89,3 +89,16 @@ fn answers_with_a_change_are_explained() {
     }
     assert!(seen >= 8 && 2 * known >= seen, "{known} of {seen} are told with the same words");
 }
+
+/// A change must yield all answers, and not those alone that are wrong: here those with xi_bar held.
+#[test]
+fn a_change_that_spoils_right_answers_is_not_told() {
+    let samples: Vec<Sample> = right_answers().into_iter().step_by(2).collect();
+    let words = "in dxi the term dp/a has the wrong sign";
+    let changes = changes(0);
+    let change = changes.iter().find(|change| change.words == words).unwrap();
+    let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, change)).collect();
+    let causes = found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
+    let told: Vec<&str> = causes.iter().map(|cause| &*cause.words).collect();
+    assert_eq!(told, [words]);
+}
