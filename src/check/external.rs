@@ -43,5 +43,5 @@ pub use only::{Only, PartKey, is_of_element};
 pub use process::{InputState, ProcessError, Runner};
 pub use report::{Coverage, Loss, PartFound, RegimeFound, Report, SearchFound};
 pub use shape::Shape;
-pub use stages::ELEMENT_FORMULAS;
+pub use stages::LIST_OF_FORMULAS;
 pub use vectors::{Drawing, Expected, Outcome, StepDofs, VECTORS, Vector, VectorReader, VectorWriter};

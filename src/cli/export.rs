@@ -7,7 +7,7 @@ use super::output::distinct;
 use super::terminal::{folded, tell};
 use anyhow::Context;
 use beamgap::check::external::{
-    ANSWERS, Drawing, ELEMENT_FORMULAS, Evaluator, Expected, Formulas, VECTORS, VectorReader, VectorWriter,
+    ANSWERS, Drawing, Evaluator, Expected, Formulas, LIST_OF_FORMULAS, VECTORS, VectorReader, VectorWriter,
 };
 use beamgap::check::{Coverage, Family, Regime};
 use clap::{Args, ValueEnum, value_parser};
@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 const SCHEMAS: [(&str, &str); 3] = [
     (VECTORS, include_str!("schema/vectors.json")),
     (ANSWERS, include_str!("schema/answers.json")),
-    ("formulas", ELEMENT_FORMULAS),
+    ("formulas", LIST_OF_FORMULAS),
 ];
 /// The number of cases that are drawn in one batch.
 const AT_ONCE: u64 = 32;

@@ -3,8 +3,8 @@
 //! Each fault of the catalogue is injected, and the answers of the closed form with it are compared with the answers of
 //! the program, at several cases: values, variations along the directions, gradients and Hessians contracted with them,
 //! and single entries of these. A fault that leaves only rounding is an explanation. The simplest is chosen: a fault of
-//! one term, a simplification as a whole, a factor on a quantity, two faults. Before two faults are tried, the answers are
-//! put into the equations. For a contact element with its own data, changes of its formulas are looked for instead.
+//! one term, a simplification as a whole, a factor on a quantity. If there is none, the answers are put into the equations
+//! and into the list of formulas. For a contact element with its own data, this is done first.
 //!
 //! Answers may have few digits, so that several faults leave only rounding. Deviations are squared and summed, each
 //! over the probable rounding error. The explanation with the smallest sum is the best. Another one is distinct from
@@ -18,7 +18,6 @@ mod element;
 mod equation;
 mod fit;
 mod hypothesis;
-mod pairs;
 mod search;
 mod wording;
 
@@ -39,7 +38,6 @@ use hypothesis::Change;
 use rayon::prelude::*;
 use search::{Equal, KEPT, before, coefficient, ranked, search};
 use serde::Serialize;
-use std::cell::OnceCell;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -65,7 +63,7 @@ pub struct Explanation {
     pub place: Option<String>,
     /// What is wrong beyond it, as sentences.
     pub beyond: Vec<String>,
-    /// Whether the causes are changes of [`ELEMENT_FORMULAS`](super::ELEMENT_FORMULAS).
+    /// Whether the causes are changes of [`LIST_OF_FORMULAS`](super::ELEMENT_FORMULAS).
     #[serde(skip)]
     pub is_of_formulas: bool,
 }
@@ -96,28 +94,25 @@ pub struct Cause {
 /// Explains the wrong answers to these cases; nothing if none of them can be compared. `right` are cases at which nothing
 /// is wrong.
 ///
-/// If no fault of one term of this library's formulas explains them, the answers are put into the equations. Two faults are
-/// tried if an equation remains that nothing explains.
+/// If no fault of one term of this library's formulas explains them, the answers are put into the equations and into the list
+/// of formulas.
 pub fn explain(
     cases: &[(Vector, Answers)],
     right: &[(Vector, Answers)],
     demands: &Demands,
 ) -> Option<Explanation> {
-    let cell = OnceCell::new();
-    let trace =
-        || cell.get_or_init(|| traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands)).as_ref();
+    let trace = || traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands);
     // The formulas of a contact element are searched as a whole, which tells more than faults of single terms.
     if cases.iter().all(|(vector, _)| vector.element.is_some())
-        && let Some(traced) = trace().filter(|traced| traced.is_of_element || !traced.causes.is_empty())
+        && let Some(traced) = trace().filter(|traced| traced.is_of_formulas || !traced.causes.is_empty())
     {
-        return Some(Explanation { cases: traced.cases, ..Explanation::default() }.with(traced.clone()));
+        return Some(Explanation { cases: traced.cases, ..Explanation::default() }.with(traced));
     }
-    let found = of_faults(cases, demands, &Memo::default(), || trace().is_some_and(Traced::is_complete))?;
-    let has_better = cell.get().is_some_and(|traced| traced.as_ref().is_some_and(Traced::is_complete));
-    if (!found.causes.is_empty() && !has_better) || found.is_faint {
+    let found = of_faults(cases, right, demands, &Memo::default())?;
+    if !found.causes.is_empty() || found.is_faint {
         return Some(found);
     }
-    Some(trace().cloned().map_or(found.clone(), |traced| found.with(traced)))
+    Some(trace().map_or(found.clone(), |traced| found.with(traced)))
 }
 
 impl Explanation {
@@ -139,18 +134,18 @@ impl Explanation {
             cases: if is_known { traced.cases } else { self.cases },
             is_faint: false,
             place: Some(traced.place),
-            is_of_formulas: traced.is_of_element,
+            is_of_formulas: traced.is_of_formulas,
             beyond: traced.beyond.iter().take(BEYOND).map(|of| format!("Beyond it {}.", of.words)).collect(),
         }
     }
 }
 
-/// The faults that explain the answers.
+/// The faults that explain the answers, and do not spoil the right ones.
 fn of_faults(
     cases: &[(Vector, Answers)],
+    right: &[(Vector, Answers)],
     demands: &Demands,
     memo: &Memo,
-    is_settled: impl FnOnce() -> bool,
 ) -> Option<Explanation> {
     let known: Vec<Known> = cases.iter().filter_map(Known::new).collect();
     let all: Vec<(usize, AnsweredCase)> = (0..known.len())
@@ -162,7 +157,7 @@ fn of_faults(
         return None;
     }
     let cases: Vec<&AnsweredCase> = clear.iter().map(|(_, case)| case).collect();
-    let mut fits = search(&cases, is_settled);
+    let mut fits = search(&cases);
     // More data are used only to distinguish several explanations.
     let before = before(&cases);
     let is_explained = |fit: &Fit| fit.explains(before) || fit.is_close(before);
@@ -177,7 +172,11 @@ fn of_faults(
             .collect();
         fits = race(fits, &entries.iter().collect::<Vec<_>>(), KEPT);
     }
-    let found = ranked(fits, &cases);
+    let mut found = ranked(fits, &cases);
+    let right: Vec<Known> = right.iter().take(USED).filter_map(Known::new).collect();
+    let right: Vec<AnsweredCase> = right.par_iter().filter_map(|known| known.case(demands)).collect();
+    let right: Vec<&AnsweredCase> = right.iter().collect();
+    found.equal.retain(|of| Fit::of(of.fit.change.clone(), &right).over <= 1.0);
     let cause = |Equal { fit: of, alike }: &Equal| {
         let coefficient = match &of.change {
             Change::Variant(Variant::Faulty(faults)) if faults.len() == 1 && found.equal.len() <= 4 => {

@@ -9,7 +9,8 @@
 //! Errors of the curves are in all equations. They are tried first, as changes of the vectors that the equations are
 //! made of. A wrong Hessian whose one triangle was computed and mirrored is compared entry by entry.
 //!
-//! If the geometry is right, the answers to contact elements with data of their own are put into a list of [`formulas`].
+//! A list of [`formulas`], from the curves to the tangent of a contact element, is searched for one change that yields all
+//! answers.
 
 mod condition;
 mod equations;
@@ -28,7 +29,7 @@ use super::answers::Answers;
 use super::compare::Demands;
 use super::vectors::Vector;
 use equations::{CLOSEST_POINT, equations};
-pub use formulas::ELEMENT_FORMULAS;
+pub use formulas::LIST_OF_FORMULAS;
 use judgement::{Cases, Status, examined, is_wrong, judged};
 use point::Point;
 use rayon::prelude::*;
@@ -47,8 +48,8 @@ pub(super) struct Traced {
     pub(super) cases: usize,
     /// The first equation that is not satisfied, as a sentence without its full stop.
     pub(super) place: String,
-    /// Whether the formulas of a contact element were searched, because the numbers before them are right.
-    pub(super) is_of_element: bool,
+    /// Whether the list of formulas was searched.
+    pub(super) is_of_formulas: bool,
     /// Whether some equation is not satisfied and not explained.
     pub(super) leaves_some: bool,
     /// What is wrong beyond it.
@@ -69,11 +70,6 @@ impl Traced {
                 self.go_beyond(&readings);
             }
         }
-    }
-
-    /// Whether the errors explain everything.
-    pub(super) fn is_complete(&self) -> bool {
-        !self.causes.is_empty() && !self.leaves_some
     }
 
     /// Adds the first of these readings, unless one of them is known.
@@ -169,10 +165,21 @@ fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Op
             return Some(traced);
         }
     }
-    let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
-    let mut with_pairs = 0;
     let of_one_error: Vec<_> =
         all_wrong.par_iter().map(|(e, cases)| examined(&equations[*e], &points, cases, false)).collect();
+    // An error that is told by its whole effect is told before several errors, or none.
+    let is_one = of_one_error.len() == 1 && is_known(&of_one_error[0]);
+    let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
+    if !is_one {
+        let mut causes = formulas::of_all(&samples);
+        if causes.is_empty() && has_arrays {
+            causes = of_entries(&entries.each_ref().map(|(along, cell)| &**cell.get_or_init(|| of(*along))));
+        }
+        if !causes.is_empty() {
+            return Some(Traced { causes, is_of_formulas: true, ..traced });
+        }
+    }
+    let mut with_pairs = 0;
     for ((e, cases), mut found) in all_wrong.iter().zip(of_one_error) {
         let (equation, mut words_of_triangle) = (&equations[*e], "");
         let in_entries = || {
@@ -203,6 +210,23 @@ fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Op
         traced.add(&found, readings, *e == wrong[0]);
     }
     Some(traced)
+}
+
+/// One change that explains the entries below and above the diagonal, as of a direction that is used twice, or those of one
+/// triangle.
+fn of_entries([lower, upper]: &[&[Sample]; 2]) -> Vec<Reading> {
+    let all = formulas::of_all(&[*lower, *upper].concat());
+    if !all.is_empty() {
+        return all;
+    }
+    let of_triangle = |(samples, words): (&[Sample], &str)| -> Option<Vec<Reading>> {
+        let mut found = formulas::of_all(samples);
+        for of in &mut found {
+            of.words = format!("{}, in the entries {words} the diagonal", of.words);
+        }
+        Some(found).filter(|found| !found.is_empty())
+    };
+    [(*lower, "below"), (*upper, "above")].into_iter().find_map(of_triangle).unwrap_or_default()
 }
 
 fn is_known(found: &[Status]) -> bool {

@@ -16,7 +16,6 @@ use rand::RngExt;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
-use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::slice;
 
@@ -121,14 +120,11 @@ fn explained(
     let Some(report) = judged(&faults, vectors, demands) else {
         return ExplainedFault { faults, naming: Naming::Undetected, named: Vec::new(), deviation: [0.0; 2] };
     };
-    let trace = OnceCell::new();
-    let is_settled =
-        || trace.get_or_init(|| traced_in(&report, demands)).as_ref().is_some_and(Traced::is_complete);
-    let Some(found) = of_faults(&report.kept, demands, memo, is_settled) else {
+    let Some(found) = of_faults(&report.kept, &report.right, demands, memo) else {
         return ExplainedFault { faults, naming: Naming::None, named: Vec::new(), deviation: [0.0; 2] };
     };
-    if let Some(Some(traced)) = trace.into_inner()
-        && (found.causes.is_empty() || traced.is_complete())
+    if found.causes.is_empty()
+        && let Some(traced) = traced_in(&report, demands)
     {
         let (naming, named) = in_equations(&faults, traced, vectors, demands);
         return ExplainedFault { faults, naming, named, deviation: deviation(&found) };

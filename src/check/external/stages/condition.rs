@@ -17,15 +17,14 @@ fn statements(point: &Point) -> Vec<Statement> {
     let cross = t.cross(&t_bar);
     let (angle, side) = (t.dot(&t_bar), d.dot(&cross));
     let is_parallel = cross.norm() < 0.1 * t.norm() * t_bar.norm();
-    let inputs = s.element.as_ref().and_then(|element| element.inputs.as_ref());
-    let is = |state| inputs.is_some_and(|of| of.state == state);
+    let is = |state| s.inputs.decided.is_some_and(|(of, _)| of == state);
     vec![
         ("the contact slips", "the contact does not slip", is(State::Slip)),
         ("the contact sticks", "the contact does not stick", is(State::Stick)),
         (
             "the beams have crossed",
             "the beams have not crossed",
-            inputs.is_some_and(|of| of.is_crossed && of.state != State::Open),
+            s.inputs.decided.is_some_and(|(state, is_crossed)| is_crossed && state != State::Open),
         ),
         ("xi < 0", "xi >= 0", s.xi[0].value < 0.0),
         ("xi_bar < 0", "xi_bar >= 0", s.xi[1].value < 0.0),

@@ -1,13 +1,14 @@
-//! The cause of wrong answers of a contact element: one change of a list of formulas.
+//! The cause of wrong answers: one change of a list of formulas.
 //!
-//! The equations say which answer is wrong. A number that is not answered, such as grad gamma, is not seen there, and its
-//! error runs on into all that follows. So all formulas of an element stand in a list, from the curves to K. An error is
-//! one change of a formula: a sign, a factor, a name. It explains the answers if the list with this change yields all of
-//! them, to rounding.
+//! The equations say which answer is wrong. A number that is not answered, such as det or grad gamma, is not seen there, and
+//! its error runs on into all that follows. So all formulas stand in a list, from the curves to the tangent of a contact
+//! element. An error is one change of a formula: a sign, a factor, a name. It explains the answers if the list with this change
+//! yields all of them, to rounding. A program may write each formula in its own way, so the list has several.
 
 mod changes;
 mod derivative;
 mod edits;
+mod entries;
 mod evaluation;
 mod inputs;
 mod list;
@@ -16,13 +17,15 @@ mod pairs;
 mod parser;
 mod point;
 mod relations;
+mod results;
 mod search;
 mod tree;
 mod values;
+mod whole;
 
 #[cfg(test)]
 mod tests;
 
 pub(super) use inputs::Inputs;
-pub use list::ELEMENT_FORMULAS;
-pub(super) use search::found;
+pub use list::LIST_OF_FORMULAS;
+pub(super) use search::{found, of_all};

@@ -105,7 +105,12 @@ pub(super) fn found(equations: &[Equation], samples: &[Sample], wrong: &[usize])
         let points: Vec<Point> = samples.iter().map(|sample| input.point(sample)).collect();
         which.iter().all(|e| judged(&equations[*e], &points).0.is_empty())
     };
-    let tried = [vectors::inputs(), parameters::inputs(samples), control_vectors::inputs(samples)];
+    let tried = [
+        vectors::inputs(),
+        parameters::inputs(samples),
+        control_vectors::inputs(samples),
+        shapes::inputs(samples),
+    ];
     let is_found = |input: &Input| {
         holds(input, &few[..few.len().min(8)], &[first])
             && holds(input, &few, &wrong)

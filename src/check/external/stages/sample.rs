@@ -62,6 +62,8 @@ pub(super) struct Sample {
     pub(super) exact: [[RunningError; 4]; COMPONENTS],
     /// Residual along both directions, and tangent, with the penalty stiffness and whether the contact is active.
     pub(super) element: Option<Element>,
+    /// The inputs of the formulas.
+    pub(super) inputs: Inputs,
     /// The control vectors of both beams with their shape functions, if the curves have these.
     pub(super) nodes: [Vec<Node>; 2],
 }
@@ -223,10 +225,12 @@ impl Point {
             .map(|[beam, bar]| demands.conventions.direction(families, &[&beam[..], bar].concat()));
         let own = own_numbers(answers, [&dq[0], &dq[1]], demands, &exact, kind == Along::Stated)?;
         let is_closed = exact[Quantity::GN.component()][0].value < 0.0;
-        let inputs = of_element.as_ref().and_then(|element| {
-            Inputs::new((element, contact), &partial, xi, *last_tangents, (answers, demands))
-        });
-        let element = element(answers, [&dq[0], &dq[1]], demands, is_closed, inputs);
+        let mut inputs = Inputs::new(&partial, xi, held, contact);
+        if let Some(element) = of_element {
+            inputs.add_element(element, *last_tangents, answers, demands);
+        }
+        let has_data = inputs.decided.is_some();
+        let element = element(answers, [&dq[0], &dq[1]], demands, is_closed, has_data);
         let sharp = |v: Vector3<RunningError2>| v.map(|n| RunningError { value: n.value, bound: n.bound[0] });
         let geometry = partial.each_ref().map(|of: &PartialVariations<RunningError2>| {
             let g = &of.geometry;
@@ -246,6 +250,7 @@ impl Point {
             own,
             exact,
             element,
+            inputs,
             nodes: std::array::from_fn(|i| {
                 if has_shapes[i] {
                     nodes(&*beams[i], xi[i].value, [&along[0][i], &along[1][i]])

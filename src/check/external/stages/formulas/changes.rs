@@ -1,148 +1,127 @@
 //! All changes of the list of formulas that are tried.
 
 use super::edits::{Edit, What, edits};
-use super::list::{CURVES, FORMULAS, Formula, Formulas};
+use super::entries::Entries;
+use super::list::{FORMULAS, Formula, Formulas, WAYS};
+use super::point::RESULTS;
 use super::tree::{Name, Op, Tree};
+use rayon::prelude::*;
+use std::sync::LazyLock;
 
-/// A change of the list.
+/// A change of the self.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
     /// The other formulas, by the names of their results.
     pub(super) new: Vec<(Name, Tree)>,
     /// Whether the values use the right formulas, and only what is differentiated the others.
     pub(super) is_of_derivatives: bool,
+    /// Whether later formulas use the right values.
+    pub(super) is_stored: bool,
     pub(super) words: String,
     /// The simplest has the smallest.
     pub(super) cost: u32,
+    /// The ways in which the formulas are written so, but for the change.
+    pub(super) ways: [bool; WAYS],
+    /// Some entries of a gradient or Hessian that are wrong.
+    pub(super) entries: Option<Entries>,
 }
 
+impl Change {
+    pub(super) fn of(words: String) -> Self {
+        let ways = [true; WAYS];
+        let new = Vec::new();
+        Self { new, is_of_derivatives: false, is_stored: false, words, cost: 0, ways, entries: None }
+    }
+}
+
+/// All changes.
+pub(super) static CHANGES: LazyLock<Vec<Change>> = LazyLock::new(changes);
+
 /// What is wrong with something by a factor.
-const FACTORS: [(f64, &str, u32); 4] = [
+pub(super) const FACTORS: [(f64, &str, u32); 4] = [
     (-1.0, "has the wrong sign", 2),
     (0.0, "is missing", 2),
     (2.0, "counts twice", 3),
     (0.5, "is halved", 3),
 ];
 /// Names that only the answers have.
-const ANSWERS: [&str; 3] = ["C", "C_bar", "state"];
+const ANSWERS: [&str; 11] =
+    ["C", "C_bar", "state", "|d|", "g_N", "d|d|", "dg_N", "g_T", "g_T_bar", "dg_T", "dg_T_bar"];
 
-fn scaled(name: Name, by: f64) -> Tree {
+pub(super) fn scaled(name: Name, by: f64) -> Tree {
     Tree::product(vec![(false, Tree::number(by)), (false, Tree::name(name))])
 }
 
-/// The changes of the formulas that are written in this way.
-pub(super) fn changes(way: usize) -> Vec<Change> {
+fn changes() -> Vec<Change> {
     let list = &*FORMULAS;
-    let mut found = list.of_curves();
-    found.extend(list.of_inputs());
-    found.extend(list.exchanges());
-    for formula in &list.all {
+    let mut found = list.of_inputs();
+    found.extend(list.of_entries());
+    found.extend(list.of_results());
+    found.extend(list.of_straight_beams());
+    let of_formula = |formula: &Formula| {
+        let mut found = Vec::new();
+        found.extend(
+            list.twin_of(formula, 0)
+                .filter(|twin| twin.name > formula.name)
+                .map(|twin| list.exchange_of(formula, twin)),
+        );
+        for way in 0..WAYS {
+            let both = |way| (formula.written(way), list.twin_of(formula, way).map(|twin| twin.written(way)));
+            let ways = std::array::from_fn(|other| both(other) == both(way));
+            if !ways[..way].contains(&true) {
+                let start = found.len();
+                list.add_changes(formula, way, &mut found);
+                found[start..].iter_mut().for_each(|change| change.ways = ways);
+            }
+        }
+        found
+    };
+    found.par_extend(list.all.par_iter().flat_map_iter(of_formula));
+    found
+}
+
+impl Formulas {
+    /// The changes of a formula that is written in this way.
+    fn add_changes(&self, formula: &Formula, way: usize, found: &mut Vec<Change>) {
         let tree = formula.written(way);
-        let twin = list.twin_of(formula, way).filter(|twin| twin.name > formula.name);
-        let of_twin = twin.map(|twin| edits(twin.written(way), &|name| list.others(name, twin)));
-        for edit in edits(tree, &|name| list.others(name, formula)) {
+        let twin = self.twin_of(formula, way).filter(|twin| twin.name > formula.name);
+        let of_twin = twin.map(|twin| edits(twin.written(way), &|name| self.others(name, twin)));
+        for edit in edits(tree, &|name| self.others(name, formula)) {
             let new = tree.with(&edit.path, &edit.new);
-            list.add_change(&[(formula, &new)], &edit, "", &mut found);
+            self.add_change(way, &[(formula, &new)], &edit, "", found);
             // A name may be wrong in all its places.
             if let (Op::Name(old), Op::Name(other)) = (&edit.old.op, &edit.new.op) {
                 let everywhere = tree.renamed(&|name| if name == *old { *other } else { name });
                 if everywhere != new && tree.find(&|of| *of == edit.old).as_ref() == Some(&edit.path) {
-                    list.add_change(&[(formula, &everywhere)], &edit, ", in all its places", &mut found);
+                    self.add_change(way, &[(formula, &everywhere)], &edit, ", in all its places", found);
                 }
             }
-            let [old, other] = [&edit.old, &edit.new].map(|tree| list.twin_tree(tree));
+            let [old, other] = [&edit.old, &edit.new].map(|tree| self.twin_tree(tree));
             // The same error in the formula of the other beam, or for the other beam in the same formula.
             let what = match edit.what {
-                What::Other(name) => What::Other(list.twin(name)),
+                What::Other(name) => What::Other(self.twin(name)),
                 what => what,
             };
             let is_same = |of: &&Edit| of.what == what && of.path == edit.path;
             let same = of_twin.iter().flatten().find(is_same);
             if let (Some(twin), Some(same)) = (twin, same) {
                 let tree = twin.written(way).with(&same.path, &same.new);
-                list.add_change(&[(formula, &new), (twin, &tree)], &edit, "", &mut found);
+                self.add_change(way, &[(formula, &new), (twin, &tree)], &edit, "", found);
             }
             let later = |tree: &Tree| new.find(&|of| of == tree).filter(|path| *path > edit.path);
             if let Some(path) = later(&old).filter(|_| old != edit.old) {
                 let tree = new.with(&path, &other);
-                list.add_change(&[(formula, &tree)], &edit, ", as its twin", &mut found);
+                self.add_change(way, &[(formula, &tree)], &edit, ", as its twin", found);
             }
             // Both of two terms that are each other's transpose.
-            let transposed = |tree: &Tree| list.transposed(tree);
+            let transposed = |tree: &Tree| self.transposed(tree);
             if let Some((old, other)) = transposed(&edit.old).zip(transposed(&edit.new))
                 && let Some(path) = later(&old).filter(|_| old != edit.old)
             {
                 let tree = new.with(&path, &other);
-                list.add_change(&[(formula, &tree)], &edit, ", as its transpose", &mut found);
+                self.add_change(way, &[(formula, &tree)], &edit, ", as its transpose", found);
             }
         }
-    }
-    found
-}
-
-impl Formulas {
-    /// Factors on the vectors of a curve, or on their variations.
-    fn of_curves(&self) -> Vec<Change> {
-        let mut found = Vec::new();
-        for (vector, variations) in CURVES {
-            for bar in [false, true] {
-                let named = |name: &str| {
-                    let (letters, derivative) = name.split_once(',').unwrap_or((name, ""));
-                    let comma = if derivative.is_empty() { "" } else { "," };
-                    self.name(&format!("{letters}{}{comma}{derivative}", if bar { "_bar" } else { "" }))
-                };
-                let of: Vec<Name> = variations.iter().map(|name| named(name)).collect();
-                let vector = named(vector);
-                for (by, words, _) in FACTORS {
-                    let scaled = |name: &Name| (*name, scaled(*name, by));
-                    let all: Vec<Name> = [&[vector], &of[..]].concat();
-                    let told = |names: &[Name]| {
-                        names.iter().map(|name| self.names.0[*name].as_str()).collect::<Vec<_>>().join(", ")
-                    };
-                    for (names, cost) in [(&all, 3), (&of, 4)] {
-                        if names.is_empty() {
-                            continue;
-                        }
-                        let words = format!("the curves are wrong: each of {} {words}", told(names));
-                        found.push(Change {
-                            new: names.iter().map(scaled).collect(),
-                            is_of_derivatives: false,
-                            words,
-                            cost,
-                        });
-                    }
-                }
-            }
-        }
-        found
-    }
-
-    /// Factors on numbers of the input.
-    fn of_inputs(&self) -> Vec<Change> {
-        let is_number = |name: &Name| {
-            let kind = self.kinds[*name];
-            !kind.is_vector && !kind.is_condition
-        };
-        let of = |name: Name| {
-            FACTORS.map(|(by, words, cost)| Change {
-                new: vec![(name, scaled(name, by))],
-                is_of_derivatives: false,
-                words: format!("{} {words}", self.names.0[name]),
-                cost,
-            })
-        };
-        (0..self.inputs).filter(is_number).flat_map(of).collect()
-    }
-
-    /// A number of the beam and that of the bar beam in each other's place.
-    fn exchanges(&self) -> Vec<Change> {
-        let exchanged = |(name, text): (Name, &String)| {
-            let twin = Some(self.twin(name)).filter(|twin| *twin > name)?;
-            let words = format!("{text} and {} are exchanged", self.names.0[twin]);
-            let new = vec![(name, Tree::name(twin)), (twin, Tree::name(name))];
-            Some(Change { new, is_of_derivatives: false, words, cost: 4 })
-        };
-        self.names.0.iter().enumerate().take(self.inputs).filter_map(exchanged).collect()
     }
 
     /// The names of the same kind that are known before a formula. A product of variations can have exchanged directions.
@@ -160,7 +139,14 @@ impl Formulas {
     }
 
     /// Adds the change of these formulas, and the same with their derivatives, and in what is differentiated alone.
-    fn add_change(&self, changed: &[(&Formula, &Tree)], edit: &Edit, scope: &str, found: &mut Vec<Change>) {
+    fn add_change(
+        &self,
+        way: usize,
+        changed: &[(&Formula, &Tree)],
+        edit: &Edit,
+        scope: &str,
+        found: &mut Vec<Change>,
+    ) {
         let mut new = Vec::new();
         for (formula, tree) in changed {
             self.put(formula, tree, &mut new);
@@ -182,7 +168,18 @@ impl Formulas {
                 self.put(formula, tree, &mut new);
             }
             let words = format!("{words}, and in its derivative");
-            found.push(Change { new, words, cost: cost + 1, is_of_derivatives: false });
+            found.push(Change { new, cost: cost + 1, ..Change::of(words) });
+        }
+        // One function of a program may solve for both orders.
+        let seconds: Option<Vec<_>> =
+            changed.iter().map(|(formula, tree)| self.second_of(formula, tree, way)).collect();
+        if let Some(seconds) = seconds {
+            let mut new = new.clone();
+            for (formula, tree) in &seconds {
+                self.put(formula, tree, &mut new);
+            }
+            let words = format!("{words}, in both orders");
+            found.push(Change { new, cost: cost + 1, ..Change::of(words) });
         }
         let kind = self.kinds[changed[0].0.name];
         if kind.varies == [false; 2] && !kind.is_condition {
@@ -190,18 +187,23 @@ impl Formulas {
                 "in the derivatives, {}",
                 words.strip_prefix("in ").map_or_else(|| words.clone(), |of| format!("for {of}"))
             );
-            found.push(Change { new: new.clone(), words, cost: cost + 2, is_of_derivatives: true });
+            let new = new.clone();
+            found.push(Change { new, cost: cost + 2, is_of_derivatives: true, ..Change::of(words) });
         }
-        found.push(Change { new, words, cost, is_of_derivatives: false });
+        if changed.iter().all(|(formula, _)| RESULTS.contains(&formula.name)) {
+            let (new, words) = (new.clone(), format!("{words}, where it is answered alone"));
+            found.push(Change { new, is_stored: true, cost: cost + 2, ..Change::of(words) });
+        }
+        found.push(Change { new, cost, ..Change::of(words) });
     }
 
     /// Puts a formula in the place of another, also along Delta.
-    fn put(&self, formula: &Formula, tree: &Tree, new: &mut Vec<(Name, Tree)>) {
+    pub(super) fn put(&self, formula: &Formula, tree: &Tree, new: &mut Vec<(Name, Tree)>) {
         new.push((formula.name, tree.clone()));
         new.extend(formula.linear.map(|linear| (linear, self.along_linear(tree))));
     }
 
-    fn words_of(&self, formula: &Formula) -> String {
+    pub(super) fn words_of(&self, formula: &Formula) -> String {
         match &*self.names.0[formula.name] {
             "R" => "the residual".into(),
             "K" => "the tangent".into(),

@@ -4,12 +4,14 @@ use super::list::{Formula, Formulas};
 use super::tree::{Name, Op, Tree};
 
 /// Names whose derivatives have a name of their own.
-const NAMED: [(&str, &str); 6] = [
+const NAMED: [(&str, &str); 8] = [
     ("A", "H_A"),
     ("A_bar", "H_A_bar"),
     ("R", "K"),
     ("slip", "dxi"),
     ("slip_bar", "dxi_bar"),
+    ("moved", "dxi"),
+    ("moved_bar", "dxi_bar"),
     ("d_s", "dgap"),
 ];
 /// Names that are constant in a step.
@@ -105,7 +107,7 @@ fn derived(tree: &Tree, of: &impl Fn(Name) -> Of) -> Option<Option<Tree>> {
             }
             summed(terms)
         }
-        Op::Dot | Op::Cross => {
+        Op::Dot | Op::Cross | Op::Axes(_) => {
             let branches = branches()?.into_iter().enumerate();
             summed(branches.filter_map(|(i, branch)| Some((false, with(i, branch?)))).collect())
         }

@@ -25,6 +25,10 @@ pub(super) enum What {
     Doubled,
     Halved,
     Transposed,
+    /// The names of the other beam.
+    Exchanged,
+    /// Those of the beam.
+    Forgotten,
     /// A factor is left out.
     Without(usize),
     /// A factor is there twice.
@@ -37,6 +41,8 @@ pub(super) enum What {
     NoRoot,
     /// Another name.
     Other(Name),
+    /// Other components of a vector, by their place in [`axes`].
+    Axes(usize),
 }
 
 impl What {
@@ -44,7 +50,7 @@ impl What {
         match self {
             Self::Sign | Self::Missing | Self::Holds(_) => 2,
             Self::Other(_) => 4,
-            Self::Squared(_) => 5,
+            Self::Squared(_) | Self::Axes(_) | Self::Exchanged | Self::Forgotten => 5,
             _ => 3,
         }
     }
@@ -110,6 +116,15 @@ impl Edits<'_> {
             add(What::Missing, Tree::number(0.0), format!("{of} is missing"));
             add(What::Doubled, scaled(tree, 2.0), format!("{of} counts twice"));
             add(What::Halved, scaled(tree, 0.5), format!("{of} is halved"));
+            for (what, new, words) in [
+                (What::Exchanged, FORMULAS.twin_tree(tree), "has the beams exchanged"),
+                (What::Forgotten, FORMULAS.of_beam(tree), "takes the beam where the bar beam belongs"),
+            ] {
+                let is_one_name = matches!(tree.op, Op::Name(_));
+                if new != *tree && !is_one_name {
+                    add(what, new, format!("{of} {words}"));
+                }
+            }
             if FORMULAS.kind(tree).varies == [true; 2]
                 && let Some(transposed) = FORMULAS.transposed(tree)
             {
@@ -170,6 +185,11 @@ impl Edits<'_> {
                 }
             }
             Op::Name(name) => {
+                let axes = if FORMULAS.kinds[*name].is_vector { axes() } else { Vec::new() };
+                for (k, (axes, words)) in axes.into_iter().enumerate() {
+                    let words = format!("{words} of {}{}", FORMULAS.names.0[*name], place.words(tree));
+                    add(What::Axes(k), Tree::new(Op::Axes(axes), vec![tree.clone()]), words);
+                }
                 for other in (self.others)(*name) {
                     let [new, old] = [other, *name].map(|of| &FORMULAS.names.0[of]);
                     add(
@@ -198,6 +218,32 @@ impl Edits<'_> {
             self.add_of(branch, &of);
         }
     }
+}
+
+/// The components of a vector as programs confuse them, in words.
+pub(super) fn axes() -> Vec<([(usize, f64); 3], String)> {
+    const NAMES: [&str; 3] = ["x", "y", "z"];
+    let right = [0, 1, 2].map(|axis| (axis, 1.0));
+    let mut found = Vec::new();
+    for (axis, name) in NAMES.into_iter().enumerate() {
+        let with = |component: (usize, f64)| {
+            let mut axes = right;
+            axes[axis] = component;
+            axes
+        };
+        found.push((with((axis, -1.0)), format!("the sign is wrong in the component {name}")));
+        found.push((with((axis, 0.0)), format!("the component {name} is left out")));
+        for other in (0..3).filter(|other| *other != axis) {
+            let words = format!("the component {} stands in the place of {name}", NAMES[other]);
+            found.push((with((other, 1.0)), words));
+        }
+    }
+    for order in [[1, 2, 0], [2, 0, 1], [2, 1, 0], [1, 0, 2], [0, 2, 1]] {
+        let words =
+            format!("the order {} is taken of the components", order.map(|axis| NAMES[axis]).join(", "));
+        found.push((order.map(|axis| (axis, 1.0)), words));
+    }
+    found
 }
 
 fn scaled(tree: &Tree, by: f64) -> Tree {

@@ -1,7 +1,8 @@
 //! The values of all formulas, right and with a change.
 
 use super::changes::Change;
-use super::list::{Formulas, Step};
+use super::list::{FORMULAS, Formulas, Step};
+use super::point::Point;
 use super::tree::{Name, Tree};
 use super::values::{Value, value};
 
@@ -24,29 +25,46 @@ impl Formulas {
         values
     }
 
-    /// The values with other formulas in the place of some. Values that are `given` stay as they are.
-    pub(super) fn changed(
-        &self,
-        way: usize,
-        (right, known): (&[Value], &[(Name, Value)]),
-        change: &Change,
-        given: &[(Name, Value)],
-    ) -> Vec<Value> {
+    /// Whether it is a derivative, or made of derivatives; the residual is not.
+    fn is_differentiated(&self, name: Name) -> bool {
+        self.kinds[name].varies != [false; 2] && !self.residual.contains(&name)
+    }
+}
+
+impl Point<'_> {
+    /// The values in a way of writing with other formulas in the place of some. Values that are given stay as they are, and
+    /// those that are not `needed`.
+    pub(super) fn changed(&self, way: usize, change: &Change, needed: &[bool]) -> Vec<Value> {
+        let list = &*FORMULAS;
+        let known = &self.sample.inputs.known;
+        let right = &self.values[way];
+        if change.is_stored {
+            let mut values = right.clone();
+            for (name, tree) in &change.new {
+                values[*name] = value(tree, right);
+            }
+            for (of, name) in change.entries.iter().flat_map(|of| of.names().map(move |name| (of, name))) {
+                values[name] = of.put(name, right[name], self.parts());
+            }
+            return values;
+        }
         let mut is_other = vec![false; right.len()];
-        let mut values = right.to_vec();
-        for (name, tree) in change.new.iter().filter(|(name, _)| *name < self.inputs) {
+        let mut values = right.clone();
+        for (name, tree) in change.new.iter().filter(|(name, _)| *name < list.inputs) {
             values[*name] = value(tree, right);
             is_other[*name] = true;
         }
-        for Step { name, tree, uses } in &self.ways[way] {
+        for Step { name, tree, uses } in &list.ways[way] {
             let other = change.new.iter().find(|(of, _)| of == name).map(|(_, tree)| tree);
-            let is_given = given.iter().any(|(of, _)| of == name);
-            let is_same = other.is_none() && !uses.iter().any(|name| is_other[*name]);
-            let is_kept = change.is_of_derivatives && other.is_none() && !self.is_differentiated(*name);
-            if is_given || is_same || is_kept {
+            let entries = change.entries.filter(|of| of.names().any(|of| of == *name));
+            let is_given = self.given.iter().any(|(of, _)| of == name);
+            let is_same = other.is_none() && entries.is_none() && !uses.iter().any(|name| is_other[*name]);
+            let is_kept = change.is_of_derivatives && other.is_none() && !list.is_differentiated(*name);
+            if is_given || is_same || is_kept || !needed[*name] {
                 continue;
             }
             let value = evaluated(*name, other.unwrap_or(tree), &values, known);
+            let value = entries.map_or(value, |of| of.put(*name, value, self.parts()));
             if value != values[*name] {
                 values[*name] = value;
                 is_other[*name] = true;
@@ -58,11 +76,6 @@ impl Formulas {
             }
         }
         values
-    }
-
-    /// Whether it is a derivative, or made of derivatives; the residual is not.
-    fn is_differentiated(&self, name: Name) -> bool {
-        self.kinds[name].varies != [false; 2] && !self.residual.contains(&name)
     }
 }
 

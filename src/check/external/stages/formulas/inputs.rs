@@ -19,24 +19,26 @@ use nalgebra::Vector3;
 pub(in crate::check::external::stages) struct Inputs {
     pub(super) values: Vec<Value>,
     pub(super) known: Vec<(Name, Value)>,
-    pub(in crate::check::external::stages) state: State,
-    pub(in crate::check::external::stages) is_crossed: bool,
+    /// Of an element with its own data: its state, and whether the beams have crossed.
+    pub(in crate::check::external::stages) decided: Option<(State, bool)>,
     /// State, F_N, F and F_bar of the program, by the names of the formulas.
     pub(super) forces: Vec<(Name, RunningError)>,
 }
 
 impl Inputs {
-    /// The inputs at a closest point; nothing if it does not define the element.
+    /// The inputs of the geometry at a closest point.
     pub(in crate::check::external::stages) fn new(
-        (element, contact): (&ElementAt, Contact),
         partial: &[PartialVariations<RunningError2>; 2],
         xi: [RunningError2; 2],
-        last_tangents: Option<[Vector3<f64>; 2]>,
-        (answers, demands): (&Answers, &Demands),
-    ) -> Option<Self> {
-        let list = &*FORMULAS;
-        let mut values = vec![Value::from(0.0); list.inputs];
-        let mut set = |name: &str, value: Value| values[list.name(name)] = value;
+        held: [bool; 2],
+        contact: Contact,
+    ) -> Self {
+        let mut inputs = Self {
+            values: vec![Value::from(0.0); FORMULAS.inputs],
+            known: Vec::new(),
+            decided: None,
+            forces: Vec::new(),
+        };
         for (of, end) in partial.iter().zip(["", "_bar"]) {
             let g = &of.geometry;
             for (name, suffix, v) in [
@@ -53,61 +55,93 @@ impl Inputs {
                 ("Ddu", "", of.second_u[0]),
                 ("Ddu", ",xi", of.second_u[1]),
             ] {
-                set(&format!("{name}{end}{suffix}"), Value::Vector(v.map(careful)));
+                inputs.set(&format!("{name}{end}{suffix}"), Value::Vector(v.map(careful)));
             }
         }
-        set("xi", Value::Number(careful(xi[0])));
-        set("xi_bar", Value::Number(careful(xi[1])));
-        set("r", contact.radius.into());
-        set("r_bar", contact.radius_bar.into());
-        let exact = |v: Vector3<f64>| Value::Vector(v.map(RunningError::from));
-        let unknown = Vector3::repeat(f64::NAN);
-        // Without an earlier step there is no elastic slip along its tangents.
-        let last = last_tangents.unwrap_or([Vector3::zeros(); 2]);
-        set("tau_n", exact(last[0]));
-        set("tau_bar_n", exact(last[1]));
-        let history = element.history();
-        set("has_n", history.normal.is_some().into());
-        set("n_n", exact(history.normal.unwrap_or(unknown)));
-        let (known, state, is_crossed) = element.with(|decision| {
+        inputs.set("xi", Value::Number(careful(xi[0])));
+        inputs.set("xi_bar", Value::Number(careful(xi[1])));
+        for (name, number) in [
+            ("r", contact.radius),
+            ("r_bar", contact.radius_bar),
+            ("xi_0", contact.xi_0),
+            ("xi_bar_0", contact.xi_bar_0),
+        ] {
+            inputs.set(name, number.into());
+        }
+        inputs.hold(held);
+        for (vector, unknown) in [("n_n", f64::NAN), ("tau_n", 0.0), ("tau_bar_n", 0.0)] {
+            inputs.set(vector, Value::Vector(Vector3::repeat(unknown.into())));
+        }
+        inputs
+    }
+
+    fn hold(&mut self, [xi, xi_bar]: [bool; 2]) {
+        self.set("both_free", (!xi && !xi_bar).into());
+        self.set("free_xi", (!xi).into());
+        self.set("free_xi_bar", (!xi_bar).into());
+    }
+
+    fn set(&mut self, name: &str, value: Value) {
+        self.values[FORMULAS.name(name)] = value;
+    }
+
+    /// Adds the data of an element; leaves the inputs as they are if the point does not define it.
+    pub(in crate::check::external::stages) fn add_element(
+        &mut self,
+        element: &ElementAt,
+        last_tangents: Option<[Vector3<f64>; 2]>,
+        answers: &Answers,
+        demands: &Demands,
+    ) {
+        let decided = element.with(|decision| {
             let held = decision.form.held;
-            set("both_free", (!held.xi && !held.xi_bar).into());
-            set("free_xi", (!held.xi).into());
-            set("free_xi_bar", (!held.xi_bar).into());
+            self.hold([held.xi, held.xi_bar]);
             let parameters = decision.parameters;
-            set("eps_T", parameters.eps_t.into());
-            set("mu", parameters.mu.into());
-            set("paper", (parameters.work == Work::Paper).into());
+            self.set("eps_T", parameters.eps_t.into());
+            self.set("mu", parameters.mu.into());
+            self.set("paper", (parameters.work == Work::Paper).into());
             let (eps, g_0, lambda) = match parameters.law {
                 Law::Linear { eps } => (eps, 0.0, 0.0),
                 Law::Lpqp { eps, g_0 } => (eps, g_0, 0.0),
                 Law::Augmented { eps, lambda } => (eps, 0.0, lambda),
             };
-            set("eps_N", eps.into());
-            set("g_0", g_0.into());
-            set("lambda", lambda.into());
-            set("lpqp", matches!(parameters.law, Law::Lpqp { .. }).into());
-            if let Some(slips) = history.slips {
+            self.set("eps_N", eps.into());
+            self.set("g_0", g_0.into());
+            self.set("lambda", lambda.into());
+            self.set("lpqp", matches!(parameters.law, Law::Lpqp { .. }).into());
+            if let Some(slips) = element.history().slips {
                 let before = slips.held;
-                set("xi_n", slips.xi.into());
-                set("xi_bar_n", slips.xi_bar.into());
-                set("e_n", slips.e.into());
-                set("e_bar_n", slips.e_bar.into());
-                set("c_n", slips.cosine.into());
-                set("held_changes", (held != before).into());
-                set("was_free", (!before.xi && !before.xi_bar).into());
+                self.set("xi_n", slips.xi.into());
+                self.set("xi_bar_n", slips.xi_bar.into());
+                self.set("e_n", slips.e.into());
+                self.set("e_bar_n", slips.e_bar.into());
+                self.set("c_n", slips.cosine.into());
+                self.set("held_changes", (held != before).into());
+                self.set("was_free", (!before.xi && !before.xi_bar).into());
+                self.set("has_slips", true.into());
             }
-            set("has_slips", history.slips.is_some().into());
-            let condition = |name: &str, holds: bool| (list.name(name), Value::from(holds));
-            let known = vec![
+            let condition = |name: &str, holds: bool| (FORMULAS.name(name), Value::from(holds));
+            self.known = vec![
                 condition("curved", decision.piece == Some(Piece::Parabola)),
                 condition("active", decision.piece.is_some()),
                 condition("friction", decision.state.has_friction()),
                 condition("slips", decision.state == State::Slip),
             ];
-            (known, decision.state, decision.is_crossed)
-        })?;
-        Some(Self { values, known, state, is_crossed, forces: forces(answers, demands) })
+            (decision.state, decision.is_crossed)
+        });
+        let Some(decided) = decided else { return };
+        self.decided = Some(decided);
+        let exact = |v: Vector3<f64>| Value::Vector(v.map(RunningError::from));
+        // Without an earlier step there is no elastic slip along its tangents.
+        if let Some([tau, tau_bar]) = last_tangents {
+            self.set("tau_n", exact(tau));
+            self.set("tau_bar_n", exact(tau_bar));
+        }
+        if let Some(normal) = element.history().normal {
+            self.set("has_n", true.into());
+            self.set("n_n", exact(normal));
+        }
+        self.forces = forces(answers, demands);
     }
 }
 

@@ -5,10 +5,12 @@ use super::tree::{Name, Names, Op, Tree};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-/// The formulas of a contact element in which errors are looked for, one a line.
-pub const ELEMENT_FORMULAS: &str = include_str!("element.txt");
+/// The formulas of the geometry and of a contact element in which errors are looked for, one a line.
+pub const LIST_OF_FORMULAS: &str = include_str!("list.txt");
 /// The number of ways in which all formulas are written.
-pub(super) const WAYS: usize = 6;
+pub(super) const WAYS: usize = 8;
+/// The way that is right for straight beams alone.
+pub(super) const STRAIGHT: usize = 3;
 /// The way in which the elastic slip of the last step is a vector. It is tried if the tangents of that step are known.
 pub(super) const WITH_START: usize = 5;
 
@@ -24,7 +26,8 @@ const VECTORS: &str = "x x_bar t t_bar t,xi t_bar,xi t,xixi t_bar,xixi n_n tau_n
 const VARIATIONS: &str = "du du_bar du,xi du_bar,xi du,xixi du_bar,xixi";
 const MIXED: &str = "Ddu Ddu_bar Ddu,xi Ddu_bar,xi";
 /// Inputs that are numbers.
-const NUMBERS: &str = "xi xi_bar r r_bar xi_n xi_bar_n e_n e_bar_n c_n eps_N g_0 lambda eps_T mu";
+const NUMBERS: &str =
+    "xi xi_bar xi_0 xi_bar_0 r r_bar xi_n xi_bar_n e_n e_bar_n c_n eps_N g_0 lambda eps_T mu";
 /// Inputs that are conditions.
 const CONDITIONS: &str = "both_free free_xi free_xi_bar has_n has_slips held_changes lpqp paper was_free";
 
@@ -97,7 +100,7 @@ impl Formulas {
             residual: Vec::new(),
         };
         list.add_inputs();
-        for line in ELEMENT_FORMULAS.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
+        for line in LIST_OF_FORMULAS.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
             let (name, text) = line.split_once('=').unwrap_or((line, ""));
             let (way, text) = text.split_once(' ').unwrap_or((text, ""));
             let tree = Parser::tree(text, &mut list.names);
@@ -176,7 +179,7 @@ impl Formulas {
         match &tree.op {
             Op::Name(name) => self.kinds[*name].is_vector,
             Op::Sum(_) | Op::Product(_) => tree.of.iter().any(|of| self.is_vector(of)),
-            Op::Cross => true,
+            Op::Cross | Op::Axes(_) => true,
             Op::If => self.is_vector(&tree.of[1]),
             Op::Number(_) | Op::Dot | Op::Root | Op::Less => false,
         }
@@ -195,6 +198,29 @@ impl Formulas {
             steps.extend(formula.linear.map(|linear| step(linear, self.along_linear(tree))));
         }
         steps
+    }
+
+    /// The names that these follow from, in some way of writing, and they themselves.
+    pub(super) fn needed(&self, among: &[Name]) -> Vec<bool> {
+        let mut needed = vec![false; self.names.0.len()];
+        among.iter().for_each(|name| needed[*name] = true);
+        for i in (0..self.ways[0].len()).rev() {
+            for step in self.ways.each_ref().map(|steps| &steps[i]) {
+                if needed[step.name] {
+                    step.uses.iter().for_each(|name| needed[*name] = true);
+                }
+            }
+        }
+        needed
+    }
+
+    /// The ways in which the formulas that are needed are not written as in an earlier way.
+    pub(super) fn distinct_ways(&self, needed: &[bool]) -> Vec<usize> {
+        let trees = |way: usize| -> Vec<&Tree> {
+            self.ways[way].iter().filter(|step| needed[step.name]).map(|step| &step.tree).collect()
+        };
+        let is_new = |way: &usize| (0..*way).all(|earlier| trees(earlier) != trees(*way));
+        (0..WAYS).filter(is_new).collect()
     }
 
     /// The formula along Delta.

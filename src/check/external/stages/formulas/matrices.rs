@@ -11,14 +11,12 @@ use crate::number::RunningError;
 fn is_answered(samples: &[Sample], of: &dyn Fn(RunningError, RunningError) -> RunningError) -> bool {
     let list = &*FORMULAS;
     let tangent = list.name("K");
-    let points = points(samples, 0, &[]);
+    let points = points(samples, &[]);
     let is_right = |point: &super::point::Point| {
-        let Some(inputs) = point.sample.element.as_ref().and_then(|element| element.inputs.as_ref()) else {
-            return true;
-        };
-        let Some((_, answer)) = point.answers.iter().find(|(name, _)| *name == tangent) else { return true };
+        let inputs = &point.sample.inputs;
+        let Some(answer) = point.among(&[tangent]).next().copied() else { return true };
         let exchanged = list.values(0, &list.exchanged(&inputs.values), &inputs.known, &[]);
-        let number = of(point.values[tangent].number(), exchanged[tangent].number());
+        let number = of(point.values[0][tangent].number(), exchanged[tangent].number());
         (number.value - answer.number.value).abs() <= CAREFUL * number.bound + answer.number.bound
     };
     !points.is_empty() && points.iter().all(is_right)

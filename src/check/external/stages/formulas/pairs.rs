@@ -1,6 +1,7 @@
 //! Two changes of the list that explain answers together.
 
-use super::changes::{Change, changes};
+use super::changes::{CHANGES, Change};
+use super::list::FORMULAS;
 use super::point::{Point, points};
 use super::search::probes;
 use super::tree::Name;
@@ -23,23 +24,26 @@ pub(super) fn found(samples: &[Sample], among: &[Name], given: &[Name]) -> Vec<C
 
 fn of_way(samples: &[Sample], way: usize, among: &[Name], given: &[Name]) -> Option<Change> {
     let &[name] = among else { return None };
-    let points = points(samples, way, given);
+    let is_valid = |point: &Point| point.among(among).all(|answer| answer.ways[way]);
+    let points: Vec<Point> = points(samples, given).into_iter().filter(is_valid).collect();
     let probes = probes(&points, among, PROBES);
     if probes.len() < 2 {
         return None;
     }
+    let needed = FORMULAS.needed(among);
     let effect = |point: &Point, change: &Change| -> RunningError {
-        point.changed(way, change)[name].number() - point.values[name].number()
+        point.changed(way, change, &needed)[name].number() - point.values[way][name].number()
     };
     let wanted = |point: &Point| -> Option<RunningError> {
-        let (_, answer) = point.answers.iter().find(|(of, _)| *of == name)?;
-        Some(answer.number - point.values[name].number())
+        let answer = point.among(among).next()?;
+        Some(answer.number - point.values[way][name].number())
     };
     let wanted_at: Vec<RunningError> = probes.iter().filter_map(|point| wanted(point)).collect();
-    let simple: Vec<Change> = changes(way).into_iter().filter(|change| change.cost <= SIMPLE).collect();
+    let is_simple = |change: &&Change| change.cost <= SIMPLE && change.ways[way];
+    let simple: Vec<&Change> = CHANGES.iter().filter(is_simple).collect();
     let effects: Vec<(&Change, Vec<RunningError>)> = simple
         .par_iter()
-        .map(|change| (change, probes.iter().map(|point| effect(point, change)).collect::<Vec<_>>()))
+        .map(|&change| (change, probes.iter().map(|point| effect(point, change)).collect::<Vec<_>>()))
         .filter(|(_, effects)| effects.iter().all(|of| of.value.is_finite() && of.bound.is_finite()))
         .collect();
     let mut sorted: Vec<usize> = (0..effects.len()).collect();

@@ -1,119 +1,185 @@
 //! A sample with the values of all formulas, and the answers of the program.
 
-use super::changes::Change;
-use super::list::FORMULAS;
+use super::entries::inputs_of_parts;
+use super::list::{FORMULAS, WAYS};
 use super::tree::Name;
 use super::values::Value;
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;
+use crate::linearization::Quantity;
 use crate::number::RunningError;
 use std::collections::BTreeMap;
+use std::sync::{LazyLock, OnceLock};
 
 /// The rounding of an explanation over the difference that it explains.
 const CLEAR: f64 = 1e-2;
 /// The rounding of an explanation over that of the right formulas.
 const COARSER: f64 = 1e3;
-
 /// The rounding of an explanation over the largest answer of its kind.
 const FINE: f64 = 1e-9;
+
+/// A result of the formulas: a number, or a component of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Output {
+    pub(super) name: Name,
+    axis: Option<usize>,
+}
+
+impl Output {
+    pub(super) fn of(self, values: &[Value]) -> RunningError {
+        values[self.name].component(self.axis)
+    }
+}
 
 /// A number of the program.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Answer {
+    pub(super) output: Output,
     pub(super) number: RunningError,
     /// The largest number of its kind in all samples.
     size: f64,
+    /// The ways of writing in which the formulas are right here, and lose no digits.
+    pub(super) ways: [bool; WAYS],
+}
+
+impl Answer {
+    /// The difference from the formulas, and what rounding explains.
+    fn difference(&self, values: &[Value]) -> (f64, f64) {
+        let RunningError { value, bound } = self.output.of(values);
+        ((self.number.value - value).abs(), CAREFUL * bound + self.number.bound)
+    }
 }
 
 pub(super) struct Point<'a> {
     pub(super) sample: &'a Sample,
-    pub(super) known: &'a [(Name, Value)],
-    pub(super) values: Vec<Value>,
-    pub(super) answers: Vec<(Name, Answer)>,
+    /// The values in each way of writing.
+    pub(super) values: Vec<Vec<Value>>,
+    pub(super) answers: Vec<Answer>,
     /// Values that are answers.
-    given: Vec<(Name, Value)>,
+    pub(super) given: Vec<(Name, Value)>,
+    parts: OnceLock<Vec<Vec<Value>>>,
 }
 
 impl Point<'_> {
-    /// The difference of an answer from the formula, and what rounding explains.
-    fn difference(name: Name, answer: Answer, values: &[Value]) -> (f64, f64) {
-        let RunningError { value, bound } = values[name].number();
-        ((answer.number.value - value).abs(), CAREFUL * bound + answer.number.bound)
-    }
-
-    fn among<'a>(&'a self, among: &'a [Name]) -> impl Iterator<Item = (Name, Answer)> + 'a {
-        self.answers.iter().copied().filter(|(name, _)| among.contains(name))
+    pub(super) fn among<'a>(&'a self, among: &'a [Name]) -> impl Iterator<Item = &'a Answer> + 'a {
+        self.answers.iter().filter(|answer| among.contains(&answer.output.name))
     }
 
     /// Whether one of these answers is not that of the formulas.
     pub(super) fn is_wrong(&self, among: &[Name]) -> bool {
-        self.among(among).any(|(name, answer)| {
-            let (difference, allowed) = Self::difference(name, answer, &self.values);
+        self.among(among).any(|answer| {
+            let (difference, allowed) = answer.difference(&self.values[0]);
             difference.is_nan() || difference > allowed
         })
     }
 
     /// How far these answers are from the formulas, over the rounding.
     pub(super) fn clearness(&self, among: &[Name]) -> f64 {
-        let of = |(name, answer)| {
-            let (difference, allowed) = Self::difference(name, answer, &self.values);
+        let of = |answer: &Answer| {
+            let (difference, allowed) = answer.difference(&self.values[0]);
             difference / allowed
         };
         self.among(among).map(of).filter(|of| of.is_finite()).fold(0.0, f64::max)
     }
 
-    /// The values with the changed formulas.
-    pub(super) fn changed(&self, way: usize, change: &Change) -> Vec<Value> {
-        FORMULAS.changed(way, (&self.values, self.known), change, &self.given)
+    /// The values by the dofs of each block alone.
+    pub(super) fn parts(&self) -> &[Vec<Value>] {
+        let of_inputs = |inputs: Vec<Value>| FORMULAS.values(0, &inputs, &self.sample.inputs.known, &[]);
+        self.parts
+            .get_or_init(|| inputs_of_parts(&self.sample.inputs.values).into_iter().map(of_inputs).collect())
     }
 
-    /// Whether the changed formulas yield these answers. Rounding must not explain much more than before.
-    pub(super) fn is_explained(&self, way: usize, change: &Change, among: &[Name]) -> bool {
-        let values = self.changed(way, change);
-        self.among(among).all(|(name, answer)| {
-            let (before, allowed_before) = Self::difference(name, answer, &self.values);
-            let (difference, allowed) = Self::difference(name, answer, &values);
-            let coarse = (COARSER * allowed_before).max(FINE * answer.size);
-            difference <= allowed && (allowed < CLEAR * before || allowed <= coarse)
-        })
+    /// Whether the changed formulas yield this answer. Rounding must not explain much more than before.
+    pub(super) fn is_explained(&self, answer: &Answer, way: usize, changed: &[Value]) -> bool {
+        let (before, allowed_before) = answer.difference(&self.values[way]);
+        let (difference, allowed) = answer.difference(changed);
+        let coarse = (COARSER * allowed_before).max(FINE * answer.size);
+        difference <= allowed && (allowed < CLEAR * before || allowed <= coarse)
     }
 }
 
-/// The samples that have an element, in one way of writing. Answers that are `given` stand for the formulas' own numbers.
-pub(super) fn points<'a>(samples: &'a [Sample], way: usize, given: &[Name]) -> Vec<Point<'a>> {
-    let mut points: Vec<Point> = samples.iter().filter_map(|sample| point(sample, way, given)).collect();
+/// The samples with their answers. Those that are `given` stand for the formulas' own numbers.
+pub(super) fn points<'a>(samples: &'a [Sample], given: &[Name]) -> Vec<Point<'a>> {
+    let mut points: Vec<Point> = samples.iter().map(|sample| point(sample, given)).collect();
     let mut sizes = BTreeMap::new();
-    for (name, Answer { number, .. }) in points.iter().flat_map(|point| &point.answers) {
-        let size: &mut f64 = sizes.entry(*name).or_default();
+    for Answer { output, number, .. } in points.iter().flat_map(|point| &point.answers) {
+        let size: &mut f64 = sizes.entry(output.name).or_default();
         *size = size.max(number.value.abs());
     }
-    for (name, answer) in points.iter_mut().flat_map(|point| &mut point.answers) {
-        answer.size = sizes[name];
+    for answer in points.iter_mut().flat_map(|point| &mut point.answers) {
+        answer.size = sizes[&answer.output.name];
     }
     points
 }
 
-fn point<'a>(sample: &'a Sample, way: usize, given: &[Name]) -> Option<Point<'a>> {
+fn point<'a>(sample: &'a Sample, given: &[Name]) -> Point<'a> {
     let list = &*FORMULAS;
-    let element = sample.element.as_ref()?;
-    let inputs = element.inputs.as_ref()?;
-    let mut numbers = inputs.forces.clone();
-    numbers.extend(element.numbers[0].map(|number| (list.name("R"), number)));
-    numbers.extend(element.numbers[2].map(|number| (list.name("K"), number)));
-    // Another way of writing may not be valid here, or lose digits.
-    if way > 0 {
-        let [own, right] = [way, 0].map(|way| list.values(way, &inputs.values, &inputs.known, &[]));
-        let is_right = |(name, _): &(Name, RunningError)| {
-            let (one, other) = (own[*name].number(), right[*name].number());
-            (one.value - other.value).abs() <= CAREFUL * (one.bound + other.bound)
-        };
-        if !numbers.iter().all(is_right) {
-            return None;
+    let inputs = &sample.inputs;
+    let numbers = numbers(sample);
+    let fixed = numbers.iter().filter(|(output, _)| given.contains(&output.name));
+    let fixed: Vec<_> = fixed.map(|(output, number)| (output.name, Value::Number(*number))).collect();
+    let values = |given: &[(Name, Value)]| -> Vec<_> {
+        (0..WAYS).map(|way| list.values(way, &inputs.values, &inputs.known, given)).collect()
+    };
+    let own = values(&[]);
+    let is_right = |output: Output, way: usize| {
+        let [one, right] = [way, 0].map(|way| output.of(&own[way]));
+        (one.value - right.value).abs() <= CAREFUL * (one.bound + right.bound)
+    };
+    let answer = |(output, number): (Output, RunningError)| {
+        let ways = std::array::from_fn(|way| way == 0 || is_right(output, way));
+        Answer { output, number, size: 0.0, ways }
+    };
+    let answers = numbers.into_iter().map(answer).collect();
+    let values = if fixed.is_empty() { own } else { values(&fixed) };
+    Point { sample, values, answers, given: fixed, parts: OnceLock::new() }
+}
+
+/// The names of a quantity: value, delta, Delta, Delta-delta. The parameters are inputs.
+pub(super) fn names(quantity: Quantity) -> [Option<&'static str>; 4] {
+    let [value, rest @ ..] = match quantity {
+        Quantity::X => ["x", "dx", "Dx", "H_x"],
+        Quantity::XBar => ["x_bar", "dx_bar", "Dx_bar", "H_x_bar"],
+        Quantity::DVector => ["d", "dd", "Dd", "H_d"],
+        Quantity::TVector => ["t", "dt", "Dt", "H_t"],
+        Quantity::TBarVector => ["t_bar", "dt_bar", "Dt_bar", "H_t_bar"],
+        Quantity::D => ["|d|", "d|d|", "D|d|", "Dd|d|"],
+        Quantity::T => ["|t|", "d|t|", "D|t|", "Dd|t|"],
+        Quantity::TBar => ["|t_bar|", "d|t_bar|", "D|t_bar|", "Dd|t_bar|"],
+        Quantity::Xi => ["", "dxi", "Dxi", "Ddxi"],
+        Quantity::XiBar => ["", "dxi_bar", "Dxi_bar", "Ddxi_bar"],
+        Quantity::GN => ["g_N", "dg_N", "Dg_N", "Ddg_N"],
+        Quantity::GT => ["g_T", "dg_T", "Dg_T", "Ddg_T"],
+        Quantity::GTBar => ["g_T_bar", "dg_T_bar", "Dg_T_bar", "Ddg_T_bar"],
+    };
+    let [delta, linear, second] = rest.map(Some);
+    [Some(value).filter(|name| !name.is_empty()), delta, linear, second]
+}
+
+/// The names of all results of the geometry.
+pub(super) static RESULTS: LazyLock<Vec<Name>> = LazyLock::new(|| {
+    let of = |quantity: Quantity| names(quantity).into_iter().flatten().map(|name| FORMULAS.name(name));
+    Quantity::ALL.into_iter().flat_map(of).collect()
+});
+
+/// The numbers of the program by the results that they are.
+fn numbers(sample: &Sample) -> Vec<(Output, RunningError)> {
+    let mut numbers = Vec::new();
+    for (component, own) in sample.own.iter().enumerate() {
+        let quantity = Quantity::of_component(component);
+        let axis = Quantity::axis_of_component(component).map(|axis| axis as usize - 'x' as usize);
+        for (name, number) in names(quantity).iter().zip(own) {
+            let output = name.map(|name| Output { name: FORMULAS.name(name), axis });
+            numbers.extend(output.zip(*number));
         }
     }
-    let fixed = numbers.iter().filter(|(name, _)| given.contains(name));
-    let fixed: Vec<_> = fixed.map(|(name, number)| (*name, Value::Number(*number))).collect();
-    let values = list.values(way, &inputs.values, &inputs.known, &fixed);
-    let answers = numbers.into_iter().map(|(name, number)| (name, Answer { number, size: 0.0 })).collect();
-    Some(Point { sample, known: &inputs.known, values, answers, given: fixed })
+    let scalar = |(name, number)| (Output { name, axis: None }, number);
+    numbers.extend(sample.inputs.forces.iter().copied().map(scalar));
+    if let Some(element) = sample.element.as_ref().filter(|_| sample.inputs.decided.is_some()) {
+        let [residual, _, tangent] = element.numbers;
+        let of = [("R", residual), ("K", tangent)];
+        numbers
+            .extend(of.into_iter().filter_map(|(name, number)| Some(scalar((FORMULAS.name(name), number?)))));
+    }
+    numbers
 }

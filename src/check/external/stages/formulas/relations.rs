@@ -27,6 +27,12 @@ impl Formulas {
         tree.renamed(&|name| self.twin(name))
     }
 
+    /// The same with the numbers of the beam in the place of those of the bar beam.
+    pub(super) fn of_beam(&self, tree: &Tree) -> Tree {
+        let of = |name: Name| if self.names.0[name].contains("_bar") { self.twin(name) } else { name };
+        tree.renamed(&of)
+    }
+
     /// The inputs with the directions exchanged.
     pub(super) fn exchanged(&self, inputs: &[Value]) -> Vec<Value> {
         let mut exchanged = inputs.to_vec();
@@ -41,6 +47,17 @@ impl Formulas {
         let twin = self.twin(formula.name);
         let twin = self.all.iter().find(|of| of.name == twin && of.name != formula.name)?;
         formula.written(way).is_congruent(twin.written(way)).then_some(twin)
+    }
+
+    /// The formula of the second order that is solved like this one of the first, and this tree in its place.
+    pub(super) fn second_of(&self, formula: &Formula, tree: &Tree, way: usize) -> Option<(&Formula, Tree)> {
+        let of_second = |tree: &Tree| {
+            let name = |name: Name| self.names.find(&format!("D{}", self.names.0[name]));
+            tree.renamed(&|of| name(of).filter(|_| self.kinds[of].varies == [true, false]).unwrap_or(of))
+        };
+        let name = self.names.find(&format!("D{}", self.names.0[formula.name]))?;
+        let second = self.all.iter().find(|of| of.name == name)?;
+        (*second.written(way) == of_second(formula.written(way))).then(|| (second, of_second(tree)))
     }
 
     /// Pairs of names that differ in `_bar`.

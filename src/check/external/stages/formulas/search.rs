@@ -1,8 +1,9 @@
 //! The change of the list that explains the answers.
 
-use super::changes::{Change, changes};
+use super::changes::{CHANGES, Change};
+use super::entries::Entries;
 use super::list::{FORMULAS, WAYS, WITH_START};
-use super::point::{Point, points};
+use super::point::{Output, Point, RESULTS, points};
 use super::tree::Name;
 use super::{matrices, pairs};
 use crate::check::external::stages::point::Point as StagePoint;
@@ -11,7 +12,8 @@ use crate::check::external::stages::sentences::scope;
 use crate::check::external::stages::{Reading, Traced};
 use rayon::prelude::*;
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// The number of samples at which all changes are tried.
 const PROBES: usize = 6;
@@ -36,7 +38,7 @@ pub(in crate::check::external::stages) fn found(
 ) -> Option<Traced> {
     let list = &*FORMULAS;
     let names = |stage: &[&str]| stage.iter().map(|name| list.name(name)).collect::<Vec<_>>();
-    let first = points(samples, 0, &[]);
+    let first: Vec<Point> = points(samples, &[]);
     let cases = |among: &[Name]| -> BTreeSet<usize> {
         first.iter().filter(|point| point.is_wrong(among)).map(|point| point.sample.case).collect()
     };
@@ -51,10 +53,10 @@ pub(in crate::check::external::stages) fn found(
     let mut traced = Traced {
         cases: known.len(),
         place: format!("{words} is wrong{scope}"),
-        is_of_element: true,
+        is_of_formulas: true,
         ..Traced::default()
     };
-    let mut stages = vec![readings(explained(samples, &all, &[]))];
+    let mut stages = vec![readings(explained(&first, &all))];
     if stages[0].is_empty() {
         stages = of_stages(samples, entries, &names);
     }
@@ -67,6 +69,13 @@ pub(in crate::check::external::stages) fn found(
     Some(traced)
 }
 
+/// One change that explains all answers, those of the geometry among them.
+pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Reading> {
+    let names = STAGES.iter().flat_map(|(stage, _)| *stage).map(|name| FORMULAS.name(name));
+    let all: Vec<Name> = names.chain(RESULTS.iter().copied()).collect();
+    readings(explained(&points(samples, &[]), &all))
+}
+
 /// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones.
 fn of_stages(
     samples: &[Sample],
@@ -77,10 +86,13 @@ fn of_stages(
     let mut stages = Vec::new();
     for (stage, _) in STAGES {
         let names = names(stage);
-        let is_wrong = |given: &[Name]| points(samples, 0, given).iter().any(|point| point.is_wrong(&names));
+        let is_wrong = |given: &[Name]| points(samples, given).iter().any(|point| point.is_wrong(&names));
         if is_wrong(&given) && is_wrong(&[]) {
-            let of_one =
-                || [&given[..], &[]].into_iter().map(|given| readings(explained(samples, &names, given)));
+            let of_one = || {
+                [&given[..], &[]]
+                    .map(|given| readings(explained(&points(samples, given), &names)))
+                    .into_iter()
+            };
             let of_matrix =
                 || matrices::reading(samples, entries).filter(|_| stage == ["K"]).into_iter().collect();
             // Two effects add up where the answer is a sum.
@@ -102,25 +114,29 @@ fn readings(changes: Vec<Change>) -> Vec<Reading> {
 }
 
 /// The simplest changes that explain these answers.
-fn explained(samples: &[Sample], among: &[Name], given: &[Name]) -> Vec<Change> {
-    let mut found: Vec<Change> = Vec::new();
-    for way in 0..WAYS {
-        let points = points(samples, way, given);
-        let tangent = FORMULAS.name("tau_n");
-        if way == WITH_START && points.iter().all(|point| point.values[tangent].is_zero()) {
-            continue;
-        }
-        let probes = probes(&points, among, PROBES);
-        let lost = samples.len() - points.len();
-        if probes.is_empty() || LOST * lost > samples.len() {
-            continue;
-        }
-        let explains = |change: &Change| {
-            let mut of = probes.iter().copied().chain(&points);
-            of.all(|point| point.is_explained(way, change, among))
-        };
-        found.par_extend(changes(way).into_par_iter().filter(explains));
+///
+/// A program may write each formula in its own way. So each result must be that of the changed formulas in one of the ways,
+/// which is the same at all samples.
+fn explained(points: &[Point], among: &[Name]) -> Vec<Change> {
+    let probes = probes(points, among, PROBES);
+    if probes.is_empty() {
+        return Vec::new();
     }
+    // Most changes are seen to be others at the first result that is wrong.
+    let is_first = |name: &&Name| probes.iter().any(|point| point.is_wrong(&[**name]));
+    let first: Vec<Name> = among.iter().filter(is_first).min().copied().into_iter().collect();
+    let [of_first, of_all] = [&first, among].map(|among| Ways::of(points, among));
+    let explains = |change: &&Change| {
+        let yields = |ways: &Ways, among: &[Name], mut points: Box<dyn Iterator<Item = &Point> + '_>| {
+            let mut ways = ways.clone();
+            ways.are_needed(change)
+                && ways.are_right(change)
+                && points.all(|point| ways.keep(point, change, among))
+        };
+        yields(&of_first, &first, Box::new(probes.iter().copied()))
+            && yields(&of_all, among, Box::new(probes.iter().copied().chain(points)))
+    };
+    let mut found: Vec<Change> = CHANGES.par_iter().filter(explains).cloned().collect();
     let least = found.iter().map(|change| change.cost).min();
     found.retain(|change| Some(change.cost) == least);
     // The formula that is next to the answers is meant.
@@ -134,6 +150,64 @@ fn explained(samples: &[Sample], among: &[Name], given: &[Name]) -> Vec<Change> 
         found.retain(|change| last(change) == name);
     }
     if found.len() > TOLD { Vec::new() } else { found }
+}
+
+/// The ways in which a program may have written the formulas of each of its results.
+#[derive(Clone)]
+struct Ways {
+    /// Those that are not the same as another one.
+    distinct: Vec<usize>,
+    /// Whether the results follow from each name.
+    needed: Arc<[bool]>,
+    left: BTreeMap<Output, [bool; WAYS]>,
+}
+
+impl Ways {
+    fn of(points: &[Point], among: &[Name]) -> Self {
+        let mut lost: BTreeMap<Output, [usize; WAYS]> = BTreeMap::new();
+        for answer in points.iter().flat_map(|point| point.among(among)) {
+            let of = lost.entry(answer.output).or_default();
+            (0..WAYS).for_each(|way| of[way] += usize::from(!answer.ways[way]));
+        }
+        let start = FORMULAS.name("tau_n");
+        let has_start = points.iter().any(|point| !point.values[0][start].is_zero());
+        let is_left =
+            |way: usize, lost: usize| LOST * lost <= points.len() && (way != WITH_START || has_start);
+        let left =
+            lost.into_iter().map(|(of, lost)| (of, std::array::from_fn(|way| is_left(way, lost[way]))));
+        let needed = FORMULAS.needed(among);
+        Self { distinct: FORMULAS.distinct_ways(&needed), needed: needed.into(), left: left.collect() }
+    }
+
+    /// Whether some of the results follow from what is changed.
+    fn are_needed(&self, change: &Change) -> bool {
+        let of_entries = change.entries.iter().flat_map(Entries::names);
+        change.new.iter().map(|(name, _)| *name).chain(of_entries).any(|name| self.needed[name])
+    }
+
+    /// Whether the formulas are right before the change, in some way in which they are written so.
+    fn are_right(&self, change: &Change) -> bool {
+        (0..WAYS).any(|way| change.ways[way] && self.left.values().all(|left| left[way]))
+    }
+
+    /// Keeps the ways that yield the answers at this sample; whether each result has one.
+    fn keep(&mut self, point: &Point, change: &Change, among: &[Name]) -> bool {
+        for &way in &self.distinct {
+            if !self.left.values().any(|left| left[way]) {
+                continue;
+            }
+            let changed = point.changed(way, change, &self.needed);
+            for answer in point.among(among) {
+                if let Some(left) = self.left.get_mut(&answer.output)
+                    && left[way]
+                    && answer.ways[way]
+                {
+                    left[way] = point.is_explained(answer, way, &changed);
+                }
+            }
+        }
+        self.left.values().all(|left| self.distinct.iter().any(|way| left[*way]))
+    }
 }
 
 /// The clearest samples at which one of these answers is wrong: one of each case in turn.

@@ -1,5 +1,6 @@
 //! Formulas as trees, and their text.
 
+use std::collections::HashMap;
 use std::fmt::Write;
 
 /// The place of a name in [`Names`].
@@ -7,17 +8,18 @@ pub(super) type Name = usize;
 
 /// The names of formulas and inputs.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Names(pub(super) Vec<String>);
+pub(super) struct Names(pub(super) Vec<String>, HashMap<String, Name>);
 
 impl Names {
     pub(super) fn find(&self, name: &str) -> Option<Name> {
-        self.0.iter().position(|known| known == name)
+        self.1.get(name).copied()
     }
 
     /// The place of a name, which is new if it is not known.
     pub(super) fn add(&mut self, name: &str) -> Name {
         self.find(name).unwrap_or_else(|| {
             self.0.push(name.to_owned());
+            self.1.insert(name.to_owned(), self.0.len() - 1);
             self.0.len() - 1
         })
     }
@@ -35,6 +37,8 @@ pub(super) enum Op {
     Dot,
     Cross,
     Root,
+    /// The vector with other components: the place of each, and a factor.
+    Axes([(usize, f64); 3]),
     /// 1 if the first is less than the second, else 0.
     Less,
     /// The second if the first is not zero, else the third.
@@ -168,6 +172,7 @@ impl Tree {
             Op::Dot => infix(&["."], 4, to),
             Op::Cross => call("cross", to),
             Op::Root => call("sqrt", to),
+            Op::Axes(_) => call("axes", to),
             Op::Less => infix(&[" < "], 1, to),
             Op::If => infix(&[" ? ", " : "], 1, to),
         }

@@ -36,6 +36,14 @@ impl Value {
         }
     }
 
+    /// The number, or the component of a vector.
+    pub(super) fn component(self, axis: Option<usize>) -> RunningError {
+        match (self, axis) {
+            (Vector(vector), Some(axis)) => vector[axis],
+            _ => self.number(),
+        }
+    }
+
     pub(super) fn is_zero(self) -> bool {
         match self {
             Number(number) => number.value == 0.0,
@@ -54,7 +62,7 @@ impl Value {
         }
     }
 
-    fn plus(self, other: Self) -> Self {
+    pub(super) fn plus(self, other: Self) -> Self {
         match (self, other) {
             (Number(one), Number(other)) => Number(one + other),
             (Vector(one), Vector(other)) => Vector(one + other),
@@ -65,7 +73,7 @@ impl Value {
         }
     }
 
-    fn times(self, other: Self) -> Self {
+    pub(super) fn times(self, other: Self) -> Self {
         match (self, other) {
             (Number(one), Number(other)) => Number(one * other),
             (Vector(v), Number(by)) | (Number(by), Vector(v)) => Vector(v.map(|of| of * by)),
@@ -108,6 +116,12 @@ pub(super) fn value(tree: &Tree, values: &[Value]) -> Value {
         Op::Cross => match (at(0), at(1)) {
             (Vector(one), Vector(other)) => Vector(one.cross(&other)),
             _ => NOT_A_NUMBER,
+        },
+        Op::Axes(axes) => match at(0) {
+            Vector(of) => {
+                Vector(of.map_with_location(|c, _, _| of[axes[c].0] * RunningError::from(axes[c].1)))
+            }
+            Number(_) => NOT_A_NUMBER,
         },
         Op::Root => Number(at(0).number().sqrt()),
         Op::Less => {

@@ -1,6 +1,6 @@
 //! Shape functions with other control vectors than their own.
 
-use super::{Input, OF, add};
+use super::{BEAMS, Input, OF, add};
 use crate::check::external::stages::sample::{Node, Sample};
 use nalgebra::Vector3;
 
@@ -11,14 +11,18 @@ enum Other {
     After,
     OfOtherBeam,
     InPairs,
+    OfOtherEnd,
+    SlopesOfOtherEnd,
     Reversed,
 }
 
-const OTHERS: [(Other, &str); 5] = [
+const OTHERS: [(Other, &str); 7] = [
     (Other::Before, "the control vectors one place before"),
     (Other::After, "the control vectors one place after"),
     (Other::OfOtherBeam, "the control vectors of the other beam"),
     (Other::InPairs, "control vectors exchanged in pairs"),
+    (Other::OfOtherEnd, "the control vectors of the other end"),
+    (Other::SlopesOfOtherEnd, "the slopes of the other end"),
     (Other::Reversed, "control vectors in reversed order"),
 ];
 
@@ -31,6 +35,8 @@ impl Other {
             Self::After => Some(start + k + 1),
             Self::OfOtherBeam => Some(start_of_other + k),
             Self::InPairs => Some(start + (k ^ 1)),
+            Self::OfOtherEnd => Some(start + (k ^ 2)),
+            Self::SlopesOfOtherEnd => Some(start + if k % 2 == 1 { k ^ 2 } else { k }),
             Self::Reversed => Some(start + count - 1 - k),
         }
     }
@@ -41,7 +47,7 @@ pub(super) fn inputs(samples: &[Sample]) -> Vec<Input> {
     if samples.iter().all(|sample| sample.nodes.iter().all(Vec::is_empty)) {
         return all;
     }
-    for (beam, of_beam) in ["the beam", "the bar beam"].into_iter().enumerate() {
+    for (beams, of_beam) in BEAMS {
         for (other, from) in OTHERS {
             for (first, last) in [(0, 0), (1, 1), (2, 2), (3, 3), (0, 3), (1, 3), (2, 3)] {
                 let range = if first == last {
@@ -54,7 +60,10 @@ pub(super) fn inputs(samples: &[Sample]) -> Vec<Input> {
                     all.push(Input::new(words, move |sample, vectors| {
                         let list: Vec<&Node> = sample.nodes.iter().flatten().collect();
                         let counts = sample.nodes.each_ref().map(Vec::len);
-                        for (k, node) in sample.nodes[beam].iter().enumerate() {
+                        let nodes = beams.iter().flat_map(|beam| {
+                            sample.nodes[*beam].iter().enumerate().map(|(k, node)| (*beam, k, node))
+                        });
+                        for (beam, k, node) in nodes {
                             let at = other.of(beam, k, counts).and_then(|at| list.get(at));
                             let with = at.map_or([Vector3::zeros(); 3], |node| node.vectors);
                             let difference = std::array::from_fn(|i| with[i] - node.vectors[i]);

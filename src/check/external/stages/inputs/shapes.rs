@@ -1,6 +1,6 @@
 //! Wrong shape functions. By how much one is wrong is an unknown of each case and beam, found by Gauss-Newton iterations.
 
-use super::{BEAMS, OF, ORDERS, Of, add};
+use super::{BEAMS, Input, OF, ORDERS, Of, add};
 use crate::check::external::stages::equations::Equation;
 use crate::check::external::stages::point::Point;
 use crate::check::external::stages::sample::Sample;
@@ -145,17 +145,52 @@ impl Shape {
         if let Some(by) = whole.filter(|by| (0..count).all(|i| (fit[i] - by * right[i]).abs() < 1e-7)) {
             return Some(format!("it {}", factor_words(by)));
         }
-        let names = ["constant", "term of xi", "term of xi^2", "term of xi^3"];
         let wrong: Vec<usize> = (0..count).filter(|i| fit[*i].abs() > 1e-7).collect();
         Some(match wrong[..] {
-            [i] if right[i] != 0.0 => format!("its {} {}", names[i], factor_words(fit[i] / right[i])),
+            [i] if right[i] != 0.0 => format!("its {} {}", TERMS[i], factor_words(fit[i] / right[i])),
             _ => {
-                let term = |i: &usize| format!("{:+.4} in its {}", fit[*i], names[*i]);
+                let term = |i: &usize| format!("{:+.4} in its {}", fit[*i], TERMS[*i]);
                 format!("it is wrong by {}", wrong.iter().map(term).collect::<Vec<_>>().join(" and "))
             }
         })
     }
 }
+
+/// Terms of shape functions that are wrong in all derivatives.
+pub(super) fn inputs(samples: &[Sample]) -> Vec<Input> {
+    const FACTORS: [f64; 8] = [-1.0, 0.0, 2.0, 0.5, 3.0, 1.0 / 3.0, 1.5, 2.0 / 3.0];
+    let mut all = Vec::new();
+    for (beams, of_beams) in BEAMS {
+        let nodes = samples.iter().map(|sample| &sample.nodes[beams[0]]).max_by_key(|nodes| nodes.len());
+        for (k, node) in nodes.into_iter().flatten().enumerate() {
+            for (power, coefficient) in node.coefficients.iter().flatten().enumerate() {
+                for by in FACTORS.map(|factor| factor - 1.0).into_iter().filter(|_| *coefficient != 0.0) {
+                    let mut wrong = [0.0; 4];
+                    wrong[power] = by * coefficient;
+                    let words = format!(
+                        "shape function {} of {of_beams}, with its derivatives: its {} {}",
+                        k + 1,
+                        TERMS[power],
+                        factor_words(by)
+                    );
+                    all.push(Input::new(words, move |sample, vectors| {
+                        for &beam in beams {
+                            let Some(node) = sample.nodes[beam].get(k) else { continue };
+                            for order in 0..4 {
+                                let error = polynomial(&wrong, order, sample.xi[beam].value);
+                                add(vectors, (beam, order), error, node.vectors, Of::Both);
+                            }
+                        }
+                    }));
+                }
+            }
+        }
+    }
+    all
+}
+
+/// The terms of a cubic.
+const TERMS: [&str; 4] = ["constant", "term of xi", "term of xi^2", "term of xi^3"];
 
 /// A factor less one, in words.
 fn factor_words(by: f64) -> String {

@@ -4,7 +4,6 @@ use crate::check::Answer;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, half_unit};
 use crate::check::external::conventions::{Conventions, Length, Penalty, Range};
-use crate::check::external::stages::formulas::Inputs;
 use crate::linearization::{COMPONENTS, Quantity};
 use crate::number::{Real, RunningError};
 
@@ -45,22 +44,20 @@ pub(in crate::check::external::stages) struct Element {
     pub(in crate::check::external::stages) numbers: [Option<RunningError>; 3],
     /// The penalty stiffness of an element without friction, or zero at an open gap.
     pub(in crate::check::external::stages) stiffness: Option<f64>,
-    /// The inputs of the formulas of an element with its own data.
-    pub(in crate::check::external::stages) inputs: Option<Inputs>,
 }
 
-/// The answers of a contact element along two directions.
+/// The answers of a contact element along two directions. `has_data`: it has a law and a history of its own.
 pub(super) fn element(
     answers: &Answers,
     dq: [&[f64]; 2],
     demands: &Demands,
     is_closed: bool,
-    inputs: Option<Inputs>,
+    has_data: bool,
 ) -> Option<Element> {
     let conventions = &demands.conventions;
     let stiffness = |penalty: Penalty| if penalty.always || is_closed { penalty.stiffness } else { 0.0 };
-    let stiffness = conventions.penalty.filter(|_| inputs.is_none()).map(stiffness);
-    if stiffness.is_none() && inputs.is_none() {
+    let stiffness = conventions.penalty.filter(|_| !has_data).map(stiffness);
+    if stiffness.is_none() && !has_data {
         return None;
     }
     let (gradient, hessian) = (answers.residual.clone(), answers.tangent.clone());
@@ -73,7 +70,7 @@ pub(super) fn element(
         signed(linear, conventions.residual_is_negative),
         signed(second, conventions.tangent_is_negative),
     ];
-    Some(Element { numbers, stiffness, inputs })
+    Some(Element { numbers, stiffness })
 }
 
 /// An answer along the directions. Nothing if an array has another number of entries.

@@ -1,0 +1,130 @@
+//! Entries of gradients and Hessians that are wrong: those of a beam, of a pair of beams, along an axis.
+
+use super::changes::{Change, FACTORS};
+use super::list::{FORMULAS, Formulas};
+use super::point::RESULTS;
+use super::tree::Name;
+use super::values::Value;
+use crate::number::RunningError;
+use nalgebra::Vector3;
+
+/// The dofs of rows and of columns: those of a beam, or those along an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Dofs {
+    Beams([usize; 2]),
+    Axis(usize),
+}
+
+/// All of them, in the order of [`parts`].
+const BLOCKS: [Dofs; 7] = [
+    Dofs::Beams([0, 0]),
+    Dofs::Beams([0, 1]),
+    Dofs::Beams([1, 0]),
+    Dofs::Beams([1, 1]),
+    Dofs::Axis(0),
+    Dofs::Axis(1),
+    Dofs::Axis(2),
+];
+
+/// Blocks of a gradient or Hessian by their places in [`BLOCKS`], in words.
+const OF_GRADIENTS: [(&[usize], &str); 5] = [
+    (&[0], "the entries of the dofs of the beam"),
+    (&[3], "the entries of the dofs of the bar beam"),
+    (&[4], "the entries of the dofs along x"),
+    (&[5], "the entries of the dofs along y"),
+    (&[6], "the entries of the dofs along z"),
+];
+const OF_HESSIANS: [(&[usize], &str); 10] = [
+    (&[0], "the block of the beam"),
+    (&[3], "the block of the bar beam"),
+    (&[1], "the block of the beam's rows and the bar beam's columns"),
+    (&[2], "the block of the bar beam's rows and the beam's columns"),
+    (&[1, 2], "the blocks of beam and bar beam"),
+    (&[0, 3], "the blocks of each beam alone"),
+    (&[0, 1], "the rows of the beam"),
+    (&[2, 3], "the rows of the bar beam"),
+    (&[0, 2], "the columns of the beam"),
+    (&[1, 3], "the columns of the bar beam"),
+];
+
+/// Wrong entries of the gradient or Hessian of a result.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entries {
+    name: Name,
+    /// The same along Delta.
+    linear: Option<Name>,
+    blocks: &'static [usize],
+    factor: f64,
+}
+
+impl Entries {
+    /// The result, along delta and along Delta.
+    pub(super) fn names(&self) -> impl Iterator<Item = Name> {
+        [Some(self.name), self.linear].into_iter().flatten()
+    }
+
+    /// The value with the wrong entries. `parts` are the values by the dofs of each block.
+    pub(super) fn put(&self, name: Name, value: Value, parts: &[Vec<Value>]) -> Value {
+        let by = Value::from(self.factor - 1.0);
+        self.blocks.iter().fold(value, |value, block| value.plus(parts[*block][name].times(by)))
+    }
+}
+
+/// The inputs with the variations of the dofs of each block alone.
+pub(super) fn inputs_of_parts(inputs: &[Value]) -> Vec<Vec<Value>> {
+    let part = |block: Dofs| {
+        let mut of = inputs.to_vec();
+        for (name, value) in of.iter_mut().enumerate() {
+            let varies = FORMULAS.kinds[name].varies;
+            let beam = usize::from(FORMULAS.names.0[name].contains("_bar"));
+            let is_kept = match block {
+                Dofs::Beams([row, column]) => (!varies[0] || row == beam) && (!varies[1] || column == beam),
+                Dofs::Axis(_) => true,
+            };
+            match (block, *value) {
+                _ if varies == [false; 2] => {}
+                (Dofs::Axis(axis), Value::Vector(vector)) => {
+                    let zero = RunningError::from(0.0);
+                    *value = Value::Vector(Vector3::from_fn(|c, _| if c == axis { vector[c] } else { zero }));
+                }
+                _ if !is_kept => *value = Value::Vector(Vector3::repeat(RunningError::from(0.0))),
+                _ => {}
+            }
+        }
+        of
+    };
+    BLOCKS.into_iter().map(part).collect()
+}
+
+impl Formulas {
+    /// Factors on entries of each result that is a gradient or a Hessian.
+    pub(super) fn of_entries(&self) -> Vec<Change> {
+        let mut found = Vec::new();
+        let results = RESULTS.iter().copied().chain(["R", "K"].map(|name| self.name(name)));
+        for name in results {
+            let blocks: &[(&[usize], &str)] = match self.kinds[name].varies {
+                [true, false] => &OF_GRADIENTS,
+                [true, true] => &OF_HESSIANS,
+                _ => continue,
+            };
+            for (blocks, of_blocks) in blocks.iter().copied() {
+                for (factor, words, cost) in FACTORS {
+                    let words =
+                        words.replace("has", "have").replace("is ", "are ").replace("counts", "count");
+                    let words = format!("in {} {of_blocks}: they {words}", self.names.0[name]);
+                    for is_stored in [true, false] {
+                        let linear = self.linear.get(&name).copied();
+                        let entries = Some(Entries { name, linear, blocks, factor });
+                        found.push(Change {
+                            entries,
+                            is_stored,
+                            cost: cost + 1,
+                            ..Change::of(words.clone())
+                        });
+                    }
+                }
+            }
+        }
+        found
+    }
+}

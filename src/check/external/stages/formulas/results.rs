@@ -1,0 +1,70 @@
+//! Changes of results as a whole: one in the place of another, a factor, the form for straight beams.
+
+use super::changes::{Change, FACTORS, scaled};
+use super::list::{Formula, Formulas, STRAIGHT};
+use super::point::RESULTS;
+use super::tree::{Name, Tree};
+
+impl Formulas {
+    /// Results that are answered in the place of others, or with a factor.
+    pub(super) fn of_results(&self) -> Vec<Change> {
+        let results = &*RESULTS;
+        let of_factor = |name: Name| {
+            FACTORS.map(|(by, words, cost)| {
+                let names = [Some(name), self.linear.get(&name).copied()].into_iter().flatten();
+                let new = names.map(|name| (name, scaled(name, by))).collect();
+                let words = format!("{} {words} where it is answered", self.names.0[name]);
+                Change { new, is_stored: true, cost, ..Change::of(words) }
+            })
+        };
+        let is_result = |name: &Name| self.kinds[*name].varies != [false, true];
+        let factors = results.iter().copied().filter(is_result).flat_map(of_factor);
+        let of_pair = |(name, other): (Name, Name)| {
+            let [old, new] = [name, other].map(|name| &self.names.0[name]);
+            let words = format!("{new} is answered in the place of {old}");
+            Change { new: self.in_place_of(name, other), is_stored: true, cost: 4, ..Change::of(words) }
+        };
+        factors.chain(self.alike(results).into_iter().map(of_pair)).collect()
+    }
+
+    /// Formulas in their form for straight beams.
+    pub(super) fn of_straight_beams(&self) -> Vec<Change> {
+        let of = |formula: &Formula| {
+            let [tree, straight] = [0, STRAIGHT].map(|way| formula.written(way));
+            let mut new = Vec::new();
+            self.put(formula, straight, &mut new);
+            let words = format!("{} is that of straight beams", self.words_of(formula));
+            (tree != straight).then(|| Change { new, cost: 5, ..Change::of(words) })
+        };
+        self.all.iter().filter_map(of).collect()
+    }
+
+    /// Each of two formulas in the place of the other.
+    pub(super) fn exchange_of(&self, formula: &Formula, twin: &Formula) -> Change {
+        let mut new = Vec::new();
+        self.put(formula, twin.written(0), &mut new);
+        self.put(twin, formula.written(0), &mut new);
+        let [name, other] = [formula, twin].map(|of| self.words_of(of));
+        let words = format!("{name} and {other} are exchanged");
+        Change { new, cost: 4, ..Change::of(words) }
+    }
+
+    /// Pairs of different names of one kind, without those along Delta.
+    pub(super) fn alike(&self, names: &[Name]) -> Vec<(Name, Name)> {
+        let is_alike = |(name, other): &(Name, Name)| {
+            name != other
+                && self.kinds[*name] == self.kinds[*other]
+                && self.kinds[*name].varies != [false, true]
+        };
+        let pairs = names.iter().flat_map(|&name| names.iter().map(move |&other| (name, other)));
+        pairs.filter(is_alike).collect()
+    }
+
+    /// A name in the place of another, also along Delta.
+    pub(super) fn in_place_of(&self, name: Name, other: Name) -> Vec<(Name, Tree)> {
+        let along = |name: Name| self.linear.get(&name).copied();
+        let linear = along(name).zip(along(other));
+        let pairs = [Some((name, other)), linear].into_iter().flatten();
+        pairs.map(|(name, other)| (name, Tree::name(other))).collect()
+    }
+}
