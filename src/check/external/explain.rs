@@ -108,11 +108,12 @@ pub fn explain(
     {
         return Some(Explanation { cases: traced.cases, ..Explanation::default() }.with(traced));
     }
-    let found = of_faults(cases, right, demands, &Memo::default())?;
-    if !found.causes.is_empty() || found.is_faint {
+    let (found, is_likely) = of_faults(cases, right, demands, &Memo::default())?;
+    if is_likely || found.is_faint {
         return Some(found);
     }
-    Some(trace().map_or(found.clone(), |traced| found.with(traced)))
+    let is_better = |traced: &Traced| found.causes.is_empty() || traced.is_complete();
+    Some(trace().filter(is_better).map_or(found.clone(), |traced| found.with(traced)))
 }
 
 impl Explanation {
@@ -140,13 +141,13 @@ impl Explanation {
     }
 }
 
-/// The faults that explain the answers, and do not spoil the right ones.
+/// The faults that explain the answers, and do not spoil the right ones. Whether they leave no more than is likely.
 fn of_faults(
     cases: &[(Vector, Answers)],
     right: &[(Vector, Answers)],
     demands: &Demands,
     memo: &Memo,
-) -> Option<Explanation> {
+) -> Option<(Explanation, bool)> {
     let known: Vec<Known> = cases.iter().filter_map(Known::new).collect();
     let all: Vec<(usize, AnsweredCase)> = (0..known.len())
         .into_par_iter()
@@ -187,7 +188,8 @@ fn of_faults(
         let alike = alike.iter().map(Change::name).collect();
         Cause { name: of.change.name(), words: of.change.words(), coefficient, alike }
     };
-    Some(Explanation {
+    let is_likely = found.equal.iter().any(|of| of.fit.mean() <= LIKELY);
+    let explanation = Explanation {
         causes: found.equal.iter().map(cause).collect(),
         before: found.before,
         after: found.equal.first().map(|of| of.fit.worst),
@@ -197,9 +199,12 @@ fn of_faults(
         place: None,
         beyond: Vec::new(),
         is_of_formulas: false,
-    })
+    };
+    Some((explanation, is_likely))
 }
 
+/// The mean of the squares up to which only rounding remains.
+const LIKELY: f64 = 2.0;
 /// The number of sentences on what is wrong beyond the first equation.
 const BEYOND: usize = 1;
 /// The number of cases that are used.

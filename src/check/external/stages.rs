@@ -72,6 +72,11 @@ impl Traced {
         }
     }
 
+    /// Whether the errors explain everything.
+    pub(super) fn is_complete(&self) -> bool {
+        !self.causes.is_empty() && !self.leaves_some
+    }
+
     /// Adds the first of these readings, unless one of them is known.
     fn go_beyond(&mut self, readings: &[Reading]) {
         let mut known = self.causes.iter().chain(&self.beyond);

@@ -120,12 +120,11 @@ fn explained(
     let Some(report) = judged(&faults, vectors, demands) else {
         return ExplainedFault { faults, naming: Naming::Undetected, named: Vec::new(), deviation: [0.0; 2] };
     };
-    let Some(found) = of_faults(&report.kept, &report.right, demands, memo) else {
+    let Some((found, is_likely)) = of_faults(&report.kept, &report.right, demands, memo) else {
         return ExplainedFault { faults, naming: Naming::None, named: Vec::new(), deviation: [0.0; 2] };
     };
-    if found.causes.is_empty()
-        && let Some(traced) = traced_in(&report, demands)
-    {
+    let is_better = |traced: &Traced| found.causes.is_empty() || traced.is_complete();
+    if !is_likely && let Some(traced) = traced_in(&report, demands).filter(is_better) {
         let (naming, named) = in_equations(&faults, traced, vectors, demands);
         return ExplainedFault { faults, naming, named, deviation: deviation(&found) };
     }
