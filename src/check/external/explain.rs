@@ -63,7 +63,7 @@ pub struct Explanation {
     pub place: Option<String>,
     /// What is wrong beyond it, as sentences.
     pub beyond: Vec<String>,
-    /// Whether the causes are changes of [`LIST_OF_FORMULAS`](super::ELEMENT_FORMULAS).
+    /// Whether the causes are changes of [`LIST_OF_FORMULAS`](super::LIST_OF_FORMULAS).
     #[serde(skip)]
     pub is_of_formulas: bool,
 }

@@ -203,11 +203,15 @@ impl Formulas {
     /// The names that these follow from, in some way of writing, and they themselves.
     pub(super) fn needed(&self, among: &[Name]) -> Vec<bool> {
         let mut needed = vec![false; self.names.0.len()];
-        among.iter().for_each(|name| needed[*name] = true);
+        for name in among {
+            needed[*name] = true;
+        }
         for i in (0..self.ways[0].len()).rev() {
             for step in self.ways.each_ref().map(|steps| &steps[i]) {
                 if needed[step.name] {
-                    step.uses.iter().for_each(|name| needed[*name] = true);
+                    for name in &step.uses {
+                        needed[*name] = true;
+                    }
                 }
             }
         }
