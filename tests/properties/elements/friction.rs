@@ -7,6 +7,7 @@ use crate::program::run;
 use beamgap::check::external::{CaseFound, Demands, Judgement, compare_answers};
 use beamgap::contact::State;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 /// The cases of a regime: all situations occur.
 const CASES: usize = 3;
@@ -19,10 +20,14 @@ fn table() -> Vec<u32> {
     text.lines().skip(1).map(|line| line.split_once(',').unwrap().0.parse().unwrap()).collect()
 }
 
+/// The program and its folder. It is compiled once, because tests that run side by side use it.
 fn program() -> Option<(PathBuf, PathBuf)> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("element-friction");
-    std::fs::create_dir_all(&folder).unwrap();
-    Some((compiled("friction", "friction.c", &["cc", "-O2", "-std=c99"], &folder)?, folder))
+    static PROGRAM: LazyLock<Option<(PathBuf, PathBuf)>> = LazyLock::new(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("element-friction");
+        std::fs::create_dir_all(&folder).unwrap();
+        Some((compiled("friction", "friction.c", &["cc", "-O2", "-std=c99"], &folder)?, folder))
+    });
+    PROGRAM.clone()
 }
 
 /// Whether a number of the answers is wrong, and the states of the cases.

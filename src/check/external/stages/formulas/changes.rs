@@ -60,11 +60,8 @@ fn changes() -> Vec<Change> {
     found.extend(list.of_straight_beams());
     let of_formula = |formula: &Formula| {
         let mut found = Vec::new();
-        found.extend(
-            list.twin_of(formula, 0)
-                .filter(|twin| twin.name > formula.name)
-                .map(|twin| list.exchange_of(formula, twin)),
-        );
+        let twin = list.twin_of(formula, 0).filter(|twin| twin.name > formula.name);
+        found.extend(twin.map(|twin| list.exchange_of(formula, twin)));
         for way in 0..WAYS {
             let both = |way| (formula.written(way), list.twin_of(formula, way).map(|twin| twin.written(way)));
             let ways = std::array::from_fn(|other| both(other) == both(way));
@@ -160,27 +157,19 @@ impl Formulas {
             None => (format!("in {}", names.join(" and ")), &*edit.words),
         };
         let words = format!("{subject} {verb}{scope}");
-        let derivatives: Option<Vec<_>> =
-            changed.iter().map(|(formula, tree)| self.derivative(formula, tree)).collect();
-        if let Some(derivatives) = derivatives {
+        let mut add_with = |others: Option<Vec<(&Formula, Tree)>>, scope: &str| {
+            let Some(others) = others else { return };
             let mut new = new.clone();
-            for (formula, tree) in &derivatives {
+            for (formula, tree) in &others {
                 self.put(formula, tree, &mut new);
             }
-            let words = format!("{words}, and in its derivative");
-            found.push(Change { new, cost: cost + 1, ..Change::of(words) });
-        }
+            found.push(Change { new, cost: cost + 1, ..Change::of(format!("{words}, {scope}")) });
+        };
+        let derivatives = changed.iter().map(|(formula, tree)| self.derivative(formula, tree)).collect();
+        add_with(derivatives, "and in its derivative");
         // One function of a program may solve for both orders.
-        let seconds: Option<Vec<_>> =
-            changed.iter().map(|(formula, tree)| self.second_of(formula, tree, way)).collect();
-        if let Some(seconds) = seconds {
-            let mut new = new.clone();
-            for (formula, tree) in &seconds {
-                self.put(formula, tree, &mut new);
-            }
-            let words = format!("{words}, in both orders");
-            found.push(Change { new, cost: cost + 1, ..Change::of(words) });
-        }
+        let seconds = changed.iter().map(|(formula, tree)| self.second_of(formula, tree, way)).collect();
+        add_with(seconds, "in both orders");
         let kind = self.kinds[changed[0].0.name];
         if kind.varies == [false; 2] && !kind.is_condition {
             let words = format!(

@@ -1,6 +1,6 @@
 //! Entries of gradients and Hessians that are wrong: those of a beam, of a pair of beams, along an axis.
 
-use super::changes::{Change, FACTORS};
+use super::changes::Change;
 use super::list::{FORMULAS, Formulas};
 use super::point::RESULTS;
 use super::tree::Name;
@@ -46,6 +46,11 @@ const OF_HESSIANS: [(&[usize], &str); 10] = [
     (&[0, 2], "the columns of the beam"),
     (&[1, 3], "the columns of the bar beam"),
 ];
+
+/// What is wrong with them.
+const FACTORS: [(f64, &str); 4] = [(-1.0, "the wrong sign"), (0.0, "missing"), (2.0, "twice"), (0.5, "half")];
+/// The cost of such a change.
+const COST: u32 = 3;
 
 /// Wrong entries of the gradient or Hessian of a result.
 #[derive(Clone, Copy, Debug)]
@@ -108,19 +113,12 @@ impl Formulas {
                 _ => continue,
             };
             for (blocks, of_blocks) in blocks.iter().copied() {
-                for (factor, words, cost) in FACTORS {
-                    let words =
-                        words.replace("has", "have").replace("is ", "are ").replace("counts", "count");
-                    let words = format!("in {} {of_blocks}: they {words}", self.names.0[name]);
+                for (factor, words) in FACTORS {
+                    let words = format!("in {} {of_blocks}: {words}", self.names.0[name]);
                     for is_stored in [true, false] {
                         let linear = self.linear.get(&name).copied();
                         let entries = Some(Entries { name, linear, blocks, factor });
-                        found.push(Change {
-                            entries,
-                            is_stored,
-                            cost: cost + 1,
-                            ..Change::of(words.clone())
-                        });
+                        found.push(Change { entries, is_stored, cost: COST, ..Change::of(words.clone()) });
                     }
                 }
             }

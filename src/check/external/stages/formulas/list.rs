@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 /// The formulas of the geometry and of a contact element in which errors are looked for, one a line.
 pub const LIST_OF_FORMULAS: &str = include_str!("list.txt");
 /// The number of ways in which all formulas are written.
-pub(super) const WAYS: usize = 8;
+pub(super) const WAYS: usize = 9;
 /// The way that is right for straight beams alone.
 pub(super) const STRAIGHT: usize = 3;
 /// The way in which the elastic slip of the last step is a vector. It is tried if the tangents of that step are known.

@@ -88,11 +88,8 @@ fn of_stages(
         let names = names(stage);
         let is_wrong = |given: &[Name]| points(samples, given).iter().any(|point| point.is_wrong(&names));
         if is_wrong(&given) && is_wrong(&[]) {
-            let of_one = || {
-                [&given[..], &[]]
-                    .map(|given| readings(explained(&points(samples, given), &names)))
-                    .into_iter()
-            };
+            let of_given = |given: &[Name]| readings(explained(&points(samples, given), &names));
+            let of_one = || [&given[..], &[]].into_iter().map(of_given);
             let of_matrix =
                 || matrices::reading(samples, entries).filter(|_| stage == ["K"]).into_iter().collect();
             // Two effects add up where the answer is a sum.
