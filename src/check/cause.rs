@@ -2,7 +2,9 @@
 //! explained.
 
 use super::draw::Case;
-use super::external::{Demands, Evaluator, Explanation, Formulas, Report, Vector, compare_answers, explain};
+use super::external::{
+    Demands, Evaluator, Explanation, Formulas, Report, Vector, compare_answers, explain_own,
+};
 use crate::variant::Variant;
 use serde::Serialize;
 
@@ -48,5 +50,5 @@ pub fn likely_cause(variant: &Variant, seed: u64, numbers: &[u64]) -> Option<Lik
             report.add(vector, Some(answers), found);
         }
     }
-    Some(LikelyCause { explanation: explain(&report.kept, &report.right, &demands)? })
+    Some(LikelyCause { explanation: explain_own(&report.kept, &report.right, &demands)? })
 }

@@ -32,6 +32,7 @@ pub use conventions::{Conventions, Dofs, ForceConventions, Length, Penalty, Rang
 pub use diagnose::{OtherConventions, other_conventions};
 pub use error::{ExternalError, Place};
 pub use evaluate::{Evaluator, Formulas};
+pub(crate) use explain::explain_own;
 pub use explain::{
     Cause, ExplainedFault, Explanation, Naming, Programs, RunnerUp, equation_of, explain, explained_faults,
 };

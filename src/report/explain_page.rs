@@ -15,8 +15,8 @@ impl Explain {
         let mut blocks = vec![
             Block::text(&self.conclusion()),
             Block::text(&format!(
-                "`beamgap verify` and `beamgap explain` name the term that is wrong in the answers of a program. This report \
-                 measures how often they are right. {taken}. Pairs of faults are injected, too; in every second pair both terms \
+                "`beamgap check` names injected faults, and `beamgap verify` and `beamgap explain` try them for answers that \
+                 the equations and the list of formulas do not explain. This report measures how often they are named. {taken}. Pairs of faults are injected, too; in every second pair both terms \
                  belong to the same formula. The faulty program answers 24 cases. Its answers are written as text, read again and \
                  explained.",
             )),
@@ -24,8 +24,7 @@ impl Explain {
                 "If several explanations are named, each of them alone explains the answers.",
                 "A deviation is the largest difference of a number from its prediction, over the scale of the number. *Before*: \
                  the prediction of the closed form. *After*: that of the closed form with the faults that are named first.",
-                "An explanation leaves a deviation within the rounding of the answers, or at most a thousandth of the deviation \
-                 before. A second fault that changes the answers by less is not searched for.",
+                "An explanation leaves a deviation within the rounding of the answers.",
             ]),
         ];
         let names = Naming::ALL.map(|naming| format!("#{}", naming.name()));

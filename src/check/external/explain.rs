@@ -1,10 +1,10 @@
-//! Finds the wrong term of a program: its answers are fitted by the closed form with faults.
+//! Finds the wrong term of a program.
 //!
-//! Each fault of the catalogue is injected, and the answers of the closed form with it are compared with the answers of
-//! the program, at several cases: values, variations along the directions, gradients and Hessians contracted with them,
-//! and single entries of these. A fault that leaves only rounding is an explanation. The simplest is chosen: a fault of
-//! one term, a simplification as a whole, a factor on a quantity. If there is none, the answers are put into the equations
-//! and into the list of formulas. For a contact element with its own data, this is done first.
+//! First, its answers are put into the equations and into the list of formulas. If these do not explain all answers, they are
+//! fitted by the closed form with faults. Each fault of the catalogue is injected, and the answers of the closed form with it
+//! are compared with the answers of the program, at several cases: values, variations along the directions, gradients and
+//! Hessians contracted with them, and single entries of these. A fault that leaves only rounding is an explanation. The
+//! simplest is chosen: a fault of one term, a simplification as a whole, a factor on a quantity.
 //!
 //! Answers may have few digits, so that several faults leave only rounding. Deviations are squared and summed, each
 //! over the probable rounding error. The explanation with the smallest sum is the best. Another one is distinct from
@@ -94,26 +94,47 @@ pub struct Cause {
 /// Explains the wrong answers to these cases; nothing if none of them can be compared. `right` are cases at which nothing
 /// is wrong.
 ///
-/// If no fault of one term of this library's formulas explains them, the answers are put into the equations and into the list
-/// of formulas.
+/// The answers are put into the equations and into the list of formulas. If these do not explain all answers, faults of this
+/// library's formulas are tried.
 pub fn explain(
     cases: &[(Vector, Answers)],
     right: &[(Vector, Answers)],
     demands: &Demands,
 ) -> Option<Explanation> {
-    let trace = || traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands);
-    // The formulas of a contact element are searched as a whole, which tells more than faults of single terms.
-    if cases.iter().all(|(vector, _)| vector.element.is_some())
-        && let Some(traced) = trace().filter(|traced| traced.is_of_formulas || !traced.causes.is_empty())
-    {
-        return Some(Explanation { cases: traced.cases, ..Explanation::default() }.with(traced));
+    let traced = traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands);
+    let is_element = cases.iter().all(|(vector, _)| vector.element.is_some());
+    // The formulas of a contact element, searched as a whole, tell more than faults of single terms.
+    let is_told = |of: &Traced| {
+        let is_one = of.is_complete() && of.beyond.is_empty();
+        is_one || (is_element && (of.is_of_formulas || !of.causes.is_empty()))
+    };
+    match traced {
+        Some(traced) if is_told(&traced) => {
+            Some(Explanation { cases: traced.cases, ..Explanation::default() }.with(traced))
+        }
+        traced => Some(with_faults_first(of_faults(cases, right, demands, &Memo::default())?, traced)),
     }
-    let (found, is_likely) = of_faults(cases, right, demands, &Memo::default())?;
-    if is_likely || found.is_faint {
-        return Some(found);
+}
+
+/// The same for answers of this library's formulas with faults: these are tried first, so they have the names of the catalogue.
+pub(crate) fn explain_own(
+    cases: &[(Vector, Answers)],
+    right: &[(Vector, Answers)],
+    demands: &Demands,
+) -> Option<Explanation> {
+    let found = of_faults(cases, right, demands, &Memo::default())?;
+    let traced = || traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands);
+    let traced = if found.causes.is_empty() { traced() } else { None };
+    Some(with_faults_first(found, traced))
+}
+
+/// The faults, if some explain the answers; else what the equations say of them.
+fn with_faults_first(found: Explanation, traced: Option<Traced>) -> Explanation {
+    let is_open = found.causes.is_empty() && !found.is_faint;
+    match traced.filter(|_| is_open) {
+        Some(traced) => found.with(traced),
+        None => found,
     }
-    let is_better = |traced: &Traced| found.causes.is_empty() || traced.is_complete();
-    Some(trace().filter(is_better).map_or(found.clone(), |traced| found.with(traced)))
 }
 
 impl Explanation {
@@ -141,13 +162,13 @@ impl Explanation {
     }
 }
 
-/// The faults that explain the answers, and do not spoil the right ones. Whether they leave no more than is likely.
+/// The faults that explain the answers, and do not spoil the right ones.
 fn of_faults(
     cases: &[(Vector, Answers)],
     right: &[(Vector, Answers)],
     demands: &Demands,
     memo: &Memo,
-) -> Option<(Explanation, bool)> {
+) -> Option<Explanation> {
     let known: Vec<Known> = cases.iter().filter_map(Known::new).collect();
     let all: Vec<(usize, AnsweredCase)> = (0..known.len())
         .into_par_iter()
@@ -161,8 +182,7 @@ fn of_faults(
     let mut fits = search(&cases);
     // More data are used only to distinguish several explanations.
     let before = before(&cases);
-    let is_explained = |fit: &Fit| fit.explains(before) || fit.is_close(before);
-    if near(&fits).len() > 1 && near(&fits).iter().any(is_explained) {
+    if near(&fits).len() > 1 && near(&fits).iter().any(|fit| fit.explains(before)) {
         let of_entries: Vec<Known> =
             clear.iter().take(PROBED).flat_map(|(i, _)| known[*i].entries()).collect();
         let entries: Vec<AnsweredCase> = of_entries
@@ -188,8 +208,7 @@ fn of_faults(
         let alike = alike.iter().map(Change::name).collect();
         Cause { name: of.change.name(), words: of.change.words(), coefficient, alike }
     };
-    let is_likely = found.equal.iter().any(|of| of.fit.mean() <= LIKELY);
-    let explanation = Explanation {
+    Some(Explanation {
         causes: found.equal.iter().map(cause).collect(),
         before: found.before,
         after: found.equal.first().map(|of| of.fit.worst),
@@ -199,12 +218,9 @@ fn of_faults(
         place: None,
         beyond: Vec::new(),
         is_of_formulas: false,
-    };
-    Some((explanation, is_likely))
+    })
 }
 
-/// The mean of the squares up to which only rounding remains.
-const LIKELY: f64 = 2.0;
 /// The number of sentences on what is wrong beyond the first equation.
 const BEYOND: usize = 1;
 /// The number of cases that are used.

@@ -170,7 +170,7 @@ fn a_contact_element_is_checked_by_its_residual_and_tangent() {
     let found =
         explain(&report.kept, &report.right, &Demands { conventions: *reader.conventions(), digits: None })
             .unwrap();
-    assert_eq!(found.causes[0].name, "geometric-stiffness-missing", "{found:?}");
+    assert_eq!(found.causes[0].name, "the term k g_N Ddg_N is missing", "{found:?}");
     // The tangent with the opposite sign.
     let negative = only(&text, &|line, k| -line["tangent"][k].as_f64().unwrap());
     assert!(verified(&all, &with_head(&negative, "\"tangent_sign\":\"-\""), None).unwrap().agrees());

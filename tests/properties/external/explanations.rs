@@ -6,7 +6,7 @@ use beamgap::check::external::{AnswerReader, Demands, Evaluator, Formulas, Vecto
 use beamgap::check::{Family, Regime};
 use beamgap::variant::with_faults;
 
-/// The cause of the errors in the answers of a program with these faults.
+/// The cause of the errors in the answers of a program with these faults, in words.
 fn cause(all: &[Vector], faults: &[&str], digits: Option<u8>) -> String {
     let names: Vec<String> = faults.iter().map(|fault| (*fault).to_owned()).collect();
     let variant = with_faults(&names).unwrap();
@@ -18,21 +18,25 @@ fn cause(all: &[Vector], faults: &[&str], digits: Option<u8>) -> String {
     };
     let report = verified(all, &answers(&program, all), digits).unwrap();
     let found = explain(&report.kept, &report.right, &Demands { digits, ..Demands::default() }).unwrap();
-    found.causes.into_iter().map(|cause| cause.name).collect::<Vec<_>>().join(", ")
+    found.causes.into_iter().map(|cause| cause.words).collect::<Vec<_>>().join(", ")
 }
 
 #[test]
 fn the_wrong_term_is_named() {
     let all = vectors(&drawing(&[Family::Quadratic], &[Regime::Generic], 6));
-    for fault in [
-        "a: d.t,xi = dropped",
-        "Dd|d|: d.du,xi Dxi = sign",
-        "H_d: b gg_bar' = doubled",
-        "R2: t.rest = halved",
+    for (fault, words) in [
+        ("a: d.t,xi = dropped", "in a, eq. (50), the term d.t,xi is missing"),
+        (
+            "Dd|d|: d.du,xi Dxi = sign",
+            "in the second order of d the term Dxi du of the beam, eq. (40), has the wrong sign",
+        ),
+        ("H_d: b gg_bar' = doubled", "in the second order of d the term b, eq. (40), counts twice"),
+        ("R2: t.rest = halved", "in the second order of xi and xi_bar the term Ddd, eq. (55), is halved"),
     ] {
-        assert_eq!(cause(&all, &[fault], None), fault);
+        assert_eq!(cause(&all, &[fault], None), words);
     }
-    assert_eq!(cause(&all, &["a_bar: d.t_bar,xi = sign"], Some(6)), "a_bar: d.t_bar,xi = sign");
+    let words = "in a_bar, eq. (50), the term d.t_bar,xi has the wrong sign";
+    assert_eq!(cause(&all, &["a_bar: d.t_bar,xi = sign"], Some(6)), words);
 }
 
 #[test]
@@ -96,8 +100,10 @@ fn gradients_and_hessians_of_few_digits_tell_terms_apart() {
         assert!(!found.is_faint);
         found.causes.into_iter().map(|cause| cause.name).collect::<Vec<_>>()
     };
-    assert_eq!(arrays("H_d: a gg' = sign"), ["H_d: a gg' = sign"]);
-    assert_eq!(arrays("H_d: A0'A0 = doubled"), ["H_d: A0'A0 = doubled"]);
+    // For straight beams a is t.t.
+    let alike = ["the term t.t of a has the wrong sign", "the term a has the wrong sign"];
+    assert_eq!(arrays("H_d: a gg' = sign"), alike);
+    assert_eq!(arrays("H_d: A0'A0 = doubled"), ["the term du.Du counts twice"]);
 }
 
 /// For straight beams the terms of curvature are zero, so a fault in them changes no answer.

@@ -61,7 +61,7 @@ fn a_missing_division_is_named() {
     };
     for digits in [None, Some(6)] {
         let found = explained(digits, times("d", "hessian"));
-        assert_eq!(names(&found)[0], "in Dd|d| the division by |d| is left out", "{found:?}");
+        assert_eq!(names(&found)[0], "in Dd|d|, eq. (40), the division by |d| is left out", "{found:?}");
         let found = explained(digits, times("d", "gradient"));
         assert_eq!(names(&found)[0], "the term d dd is wrong: 1 stands in the place of d", "{found:?}");
         // The normal in the product of normals is d, and not a unit vector.
@@ -92,7 +92,10 @@ fn a_product_without_its_transpose_is_named() {
         assert!((found.causes[0].coefficient.unwrap() + 1.0).abs() < 1e-3);
         // The same product twice, instead of the product and its transpose.
         let found = explained(digits, |line| change(line, 1.0, -1.0));
-        assert!(names(&found).contains(&"in Dd|d| the term b dxi_bar Dxi is transposed"), "{found:?}");
+        assert!(
+            names(&found).contains(&"in Dd|d|, eq. (40), the term b dxi_bar Dxi is transposed"),
+            "{found:?}"
+        );
         // One line of a program serves both beams.
         let found = explained(digits, |line| {
             for bar in ["", "_bar"] {
@@ -102,7 +105,11 @@ fn a_product_without_its_transpose_is_named() {
                 add(line, &slip, -1.0, [&g, &grad_t]);
             }
         });
-        assert_eq!(names(&found), ["in Ddg_T and Ddg_T_bar the term D|t| dxi is missing"], "{found:?}");
+        assert_eq!(
+            names(&found),
+            ["in Ddg_T and Ddg_T_bar, eq. (21), the term D|t| dxi is missing"],
+            "{found:?}"
+        );
         assert!(found.beyond.is_empty(), "{found:?}");
     }
 }

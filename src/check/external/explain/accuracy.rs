@@ -34,8 +34,7 @@ enumeration! {
         Equivalent => "equivalent",
         /// They were named together with others that yield the same numbers at these cases, but not elsewhere.
         Among => "among",
-        /// One of two faults was named. The other one changes the numbers at these cases by no more than a thousandth of the
-        /// deviation.
+        /// One of two faults was named.
         Fewer => "fewer",
         /// Only other faults were named.
         Other => "other",
@@ -120,11 +119,12 @@ fn explained(
     let Some(report) = judged(&faults, vectors, demands) else {
         return ExplainedFault { faults, naming: Naming::Undetected, named: Vec::new(), deviation: [0.0; 2] };
     };
-    let Some((found, is_likely)) = of_faults(&report.kept, &report.right, demands, memo) else {
+    let Some(found) = of_faults(&report.kept, &report.right, demands, memo) else {
         return ExplainedFault { faults, naming: Naming::None, named: Vec::new(), deviation: [0.0; 2] };
     };
-    let is_better = |traced: &Traced| found.causes.is_empty() || traced.is_complete();
-    if !is_likely && let Some(traced) = traced_in(&report, demands).filter(is_better) {
+    if found.causes.is_empty()
+        && let Some(traced) = traced_in(&report, demands)
+    {
         let (naming, named) = in_equations(&faults, traced, vectors, demands);
         return ExplainedFault { faults, naming, named, deviation: deviation(&found) };
     }

@@ -69,15 +69,7 @@ impl Fit {
     pub(super) fn explains(&self, before: f64) -> bool {
         self.over <= 1.0 && self.worst <= before
     }
-
-    /// Whether only a small part of the deviation remains: the answers have few digits that were not stated.
-    pub(super) fn is_close(&self, before: f64) -> bool {
-        before.is_finite() && self.worst <= CLOSE * before
-    }
 }
-
-/// The part of the deviation that may remain if answers have few digits.
-const CLOSE: f64 = 1e-3;
 
 /// The largest sum of squares that is not distinguished from the smallest. Errors may be larger than expected.
 pub(super) fn limit(best: &Fit) -> f64 {

@@ -122,7 +122,7 @@ pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
     };
     // If correct answers are not distinguished better than this, the cause is unknown.
     let is_faint = fits.iter().any(|of| is_near(of) && of.change.is_none() && of.explains(before));
-    let explains = |of: &Fit| !is_faint && is_near(of) && (of.explains(before) || of.is_close(before));
+    let explains = |of: &Fit| !is_faint && is_near(of) && of.explains(before);
     let (mut equal, mut others): (Vec<_>, Vec<_>) = fits.into_iter().partition(explains);
     equal.sort_by_key(|of| (of.change.class(), of.order));
     if let Some(simplest) = equal.first().map(|of| of.change.class()) {

@@ -151,11 +151,16 @@ impl Formulas {
         let names: Vec<_> = changed.iter().map(|(of, _)| self.words_of(of)).collect();
         let cost = edit.cost + u32::from(changed.len() > 1 || !scope.is_empty());
         // What is wrong with the whole formula is told of its result.
+        let of_equation = match changed[0].0.equation {
+            "" => String::new(),
+            number => format!(", eq. ({number}),"),
+        };
         let (subject, verb) = match edit.words.strip_prefix("it ") {
             Some(verb) if names.len() > 1 => (format!("each of {}", names.join(" and ")), verb),
             Some(verb) => (names.concat(), verb),
             None => (format!("in {}", names.join(" and ")), &*edit.words),
         };
+        let subject = format!("{subject}{of_equation}");
         let words = format!("{subject} {verb}{scope}");
         let mut add_with = |others: Option<Vec<(&Formula, Tree)>>, scope: &str| {
             let Some(others) = others else { return };

@@ -48,6 +48,8 @@ pub(super) struct Formula {
     pub(super) ways: [Tree; WAYS],
     /// The name of the same formula along Delta.
     pub(super) linear: Option<Name>,
+    /// The number of its equation in the paper; empty if it has none.
+    pub(super) equation: &'static str,
 }
 
 impl Formula {
@@ -101,6 +103,7 @@ impl Formulas {
         };
         list.add_inputs();
         for line in LIST_OF_FORMULAS.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
+            let (line, equation) = line.trim_end_matches(']').rsplit_once("  [").unwrap_or((line, ""));
             let (name, text) = line.split_once('=').unwrap_or((line, ""));
             let (way, text) = text.split_once(' ').unwrap_or((text, ""));
             let tree = Parser::tree(text, &mut list.names);
@@ -110,7 +113,7 @@ impl Formulas {
                     formula.write(way, &tree);
                 }
             } else {
-                list.add(name.trim(), &tree);
+                list.add(name.trim(), &tree, equation);
             }
         }
         list.twins = list.find_twins();
@@ -143,7 +146,7 @@ impl Formulas {
         self.inputs = self.kinds.len();
     }
 
-    fn add(&mut self, name: &str, tree: &Tree) {
+    fn add(&mut self, name: &str, tree: &Tree, equation: &'static str) {
         let kind = self.kind(tree);
         let place = self.names.add(name);
         self.kinds.push(kind);
@@ -153,7 +156,8 @@ impl Formulas {
             self.linear.insert(place, linear);
         }
         assert_eq!(self.kinds.len(), self.names.0.len(), "a formula before {name} has an unknown name");
-        self.all.push(Formula { name: place, ways: std::array::from_fn(|_| tree.clone()), linear });
+        let ways = std::array::from_fn(|_| tree.clone());
+        self.all.push(Formula { name: place, ways, linear, equation });
     }
 
     /// The kind of the result of a formula.

@@ -133,7 +133,7 @@ fn answers_with_a_change_are_explained() {
 #[test]
 fn a_change_that_spoils_right_answers_is_not_told() {
     let samples: Vec<Sample> = right_answers(&Family::ALL).into_iter().step_by(2).collect();
-    let words = "in dxi the term dp/a has the wrong sign";
+    let words = "in dxi, eq. (52), the term dp/a has the wrong sign";
     let change = CHANGES.iter().find(|change| change.words == words).unwrap();
     let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, change)).collect();
     let causes = found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
