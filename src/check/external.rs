@@ -25,6 +25,7 @@ mod report;
 mod shape;
 mod stages;
 mod vectors;
+mod which_entries;
 
 pub use answers::{ANSWERS, AnswerReader, Answers, Program};
 pub use compare::{CaseFound, Demands, Judged, Judgement, compare_answers};

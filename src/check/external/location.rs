@@ -5,10 +5,12 @@ use super::compare::Judged;
 use super::conventions::{Conventions, Length, Range};
 use super::shape::Shape;
 use super::vectors::Vector;
+use super::which_entries::{Dof, Entries};
 use crate::check::evaluation_point::Dense;
 use crate::check::serialized::short;
 use crate::linearization::Quantity;
 use crate::linearization::closed_form::Formulation;
+use crate::test_beam::Family;
 use crate::variant::Variant;
 use serde::Serialize;
 
@@ -31,6 +33,8 @@ pub struct Location {
     pub scaled_error: f64,
     /// The number of entries that differ by more than a thousandth of this one's difference.
     pub differing: usize,
+    /// Which entries differ, and what they are, if these have something in common.
+    pub which: Option<String>,
     /// Whether the matrix of differences is antisymmetric.
     pub is_antisymmetric: bool,
     /// The shape of the matrix, if it is not an ordinary symmetric one.
@@ -72,14 +76,22 @@ pub fn locate(
         })
         .ok()??;
     let expected = if is_second { expected.1 } else { expected.0 };
-    let beam = vector.families()[0].units().len();
+    let families = vector.families();
+    let beam = families[0].units().len();
+    let vectors = families.map(Family::vectors);
+    let component = |place: usize| {
+        let [bar, place] = if place < beam { [0, place] } else { [1, place - beam] };
+        let vector = vectors[bar].iter().rposition(|start| (*start..start + 3).contains(&place))?;
+        Some([vector, place - vectors[bar][vector]])
+    };
     let directions = vector.directions();
     // A dof that the element does not have has no direction.
     let dofs: Vec<Dof> = conventions
         .dofs(vector.families())
         .into_iter()
         .map(|(place, _)| Dof {
-            block: if place < beam { "beam" } else { "bar" },
+            is_bar: place >= beam,
+            vector: component(place),
             is_there: directions.iter().any(|direction| direction[place] != 0.0),
         })
         .collect();
@@ -151,14 +163,6 @@ fn in_order(
     (own, rows.collect())
 }
 
-/// A dof of the program.
-struct Dof {
-    /// Its beam.
-    block: &'static str,
-    /// Whether the element has it.
-    is_there: bool,
-}
-
 fn entry(
     answered: &[f64],
     expected: &[f64],
@@ -187,8 +191,13 @@ fn entry(
         (signed(k) + signed(mirror)).abs() <= 1e-6 * difference(worst)
     };
     let indices = if is_second { vec![worst / size, worst % size] } else { vec![worst] };
-    let block = indices.iter().map(|&i| dofs[i].block);
+    let block = indices.iter().map(|&i| if dofs[i].is_bar { "bar" } else { "beam" });
     let rows: Vec<f64> = (0..answered.len()).map(|k| answered[at(k)]).collect();
+    let is_wrong: Vec<bool> = (0..expected.len()).map(|k| difference(k) > limit).collect();
+    let shape = if is_second { Shape::of(&rows, expected, size) } else { None };
+    let first = conventions.first_index;
+    let entries = Entries { answered: &rows, expected, is_wrong: &is_wrong, dofs, first };
+    let is_told = shape.is_some_and(|shape| shape != Shape::Unsymmetric);
     Some(Location {
         what: match (is_energy, is_second) {
             (false, false) => "gradient",
@@ -200,9 +209,10 @@ fn entry(
         answered: answered[at(worst)],
         expected: expected[worst],
         scaled_error: difference(worst) / largest,
-        differing: (0..expected.len()).filter(|&k| difference(k) > limit).count(),
+        differing: is_wrong.iter().filter(|is_wrong| **is_wrong).count(),
+        which: if is_told { None } else { entries.words() },
         is_antisymmetric: is_second && (0..expected.len()).all(antisymmetric),
-        shape: if is_second { Shape::of(&rows, expected, size) } else { None },
+        shape,
         indices,
     })
 }

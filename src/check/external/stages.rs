@@ -35,7 +35,7 @@ use point::Point;
 use rayon::prelude::*;
 use sample::{Along, Sample, samples};
 use sentences::{of_curves, of_status, result_words};
-use std::cell::OnceCell;
+use std::cell::{LazyCell, OnceCell};
 
 /// What the equations say of the answers of a program.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -170,12 +170,12 @@ fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Op
             return Some(traced);
         }
     }
-    let of_one_error: Vec<_> =
-        all_wrong.par_iter().map(|(e, cases)| examined(&equations[*e], &points, cases, false)).collect();
-    // An error that is told by its whole effect is told before several errors, or none.
-    let is_one = of_one_error.len() == 1 && is_known(&of_one_error[0]);
     let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
-    if !is_one {
+    let of_one_error: LazyCell<Vec<_>, _> = LazyCell::new(|| {
+        all_wrong.par_iter().map(|(e, cases)| examined(&equations[*e], &points, cases, false)).collect()
+    });
+    // An error that is told by its whole effect is told before several errors, or none.
+    if wrong.len() > 1 || !is_known(&of_one_error[0]) {
         let mut causes = formulas::of_all(&samples);
         if causes.is_empty() && has_arrays {
             causes = of_entries(&entries.each_ref().map(|(along, cell)| &**cell.get_or_init(|| of(*along))));
@@ -185,7 +185,7 @@ fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Op
         }
     }
     let mut with_pairs = 0;
-    for ((e, cases), mut found) in all_wrong.iter().zip(of_one_error) {
+    for ((e, cases), mut found) in all_wrong.iter().zip(of_one_error.clone()) {
         let (equation, mut words_of_triangle) = (&equations[*e], "");
         let in_entries = || {
             let is_matrix = has_arrays && equation.results.iter().all(|(_, part)| *part == 3);

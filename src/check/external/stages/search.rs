@@ -5,6 +5,7 @@ use super::point::Point;
 use super::rows::Row;
 use super::terms::{Earlier, Reading, Term};
 use crate::number::RunningError;
+use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// The residual of a sum at the samples.
@@ -94,15 +95,11 @@ impl<'a> System<'a> {
     /// The rows that alone leave only rounding, each with its factor.
     pub(super) fn singles(&self, rows: &[Row]) -> Vec<Vec<(usize, f64)>> {
         let probes = self.probes(6);
-        let mut found = Vec::new();
-        for (k, row) in rows.iter().enumerate() {
-            if let Some(factor) = self.factor(row, &probes)
-                && self.is_explained(&[(row, factor)])
-            {
-                found.push(vec![(k, factor)]);
-            }
-        }
-        found
+        let explains = |(k, row): (usize, &Row)| {
+            let factor = self.factor(row, &probes)?;
+            self.is_explained(&[(row, factor)]).then(|| vec![(k, factor)])
+        };
+        rows.par_iter().enumerate().filter_map(explains).collect()
     }
 
     fn factor(&self, row: &Row, probes: &[usize]) -> Option<f64> {

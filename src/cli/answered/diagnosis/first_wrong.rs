@@ -4,6 +4,7 @@ use super::ANTISYMMETRIC;
 use crate::cli::answered::name_of;
 use crate::cli::count::count as counted;
 use crate::cli::human::error;
+use crate::cli::terminal::folded;
 use crate::cli::verify::Verified;
 use beamgap::check::external::{Judged, Location, is_of_element, locate};
 use beamgap::check::{Comparison, Order, look_at};
@@ -87,7 +88,8 @@ fn first(judged: &Judged, case: &str, place: &str, location: Option<(&Location, 
     };
     let indices: Vec<_> = location.indices.iter().map(|i| (i + first_index).to_string()).collect();
     let differing = if location.differing > 1 {
-        format!("  {} entries differ, this one most\n", location.differing)
+        let which = location.which.as_ref().map_or_else(String::new, |which| format!(": {which}"));
+        folded(&format!("{} entries differ, this one most{which}", location.differing), "  ", "    ") + "\n"
     } else {
         String::new()
     };

@@ -6,6 +6,7 @@ use super::list::{FORMULAS, Formula, Formulas, WAYS};
 use super::point::RESULTS;
 use super::tree::{Name, Op, Tree};
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::sync::LazyLock;
 
 /// A change of the self.
@@ -59,65 +60,82 @@ fn changes() -> Vec<Change> {
     found.extend(list.of_results());
     found.extend(list.of_straight_beams());
     let of_formula = |formula: &Formula| {
-        let mut found = Vec::new();
-        let twin = list.twin_of(formula, 0).filter(|twin| twin.name > formula.name);
-        found.extend(twin.map(|twin| list.exchange_of(formula, twin)));
-        for way in 0..WAYS {
-            let both = |way| (formula.written(way), list.twin_of(formula, way).map(|twin| twin.written(way)));
-            let ways = std::array::from_fn(|other| both(other) == both(way));
-            if !ways[..way].contains(&true) {
-                let start = found.len();
-                list.add_changes(formula, way, &mut found);
-                found[start..].iter_mut().for_each(|change| change.ways = ways);
-            }
-        }
-        found
+        let twin = list.twin_of(formula, 0).filter(|twin| twin.name > formula.name)?;
+        Some(list.exchange_of(formula, twin))
     };
-    found.par_extend(list.all.par_iter().flat_map_iter(of_formula));
+    found.extend(list.all.iter().filter_map(of_formula));
+    let written =
+        list.all.par_iter().flat_map(|formula| (0..WAYS).into_par_iter().map(move |way| (formula, way)));
+    found.par_extend(written.flat_map(|(formula, way)| list.changes_of(formula, way)));
     found
 }
 
 impl Formulas {
-    /// The changes of a formula that is written in this way.
-    fn add_changes(&self, formula: &Formula, way: usize, found: &mut Vec<Change>) {
-        let tree = formula.written(way);
-        let twin = self.twin_of(formula, way).filter(|twin| twin.name > formula.name);
+    /// The changes of a formula that is written in this way, unless an earlier way is the same.
+    fn changes_of(&self, formula: &Formula, way: usize) -> Vec<Change> {
+        let twin = |way| self.twin_of(formula, way);
+        let both = |way| (formula.written(way), twin(way).map(|twin| twin.written(way)));
+        let ways: [bool; WAYS] = std::array::from_fn(|other| both(other) == both(way));
+        if ways[..way].contains(&true) {
+            return Vec::new();
+        }
+        let twin = twin(way).filter(|twin| twin.name > formula.name);
         let of_twin = twin.map(|twin| edits(twin.written(way), &|name| self.others(name, twin)));
-        for edit in edits(tree, &|name| self.others(name, formula)) {
-            let new = tree.with(&edit.path, &edit.new);
-            self.add_change(way, &[(formula, &new)], &edit, "", found);
-            // A name may be wrong in all its places.
-            if let (Op::Name(old), Op::Name(other)) = (&edit.old.op, &edit.new.op) {
-                let everywhere = tree.renamed(&|name| if name == *old { *other } else { name });
-                if everywhere != new && tree.find(&|of| *of == edit.old).as_ref() == Some(&edit.path) {
-                    self.add_change(way, &[(formula, &everywhere)], &edit, ", in all its places", found);
-                }
-            }
-            let [old, other] = [&edit.old, &edit.new].map(|tree| self.twin_tree(tree));
-            // The same error in the formula of the other beam, or for the other beam in the same formula.
+        let same: HashMap<_, _> =
+            of_twin.iter().flatten().rev().map(|edit| ((edit.what, &*edit.path), edit)).collect();
+        let of_edit = |edit: Edit| {
+            let mut found = Vec::new();
             let what = match edit.what {
                 What::Other(name) => What::Other(self.twin(name)),
                 what => what,
             };
-            let is_same = |of: &&Edit| of.what == what && of.path == edit.path;
-            let same = of_twin.iter().flatten().find(is_same);
-            if let (Some(twin), Some(same)) = (twin, same) {
-                let tree = twin.written(way).with(&same.path, &same.new);
-                self.add_change(way, &[(formula, &new), (twin, &tree)], &edit, "", found);
+            let same = twin.zip(same.get(&(what, &*edit.path)).copied());
+            self.add_changes((formula, way), &edit, same, &mut found);
+            for change in &mut found {
+                change.ways = ways;
             }
-            let later = |tree: &Tree| new.find(&|of| of == tree).filter(|path| *path > edit.path);
-            if let Some(path) = later(&old).filter(|_| old != edit.old) {
-                let tree = new.with(&path, &other);
-                self.add_change(way, &[(formula, &tree)], &edit, ", as its twin", found);
+            found
+        };
+        let edits = edits(formula.written(way), &|name| self.others(name, formula));
+        edits.into_par_iter().flat_map_iter(of_edit).collect()
+    }
+
+    /// The changes with an edit of a formula. `same` is the same edit of its twin.
+    fn add_changes(
+        &self,
+        (formula, way): (&Formula, usize),
+        edit: &Edit,
+        same: Option<(&Formula, &Edit)>,
+        found: &mut Vec<Change>,
+    ) {
+        let tree = formula.written(way);
+        let new = tree.with(&edit.path, &edit.new);
+        self.add_change(way, &[(formula, &new)], edit, "", found);
+        // A name may be wrong in all its places.
+        if let (Op::Name(old), Op::Name(other)) = (&edit.old.op, &edit.new.op) {
+            let everywhere = tree.renamed(&|name| if name == *old { *other } else { name });
+            if everywhere != new && tree.find(&|of| *of == edit.old).as_ref() == Some(&edit.path) {
+                self.add_change(way, &[(formula, &everywhere)], edit, ", in all its places", found);
             }
-            // Both of two terms that are each other's transpose.
-            let transposed = |tree: &Tree| self.transposed(tree);
-            if let Some((old, other)) = transposed(&edit.old).zip(transposed(&edit.new))
-                && let Some(path) = later(&old).filter(|_| old != edit.old)
-            {
-                let tree = new.with(&path, &other);
-                self.add_change(way, &[(formula, &tree)], &edit, ", as its transpose", found);
-            }
+        }
+        // The same error in the formula of the other beam, or for the other beam in the same formula.
+        if let Some((twin, same)) = same {
+            let tree = twin.written(way).with(&same.path, &same.new);
+            self.add_change(way, &[(formula, &new), (twin, &tree)], edit, "", found);
+        }
+        let [old, other] = [&edit.old, &edit.new].map(|tree| self.twin_tree(tree));
+        let later = |tree: &Tree| new.find(&|of| of == tree).filter(|path| *path > edit.path);
+        if let Some(path) = later(&old).filter(|_| old != edit.old) {
+            let tree = new.with(&path, &other);
+            self.add_change(way, &[(formula, &tree)], edit, ", as its twin", found);
+        }
+        // Both of two terms that are each other's transpose.
+        let transposed = |tree: &Tree| self.transposed(tree);
+        if let Some((old, other)) = transposed(&edit.old).zip(transposed(&edit.new))
+            && let Some(path) = later(&old).filter(|_| old != edit.old)
+        {
+            let tree = new.with(&path, &other);
+            self.add_change(way, &[(formula, &tree)], edit, ", as its transpose", found);
         }
     }
 

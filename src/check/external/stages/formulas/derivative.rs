@@ -77,11 +77,7 @@ fn derivative(tree: &Tree, of: &impl Fn(Name) -> Of) -> Option<Tree> {
 #[expect(clippy::option_option, reason = "unknown, zero, or a formula")]
 fn derived(tree: &Tree, of: &impl Fn(Name) -> Of) -> Option<Option<Tree>> {
     let branches = || tree.of.iter().map(|branch| derived(branch, of)).collect::<Option<Vec<_>>>();
-    let with = |i: usize, branch: Tree| {
-        let mut new = tree.clone();
-        new.of[i] = branch;
-        new
-    };
+    let with = |i: usize, branch: Tree| tree.with(&[i], &branch);
     let summed = |terms: Vec<(bool, Tree)>| if terms.is_empty() { None } else { Some(Tree::sum(terms)) };
     Some(match &tree.op {
         Op::Number(_) | Op::Less => None,
@@ -91,7 +87,7 @@ fn derived(tree: &Tree, of: &impl Fn(Name) -> Of) -> Option<Option<Tree>> {
             Of::Unknown => return None,
         },
         Op::Sum(signs) => {
-            let terms = branches()?.into_iter().zip(signs);
+            let terms = branches()?.into_iter().zip(signs.iter());
             summed(terms.filter_map(|(branch, &sign)| Some((sign, branch?))).collect())
         }
         Op::Product(divides) => {

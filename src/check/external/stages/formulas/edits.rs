@@ -18,7 +18,7 @@ pub(super) struct Edit {
 }
 
 /// The kind of a change.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum What {
     Sign,
     Missing,
@@ -33,6 +33,8 @@ pub(super) enum What {
     Without(usize),
     /// A factor is there twice.
     Squared(usize),
+    /// It is divided by a factor, or multiplied by what it must be divided by.
+    Inverted(usize),
     /// A branch of a choice is always taken.
     Always(usize),
     Reversed,
@@ -50,7 +52,7 @@ impl What {
         match self {
             Self::Sign | Self::Missing | Self::Holds(_) => 2,
             Self::Other(_) => 4,
-            Self::Squared(_) | Self::Axes(_) | Self::Exchanged | Self::Forgotten => 5,
+            Self::Squared(_) | Self::Inverted(_) | Self::Axes(_) | Self::Exchanged | Self::Forgotten => 5,
             _ => 3,
         }
     }
@@ -133,23 +135,8 @@ impl Edits<'_> {
         }
         match &tree.op {
             Op::Product(divides) => {
-                for (i, factor) in tree.of.iter().enumerate() {
-                    let factors: Vec<_> = divides.iter().copied().zip(tree.of.iter().cloned()).collect();
-                    let what = if divides[i] { "the division by" } else { "the factor" };
-                    let of = format!("{what} {}", text(factor));
-                    let mut without = factors.clone();
-                    let factor = without.remove(i);
-                    let squared = [factors, vec![factor]].concat();
-                    add(
-                        What::Without(i),
-                        Tree::product(without),
-                        format!("{of}{} is left out", place.words(tree)),
-                    );
-                    add(
-                        What::Squared(i),
-                        Tree::product(squared),
-                        format!("{of}{} is there twice", place.words(tree)),
-                    );
+                for (what, new, words) in of_factors(tree, divides, &place.words(tree)) {
+                    add(what, new, words);
                 }
             }
             Op::If => {
@@ -218,6 +205,29 @@ impl Edits<'_> {
             self.add_of(branch, &of);
         }
     }
+}
+
+/// The changes of a product: a factor left out, there twice, or on the other side of the division.
+fn of_factors(tree: &Tree, divides: &[bool], in_term: &str) -> Vec<(What, Tree, String)> {
+    let mut found = Vec::new();
+    let factors: Vec<_> = divides.iter().copied().zip(tree.of.iter().cloned()).collect();
+    for (i, factor) in tree.of.iter().enumerate() {
+        let what = if divides[i] { "the division by" } else { "the factor" };
+        let of = format!("{what} {}{in_term}", text(factor));
+        let mut without = factors.clone();
+        without.remove(i);
+        found.push((What::Without(i), Tree::product(without), format!("{of} is left out")));
+        let squared = [&factors[..], &factors[i..=i]].concat();
+        found.push((What::Squared(i), Tree::product(squared), format!("{of} is there twice")));
+        if tree.of.len() > 1 && !FORMULAS.kind(factor).is_vector {
+            let mut inverted = factors.clone();
+            inverted[i].0 = !divides[i];
+            let verb = if divides[i] { "multiplied" } else { "divided" };
+            let words = format!("the term {} is {verb} by {}", text(tree), text(factor));
+            found.push((What::Inverted(i), Tree::product(inverted), words));
+        }
+    }
+    found
 }
 
 /// The components of a vector as programs confuse them, in words.

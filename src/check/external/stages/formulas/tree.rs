@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::fmt::Write;
+use std::sync::Arc;
 
 /// The place of a name in [`Names`].
 pub(super) type Name = usize;
@@ -31,9 +32,9 @@ pub(super) enum Op {
     Number(f64),
     Name(Name),
     /// A sum; whether each term is subtracted.
-    Sum(Vec<bool>),
+    Sum(Arc<[bool]>),
     /// A product; whether each factor is divided by.
-    Product(Vec<bool>),
+    Product(Arc<[bool]>),
     Dot,
     Cross,
     Root,
@@ -45,34 +46,34 @@ pub(super) enum Op {
     If,
 }
 
-/// A formula.
+/// A formula. Its branches are shared by the many trees that differ in one place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tree {
     pub(super) op: Op,
-    pub(super) of: Vec<Tree>,
+    pub(super) of: Arc<[Tree]>,
 }
 
 impl Tree {
-    pub(super) fn new(op: Op, of: Vec<Self>) -> Self {
-        Self { op, of }
+    pub(super) fn new(op: Op, of: impl Into<Arc<[Self]>>) -> Self {
+        Self { op, of: of.into() }
     }
 
     pub(super) fn number(value: f64) -> Self {
-        Self::new(Op::Number(value), vec![])
+        Self::new(Op::Number(value), [])
     }
 
     pub(super) fn name(name: Name) -> Self {
-        Self::new(Op::Name(name), vec![])
+        Self::new(Op::Name(name), [])
     }
 
     pub(super) fn sum(terms: Vec<(bool, Self)>) -> Self {
-        let (signs, of) = terms.into_iter().unzip();
-        Self::new(Op::Sum(signs), of)
+        let (signs, of): (Vec<bool>, Vec<Self>) = terms.into_iter().unzip();
+        Self::new(Op::Sum(signs.into()), of)
     }
 
     pub(super) fn product(factors: Vec<(bool, Self)>) -> Self {
-        let (divides, of) = factors.into_iter().unzip();
-        Self::new(Op::Product(divides), of)
+        let (divides, of): (Vec<bool>, Vec<Self>) = factors.into_iter().unzip();
+        Self::new(Op::Product(divides.into()), of)
     }
 
     /// Calls `f` with each name in it.
@@ -85,18 +86,20 @@ impl Tree {
 
     /// The tree with other names.
     pub(super) fn renamed(&self, f: &impl Fn(Name) -> Name) -> Self {
+        let mut is_other = false;
+        self.each_name(&mut |name| is_other |= f(name) != name);
+        if !is_other {
+            return self.clone();
+        }
         let op = if let Op::Name(name) = self.op { Op::Name(f(name)) } else { self.op.clone() };
-        Self::new(op, self.of.iter().map(|of| of.renamed(f)).collect())
+        Self::new(op, self.of.iter().map(|of| of.renamed(f)).collect::<Vec<_>>())
     }
 
     /// The tree with another branch at the end of a path.
     pub(super) fn with(&self, path: &[usize], new: &Self) -> Self {
         let Some((&first, rest)) = path.split_first() else { return new.clone() };
-        let mut tree = self.clone();
-        if let Some(branch) = tree.of.get_mut(first) {
-            *branch = branch.with(rest, new);
-        }
-        tree
+        let branch = |(i, of): (usize, &Self)| if i == first { of.with(rest, new) } else { of.clone() };
+        Self::new(self.op.clone(), self.of.iter().enumerate().map(branch).collect::<Vec<_>>())
     }
 
     /// The path to the first branch that is meant.
@@ -114,7 +117,7 @@ impl Tree {
             (Op::Sum(one), Op::Sum(other)) => one.len() == other.len(),
             (one, other) => std::mem::discriminant(one) == std::mem::discriminant(other),
         };
-        let mut branches = self.of.iter().zip(&other.of);
+        let mut branches = self.of.iter().zip(other.of.iter());
         is_alike && self.of.len() == other.of.len() && branches.all(|(one, other)| one.is_congruent(other))
     }
 
