@@ -31,7 +31,7 @@ pub struct Location {
     /// The difference over the largest expected entry.
     #[serde(serialize_with = "short::serialize")]
     pub scaled_error: f64,
-    /// The number of entries that differ by more than a thousandth of this one's difference.
+    /// The number of entries that differ by more than a thousandth of this one's difference, or in the first five digits.
     pub differing: usize,
     /// Which entries differ, and what they are, if these have something in common.
     pub which: Option<String>,
@@ -193,7 +193,8 @@ fn entry(
     let indices = if is_second { vec![worst / size, worst % size] } else { vec![worst] };
     let block = indices.iter().map(|&i| if dofs[i].is_bar { "bar" } else { "beam" });
     let rows: Vec<f64> = (0..answered.len()).map(|k| answered[at(k)]).collect();
-    let is_wrong: Vec<bool> = (0..expected.len()).map(|k| difference(k) > limit).collect();
+    let differs = |k: usize| difference(k) > limit.min((1e-5 * expected[k].abs()).max(1e-9 * largest));
+    let is_wrong: Vec<bool> = (0..expected.len()).map(differs).collect();
     let shape = if is_second { Shape::of(&rows, expected, size) } else { None };
     let first = conventions.first_index;
     let entries = Entries { answered: &rows, expected, is_wrong: &is_wrong, dofs, first };

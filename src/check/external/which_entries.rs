@@ -42,7 +42,7 @@ impl Entries<'_> {
         let what = self.what();
         match (which.as_deref(), what) {
             (None | Some("all"), None) => None,
-            (None, Some(what)) => Some(what.to_owned()),
+            (None, Some(what)) => Some(what.replacen("which", "they", 1)),
             (Some(which), None) => Some(which.to_owned()),
             (Some(which), Some(what)) => Some(format!("{which}, {what}")),
         }
@@ -200,6 +200,7 @@ mod tests {
         );
         assert_eq!(told(1, 3.0, |k, _| k < 2).unwrap(), "those before dof 2");
         assert_eq!(told(1, 3.0, |k, _| k == 1 || k == 9), None);
+        assert_eq!(told(1, 2.0, |k, _| k == 1 || k == 9).unwrap(), "they are twice the expected ones");
         assert_eq!(told(12, 2.0, |i, j| i == j).unwrap(), "the diagonal, which are twice the expected ones");
         assert_eq!(told(12, 0.0, |i, j| i < j).unwrap(), "all above the diagonal, which are zero");
         assert_eq!(told(12, 3.0, |i, j| (i < 6) != (j < 6)).unwrap(), "the blocks of both beams");

@@ -58,6 +58,7 @@ fn changes() -> Vec<Change> {
     let mut found = list.of_inputs();
     found.extend(list.of_entries());
     found.extend(list.of_results());
+    found.extend(list.of_lengths());
     found.extend(list.of_straight_beams());
     let of_formula = |formula: &Formula| {
         let twin = list.twin_of(formula, 0).filter(|twin| twin.name > formula.name)?;

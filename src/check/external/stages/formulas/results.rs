@@ -3,7 +3,7 @@
 use super::changes::{Change, FACTORS, scaled};
 use super::list::{Formula, Formulas, STRAIGHT};
 use super::point::RESULTS;
-use super::tree::{Name, Tree};
+use super::tree::{Name, Op, Tree};
 
 impl Formulas {
     /// Results that are answered in the place of others, or with a factor.
@@ -37,6 +37,27 @@ impl Formulas {
             (tree != straight).then(|| Change { new, cost: 5, ..Change::of(words) })
         };
         self.all.iter().filter_map(of).collect()
+    }
+
+    /// The length of a variation in the place of the variation of a length.
+    pub(super) fn of_lengths(&self) -> Vec<Change> {
+        let lengths = [("d|t|", "dt"), ("d|t_bar|", "dt_bar"), ("d|d|", "dd")];
+        let of = |pairs: &[(&str, &str)]| {
+            let mut new = Vec::new();
+            for (length, vector) in pairs {
+                let [length, vector] = [length, vector].map(|name| self.name(name));
+                let dot = Tree::new(Op::Dot, [Tree::name(vector), Tree::name(vector)]);
+                let tree = Tree::new(Op::Root, [dot]);
+                self.all
+                    .iter()
+                    .filter(|formula| formula.name == length)
+                    .for_each(|of| self.put(of, &tree, &mut new));
+            }
+            let words: Vec<_> =
+                pairs.iter().map(|(of, vector)| format!("{of} is the length of {vector}")).collect();
+            Change { new, cost: 5, ..Change::of(words.join(" and ")) }
+        };
+        [&lengths[..1], &lengths[1..2], &lengths[..2], &lengths[2..]].map(of).into()
     }
 
     /// Each of two formulas in the place of the other.

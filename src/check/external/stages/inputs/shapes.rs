@@ -140,12 +140,14 @@ impl Shape {
         if (&powers * &fit - &values).amax() > 1e-6 * values.amax() {
             return unknown();
         }
+        // Answers with few digits leave a little of each term.
+        let least = (0..count).fold(1e-7_f64, |least, i| least.max(1e-5 * fit[i].abs()));
         // The error is a multiple of the whole, or of one term.
         let whole = (0..count).find(|i| right[*i] != 0.0).map(|i| fit[i] / right[i]);
-        if let Some(by) = whole.filter(|by| (0..count).all(|i| (fit[i] - by * right[i]).abs() < 1e-7)) {
+        if let Some(by) = whole.filter(|by| (0..count).all(|i| (fit[i] - by * right[i]).abs() < least)) {
             return Some(format!("it {}", factor_words(by)));
         }
-        let wrong: Vec<usize> = (0..count).filter(|i| fit[*i].abs() > 1e-7).collect();
+        let wrong: Vec<usize> = (0..count).filter(|i| fit[*i].abs() > least).collect();
         Some(match wrong[..] {
             [i] if right[i] != 0.0 => format!("its {} {}", TERMS[i], factor_words(fit[i] / right[i])),
             _ => {
