@@ -83,7 +83,7 @@ impl Explain {
         let count_of = |faults: usize, namings: &[Naming]| -> u64 {
             of(faults).flat_map(|of| namings.iter().map(|&naming| of.count(naming) as u64)).sum()
         };
-        let shows = |naming: &Naming| *naming != Naming::Undetected;
+        let shows = |naming: &Naming| !matches!(naming, Naming::Faint | Naming::Undetected);
         let shown: Vec<Naming> = Naming::ALL.into_iter().filter(shows).collect();
         let [one, two] = [1, 2].map(|faults| count_of(faults, &shown));
         let together = [Naming::Equivalent, Naming::Among];
@@ -141,6 +141,9 @@ fn words(naming: Naming) -> &'static str {
         Naming::Fewer => "*fewer*: one of two faults is named; the deviation *after* remains",
         Naming::Other => "*other*: only other faults are named",
         Naming::None => "*none*: nothing is named",
+        Naming::Faint => {
+            "*faint*: the answers differ too little to show which term is wrong, and none is named"
+        }
         Naming::Undetected => "*undetected*: the faults change none of these answers",
     }
 }

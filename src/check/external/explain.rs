@@ -18,6 +18,7 @@ mod element;
 mod equation;
 mod fit;
 mod hypothesis;
+mod pairs;
 mod search;
 mod wording;
 
@@ -112,17 +113,18 @@ pub fn explain(
         Some(traced) if is_told(&traced) => {
             Some(Explanation { cases: traced.cases, ..Explanation::default() }.with(traced))
         }
-        traced => Some(with_faults_first(of_faults(cases, right, demands, &Memo::default())?, traced)),
+        traced => Some(with_faults_first(of_faults(cases, right, demands, &Memo::default(), false)?, traced)),
     }
 }
 
-/// The same for answers of this library's formulas with faults: these are tried first, so they have the names of the catalogue.
+/// The same for answers of this library's formulas with faults: these are tried first, one and two, so they have the names of the
+/// catalogue.
 pub(crate) fn explain_own(
     cases: &[(Vector, Answers)],
     right: &[(Vector, Answers)],
     demands: &Demands,
 ) -> Option<Explanation> {
-    let found = of_faults(cases, right, demands, &Memo::default())?;
+    let found = of_faults(cases, right, demands, &Memo::default(), true)?;
     let traced = || traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands);
     let traced = if found.causes.is_empty() { traced() } else { None };
     Some(with_faults_first(found, traced))
@@ -162,12 +164,13 @@ impl Explanation {
     }
 }
 
-/// The faults that explain the answers, and do not spoil the right ones.
+/// The faults that explain the answers, and do not spoil the right ones: one, or two if this is asked.
 fn of_faults(
     cases: &[(Vector, Answers)],
     right: &[(Vector, Answers)],
     demands: &Demands,
     memo: &Memo,
+    with_pairs: bool,
 ) -> Option<Explanation> {
     let known: Vec<Known> = cases.iter().filter_map(Known::new).collect();
     let all: Vec<(usize, AnsweredCase)> = (0..known.len())
@@ -179,7 +182,7 @@ fn of_faults(
         return None;
     }
     let cases: Vec<&AnsweredCase> = clear.iter().map(|(_, case)| case).collect();
-    let mut fits = search(&cases);
+    let mut fits = search(&cases, with_pairs);
     // More data are used only to distinguish several explanations.
     let before = before(&cases);
     if near(&fits).len() > 1 && near(&fits).iter().any(|fit| fit.explains(before)) {

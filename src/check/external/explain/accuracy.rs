@@ -40,6 +40,8 @@ enumeration! {
         Other => "other",
         /// Nothing was named.
         None => "none",
+        /// The answers differ so little that their digits do not show which term is wrong. None is named.
+        Faint => "faint",
         /// All answers agree: these cases do not detect the faults.
         Undetected => "undetected",
     }
@@ -119,10 +121,11 @@ fn explained(
     let Some(report) = judged(&faults, vectors, demands) else {
         return ExplainedFault { faults, naming: Naming::Undetected, named: Vec::new(), deviation: [0.0; 2] };
     };
-    let Some(found) = of_faults(&report.kept, &report.right, demands, memo) else {
+    let Some(found) = of_faults(&report.kept, &report.right, demands, memo, true) else {
         return ExplainedFault { faults, naming: Naming::None, named: Vec::new(), deviation: [0.0; 2] };
     };
     if found.causes.is_empty()
+        && !found.is_faint
         && let Some(traced) = traced_in(&report, demands)
     {
         let (naming, named) = in_equations(&faults, traced, vectors, demands);
@@ -137,6 +140,7 @@ fn explained(
     let own = of_names(&own_names.iter().cloned().collect::<Vec<_>>());
     let sets: Vec<_> = named.iter().map(|name| of_names(&words(name))).collect();
     let naming = match sets.as_slice() {
+        [] if found.is_faint => Naming::Faint,
         [] => Naming::None,
         [_] if words(&named[0]).into_iter().collect::<BTreeSet<_>>() == own_names => Naming::First,
         all if all.iter().all(|one| *one == own) => Naming::Equivalent,

@@ -3,6 +3,7 @@
 use super::datum::{Datum, ratio};
 use super::hypothesis::Change;
 use crate::check::candidate::Sides;
+use crate::check::diagnosis::place;
 use crate::check::element::ElementAt;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::external::answers::Answers;
@@ -60,6 +61,7 @@ impl<'a> AnsweredCase<'a> {
                 place: entry.place,
                 quantity: comparison.quantity,
                 order: comparison.order,
+                rank: place(&comparison),
                 is_contracted: entry.is_contracted,
                 answer: comparison.closed,
                 reference: comparison.other,
@@ -146,6 +148,17 @@ impl<'a> AnsweredCase<'a> {
     pub(super) fn computed(&self, change: &Change) -> Vec<Predicted> {
         let evaluations = [&self.paper].into_iter().chain(&self.others);
         evaluations.flat_map(|evaluation| self.computed_by(evaluation, change)).collect()
+    }
+
+    /// The number of formulations that differ at this case.
+    pub(super) fn formulations(&self) -> usize {
+        1 + self.others.len()
+    }
+
+    /// The answers of the closed form with this change in one of these formulations, or in the last one.
+    pub(super) fn computed_in(&self, formulation: usize, change: &Change) -> Vec<Predicted> {
+        let last = formulation.min(self.others.len());
+        self.computed_by(last.checked_sub(1).map_or(&self.paper, |i| &self.others[i]), change)
     }
 
     /// The gradient of the gap along both directions.

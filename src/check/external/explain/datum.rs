@@ -10,6 +10,8 @@ pub(super) struct Datum {
     pub(super) place: [usize; 2],
     pub(super) quantity: Quantity,
     pub(super) order: Order,
+    /// The place in the order of evaluation.
+    pub(super) rank: (Order, usize, usize),
     /// Whether it is a gradient or a Hessian, contracted with the directions.
     pub(super) is_contracted: bool,
     pub(super) answer: f64,

@@ -68,9 +68,15 @@ impl Change {
         matches!(self, Self::Variant(Variant::Unmodified))
     }
 
+    /// Whether two terms are changed.
+    pub(super) fn has_two_faults(&self) -> bool {
+        matches!(self, Self::Variant(Variant::Faulty(faults)) if faults.len() > 1)
+    }
+
     /// The complexity: simpler explanations come first.
     pub(super) fn class(&self) -> usize {
         match self {
+            Self::Variant(_) if self.has_two_faults() => 3,
             Self::Variant(_) => 0,
             Self::Structure(_) | Self::BeamsExchanged => 1,
             Self::Element(element) => element.class(),

@@ -1,10 +1,12 @@
-//! The search for wrong terms of the closed form: each fault of the catalogue, simplifications and factors of it as a whole.
+//! The search for wrong terms of the closed form: each fault of the catalogue, simplifications and factors of it as a whole,
+//! and pairs of faults.
 
 use super::answered_case::{AnsweredCase, Known, Predicted};
 use super::datum::Datum;
 use super::element::elements;
-use super::fit::{Fit, limit, race};
+use super::fit::{Fit, limit, near, race};
 use super::hypothesis::Change;
+use super::pairs::pairs;
 use crate::check::evaluation_point::Structure;
 use crate::check::external::conventions::ENERGY;
 use crate::check::verdict::Order;
@@ -16,8 +18,10 @@ use std::collections::BTreeSet;
 
 /// The number of changes that are tried at all cases even if they explain the answers worse than others.
 pub(super) const KEPT: usize = 16;
-/// The number of wrong numbers below which no factor is looked for.
+/// The number of wrong numbers below which neither a factor nor two faults are looked for.
 const FEW: usize = 3;
+/// The mean of the squares up to which only rounding remains.
+const LIKELY: f64 = 2.0;
 
 /// The names of all terms, in the order of evaluation.
 pub(super) fn labels() -> Vec<Label> {
@@ -100,10 +104,28 @@ pub(super) struct Found {
     pub(super) is_faint: bool,
 }
 
-/// The changes that explain the answers best, by the sums of squares, tried at all these cases.
-pub(super) fn search(cases: &[&AnsweredCase]) -> Vec<Fit> {
-    let fits = candidates(cases).into_iter().enumerate().map(|(i, change)| Fit::new(i, change));
-    race(fits.collect(), cases, KEPT)
+/// The changes that explain the answers best, by the sums of squares, tried at all these cases. Two faults are tried if this
+/// is asked and no single fault explains the answers.
+pub(super) fn search(cases: &[&AnsweredCase], with_pairs: bool) -> Vec<Fit> {
+    let before = before(cases);
+    let is_found = |fits: &[Fit]| {
+        // If correct answers are among the best, two faults explain no more. If a fault explains all, but leaves more
+        // than is likely, a second fault may be small.
+        near(fits).iter().any(|of| of.explains(before) && (of.change.is_none() || of.mean() <= LIKELY))
+    };
+    let raced = |first: usize, changes: Vec<Change>| {
+        let fits = changes.into_iter().enumerate().map(|(i, change)| Fit::new(first + i, change));
+        race(fits.collect(), cases, KEPT)
+    };
+    let mut fits = raced(0, candidates(cases));
+    // Two faults can be fitted to a few wrong numbers, whatever their cause, and to numbers that are not finite none.
+    let wrong: usize = cases.iter().map(|case| case.wrong()).sum();
+    let is_finite = of(cases).all(|datum| datum.answer.is_finite());
+    if with_pairs && !is_found(&fits) && wrong >= FEW && is_finite {
+        fits.extend(raced(2 * singles().len(), pairs(cases)));
+        fits.sort_by(|one, two| one.sum.total_cmp(&two.sum));
+    }
+    fits
 }
 
 /// The deviation of the answers without a change.
@@ -114,7 +136,7 @@ pub(super) fn before(cases: &[&AnsweredCase]) -> f64 {
 /// The explanations among the results.
 pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
     let before = before(cases);
-    // A simpler change is preferred to a better one, up to a limit.
+    // A simpler change is preferred to a better one, up to a limit, because two faults can imitate rounding.
     let best = fits.first().map_or((0.0, 0.0, 0), |best| (best.sum, limit(best), best.change.class()));
     let is_near = |of: &Fit| {
         let (sum, limit, class) = best;
@@ -122,7 +144,9 @@ pub(super) fn ranked(fits: Vec<Fit>, cases: &[&AnsweredCase]) -> Found {
     };
     // If correct answers are not distinguished better than this, the cause is unknown.
     let is_faint = fits.iter().any(|of| is_near(of) && of.change.is_none() && of.explains(before));
-    let explains = |of: &Fit| !is_faint && is_near(of) && of.explains(before);
+    // Two faults that leave more than is likely are not the faults of the program.
+    let is_likely = |of: &Fit| !of.change.has_two_faults() || of.mean() <= LIKELY;
+    let explains = |of: &Fit| !is_faint && is_near(of) && of.explains(before) && is_likely(of);
     let (mut equal, mut others): (Vec<_>, Vec<_>) = fits.into_iter().partition(explains);
     equal.sort_by_key(|of| (of.change.class(), of.order));
     if let Some(simplest) = equal.first().map(|of| of.change.class()) {
