@@ -14,7 +14,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 /// The default number of measured pairs of faults.
-const PAIRS: usize = 100;
+const PAIRS: usize = 20;
 
 /// The arguments.
 #[derive(Args)]

@@ -104,6 +104,15 @@ const WITH_PAIRS: usize = 2;
 ///
 /// Gradients and Hessians are put into the equations first, and then the variations along the directions.
 pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<Traced> {
+    traced_by(cases, demands, true)
+}
+
+/// The same without the list of formulas.
+pub(super) fn traced_in_equations(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<Traced> {
+    traced_by(cases, demands, false)
+}
+
+fn traced_by(cases: &[&(Vector, Answers)], demands: &Demands, in_list: bool) -> Option<Traced> {
     let of = |along: Along| -> Vec<Sample> {
         let numbered: Vec<_> = cases.par_iter().enumerate().collect();
         numbered
@@ -111,7 +120,7 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
             .flat_map_iter(|(i, (vector, answers))| samples(i, vector, answers, demands, along))
             .collect()
     };
-    let mut all = Vec::from([Along::Random, Along::Stated].map(|along| traced_along(along, &of)));
+    let mut all = Vec::from([Along::Random, Along::Stated].map(|along| traced_along(along, in_list, &of)));
     all.retain(Option::is_some);
     all.sort_by_key(|traced| traced.as_ref().is_some_and(|traced| traced.causes.is_empty()));
     let mut all = all.into_iter().flatten();
@@ -127,7 +136,7 @@ pub(super) fn traced(cases: &[&(Vector, Answers)], demands: &Demands) -> Option<
 }
 
 /// The same with the numbers along some of the directions.
-fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Option<Traced> {
+fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Option<Traced> {
     let samples = of(along);
     if samples.is_empty() {
         return None;
@@ -175,7 +184,7 @@ fn traced_along(along: Along, of: &(impl Fn(Along) -> Vec<Sample> + Sync)) -> Op
         all_wrong.par_iter().map(|(e, cases)| examined(&equations[*e], &points, cases, false)).collect()
     });
     // An error that is told by its whole effect is told before several errors, or none.
-    if wrong.len() > 1 || !is_known(&of_one_error[0]) {
+    if in_list && (wrong.len() > 1 || !is_known(&of_one_error[0])) {
         let mut causes = formulas::of_all(&samples);
         if causes.is_empty() && has_arrays {
             causes = of_entries(&entries.each_ref().map(|(along, cell)| &**cell.get_or_init(|| of(*along))));

@@ -8,7 +8,7 @@ use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, compare_answers};
 use crate::check::external::evaluate::{Evaluator, Formulas};
 use crate::check::external::report::Report;
-use crate::check::external::stages::{Traced, traced};
+use crate::check::external::stages::{Traced, traced, traced_in_equations};
 use crate::check::external::vectors::{Drawing, Outcome, Vector};
 use crate::test_beam::Family;
 use crate::variant::{Fault, Variant, catalogue, classes};
@@ -126,7 +126,7 @@ fn explained(
     };
     if found.causes.is_empty()
         && !found.is_faint
-        && let Some(traced) = traced_in(&report, demands)
+        && let Some(traced) = traced_in(&report, demands, traced)
     {
         let (naming, named) = in_equations(&faults, traced, vectors, demands);
         return ExplainedFault { faults, naming, named, deviation: deviation(&found) };
@@ -151,8 +151,11 @@ fn explained(
     ExplainedFault { faults, naming, named, deviation: deviation(&found) }
 }
 
-fn traced_in(report: &Report, demands: &Demands) -> Option<Traced> {
-    traced(&report.kept.iter().chain(&report.right).collect::<Vec<_>>(), demands)
+/// How the answers are put into the equations.
+type Search = fn(&[&(Vector, Answers)], &Demands) -> Option<Traced>;
+
+fn traced_in(report: &Report, demands: &Demands, search: Search) -> Option<Traced> {
+    search(&report.kept.iter().chain(&report.right).collect::<Vec<_>>(), demands)
 }
 
 /// Whether faults are named if the answers are put into the equations: with the names that each of them has alone.
@@ -165,9 +168,11 @@ fn in_equations(
     let names = |found: Traced| -> BTreeSet<String> {
         found.causes.into_iter().chain(found.beyond).flat_map(|reading| reading.names).collect()
     };
-    let alone = |fault: &Fault| {
+    // One fault is told by the list of formulas, and two by the equations, so both names are known.
+    let alone = |fault: &Fault| -> BTreeSet<String> {
         let report = judged(slice::from_ref(fault), vectors, demands);
-        report.and_then(|report| traced_in(&report, demands)).map(names).unwrap_or_default()
+        let by = |search: Search| report.as_ref().and_then(|report| traced_in(report, demands, search));
+        [traced, traced_in_equations].into_iter().filter_map(by).flat_map(names).collect()
     };
     let own: Vec<_> = faults.iter().map(alone).collect();
     let named = names(found);

@@ -65,9 +65,9 @@ impl Fit {
         self.sum / self.count.max(1) as f64
     }
 
-    /// Whether rounding explains the deviation that remains of `before`, and it is no larger.
+    /// Whether rounding explains the deviation that remains of `before`, and it is not larger by more than rounding.
     pub(super) fn explains(&self, before: f64) -> bool {
-        self.over <= 1.0 && self.worst <= before
+        self.over <= 1.0 && self.worst <= 2.0 * before
     }
 }
 
