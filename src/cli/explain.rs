@@ -40,7 +40,7 @@ pub(crate) struct Explain {
     #[arg(requires = "catalogue")]
     every: u16,
     /// How many pairs of faults are measured too
-    #[arg(long, value_name = "N", default_value = "100", value_parser = value_parser!(u16), requires = "catalogue")]
+    #[arg(long, value_name = "N", default_value = "20", value_parser = value_parser!(u16), requires = "catalogue")]
     pairs: u16,
     /// Seed of the cases of --catalogue, decimal or 0x-hexadecimal
     #[arg(long, default_value = "0x5eed", value_parser = seed, requires = "catalogue")]
