@@ -106,6 +106,12 @@ fn a_planted_fault_is_shrunk_and_attributed_to_the_closed_form() {
     let repeat = told["repeat"].as_str().unwrap();
     assert!(repeat.ends_with(" --plant 'Dd|d|: d.turned = sign' --case"), "{repeat}");
 
+    // Of two faults both are named.
+    let two = ["--plant", "Dd|d|: du_hat.t Dxi = dropped", "--plant", "Dd|d|: dd Dd = sign"];
+    let told = json(&run(&[&["check", "--format", "json"], &few[..], &two].concat()));
+    let name = &told["likely_cause"]["explanation"]["causes"][0]["name"];
+    assert_eq!(name, "Dd|d|: du_hat.t Dxi = dropped and Dd|d|: dd Dd = sign");
+
     let output = run(&[&["prove", "--draws", "4", "--family", "hermite"], &fault[..]].concat());
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8(output.stdout).unwrap().contains("REFUTED"));

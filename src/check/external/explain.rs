@@ -18,6 +18,7 @@ mod element;
 mod equation;
 mod fit;
 mod hypothesis;
+mod known;
 mod pairs;
 mod search;
 mod wording;
@@ -26,16 +27,14 @@ use super::answers::Answers;
 use super::compare::Demands;
 use super::stages::{Reading, Traced, traced};
 use super::vectors::Vector;
-use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::serialized::short;
-use crate::closest_point::ClosestPoint;
-use crate::test_beam::AnyBeam;
 use crate::variant::Variant;
 pub use accuracy::{ExplainedFault, Naming, Programs, explained_faults};
 use answered_case::{AnsweredCase, Memo};
 pub use equation::equation_of;
 use fit::{Fit, near, race};
 use hypothesis::Change;
+use known::Known;
 use rayon::prelude::*;
 use search::{Equal, KEPT, before, coefficient, ranked, search};
 use serde::Serialize;
@@ -230,8 +229,6 @@ const BEYOND: usize = 1;
 const USED: usize = 24;
 /// The number of these cases at which single entries of gradients and Hessians are used.
 const PROBED: usize = 12;
-/// The number of entries of each.
-const ENTRIES: usize = 4;
 
 /// The cases with the smallest rounding: some of each kind. The kinds alternate.
 fn clearest(mut cases: Vec<(usize, AnsweredCase)>) -> Vec<(usize, AnsweredCase)> {
@@ -246,58 +243,4 @@ fn clearest(mut cases: Vec<(usize, AnsweredCase)>) -> Vec<(usize, AnsweredCase)>
     // The cases with the most wrong numbers are the most informative.
     placed.sort_by_key(|(count, case)| (*count, Reverse(case.1.wrong())));
     placed.into_iter().map(|(_, case)| case).take(USED).collect()
-}
-
-/// A case with its answers, its beams and its closest point.
-struct Known {
-    vector: Vector,
-    answers: Answers,
-    beams: [Box<dyn AnyBeam>; 2],
-    point: ClosestPoint,
-}
-
-impl Known {
-    fn new((vector, answers): &(Vector, Answers)) -> Option<Self> {
-        let beams = vector.case.beams().ok()?;
-        let point = vector.evaluated(|evaluation| evaluation.point).ok()?;
-        Some(Self { vector: vector.clone(), answers: answers.clone(), beams, point })
-    }
-
-    fn case(&self, demands: &Demands) -> Option<AnsweredCase<'_>> {
-        let beams = self.beams.each_ref().map(|beam| &**beam);
-        let evaluate = || EvaluationPoint::new(beams, &self.vector.case.contact, &self.point).ok();
-        AnsweredCase::new((&self.vector, &self.answers), demands, evaluate)
-            .filter(|case| !case.data.is_empty())
-    }
-
-    /// The same case along pairs of single dofs, so that the contractions of gradients and Hessians are their entries.
-    fn entries(&self) -> Vec<Self> {
-        let is_array = |answers: &Answers| {
-            let has = |answer: &crate::check::Answer| answer.gradient.is_some() || answer.hessian.is_some();
-            answers.residual.is_some() || answers.tangent.is_some() || answers.answers.iter().any(has)
-        };
-        if !is_array(&self.answers) {
-            return Vec::new();
-        }
-        let dofs: usize = self.beams.iter().map(|beam| beam.dofs()).sum();
-        let along = |k: usize| {
-            // Every dof occurs, together with others of both beams.
-            let (row, column) = ((7 * k + 1) % dofs, (5 * k + dofs / 2) % dofs);
-            // A dof that the element does not have has no direction.
-            if self.vector.directions().iter().any(|along| along[row] == 0.0 || along[column] == 0.0) {
-                return None;
-            }
-            let mut vector = self.vector.clone();
-            let [beam, bar] = &mut vector.case.test_beams;
-            let split = beam.q.len();
-            let unit = |at: usize, of: std::ops::Range<usize>| {
-                of.map(|i| if i == at { 1.0 } else { 0.0 }).collect::<Vec<_>>()
-            };
-            (beam.dq, bar.dq) = (unit(row, 0..split), unit(row, split..dofs));
-            (beam.linear_dq, bar.linear_dq) = (unit(column, 0..split), unit(column, split..dofs));
-            let beams = vector.case.beams().ok()?;
-            Some(Self { vector, answers: self.answers.clone(), beams, point: self.point })
-        };
-        (0..ENTRIES).filter_map(along).collect()
-    }
 }

@@ -1,8 +1,9 @@
 //! The quality of explanations: programs with faults of the catalogue, alone and in pairs, are explained.
 
 use super::answered_case::Memo;
+use super::known::Known;
 use super::search::memo;
-use super::{Cause, Explanation, Known, of_faults};
+use super::{Cause, Explanation, of_faults};
 use crate::check::Regime;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, compare_answers};
