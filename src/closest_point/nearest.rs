@@ -153,17 +153,22 @@ impl Bounds {
         let size = p.distance + (x.speed + x.bend * h) * h + (y.speed + y.bend * k) * k + x.sag + y.sag;
         let square = p.distance * p.distance + 2.0 * (change - remainder) - 4.0 * p.rounding() * size;
         let by_square = square.max(0.0).sqrt();
-        let length = normal.norm();
-        if length == 0.0 {
-            return by_square;
-        }
-        let along = |v: &Vector3<f64>| normal.dot(v) / length;
-        let least = |slope: f64, [low, high]: [f64; 2]| (slope * low).min(slope * high);
-        let by_plane =
+        let by_plane = |normal: Vector3<f64>| {
+            let length = normal.norm();
+            if length == 0.0 {
+                return 0.0;
+            }
+            let along = |v: &Vector3<f64>| normal.dot(v) / length;
+            let least = |slope: f64, [low, high]: [f64; 2]| (slope * low).min(slope * high);
             along(&p.d) + least(along(&x.geometry.t), within[0]) + least(-along(&y.geometry.t), within[1])
                 - (x.sag + y.sag) * (1.0 + 1.0 / 16.0)
-                - 2.0 * p.rounding();
-        by_square.max(by_plane)
+                - 2.0 * p.rounding()
+        };
+        // A short d has few digits and is not normal to parallel tangents, but for what is normal to them of it.
+        let t = x.geometry.t;
+        let square = t.norm_squared();
+        let across = if square > 0.0 { normal - t * (normal.dot(&t) / square) } else { Vector3::zeros() };
+        by_square.max(by_plane(*normal)).max(by_plane(across))
     }
 }
 
