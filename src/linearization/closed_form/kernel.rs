@@ -62,7 +62,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
     /// # Ok::<(), beamgap::closest_point::ProjectionError>(())
     /// ```
     // The kernel only knows how many dofs the curves have. It is compiled for these numbers and not for curve families.
-    #[inline]
+    #[cfg_attr(not(debug_assertions), inline)]
     pub fn write(
         &self,
         q: &DofVector<f64, N, M>,
@@ -102,7 +102,7 @@ impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> 
 
 /// Writes the requested quantities of curves with these jets, in the given formulation. Returns `false` and writes nothing if a
 /// curve has no shape functions, or on an x86-64 without the vector units.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline)]
 pub(crate) fn write_of_jets<const N: usize, const M: usize>(
     (jet, jet_bar): (&Jet<f64, impl DofDerivatives<f64, N>>, &Jet<f64, impl DofDerivatives<f64, M>>),
     q: &DofVector<f64, N, M>,
@@ -121,7 +121,7 @@ pub(crate) fn write_of_jets<const N: usize, const M: usize>(
 }
 
 /// For curves with shape functions. Returns `false` and writes nothing on an x86-64 without the vector units.
-#[inline]
+#[cfg_attr(not(debug_assertions), inline)]
 fn write_by_shapes<const N: usize, const M: usize>(
     shapes: (Shapes<'_, f64>, Shapes<'_, f64>),
     q: &DofVector<f64, N, M>,
