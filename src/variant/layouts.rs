@@ -105,4 +105,8 @@ impl<T: Real, const N: usize, const M: usize, const S: usize, const H: usize> Re
     fn second(&self, i: usize, j: usize) -> Option<T> {
         self.read().second(i, j)
     }
+
+    fn row(&self, i: usize, to: &mut [T]) {
+        self.read().row(i, to);
+    }
 }

@@ -14,6 +14,15 @@ pub(crate) trait Read<T> {
     fn first(&self, i: usize) -> T;
     /// Nothing if the layout has no Hessian.
     fn second(&self, i: usize, j: usize) -> Option<T>;
+
+    /// Writes row `i` of the Hessian, if there is one. One call a row, because calls of a `dyn` object take time.
+    fn row(&self, i: usize, to: &mut [T]) {
+        for (j, to) in to.iter_mut().enumerate() {
+            if let Some(entry) = self.second(i, j) {
+                *to = entry;
+            }
+        }
+    }
 }
 
 impl<T: Real, const N: usize, const M: usize> Read<T> for Derivatives<T, N, M> {
@@ -78,9 +87,10 @@ pub(crate) type Directions<T> = [Vec<T>; 2];
 /// Along the directions. Every layout uses the same sums, so that one bound on their rounding applies to all.
 pub(crate) fn along<T: Real>(of: &dyn Read<T>, [dq, linear_dq]: &Directions<T>) -> [Option<T>; 4] {
     let first = |dq: &[T]| dq.iter().enumerate().fold(T::zero(), |sum, (i, &dq)| sum + of.first(i) * dq);
-    let row = |i: usize| {
-        let terms = linear_dq.iter().enumerate();
-        terms.fold(T::zero(), |sum, (j, &linear)| sum + of.second(i, j).unwrap_or(T::zero()) * linear)
+    let mut entries = vec![T::zero(); linear_dq.len()];
+    let mut row = |i: usize| {
+        of.row(i, &mut entries);
+        entries.iter().zip(linear_dq).fold(T::zero(), |sum, (&entry, &linear)| sum + entry * linear)
     };
     let second = || dq.iter().enumerate().fold(T::zero(), |sum, (i, &dq)| sum + dq * row(i));
     let has_hessian = of.second(0, 0).is_some();
