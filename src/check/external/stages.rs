@@ -30,7 +30,7 @@ use super::compare::Demands;
 use super::vectors::Vector;
 use equations::{CLOSEST_POINT, equations};
 pub use formulas::LIST_OF_FORMULAS;
-use judgement::{Cases, Status, examined, is_wrong, judged};
+use judgement::{Cases, Errors, Status, examined, is_wrong, judged};
 use point::Point;
 use rayon::prelude::*;
 use sample::{Along, Sample, samples};
@@ -179,9 +179,11 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
             return Some(traced);
         }
     }
+    let errors: Vec<Errors> = equations.iter().map(Errors::new).collect();
+    let of_equation = |e: usize| (&equations[e], &errors[e]);
     let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
     let of_one_error: LazyCell<Vec<_>, _> = LazyCell::new(|| {
-        all_wrong.par_iter().map(|(e, cases)| examined(&equations[*e], &points, cases, false)).collect()
+        all_wrong.par_iter().map(|(e, cases)| examined(of_equation(*e), &points, cases, false)).collect()
     });
     // An error that is told by its whole effect is told before several errors, or none.
     if in_list && (wrong.len() > 1 || !is_known(&of_one_error[0])) {
@@ -201,9 +203,9 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
             entries.iter().filter(|_| is_matrix).find_map(|(along, samples)| {
                 let points: Vec<Point> = samples.get_or_init(|| of(*along)).iter().map(Point::new).collect();
                 let cases = judged(equation, &points);
-                let mut found = examined(equation, &points, &cases, false);
+                let mut found = examined(of_equation(*e), &points, &cases, false);
                 if !is_known(&found) && found.iter().any(|of| matches!(of, Status::Explained(_))) {
-                    found = examined(equation, &points, &cases, true);
+                    found = examined(of_equation(*e), &points, &cases, true);
                 }
                 let words = if *along == Along::Lower { "below" } else { "above" };
                 is_known(&found).then_some((found, words))
@@ -214,7 +216,7 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
                 (found, words_of_triangle) = in_entries;
             } else if with_pairs < WITH_PAIRS {
                 with_pairs += 1;
-                found = examined(equation, &points, cases, true);
+                found = examined(of_equation(*e), &points, cases, true);
             }
         }
         let readings: Vec<_> = found

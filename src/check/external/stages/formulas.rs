@@ -13,6 +13,7 @@ mod evaluation;
 mod inputs;
 mod list;
 mod matrices;
+mod names;
 mod pairs;
 mod parser;
 mod point;

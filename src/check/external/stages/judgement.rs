@@ -5,7 +5,7 @@ use super::point::Point;
 use super::rows::{Row, What, leaves_a_result, rows};
 use super::search::{System, cases, is_common};
 use super::terms::Earlier;
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 /// The cases at which an equation is wrong, and the others.
 pub(super) type Cases = (Vec<usize>, Vec<usize>);
@@ -94,9 +94,19 @@ pub(super) fn is_wrong(wrong: &[usize], right: &[usize]) -> bool {
     wrong.len() > 1 || (!wrong.is_empty() && right.is_empty())
 }
 
+/// The possible errors of each sum of an equation in each of its forms. They are the same at all points.
+pub(super) struct Errors(Vec<Vec<OnceLock<Vec<Row>>>>);
+
+impl Errors {
+    pub(super) fn new(equation: &Equation) -> Self {
+        let of_form = |form: &Vec<Zero>| form.iter().map(|_| OnceLock::new()).collect();
+        Self(equation.forms.iter().map(of_form).collect())
+    }
+}
+
 /// What was found of each sum of an equation, in the form that explains most.
 pub(super) fn examined(
-    equation: &Equation,
+    (equation, errors): (&Equation, &Errors),
     points: &[Point],
     (wrong, right): &Cases,
     with_pairs: bool,
@@ -106,14 +116,18 @@ pub(super) fn examined(
     }
     let examination = Examination { equation, points, wrong, right };
     let mut best: Option<(u32, Vec<Status>)> = None;
-    for form in &equation.forms {
+    for (form, errors) in equation.forms.iter().zip(&errors.0) {
         if let Some(words) = form[0].is_wrong_form {
             if form.iter().all(|zero| examination.is_right(zero, &[Earlier::Own])) {
                 return vec![Status::WrongForm(words)];
             }
             continue;
         }
-        let found: Vec<Status> = form.iter().map(|zero| examination.status(zero, with_pairs)).collect();
+        let found: Vec<Status> = form
+            .iter()
+            .zip(errors)
+            .map(|(zero, errors)| examination.status((zero, errors), with_pairs))
+            .collect();
         let cost = found.iter().map(Status::cost).sum();
         if best.as_ref().is_none_or(|(known, _)| cost < *known) {
             best = Some((cost, found));
@@ -140,32 +154,30 @@ impl Examination<'_> {
         })
     }
 
-    fn status(&self, zero: &Zero, with_pairs: bool) -> Status {
+    fn status(&self, (zero, table): (&Zero, &OnceLock<Vec<Row>>), with_pairs: bool) -> Status {
         if self.is_right(zero, &[Earlier::Own, Earlier::Exact]) {
             return Status::Right;
         }
-        let table = OnceCell::new();
         for earlier in [Earlier::Own, Earlier::Exact] {
             for everywhere in [true, false] {
-                if let Some(cause) = self.cause(zero, earlier, everywhere, false, &table) {
+                if let Some(cause) = self.cause((zero, table), earlier, everywhere, false) {
                     return Status::Explained(cause);
                 }
             }
         }
         // Pairs of errors are looked for with the numbers of the program, and among single terms alone.
         let is_tried = with_pairs && zero.is_elementary;
-        let cause = || self.cause(zero, Earlier::Own, self.right.is_empty(), true, &table);
+        let cause = || self.cause((zero, table), Earlier::Own, self.right.is_empty(), true);
         is_tried.then(cause).flatten().map_or(Status::Unknown, Status::Explained)
     }
 
     /// The errors that explain the residuals of a sum, at all cases or where the equation is wrong.
     fn cause(
         &self,
-        zero: &Zero,
+        (zero, table): (&Zero, &OnceLock<Vec<Row>>),
         earlier: Earlier,
         everywhere: bool,
         in_pairs: bool,
-        table: &OnceCell<Vec<Row>>,
     ) -> Option<Cause> {
         let mut system = System::new(self.equation, zero, self.points, earlier);
         if !everywhere {

@@ -7,7 +7,8 @@ use super::equations::Zero;
 use super::terms::{Factor, Number, Part, Reach, Tag, Term, Terms};
 use super::words::words;
 use crate::linearization::Quantity;
-use replaced::replaced;
+use replaced::{of_terms, replaced};
+use std::collections::HashMap;
 
 /// A possible error: the sum that a program with it adds to the equation.
 #[derive(Clone, Debug)]
@@ -48,8 +49,12 @@ pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
         }
     }
     in_both(form, &mut rows);
+    let mut places: HashMap<u64, Vec<usize>> = HashMap::new();
+    for (place, row) in rows.iter().enumerate() {
+        places.entry(of_terms(&row.terms)).or_default().push(place);
+    }
     for group in &groups {
-        replaced(group, &mut rows);
+        replaced(group, &mut rows, &mut places);
     }
     rows.retain(|row| !row.terms.is_empty());
     rows

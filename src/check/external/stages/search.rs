@@ -171,41 +171,35 @@ impl<'a> System<'a> {
         let fixed =
             |of: &[f64]| -> [f64; PROBES] { std::array::from_fn(|i| of.get(i).copied().unwrap_or(0.0)) };
         let y = fixed(&y);
-        let mut columns: Vec<(usize, f64, [f64; PROBES])> = Vec::new();
-        for (k, row) in rows.iter().enumerate() {
-            let column: Option<Vec<f64>> = probes
-                .iter()
-                .zip(&weights)
-                .map(|(i, w)| {
-                    let c = self.column(row, *i)?;
-                    Some(if is_zero(&c) { 0.0 } else { c.value * w })
-                })
-                .collect();
-            let Some(column) = column else { continue };
+        let column = |(k, row): (usize, &Row)| {
+            let of_probe = |(i, w): (&usize, &f64)| {
+                let c = self.column(row, *i)?;
+                Some(if is_zero(&c) { 0.0 } else { c.value * w })
+            };
+            let column: Vec<f64> = probes.iter().zip(&weights).map(of_probe).collect::<Option<_>>()?;
             let norm = column.iter().map(|c| c * c).sum::<f64>().sqrt();
-            if norm <= 1e-9 || !norm.is_finite() {
-                continue;
-            }
             let unit = fixed(&column.iter().map(|c| c / norm).collect::<Vec<_>>());
+            (norm > 1e-9 && norm.is_finite()).then_some((k, norm, unit))
+        };
+        let all: Vec<_> = rows.par_iter().enumerate().filter_map(column).collect();
+        let mut columns: Vec<(usize, f64, [f64; PROBES])> = Vec::new();
+        for column in all {
             // Rows with the same numbers.
-            if columns.iter().any(|other| 1.0 - project(&other.2, &unit).abs() < 1e-12) {
-                continue;
+            if !columns.iter().any(|other| 1.0 - project(&other.2, &column.2).abs() < 1e-12) {
+                columns.push(column);
             }
-            columns.push((k, norm, unit));
         }
         let on: Vec<f64> = columns.iter().map(|c| project(&c.2, &y)).collect();
         let yy = project(&y, &y);
-        let mut best: Vec<(f64, usize, usize)> = Vec::new();
-        for i in 0..columns.len() {
-            for j in 0..i {
-                let rho = project(&columns[i].2, &columns[j].2);
-                let left =
-                    yy - (on[i] * on[i] + on[j] * on[j] - 2.0 * rho * on[i] * on[j]) / (1.0 - rho * rho);
-                if left < 1e-8 * yy {
-                    best.push((left, i, j));
-                }
-            }
-        }
+        let of_pair = |i: usize, j: usize| {
+            let rho = project(&columns[i].2, &columns[j].2);
+            let left = yy - (on[i] * on[i] + on[j] * on[j] - 2.0 * rho * on[i] * on[j]) / (1.0 - rho * rho);
+            (left < 1e-8 * yy).then_some((left, i, j))
+        };
+        let mut best: Vec<(f64, usize, usize)> = (0..columns.len())
+            .into_par_iter()
+            .flat_map_iter(|i| (0..i).filter_map(move |j| of_pair(i, j)))
+            .collect();
         best.sort_by(|a, b| a.0.total_cmp(&b.0));
         best.truncate(60);
         let mut found = Vec::new();

@@ -3,6 +3,7 @@
 use super::edits::{Edit, What, edits};
 use super::entries::Entries;
 use super::list::{FORMULAS, Formula, Formulas, WAYS};
+use super::names::Set;
 use super::point::RESULTS;
 use super::tree::{Name, Op, Tree};
 use rayon::prelude::*;
@@ -32,6 +33,12 @@ impl Change {
         let ways = [true; WAYS];
         let new = Vec::new();
         Self { new, is_of_derivatives: false, is_stored: false, words, cost: 0, ways, entries: None }
+    }
+
+    /// The names whose formulas or entries are others.
+    pub(super) fn names(&self) -> Set {
+        let of_entries = self.entries.iter().flat_map(Entries::names);
+        self.new.iter().map(|(name, _)| *name).chain(of_entries).collect()
     }
 }
 

@@ -43,6 +43,10 @@ pub(super) enum What {
     NoRoot,
     /// Another name.
     Other(Name),
+    /// The length of a variation in the place of the variation of a length.
+    Length,
+    /// The product of the first variations in the place of the second.
+    Product,
     /// Other components of a vector, by their place in [`axes`].
     Axes(usize),
 }
@@ -52,7 +56,13 @@ impl What {
         match self {
             Self::Sign | Self::Missing | Self::Holds(_) => 2,
             Self::Other(_) => 4,
-            Self::Squared(_) | Self::Inverted(_) | Self::Axes(_) | Self::Exchanged | Self::Forgotten => 5,
+            Self::Squared(_)
+            | Self::Inverted(_)
+            | Self::Axes(_)
+            | Self::Exchanged
+            | Self::Forgotten
+            | Self::Length
+            | Self::Product => 5,
             _ => 3,
         }
     }
@@ -176,6 +186,15 @@ impl Edits<'_> {
                 for (k, (axes, words)) in axes.into_iter().enumerate() {
                     let words = format!("{words} of {}{}", FORMULAS.names.0[*name], place.words(tree));
                     add(What::Axes(k), Tree::new(Op::Axes(axes), vec![tree.clone()]), words);
+                }
+                let old = &FORMULAS.names.0[*name];
+                let of_others = [
+                    (What::Length, FORMULAS.length_of_variation(*name)),
+                    (What::Product, FORMULAS.product_of_variations(*name)),
+                ];
+                for (what, new) in of_others.into_iter().filter_map(|(what, new)| Some((what, new?))) {
+                    let words = format!("{} stands in the place of {old}{}", text(&new), place.words(tree));
+                    add(what, new, words);
                 }
                 for other in (self.others)(*name) {
                     let [new, old] = [other, *name].map(|of| &FORMULAS.names.0[of]);

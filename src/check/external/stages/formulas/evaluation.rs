@@ -2,9 +2,11 @@
 
 use super::changes::Change;
 use super::list::{FORMULAS, Formulas, Step};
+use super::names::{Relations, Set};
 use super::point::Point;
 use super::tree::{Name, Tree};
-use super::values::{Value, value};
+use super::values::{Value, Values, value};
+use std::num::NonZeroU16;
 
 impl Formulas {
     /// The values of all names that follow from the inputs, and from values that are `given`. `known` are the values of
@@ -20,7 +22,7 @@ impl Formulas {
         values.resize(self.names.0.len(), Value::from(0.0));
         for Step { name, tree, .. } in &self.ways[way] {
             let fixed = given.iter().find(|(of, _)| of == name).map(|(_, value)| *value);
-            values[*name] = fixed.unwrap_or_else(|| evaluated(*name, tree, &values, known));
+            values[*name] = fixed.unwrap_or_else(|| evaluated(*name, tree, &values[..], known));
         }
         values
     }
@@ -31,55 +33,114 @@ impl Formulas {
     }
 }
 
+/// The values in a way of writing with a change.
+#[derive(Clone, Debug)]
+pub(super) struct Changed<'a> {
+    way: usize,
+    right: &'a [Value],
+    /// The names whose values may be others by the formulas of this way.
+    affected: Set,
+    /// The names in the formulas of the change.
+    used: Set,
+    /// Those whose values are others, with their places in `others`.
+    places: Vec<Option<NonZeroU16>>,
+    others: Vec<Value>,
+}
+
+impl Changed<'_> {
+    fn set(&mut self, name: Name, value: Value) {
+        if let Some(place) = self.places[name] {
+            self.others[usize::from(place.get()) - 1] = value;
+        } else {
+            self.others.push(value);
+            self.places[name] = u16::try_from(self.others.len()).ok().and_then(NonZeroU16::new);
+        }
+    }
+
+    /// Whether the same values follow in another way of writing: its formulas are the same where the change has an effect,
+    /// and so are the values that they use.
+    pub(super) fn is_same(&self, point: &Point, way: usize, (change, needed): (&Change, Set)) -> bool {
+        let Relations { uses, differ, .. } = &FORMULAS.relations[self.way];
+        let is_affected =
+            || change.is_stored || FORMULAS.relations[way].affected(change, needed) == self.affected;
+        self.affected.and(differ[way]).is_empty() && is_affected() && {
+            let used = self.affected.names().fold(self.used, |used, name| used.or(uses[name]));
+            used.and(point.unlike(self.way, way)).is_empty()
+        }
+    }
+}
+
+impl Values for Changed<'_> {
+    fn at(&self, name: Name) -> Value {
+        self.places[name].map_or_else(|| self.right[name], |place| self.others[usize::from(place.get()) - 1])
+    }
+}
+
+impl Relations {
+    /// The names that are needed and may have other values if this change is made. A name whose formula is another one is
+    /// not among them.
+    fn affected(&self, change: &Change, needed: Set) -> Set {
+        let follow = change.names().names().fold(Set::default(), |all, name| all.or(self.follows[name]));
+        follow.and(needed).without(change.new.iter().map(|(name, _)| *name).collect())
+    }
+}
+
 impl Point<'_> {
     /// The values in a way of writing with other formulas in the place of some. Values that are given stay as they are, and
     /// those that are not `needed`.
-    pub(super) fn changed(&self, way: usize, change: &Change, needed: &[bool]) -> Vec<Value> {
+    pub(super) fn changed(&self, way: usize, change: &Change, needed: Set) -> Changed<'_> {
         let list = &*FORMULAS;
         let known = &self.sample.inputs.known;
-        let right = &self.values[way];
+        let right = &self.values[way][..];
+        let new = change.names();
+        let mut used = new;
+        change.new.iter().for_each(|(_, tree)| tree.each_name(&mut |name| used.add(name)));
+        let places = vec![None; right.len()];
+        let mut values = Changed { way, right, affected: Set::default(), used, places, others: Vec::new() };
         if change.is_stored {
-            let mut values = right.clone();
             for (name, tree) in &change.new {
-                values[*name] = value(tree, right);
+                values.set(*name, value(tree, right));
             }
             for (of, name) in change.entries.iter().flat_map(|of| of.names().map(move |name| (of, name))) {
-                values[name] = of.put(name, right[name], self.parts());
+                values.set(name, of.put(name, right[name], self.parts()));
             }
             return values;
         }
-        let mut is_other = vec![false; right.len()];
-        let mut values = right.clone();
+        let relations = &list.relations[way];
+        values.affected = relations.affected(change, needed);
+        let mut others = Set::default();
         for (name, tree) in change.new.iter().filter(|(name, _)| *name < list.inputs) {
-            values[*name] = value(tree, right);
-            is_other[*name] = true;
+            values.set(*name, value(tree, right));
+            others.add(*name);
         }
-        for Step { name, tree, uses } in &list.ways[way] {
-            let other = change.new.iter().find(|(of, _)| of == name).map(|(_, tree)| tree);
-            let entries = change.entries.filter(|of| of.names().any(|of| of == *name));
-            let is_given = self.given.iter().any(|(of, _)| of == name);
-            let is_same = other.is_none() && entries.is_none() && !uses.iter().any(|name| is_other[*name]);
-            let is_kept = change.is_of_derivatives && other.is_none() && !list.is_differentiated(*name);
-            if is_given || is_same || is_kept || !needed[*name] {
+        let affected = values.affected.or(new.and(needed));
+        for name in affected.names().filter(|name| *name >= list.inputs) {
+            let other = change.new.iter().find(|(of, _)| *of == name).map(|(_, tree)| tree);
+            let entries = change.entries.filter(|of| of.names().any(|of| of == name));
+            let is_given = self.given.iter().any(|(of, _)| *of == name);
+            let is_same = other.is_none() && entries.is_none() && relations.uses[name].and(others).is_empty();
+            let is_kept = change.is_of_derivatives && other.is_none() && !list.is_differentiated(name);
+            if is_given || is_same || is_kept {
                 continue;
             }
-            let value = evaluated(*name, other.unwrap_or(tree), &values, known);
-            let value = entries.map_or(value, |of| of.put(*name, value, self.parts()));
-            if value != values[*name] {
-                values[*name] = value;
-                is_other[*name] = true;
+            let tree = other.unwrap_or_else(|| &list.step(way, name).tree);
+            let value = evaluated(name, tree, &values, known);
+            let value = entries.map_or(value, |of| of.put(name, value, self.parts()));
+            if value != right[name] {
+                values.set(name, value);
+                others.add(name);
             }
         }
         if change.is_of_derivatives {
             for (name, _) in &change.new {
-                values[*name] = right[*name];
+                values.places[*name] = None;
             }
         }
         values
     }
 }
 
-fn evaluated(name: Name, tree: &Tree, values: &[Value], known: &[(Name, Value)]) -> Value {
+fn evaluated(name: Name, tree: &Tree, values: &(impl Values + ?Sized), known: &[(Name, Value)]) -> Value {
     let found = value(tree, values);
     let open = || known.iter().find(|(of, _)| *of == name).map(|(_, value)| *value);
     if found.is_nan() { open().unwrap_or(found) } else { found }

@@ -1,5 +1,6 @@
 //! The list of formulas, and the order of its evaluation.
 
+use super::names::{Relations, Set};
 use super::parser::Parser;
 use super::tree::{Name, Names, Op, Tree};
 use std::collections::HashMap;
@@ -87,6 +88,8 @@ pub(super) struct Formulas {
     pub(super) twins: HashMap<Name, Name>,
     /// The formulas of the residual that vary.
     pub(super) residual: Vec<Name>,
+    /// How the names depend on each other in each way of writing.
+    pub(super) relations: [Relations; WAYS],
 }
 
 impl Formulas {
@@ -100,6 +103,7 @@ impl Formulas {
             linear: HashMap::new(),
             twins: HashMap::new(),
             residual: Vec::new(),
+            relations: Default::default(),
         };
         list.add_inputs();
         for line in LIST_OF_FORMULAS.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
@@ -120,6 +124,8 @@ impl Formulas {
         list.residual =
             ["A", "A_bar", "R", "A^T", "A_bar^T", "R^T"].iter().map(|name| list.name(name)).collect();
         list.ways = std::array::from_fn(|way| list.steps(way));
+        assert!(list.names.0.len() <= Set::NAMES, "{} names", list.names.0.len());
+        list.relations = std::array::from_fn(|way| Relations::new(&list, way));
         list
     }
 
@@ -205,27 +211,27 @@ impl Formulas {
     }
 
     /// The names that these follow from, in some way of writing, and they themselves.
-    pub(super) fn needed(&self, among: &[Name]) -> Vec<bool> {
-        let mut needed = vec![false; self.names.0.len()];
-        for name in among {
-            needed[*name] = true;
-        }
+    pub(super) fn needed(&self, among: Set) -> Set {
+        let mut needed = among;
         for i in (0..self.ways[0].len()).rev() {
             for step in self.ways.each_ref().map(|steps| &steps[i]) {
-                if needed[step.name] {
-                    for name in &step.uses {
-                        needed[*name] = true;
-                    }
+                if needed.has(step.name) {
+                    step.uses.iter().for_each(|name| needed.add(*name));
                 }
             }
         }
         needed
     }
 
+    /// The step of a name that is no input.
+    pub(super) fn step(&self, way: usize, name: Name) -> &Step {
+        &self.ways[way][name - self.inputs]
+    }
+
     /// The ways in which the formulas that are needed are not written as in an earlier way.
-    pub(super) fn distinct_ways(&self, needed: &[bool]) -> Vec<usize> {
+    pub(super) fn distinct_ways(&self, needed: Set) -> Vec<usize> {
         let trees = |way: usize| -> Vec<&Tree> {
-            self.ways[way].iter().filter(|step| needed[step.name]).map(|step| &step.tree).collect()
+            self.ways[way].iter().filter(|step| needed.has(step.name)).map(|step| &step.tree).collect()
         };
         let is_new = |way: &usize| (0..*way).all(|earlier| trees(earlier) != trees(*way));
         (0..WAYS).filter(is_new).collect()

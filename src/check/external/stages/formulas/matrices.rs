@@ -1,6 +1,7 @@
 //! A tangent that is right but for its place: exchanged, symmetrised, or one triangle mirrored.
 
 use super::list::FORMULAS;
+use super::names::Set;
 use super::point::points;
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::Reading;
@@ -11,10 +12,10 @@ use crate::number::RunningError;
 fn is_answered(samples: &[Sample], of: &dyn Fn(RunningError, RunningError) -> RunningError) -> bool {
     let list = &*FORMULAS;
     let tangent = list.name("K");
-    let points = points(samples, &[]);
+    let points = points(samples, Set::default());
     let is_right = |point: &super::point::Point| {
         let inputs = &point.sample.inputs;
-        let Some(answer) = point.among(&[tangent]).next().copied() else { return true };
+        let Some(answer) = point.among(Set::from_iter([tangent])).next().copied() else { return true };
         let exchanged = list.values(0, &list.exchanged(&inputs.values), &inputs.known, &[]);
         let number = of(point.values[0][tangent].number(), exchanged[tangent].number());
         (number.value - answer.number.value).abs() <= CAREFUL * number.bound + answer.number.bound

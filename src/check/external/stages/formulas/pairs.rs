@@ -2,9 +2,10 @@
 
 use super::changes::{CHANGES, Change};
 use super::list::FORMULAS;
+use super::names::Set;
 use super::point::{Point, points};
 use super::search::probes;
-use super::tree::Name;
+use super::values::Values;
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;
 use crate::number::RunningError;
@@ -18,12 +19,12 @@ const SIMPLE: u32 = 3;
 const WAYS: [usize; 2] = [0, 2];
 
 /// A pair whose effects on residual or tangent add up to the difference of the answers.
-pub(super) fn found(samples: &[Sample], among: &[Name], given: &[Name]) -> Vec<Change> {
+pub(super) fn found(samples: &[Sample], among: Set, given: Set) -> Vec<Change> {
     WAYS.into_iter().find_map(|way| of_way(samples, way, among, given)).into_iter().collect()
 }
 
-fn of_way(samples: &[Sample], way: usize, among: &[Name], given: &[Name]) -> Option<Change> {
-    let &[name] = among else { return None };
+fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Change> {
+    let name = among.names().next()?;
     let is_valid = |point: &Point| point.among(among).all(|answer| answer.ways[way]);
     let points: Vec<Point> = points(samples, given).into_iter().filter(is_valid).collect();
     let probes = probes(&points, among, PROBES);
@@ -32,7 +33,7 @@ fn of_way(samples: &[Sample], way: usize, among: &[Name], given: &[Name]) -> Opt
     }
     let needed = FORMULAS.needed(among);
     let effect = |point: &Point, change: &Change| -> RunningError {
-        point.changed(way, change, &needed)[name].number() - point.values[way][name].number()
+        point.changed(way, change, needed).at(name).number() - point.values[way][name].number()
     };
     let wanted = |point: &Point| -> Option<RunningError> {
         let answer = point.among(among).next()?;

@@ -1,9 +1,11 @@
 //! A sample with the values of all formulas, and the answers of the program.
 
 use super::entries::inputs_of_parts;
+use super::evaluation::Changed;
 use super::list::{FORMULAS, WAYS};
+use super::names::Set;
 use super::tree::Name;
-use super::values::Value;
+use super::values::{Value, Values};
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;
 use crate::linearization::Quantity;
@@ -26,8 +28,8 @@ pub(super) struct Output {
 }
 
 impl Output {
-    pub(super) fn of(self, values: &[Value]) -> RunningError {
-        values[self.name].component(self.axis)
+    pub(super) fn of(self, values: &(impl Values + ?Sized)) -> RunningError {
+        values.at(self.name).component(self.axis)
     }
 }
 
@@ -44,7 +46,7 @@ pub(super) struct Answer {
 
 impl Answer {
     /// The difference from the formulas, and what rounding explains.
-    fn difference(&self, values: &[Value]) -> (f64, f64) {
+    fn difference(&self, values: &(impl Values + ?Sized)) -> (f64, f64) {
         let RunningError { value, bound } = self.output.of(values);
         ((self.number.value - value).abs(), CAREFUL * bound + self.number.bound)
     }
@@ -58,25 +60,26 @@ pub(super) struct Point<'a> {
     /// Values that are answers.
     pub(super) given: Vec<(Name, Value)>,
     parts: OnceLock<Vec<Vec<Value>>>,
+    unlike: OnceLock<[[Set; WAYS]; WAYS]>,
 }
 
 impl Point<'_> {
-    pub(super) fn among<'a>(&'a self, among: &'a [Name]) -> impl Iterator<Item = &'a Answer> + 'a {
-        self.answers.iter().filter(|answer| among.contains(&answer.output.name))
+    pub(super) fn among(&self, among: Set) -> impl Iterator<Item = &Answer> {
+        self.answers.iter().filter(move |answer| among.has(answer.output.name))
     }
 
     /// Whether one of these answers is not that of the formulas.
-    pub(super) fn is_wrong(&self, among: &[Name]) -> bool {
+    pub(super) fn is_wrong(&self, among: Set) -> bool {
         self.among(among).any(|answer| {
-            let (difference, allowed) = answer.difference(&self.values[0]);
+            let (difference, allowed) = answer.difference(&self.values[0][..]);
             difference.is_nan() || difference > allowed
         })
     }
 
     /// How far these answers are from the formulas, over the rounding.
-    pub(super) fn clearness(&self, among: &[Name]) -> f64 {
+    pub(super) fn clearness(&self, among: Set) -> f64 {
         let of = |answer: &Answer| {
-            let (difference, allowed) = answer.difference(&self.values[0]);
+            let (difference, allowed) = answer.difference(&self.values[0][..]);
             difference / allowed
         };
         self.among(among).map(of).filter(|of| of.is_finite()).fold(0.0, f64::max)
@@ -89,9 +92,26 @@ impl Point<'_> {
             .get_or_init(|| inputs_of_parts(&self.sample.inputs.values).into_iter().map(of_inputs).collect())
     }
 
+    /// The names whose values in two ways of writing differ by more than rounding.
+    pub(super) fn unlike(&self, way: usize, other: usize) -> Set {
+        let differ = |[one, other]: [Value; 2]| {
+            let axes = [None, Some(0), Some(1), Some(2)];
+            !axes.into_iter().all(|axis| {
+                let [one, other] = [one, other].map(|value| value.component(axis));
+                one == other || (one.value - other.value).abs() <= CAREFUL * (one.bound + other.bound)
+            })
+        };
+        let of = |way: usize, other: usize| -> Set {
+            let names = 0..self.values[way].len();
+            names.filter(|&name| differ([way, other].map(|way| self.values[way][name]))).collect()
+        };
+        self.unlike.get_or_init(|| std::array::from_fn(|way| std::array::from_fn(|other| of(way, other))))
+            [way][other]
+    }
+
     /// Whether the changed formulas yield this answer. Rounding must not explain much more than before.
-    pub(super) fn is_explained(&self, answer: &Answer, way: usize, changed: &[Value]) -> bool {
-        let (before, allowed_before) = answer.difference(&self.values[way]);
+    pub(super) fn is_explained(&self, answer: &Answer, way: usize, changed: &Changed) -> bool {
+        let (before, allowed_before) = answer.difference(&self.values[way][..]);
         let (difference, allowed) = answer.difference(changed);
         let coarse = (COARSER * allowed_before).max(FINE * answer.size);
         difference <= allowed && (allowed < CLEAR * before || allowed <= coarse)
@@ -99,7 +119,7 @@ impl Point<'_> {
 }
 
 /// The samples with their answers. Those that are `given` stand for the formulas' own numbers.
-pub(super) fn points<'a>(samples: &'a [Sample], given: &[Name]) -> Vec<Point<'a>> {
+pub(super) fn points<'a>(samples: &'a [Sample], given: Set) -> Vec<Point<'a>> {
     let mut points: Vec<Point> = samples.iter().map(|sample| point(sample, given)).collect();
     let mut sizes = BTreeMap::new();
     for Answer { output, number, .. } in points.iter().flat_map(|point| &point.answers) {
@@ -112,18 +132,18 @@ pub(super) fn points<'a>(samples: &'a [Sample], given: &[Name]) -> Vec<Point<'a>
     points
 }
 
-fn point<'a>(sample: &'a Sample, given: &[Name]) -> Point<'a> {
+fn point(sample: &Sample, given: Set) -> Point<'_> {
     let list = &*FORMULAS;
     let inputs = &sample.inputs;
     let numbers = numbers(sample);
-    let fixed = numbers.iter().filter(|(output, _)| given.contains(&output.name));
+    let fixed = numbers.iter().filter(|(output, _)| given.has(output.name));
     let fixed: Vec<_> = fixed.map(|(output, number)| (output.name, Value::Number(*number))).collect();
     let values = |given: &[(Name, Value)]| -> Vec<_> {
         (0..WAYS).map(|way| list.values(way, &inputs.values, &inputs.known, given)).collect()
     };
     let own = values(&[]);
     let is_right = |output: Output, way: usize| {
-        let [one, right] = [way, 0].map(|way| output.of(&own[way]));
+        let [one, right] = [way, 0].map(|way| output.of(&own[way][..]));
         (one.value - right.value).abs() <= CAREFUL * (one.bound + right.bound)
     };
     let answer = |(output, number): (Output, RunningError)| {
@@ -132,7 +152,7 @@ fn point<'a>(sample: &'a Sample, given: &[Name]) -> Point<'a> {
     };
     let answers = numbers.into_iter().map(answer).collect();
     let values = if fixed.is_empty() { own } else { values(&fixed) };
-    Point { sample, values, answers, given: fixed, parts: OnceLock::new() }
+    Point { sample, values, answers, given: fixed, parts: OnceLock::new(), unlike: OnceLock::new() }
 }
 
 /// The names of a quantity: value, delta, Delta, Delta-delta. The parameters are inputs.

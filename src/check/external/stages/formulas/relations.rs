@@ -1,7 +1,7 @@
 //! Formulas that belong to each other: those of both beams, and those of both directions.
 
 use super::list::{Formula, Formulas};
-use super::tree::{Name, Tree};
+use super::tree::{Name, Op, Tree};
 use super::values::Value;
 use std::collections::HashMap;
 
@@ -58,6 +58,21 @@ impl Formulas {
         let name = self.names.find(&format!("D{}", self.names.0[formula.name]))?;
         let second = self.all.iter().find(|of| of.name == name)?;
         (*second.written(way) == of_second(formula.written(way))).then(|| (second, of_second(tree)))
+    }
+
+    /// The length of the variation of a vector, for the variation of its length.
+    pub(super) fn length_of_variation(&self, name: Name) -> Option<Tree> {
+        let vector = self.names.0[name].strip_prefix("d|")?.strip_suffix('|')?;
+        let vector = self.names.find(&format!("d{vector}"))?;
+        let square = Tree::new(Op::Dot, [Tree::name(vector), Tree::name(vector)]);
+        Some(Tree::new(Op::Root, [square]))
+    }
+
+    /// The product of first variations, for the second variation of the same number.
+    pub(super) fn product_of_variations(&self, name: Name) -> Option<Tree> {
+        let number = self.names.0[name].strip_prefix("Dd").filter(|_| !self.kinds[name].is_vector)?;
+        let [along, linear] = ["d", "D"].map(|of| self.names.find(&format!("{of}{number}")));
+        Some(Tree::product(vec![(false, Tree::name(along?)), (false, Tree::name(linear?))]))
     }
 
     /// Pairs of names that differ in `_bar`.

@@ -1,8 +1,9 @@
 //! The change of the list that explains the answers.
 
 use super::changes::{CHANGES, Change};
-use super::entries::Entries;
+use super::evaluation::Changed;
 use super::list::{FORMULAS, WAYS, WITH_START};
+use super::names::Set;
 use super::point::{Output, Point, RESULTS, points};
 use super::tree::Name;
 use super::{matrices, pairs};
@@ -13,7 +14,6 @@ use crate::check::external::stages::{Reading, Traced};
 use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
 
 /// The number of samples at which all changes are tried.
 const PROBES: usize = 6;
@@ -37,15 +37,15 @@ pub(in crate::check::external::stages) fn found(
     entries: &dyn Fn(Along) -> Vec<Sample>,
 ) -> Option<Traced> {
     let list = &*FORMULAS;
-    let names = |stage: &[&str]| stage.iter().map(|name| list.name(name)).collect::<Vec<_>>();
-    let first: Vec<Point> = points(samples, &[]);
-    let cases = |among: &[Name]| -> BTreeSet<usize> {
+    let names = |stage: &[&str]| -> Set { stage.iter().map(|name| list.name(name)).collect() };
+    let first: Vec<Point> = points(samples, Set::default());
+    let cases = |among: Set| -> BTreeSet<usize> {
         first.iter().filter(|point| point.is_wrong(among)).map(|point| point.sample.case).collect()
     };
-    let all: Vec<Name> = STAGES.iter().flat_map(|(stage, _)| names(stage)).collect();
-    let (first_stage, words) = STAGES.iter().find(|(stage, _)| !cases(&names(stage)).is_empty())?;
+    let all = STAGES.iter().map(|(stage, _)| names(stage)).fold(Set::default(), Set::or);
+    let (first_stage, words) = STAGES.iter().find(|(stage, _)| !cases(names(stage)).is_empty())?;
     let known: BTreeSet<_> = first.iter().map(|point| point.sample.case).collect();
-    let wrong = cases(&names(first_stage));
+    let wrong = cases(names(first_stage));
     let right: Vec<usize> = known.difference(&wrong).copied().collect();
     let wrong: Vec<usize> = wrong.into_iter().collect();
     let of_curves: Vec<_> = samples.iter().map(StagePoint::new).collect();
@@ -56,7 +56,7 @@ pub(in crate::check::external::stages) fn found(
         is_of_formulas: true,
         ..Traced::default()
     };
-    let mut stages = vec![readings(explained(&first, &all))];
+    let mut stages = vec![readings(explained(&first, all))];
     if stages[0].is_empty() {
         stages = of_stages(samples, entries, &names);
     }
@@ -72,35 +72,35 @@ pub(in crate::check::external::stages) fn found(
 /// One change that explains all answers, those of the geometry among them.
 pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Reading> {
     let names = STAGES.iter().flat_map(|(stage, _)| *stage).map(|name| FORMULAS.name(name));
-    let all: Vec<Name> = names.chain(RESULTS.iter().copied()).collect();
-    readings(explained(&points(samples, &[]), &all))
+    let all = names.chain(RESULTS.iter().copied()).collect();
+    readings(explained(&points(samples, Set::default()), all))
 }
 
 /// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones.
 fn of_stages(
     samples: &[Sample],
     entries: &dyn Fn(Along) -> Vec<Sample>,
-    names: &dyn Fn(&[&str]) -> Vec<Name>,
+    names: &dyn Fn(&[&str]) -> Set,
 ) -> Vec<Vec<Reading>> {
-    let mut given: Vec<Name> = Vec::new();
+    let mut given = Set::default();
     let mut stages = Vec::new();
     for (stage, _) in STAGES {
         let names = names(stage);
-        let is_wrong = |given: &[Name]| points(samples, given).iter().any(|point| point.is_wrong(&names));
-        if is_wrong(&given) && is_wrong(&[]) {
-            let of_given = |given: &[Name]| readings(explained(&points(samples, given), &names));
-            let of_one = || [&given[..], &[]].into_iter().map(of_given);
+        let is_wrong = |given: Set| points(samples, given).iter().any(|point| point.is_wrong(names));
+        if is_wrong(given) && is_wrong(Set::default()) {
+            let of_given = |given: Set| readings(explained(&points(samples, given), names));
+            let of_one = || [given, Set::default()].into_iter().map(of_given);
             let of_matrix =
                 || matrices::reading(samples, entries).filter(|_| stage == ["K"]).into_iter().collect();
             // Two effects add up where the answer is a sum.
             let is_sum = stage == ["R"] || stage == ["K"];
-            let of_two = || if is_sum { readings(pairs::found(samples, &names, &given)) } else { Vec::new() };
+            let of_two = || if is_sum { readings(pairs::found(samples, names, given)) } else { Vec::new() };
             let is_some = |found: &Vec<Reading>| !found.is_empty();
             let causes =
                 of_one().find(is_some).or_else(|| Some(of_matrix()).filter(is_some)).unwrap_or_else(of_two);
             stages.push(causes);
         }
-        given.extend(names);
+        given = given.or(names);
     }
     stages
 }
@@ -114,23 +114,23 @@ fn readings(changes: Vec<Change>) -> Vec<Reading> {
 ///
 /// A program may write each formula in its own way. So each result must be that of the changed formulas in one of the ways,
 /// which is the same at all samples.
-fn explained(points: &[Point], among: &[Name]) -> Vec<Change> {
+fn explained(points: &[Point], among: Set) -> Vec<Change> {
     let probes = probes(points, among, PROBES);
     if probes.is_empty() {
         return Vec::new();
     }
     // Most changes are seen to be others at the first result that is wrong.
-    let is_first = |name: &&Name| probes.iter().any(|point| point.is_wrong(&[**name]));
-    let first: Vec<Name> = among.iter().filter(is_first).min().copied().into_iter().collect();
-    let [of_first, of_all] = [&first, among].map(|among| Ways::of(points, among));
+    let is_first = |name: &Name| probes.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
+    let first: Set = among.names().find(is_first).into_iter().collect();
+    let [of_first, of_all] = [first, among].map(|among| Ways::of(points, among));
     let explains = |change: &&Change| {
-        let yields = |ways: &Ways, among: &[Name], mut points: Box<dyn Iterator<Item = &Point> + '_>| {
+        let yields = |ways: &Ways, among: Set, mut points: Box<dyn Iterator<Item = &Point> + '_>| {
             let mut ways = ways.clone();
             ways.are_needed(change)
                 && ways.are_right(change)
                 && points.all(|point| ways.keep(point, change, among))
         };
-        yields(&of_first, &first, Box::new(probes.iter().copied()))
+        yields(&of_first, first, Box::new(probes.iter().copied()))
             && yields(&of_all, among, Box::new(probes.iter().copied().chain(points)))
     };
     let mut found: Vec<Change> = CHANGES.par_iter().filter(explains).cloned().collect();
@@ -155,12 +155,12 @@ struct Ways {
     /// Those that are not the same as another one.
     distinct: Vec<usize>,
     /// Whether the results follow from each name.
-    needed: Arc<[bool]>,
+    needed: Set,
     left: BTreeMap<Output, [bool; WAYS]>,
 }
 
 impl Ways {
-    fn of(points: &[Point], among: &[Name]) -> Self {
+    fn of(points: &[Point], among: Set) -> Self {
         let mut lost: BTreeMap<Output, [usize; WAYS]> = BTreeMap::new();
         for answer in points.iter().flat_map(|point| point.among(among)) {
             let of = lost.entry(answer.output).or_default();
@@ -173,13 +173,12 @@ impl Ways {
         let left =
             lost.into_iter().map(|(of, lost)| (of, std::array::from_fn(|way| is_left(way, lost[way]))));
         let needed = FORMULAS.needed(among);
-        Self { distinct: FORMULAS.distinct_ways(&needed), needed: needed.into(), left: left.collect() }
+        Self { distinct: FORMULAS.distinct_ways(needed), needed, left: left.collect() }
     }
 
     /// Whether some of the results follow from what is changed.
     fn are_needed(&self, change: &Change) -> bool {
-        let of_entries = change.entries.iter().flat_map(Entries::names);
-        change.new.iter().map(|(name, _)| *name).chain(of_entries).any(|name| self.needed[name])
+        !change.names().and(self.needed).is_empty()
     }
 
     /// Whether the formulas are right before the change, in some way in which they are written so.
@@ -188,18 +187,24 @@ impl Ways {
     }
 
     /// Keeps the ways that yield the answers at this sample; whether each result has one.
-    fn keep(&mut self, point: &Point, change: &Change, among: &[Name]) -> bool {
+    fn keep(&mut self, point: &Point, change: &Change, among: Set) -> bool {
+        let mut known: Vec<Changed> = Vec::new();
         for &way in &self.distinct {
             if !self.left.values().any(|left| left[way]) {
                 continue;
             }
-            let changed = point.changed(way, change, &self.needed);
+            let same = known.iter().position(|of| of.is_same(point, way, (change, self.needed)));
+            let place = same.unwrap_or_else(|| {
+                known.push(point.changed(way, change, self.needed));
+                known.len() - 1
+            });
+            let changed = &known[place];
             for answer in point.among(among) {
                 if let Some(left) = self.left.get_mut(&answer.output)
                     && left[way]
                     && answer.ways[way]
                 {
-                    left[way] = point.is_explained(answer, way, &changed);
+                    left[way] = point.is_explained(answer, way, changed);
                 }
             }
         }
@@ -208,7 +213,7 @@ impl Ways {
 }
 
 /// The clearest samples at which one of these answers is wrong: one of each case in turn.
-pub(super) fn probes<'a>(points: &'a [Point<'a>], among: &[Name], count: usize) -> Vec<&'a Point<'a>> {
+pub(super) fn probes<'a>(points: &'a [Point<'a>], among: Set, count: usize) -> Vec<&'a Point<'a>> {
     let mut wrong: Vec<&Point> = points.iter().filter(|point| point.is_wrong(among)).collect();
     wrong.sort_by(|one, other| other.clearness(among).total_cmp(&one.clearness(among)));
     let mut cases = BTreeSet::new();

@@ -1,7 +1,8 @@
 use super::changes::{CHANGES, Change};
 use super::list::{FORMULAS, STRAIGHT, WAYS};
+use super::names::Set;
 use super::point::{Point, RESULTS, names, points};
-use super::tree::Name;
+use super::values::Values;
 use super::{found, of_all};
 use crate::check::Regime;
 use crate::check::external::stages::sample::{Along, Sample, samples};
@@ -41,7 +42,7 @@ fn the_formulas_yield_right_answers_in_each_way_of_writing() {
     for way in 0..WAYS {
         let samples = if way == STRAIGHT { &of_segments } else { &samples };
         let is_right = |point: &&Point| point.answers.iter().all(|answer| answer.ways[way]);
-        let right = points(samples, &[]).iter().filter(is_right).count();
+        let right = points(samples, Set::default()).iter().filter(is_right).count();
         assert!(right > samples.len() / 2, "way {way}: {right} of {}", samples.len());
     }
 }
@@ -50,11 +51,11 @@ fn the_formulas_yield_right_answers_in_each_way_of_writing() {
 fn answered(sample: &Sample, change: &Change) -> Sample {
     let mut sample = sample.clone();
     let own = sample.clone();
-    let of = points(std::slice::from_ref(&own), &[]);
+    let of = points(std::slice::from_ref(&own), Set::default());
     let (Some(element), [point]) = (&mut sample.element, &of[..]) else { return sample };
-    let values = point.changed(0, change, &vec![true; FORMULAS.names.0.len()]);
+    let values = point.changed(0, change, (0..FORMULAS.names.0.len()).collect());
     let number = |name: &str| {
-        let RunningError { value, .. } = values[FORMULAS.name(name)].number();
+        let RunningError { value, .. } = values.at(FORMULAS.name(name)).number();
         RunningError { value, bound: f64::EPSILON * value.abs() }
     };
     element.numbers = [Some(number("R")), None, Some(number("K"))];
@@ -68,8 +69,8 @@ fn answered(sample: &Sample, change: &Change) -> Sample {
 fn with_geometry(sample: &Sample, change: &Change) -> Sample {
     let mut own = Sample { element: None, ..sample.clone() };
     own.inputs.forces.clear();
-    let [point] = &points(std::slice::from_ref(&own), &[])[..] else { unreachable!() };
-    let values = point.changed(0, change, &vec![true; FORMULAS.names.0.len()]);
+    let [point] = &points(std::slice::from_ref(&own), Set::default())[..] else { unreachable!() };
+    let values = point.changed(0, change, (0..FORMULAS.names.0.len()).collect());
     let mut sample = own.clone();
     let mut outputs = point.answers.iter().map(|answer| answer.output);
     for (component, numbers) in sample.own.iter_mut().enumerate() {
@@ -92,7 +93,10 @@ fn a_wrong_geometry_is_explained() {
     let stored = tried().filter(|change| change.is_stored && change.entries.is_none()).step_by(900);
     for change in tried().step_by(4000).chain(of_entries).chain(stored) {
         let answered: Vec<Sample> = samples.iter().map(|sample| with_geometry(sample, change)).collect();
-        let wrong = points(&answered, &[]).iter().filter(|point| point.is_wrong(&RESULTS)).count();
+        let wrong = points(&answered, Set::default())
+            .iter()
+            .filter(|point| point.is_wrong(RESULTS.iter().copied().collect()))
+            .count();
         let mut numbers = answered.iter().flat_map(|sample| &sample.own).flatten().flatten();
         if wrong < 8 || !numbers.all(|number| number.value.is_finite()) {
             continue;
@@ -109,11 +113,11 @@ fn a_wrong_geometry_is_explained() {
 #[test]
 fn answers_with_a_change_are_explained() {
     let samples: Vec<Sample> = right_answers(&Family::ALL).into_iter().step_by(4).collect();
-    let names: Vec<Name> = ["F_N", "F", "F_bar", "R", "K"].map(|name| FORMULAS.name(name)).to_vec();
+    let names: Set = ["F_N", "F", "F_bar", "R", "K"].iter().map(|name| FORMULAS.name(name)).collect();
     let (mut seen, mut known) = (0, 0);
     for change in CHANGES.iter().filter(|change| change.ways[0]).step_by(3000) {
         let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, change)).collect();
-        let wrong = points(&answered, &[]).iter().filter(|point| point.is_wrong(&names)).count();
+        let wrong = points(&answered, Set::default()).iter().filter(|point| point.is_wrong(names)).count();
         let is_finite = |sample: &Sample| {
             let numbers = sample.element.iter().flat_map(|element| element.numbers).flatten();
             numbers.clone().all(|number| number.value.is_finite())

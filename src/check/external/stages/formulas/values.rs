@@ -1,6 +1,6 @@
 //! The values of formulas at a sample.
 
-use super::tree::{Op, Tree};
+use super::tree::{Name, Op, Tree};
 use crate::number::{Real, RunningError};
 use nalgebra::Vector3;
 
@@ -90,12 +90,23 @@ impl Value {
     }
 }
 
+/// The values of all names.
+pub(super) trait Values {
+    fn at(&self, name: Name) -> Value;
+}
+
+impl Values for [Value] {
+    fn at(&self, name: Name) -> Value {
+        self[name]
+    }
+}
+
 /// The value of a formula. A comparison within rounding is not a number.
-pub(super) fn value(tree: &Tree, values: &[Value]) -> Value {
+pub(super) fn value(tree: &Tree, values: &(impl Values + ?Sized)) -> Value {
     let at = |i: usize| value(&tree.of[i], values);
     match &tree.op {
         Op::Number(number) => Value::from(*number),
-        Op::Name(name) => values[*name],
+        Op::Name(name) => values.at(*name),
         Op::Sum(minus) => {
             let signed = |i: usize| if minus[i] { at(i).negative() } else { at(i) };
             (1..minus.len()).fold(signed(0), |sum, i| sum.plus(signed(i)))

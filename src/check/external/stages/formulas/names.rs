@@ -1,0 +1,87 @@
+//! Sets of names, and what follows from a name.
+
+use super::list::{Formulas, WAYS};
+use super::tree::Name;
+
+/// A set of names.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Set([u64; 8]);
+
+impl Set {
+    /// The number of names that there may be.
+    pub(super) const NAMES: usize = 512;
+
+    pub(super) fn add(&mut self, name: Name) {
+        self.0[name / 64] |= 1 << (name % 64);
+    }
+
+    pub(super) fn has(&self, name: Name) -> bool {
+        self.0[name / 64] & (1 << (name % 64)) != 0
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    pub(super) fn or(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] | other.0[i]))
+    }
+
+    pub(super) fn and(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] & other.0[i]))
+    }
+
+    pub(super) fn without(self, other: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i] & !other.0[i]))
+    }
+
+    /// The names, in their order.
+    pub(super) fn names(self) -> impl Iterator<Item = Name> {
+        self.0.into_iter().enumerate().flat_map(|(i, mut bits)| {
+            std::iter::from_fn(move || {
+                let bit = (bits != 0).then(|| bits.trailing_zeros() as usize)?;
+                bits &= bits - 1;
+                Some(64 * i + bit)
+            })
+        })
+    }
+}
+
+impl FromIterator<Name> for Set {
+    fn from_iter<I: IntoIterator<Item = Name>>(names: I) -> Self {
+        let mut set = Self::default();
+        names.into_iter().for_each(|name| set.add(name));
+        set
+    }
+}
+
+/// How names depend on each other in one way of writing.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Relations {
+    /// The names in the formula of each name.
+    pub(super) uses: Vec<Set>,
+    /// The names that follow from each name, and itself.
+    pub(super) follows: Vec<Set>,
+    /// The names whose formula is not that of each way.
+    pub(super) differ: [Set; WAYS],
+}
+
+impl Relations {
+    pub(super) fn new(list: &Formulas, way: usize) -> Self {
+        let steps = &list.ways[way];
+        let mut uses = vec![Set::default(); list.names.0.len()];
+        let mut follows: Vec<Set> = (0..uses.len()).map(|name| Set::from_iter([name])).collect();
+        for step in steps {
+            uses[step.name] = step.uses.iter().copied().collect();
+        }
+        for step in steps.iter().rev() {
+            let of_step = follows[step.name];
+            step.uses.iter().for_each(|name| follows[*name] = follows[*name].or(of_step));
+        }
+        let differ = |other: usize| {
+            let pairs = steps.iter().zip(&list.ways[other]);
+            pairs.filter(|(one, other)| one.tree != other.tree).map(|(one, _)| one.name).collect()
+        };
+        Self { uses, follows, differ: std::array::from_fn(differ) }
+    }
+}
