@@ -15,6 +15,8 @@ const FEW_DECIMALS: i32 = 12;
 const SINGLE: u8 = 6;
 /// The rounding of single precision over that of double precision.
 const COARSER: f64 = 536_870_912.0;
+/// The bound on rounding over the size of a number up to which the number is compared.
+const MEANINGFUL: f64 = 1e-3;
 /// The number of numbers that are needed to tell.
 const NUMBERS: usize = 30;
 
@@ -66,6 +68,8 @@ pub struct Precision {
     decimals: i32,
     /// For each power of ten, the count of numbers.
     powers: BTreeMap<i32, usize>,
+    /// The largest error of a wrong number over its size.
+    worst: f64,
     /// Of answers in single precision, by regime: all cases, those that agree to six digits, and those whose differences
     /// rounding in single precision explains.
     singles: BTreeMap<String, [u64; 3]>,
@@ -97,6 +101,13 @@ impl Precision {
 
     /// Adds the answers to a case.
     pub(super) fn add(&mut self, regime: &str, answers: &Answers, judged: &[Judged]) {
+        for one in judged.iter().filter(|one| one.judgement == Judgement::Wrong) {
+            let (error, size) = (one.comparison.difference().min(one.loss), one.scale.max(one.size));
+            // Where rounding hides the number, no digits are required of it.
+            if error > one.attainable && one.attainable <= MEANINGFUL * size {
+                self.worst = self.worst.max(error / size);
+            }
+        }
         if self.is_double() {
             return;
         }
@@ -176,7 +187,9 @@ pub fn few_digits(report: &Report, demands: &Demands) -> Option<FewDigits> {
         Ok(_) => true,
         Err(_) => false,
     };
-    Some(FewDigits { digits, kind, is_all, agree: cases.iter().all(is_right) })
+    // Not all wrong cases are kept.
+    let is_near = is_fixed || report.precision.worst <= half_unit(digits);
+    Some(FewDigits { digits, kind, is_all, agree: is_near && cases.iter().all(is_right) })
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "tests whether the number is one of single precision")]

@@ -242,6 +242,16 @@ fn few_digits_are_recognized() {
     let document: Value =
         serde_json::from_str(&verified(&with(&text, &six), &["--format", "json"]).1).unwrap();
     assert_eq!(document["answered_digits"], 6);
+    // One wrong case is not hidden by many before it that have few digits.
+    let lines = with(&text, &six);
+    let late: Value = serde_json::from_str(lines.lines().nth(33).unwrap()).unwrap();
+    let one_wrong = changed(&lines, |line| {
+        if line["id"] == late["id"] {
+            map(&mut line["d"]["hessian"], &|x| six(1.5 * x));
+        }
+    });
+    let (code, shown) = verified(&one_wrong, &[]);
+    assert!(code == Some(1) && shown.contains("They differ in the first 6 digits too."), "{shown}");
     // Answers with all digits have no such hint.
     let (_, told) = verified(&faulty, &[]);
     assert!(!told.contains("significant digits") && told.contains("Cause: "), "{told}");
