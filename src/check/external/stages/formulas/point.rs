@@ -119,7 +119,7 @@ impl Point<'_> {
 }
 
 /// The samples with their answers. Those that are `given` stand for the formulas' own numbers.
-pub(super) fn points<'a>(samples: &'a [Sample], given: Set) -> Vec<Point<'a>> {
+pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
     let mut points: Vec<Point> = samples.iter().map(|sample| point(sample, given)).collect();
     let mut sizes = BTreeMap::new();
     for Answer { output, number, .. } in points.iter().flat_map(|point| &point.answers) {

@@ -71,7 +71,9 @@ const LENGTHS: [Quantity; 3] = [Quantity::D, Quantity::T, Quantity::TBar];
 /// A number that is the same for the same terms.
 pub(super) fn of_terms(terms: &Terms) -> u64 {
     let mut hasher = DefaultHasher::new();
-    terms.iter().for_each(|term| term.factors.hash(&mut hasher));
+    for term in terms {
+        term.factors.hash(&mut hasher);
+    }
     hasher.finish()
 }
 
