@@ -15,8 +15,6 @@ const FEW_DECIMALS: i32 = 12;
 const SINGLE: u8 = 6;
 /// The rounding of single precision over that of double precision.
 const COARSER: f64 = 536_870_912.0;
-/// The bound on rounding over the size of a number up to which the number is compared.
-const MEANINGFUL: f64 = 1e-3;
 /// The number of numbers that are needed to tell.
 const NUMBERS: usize = 30;
 
@@ -103,8 +101,7 @@ impl Precision {
     pub(super) fn add(&mut self, regime: &str, answers: &Answers, judged: &[Judged]) {
         for one in judged.iter().filter(|one| one.judgement == Judgement::Wrong) {
             let (error, size) = (one.comparison.difference().min(one.loss), one.scale.max(one.size));
-            // Where rounding hides the number, no digits are required of it.
-            if error > one.attainable && one.attainable <= MEANINGFUL * size {
+            if error > one.attainable {
                 self.worst = self.worst.max(error / size);
             }
         }

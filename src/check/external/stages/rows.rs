@@ -7,8 +7,7 @@ use super::equations::Zero;
 use super::terms::{Factor, Number, Part, Reach, Tag, Term, Terms};
 use super::words::words;
 use crate::linearization::Quantity;
-use replaced::{of_terms, replaced};
-use std::collections::HashMap;
+use replaced::replaced;
 
 /// A possible error: the sum that a program with it adds to the equation.
 #[derive(Clone, Debug)]
@@ -49,12 +48,8 @@ pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
         }
     }
     in_both(form, &mut rows);
-    let mut places: HashMap<u64, Vec<usize>> = HashMap::new();
-    for (place, row) in rows.iter().enumerate() {
-        places.entry(of_terms(&row.terms)).or_default().push(place);
-    }
     for group in &groups {
-        replaced(group, &mut rows, &mut places);
+        replaced(group, &mut rows);
     }
     rows.retain(|row| !row.terms.is_empty());
     rows

@@ -60,7 +60,7 @@ pub(super) enum Number {
 pub(super) type Part = usize;
 
 /// A factor of a term.
-#[derive(Clone, Copy, Debug, PartialEq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Factor {
     Dot(Vector, Vector),
     /// The absolute value of a product.

@@ -32,20 +32,6 @@ impl Avx2Arithmetic {
         f64x4::splat(self.0, factor)
     }
 
-    /// Calls `f`. Where speed does not matter its calls share one instance.
-    #[cfg_attr(debug_assertions, inline(never))]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn part(self, f: &mut impl FnMut(usize), a: usize) {
-        if cfg!(debug_assertions) {
-            self.0.vectorize(
-                #[inline(always)]
-                || f(a),
-            );
-        } else {
-            f(a);
-        }
-    }
-
     /// [`Arithmetic::set_from`].
     #[inline(always)]
     fn set_sum<const L: usize, const G: usize, const J: usize, const K: usize>(
@@ -198,7 +184,6 @@ impl Arithmetic<f64> for Avx2Arithmetic {
     /// Up to four calls are unrolled, as most beams have no more. The compiler then knows the lengths of the rows.
     #[inline(always)]
     fn each_vector<const L: usize>(self, mut f: impl FnMut(usize)) {
-        let mut f = |a| self.part(&mut f, a);
         if L / 3 > 4 {
             for a in 0..L / 3 {
                 f(a);

@@ -5,6 +5,7 @@ use super::point::{Point, RESULTS, names, points};
 use super::values::Values;
 use super::{found, of_all};
 use crate::check::Regime;
+use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::{Along, Sample, samples};
 use crate::check::external::{AnswerReader, Demands, Drawing, Evaluator};
 use crate::linearization::Quantity;
@@ -45,6 +46,50 @@ fn the_formulas_yield_right_answers_in_each_way_of_writing() {
         let right = points(samples, Set::default()).iter().filter(is_right).count();
         assert!(right > samples.len() / 2, "way {way}: {right} of {}", samples.len());
     }
+}
+
+/// Where a change is said to have the same values in two ways of writing, it has: also a change of an entry of the inverse
+/// matrix, which some ways do not use.
+#[test]
+fn a_change_is_the_same_in_ways_that_are_said_to_be_the_same() {
+    let samples = right_answers(&[Family::Hermite, Family::Arc]);
+    let points: Vec<Point> = points(&samples, Set::default()).into_iter().step_by(7).collect();
+    let needed =
+        FORMULAS.needed(["dxi", "dxi_bar", "Ddxi_bar", "K"].iter().map(|name| FORMULAS.name(name)).collect());
+    let inverse: Set = ["i12", "i22"].iter().map(|name| FORMULAS.name(name)).collect();
+    let of_inverse = CHANGES.iter().filter(|change| !change.names().and(inverse).is_empty()).step_by(20);
+    let (mut same, mut others) = (0, 0);
+    for change in CHANGES.iter().step_by(4000).chain(of_inverse) {
+        for point in &points {
+            let in_first = point.changed(0, change, needed);
+            for way in 1..WAYS {
+                if !in_first.is_same(point, way, (change, needed)) {
+                    others += 1;
+                    continue;
+                }
+                same += 1;
+                let in_other = point.changed(way, change, needed);
+                // Values that the change does not affect may have other formulas.
+                let affected = change
+                    .names()
+                    .names()
+                    .filter(|name| needed.has(*name))
+                    .chain(needed.names().filter(|name| in_other.at(*name) != point.values[way][*name]));
+                for name in affected {
+                    let [one, other] = [in_first.at(name).number(), in_other.at(name).number()];
+                    let allowed = CAREFUL * (one.bound + other.bound);
+                    let is_near =
+                        (one.value - other.value).abs() <= allowed || one.value.is_nan() || allowed.is_nan();
+                    assert!(
+                        is_near,
+                        "{}: {}, way {way}: {one:?}, {other:?}",
+                        change.words, FORMULAS.names.0[name]
+                    );
+                }
+            }
+        }
+    }
+    assert!(same > 100 && others > 100, "{same}, {others}");
 }
 
 /// The sample with the answers of the changed formulas.

@@ -5,8 +5,6 @@ use super::{Group, Row, What};
 use crate::check::external::stages::terms::{Factor, Number, Reach, Term, Terms, Vector, scaled};
 use crate::check::external::stages::words::{number_words, vector_words};
 use crate::linearization::Quantity;
-use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// A factor with the sides that the name of its group is on: of a scalar product one or both, else all or nothing.
 type Reached<'a> = (&'a Factor, [bool; 2]);
@@ -68,15 +66,6 @@ fn with_numbers(group: &Group, of: impl Fn(Number) -> Number) -> Terms {
 const MANY: &str = "the components";
 const LENGTHS: [Quantity; 3] = [Quantity::D, Quantity::T, Quantity::TBar];
 
-/// A number that is the same for the same terms.
-pub(super) fn of_terms(terms: &Terms) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    for term in terms {
-        term.factors.hash(&mut hasher);
-    }
-    hasher.finish()
-}
-
 fn unique<T: PartialEq + Copy>(all: impl Iterator<Item = T>) -> Vec<T> {
     all.fold(Vec::new(), |mut known, of| {
         if !known.contains(&of) {
@@ -86,13 +75,10 @@ fn unique<T: PartialEq + Copy>(all: impl Iterator<Item = T>) -> Vec<T> {
     })
 }
 
-/// Adds the errors of a group to the rows. `places` are those of the rows by their terms.
-pub(super) fn replaced(group: &Group, rows: &mut Vec<Row>, places: &mut HashMap<u64, Vec<usize>>) {
+pub(super) fn replaced(group: &Group, rows: &mut Vec<Row>) {
     let mut add = |words: String, terms: Terms| {
         // Groups that overlap have some errors in common. The smallest group names them.
-        let known = places.entry(of_terms(&terms)).or_default();
-        if !terms.is_empty() && !known.iter().any(|place| rows[*place].terms == terms) {
-            known.push(rows.len());
+        if !terms.is_empty() && !rows.iter().any(|row| row.terms == terms) {
             rows.push(Row { what: What::Replaced { of: group.name.clone(), words }, terms });
         }
     };
