@@ -203,3 +203,61 @@ impl SquaredDistance {
         best
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Centroid;
+    use super::super::tree::{ROOT, Tree};
+    use super::{Bounds, evaluate};
+    use crate::curve::Geometry;
+    use nalgebra::Vector3;
+
+    /// x₀ + xi t + xi²/2 t,xi.
+    struct Parabola([Vector3<f64>; 3]);
+
+    impl Centroid for Parabola {
+        fn geometry(&self, xi: f64) -> Geometry<f64> {
+            let [x, t, t_xi] = self.0;
+            Geometry { x: x + (t + t_xi * (0.5 * xi)) * xi, t: t + t_xi * xi, t_xi, t_xixi: Vector3::zeros() }
+        }
+
+        fn third_derivative_bound(&self) -> f64 {
+            0.0
+        }
+    }
+
+    /// Straight and bent curves, some of them parallel, with any vector as the normal.
+    #[test]
+    fn no_distance_is_below_its_bound() {
+        let mut state = 1_u32;
+        let mut number = move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state >> 8) / f64::from(1 << 23) - 1.0
+        };
+        let mut near = 0;
+        for k in 0..400 {
+            let mut vector = || Vector3::from_fn(|_, _| number());
+            let bend = [0.0, 1e-3, 0.5][k % 3];
+            let (x, t) = (vector(), vector());
+            let t_bar = if k % 2 == 0 { t * 1.5 } else { vector() };
+            let curves = [[x, t, vector() * bend], [vector(), t_bar, vector() * bend]].map(Parabola);
+            let normal = vector();
+            let [mut tree, mut tree_bar] = curves.each_ref().map(|curve| Tree::new(curve).unwrap());
+            let (half, half_bar) = (tree.halves(ROOT).unwrap()[0], tree_bar.halves(ROOT).unwrap()[1]);
+            let nodes = [tree.node(half), tree_bar.node(half_bar)];
+            let within = nodes.map(|node| [-node.half, node.half]);
+            let at = |i: usize, step: i32| {
+                let xi = nodes[i].centre + nodes[i].half * f64::from(step) / 20.0;
+                evaluate(&curves[i], xi).unwrap().x
+            };
+            let steps = (-20..=20).flat_map(|i| (-20..=20).map(move |j| (i, j)));
+            let least = steps.map(|(i, j)| (at(0, i) - at(1, j)).norm()).fold(f64::INFINITY, f64::min);
+            for normal in [normal, nodes[0].geometry.x - nodes[1].geometry.x] {
+                let bound = Bounds::new(nodes[0], nodes[1]).smallest_distance(nodes, within, &normal);
+                assert!(bound <= least, "{k}: {bound} > {least}");
+                near += usize::from(bound > 0.8 * least);
+            }
+        }
+        assert!(near > 100, "{near}");
+    }
+}
