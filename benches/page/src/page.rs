@@ -13,14 +13,26 @@ impl Benchmark {
     /// The pages and the pictures by file name. The same record always gives the same pages.
     pub fn pages(&self) -> Vec<(String, String)> {
         let page = self.page();
-        let pages = [("benchmark.md", page.to_markdown()), ("benchmark.html", page.to_html())];
+        let pages = [("benchmark.md", self.short_page().to_markdown()), ("benchmark.html", page.to_html())];
         pages.map(|(name, text)| (name.to_owned(), text)).into_iter().chain(page.pictures()).collect()
+    }
+
+    /// The page without its folded tables.
+    fn short_page(&self) -> Page {
+        let Page { title, mut blocks } = self.page();
+        blocks.retain(|block| !matches!(block, Block::Details { .. }));
+        blocks.insert(
+            1,
+            Block::text("The tables are in [benchmark.html](benchmark.html), a file for a browser, and all samples in `benchmark.json`."),
+        );
+        Page { title, blocks }
     }
 
     /// The page.
     pub fn page(&self) -> Page {
-        let mut blocks = vec![Block::text(&self.conclusion()), Block::text(&self.others())];
+        let mut blocks = vec![Block::text(&self.answer())];
         blocks.extend(picture("benchmark.svg", METHODS, self.methods_to_svg()));
+        blocks.push(Block::List(self.findings()));
         blocks.extend([
             Block::text("The methods differ in what they were given:"),
             Block::List(GIVEN.map(str::to_owned).to_vec()),

@@ -11,7 +11,8 @@ impl Page {
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta name=\"color-scheme\" content=\"light dark\">\n\
-             <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+             <title>{title}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{title}</h1>\n",
+            style()
         );
         add(&mut page, &self.blocks);
         page + "</body>\n</html>\n"
@@ -53,30 +54,16 @@ fn add(page: &mut String, blocks: &[Block]) {
     }
 }
 
-const STYLE: &str = "
-:root { --text: #1a1a1a; --page: #fff; --rule: #d8d8d8; --quiet: #595959; --link: #005a9c; }
-@media (prefers-color-scheme: dark) {
-  :root { --text: #e8e8e8; --page: #161616; --rule: #444; --quiet: #a8a8a8; --link: #6cb6ff; }
+/// The style of all pages, and what tables and charts need.
+const STYLES: [&str; 2] = [include_str!("../derivation/style.css"), include_str!("table.css")];
+
+/// The style without the lines for MathML, which these pages do not use.
+fn style() -> String {
+    let is_of_formulas =
+        |line: &&str| ["@namespace", "@font-face", "m|"].iter().any(|start| line.starts_with(start));
+    let lines = STYLES.into_iter().flat_map(str::lines).filter(|line| !is_of_formulas(line));
+    lines.flat_map(|line| [line, "\n"]).collect()
 }
-body { font: 16px/1.5 sans-serif; max-width: 78rem; margin: 1rem auto 4rem; padding: 0 1rem;
-  color: var(--text); background: var(--page); }
-p, ul, summary { max-width: 44rem; }
-ul { padding-left: 1.2rem; }
-h2 { margin-top: 2.2rem; }
-summary { cursor: pointer; padding: 0.35rem 0; }
-.wide { overflow-x: auto; margin: 1rem 0; }
-a { color: var(--link); }
-table { border-collapse: collapse; font-size: 0.9rem; }
-th, td { text-align: left; padding: 0.2rem 0.9rem 0.2rem 0; border-bottom: 1px solid var(--rule); vertical-align: top; }
-th { vertical-align: bottom; }
-td { min-width: 3rem; }
-.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
-th.number { white-space: normal; }
-figure { margin: 1.2rem 0; max-width: 44rem; }
-figcaption { color: var(--quiet); font-size: 0.9rem; }
-figure svg { display: block; width: 100%; height: auto; }
-pre { overflow-x: auto; }
-";
 
 fn cell(tag: &str, right: bool, text: &str) -> String {
     let class = if right { " class=\"number\"" } else { "" };

@@ -9,8 +9,8 @@ const LEFT: f64 = 52.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const TOP: f64 = 56.0;
 const BOTTOM: f64 = 360.0;
-/// The distance of labels from the points: labels for d are to the left, those for all but the slips to the right.
-const BESIDE: f64 = 16.0;
+/// The distance of the labels from the points.
+const BESIDE: f64 = 40.0;
 
 impl Benchmark {
     /// Multiply-adds in a nanosecond over multiply-adds for each stored byte; none if they were not counted.
@@ -23,7 +23,7 @@ impl Benchmark {
         let label = |value: f64| plain(value).trim_end_matches('0').trim_end_matches('.').to_owned();
         let ridge = most / bytes;
         let marked = [0.1, 0.2, 0.5, 1.0, 2.0];
-        // Room for labels on both sides of the points.
+        // Room for labels beside the points.
         let [least, most_dense] = Axis::ends(rows.iter().map(Below::density).chain([ridge]));
         let across = [0.5 * least, 3.2 * most_dense];
         let densities: Vec<f64> =
@@ -49,20 +49,17 @@ impl Benchmark {
             [format!("arithmetic: {} per ns", plain(most)), format!("stores: {} bytes per ns", plain(bytes))];
         chart.text([RIGHT - 4.0, y.at(most) - 8.0], Anchor::End, INK, &words[0]);
         chart.text([LEFT + 6.0, TOP + 16.0], Anchor::Start, INK, &words[1]);
-        let sides = Axis::ends(rows.iter().map(Below::density)).map(|density| x.at(density));
-        for (k, task) in ["d, ", "all"].into_iter().enumerate() {
-            let of: Vec<_> = rows.iter().filter(|row| row.name().starts_with(task)).collect();
-            let heights =
-                apart(&of.iter().map(|row| y.at(row.rate())).collect::<Vec<_>>(), 16.0, [TOP, BOTTOM]);
-            let (label, anchor) =
-                if k == 0 { (sides[0] - BESIDE, Anchor::End) } else { (sides[1] + BESIDE, Anchor::Start) };
-            for (row, height) in of.iter().zip(heights) {
-                let at = [x.at(row.density()), y.at(row.rate())];
-                chart.line(at, [label.midpoint(sides[k]), height], &format!("s{k}"));
-                chart.mark(at, [Mark::Dot, Mark::Diamond][k], k);
-                let name = row.name().replace("all but the slips", "all");
-                chart.text([label, height + 4.0], anchor, k, &format!("{name} {} x", plain(row.times)));
-            }
+        // The labels stand in one column: left of the points is the line of the stores.
+        let [_, side] = Axis::ends(rows.iter().map(Below::density)).map(|density| x.at(density));
+        let heights = rows.iter().map(|row| y.at(row.rate())).collect::<Vec<_>>();
+        for (row, height) in rows.iter().zip(apart(&heights, 18.0, [TOP, BOTTOM])) {
+            let k = usize::from(!row.name().starts_with("d, "));
+            let at = [x.at(row.density()), y.at(row.rate())];
+            chart.line(at, [side + 0.8 * BESIDE, height], &format!("s{k}"));
+            chart.mark(at, [Mark::Dot, Mark::Diamond][k], k);
+            let name = row.name().replace("all but the slips", "all");
+            let label = format!("{name} {} x", plain(row.times));
+            chart.text([side + BESIDE, height + 4.0], Anchor::Start, k, &label);
         }
         Some(chart.svg())
     }
