@@ -194,6 +194,8 @@ pub struct Owners {
 pub struct Owned {
     /// Its elements.
     pub owners: Owners,
+    /// Its parameters xi and xi_bar there. An open contact has no other place.
+    pub at: (f64, f64),
     /// Its history.
     pub history: History,
 }
@@ -228,8 +230,8 @@ impl Chains<'_> {
     /// The histories of the minima of this step, each in the elements that own it.
     ///
     /// The nearest pairs of a contact before and a minimum now are matched first, by the length of the way along both chains.
-    /// A minimum farther than `reach` from every contact that is left is a first contact: its history is empty. Contacts that
-    /// are open, with nothing but a normal, are not matched.
+    /// A minimum farther than `reach` from every contact that is left is a first contact: its history is empty. A contact that
+    /// is open keeps its normal, so that a beam that passes through the other one in a step is pushed back.
     ///
     /// # Errors
     /// [`ContactError::NoElement`].
@@ -241,22 +243,24 @@ impl Chains<'_> {
     ) -> Result<Vec<Owned>, ContactError> {
         let mut ways = Vec::new();
         for (i, of) in before.iter().enumerate() {
-            let Some(slips) = of.history.slips else { continue };
             for (j, (owners, point)) in now.iter().enumerate() {
                 let way = self.beam.distance(
-                    Place { element: of.owners.beam, xi: slips.xi },
+                    Place { element: of.owners.beam, xi: of.at.0 },
                     Place { element: owners.beam, xi: point.xi },
                 )?;
                 let way_bar = self.bar.distance(
-                    Place { element: of.owners.bar, xi: slips.xi_bar },
+                    Place { element: of.owners.bar, xi: of.at.1 },
                     Place { element: owners.bar, xi: point.xi_bar },
                 )?;
                 ways.push((way.hypot(way_bar), i, j));
             }
         }
         ways.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut owned: Vec<_> =
-            now.iter().map(|&(owners, _)| Owned { owners, history: History::default() }).collect();
+        let first = |&(owners, point): &(Owners, ClosestPoint)| {
+            let at = (point.xi, point.xi_bar);
+            Owned { owners, at, history: History::default() }
+        };
+        let mut owned: Vec<_> = now.iter().map(first).collect();
         let (mut given, mut has) = (vec![false; before.len()], vec![false; now.len()]);
         for (_, i, j) in ways.into_iter().take_while(|&(way, ..)| way <= reach) {
             if !given[i] && !has[j] {

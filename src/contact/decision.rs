@@ -89,16 +89,26 @@ impl<'a, L: NormalLaw> Decision<'a, L> {
                 gap = Gap::new(points, &decision);
             }
         }
-        decision.piece = parameters.law.piece(gap.g_n);
+        let in_range = |name, value: f64, least: f64| {
+            if value >= least && value.is_finite() {
+                Ok(value)
+            } else {
+                Err(ContactError::Result { name, value })
+            }
+        };
+        let g_n = in_range("g_N", gap.g_n, f64::NEG_INFINITY)?;
+        decision.piece = parameters.law.piece(g_n);
         let Some(piece) = decision.piece else { return Ok(decision) };
+        let f_n = in_range("F_N", parameters.law.force(piece, g_n), 0.0)?;
+        in_range("k", parameters.law.stiffness(piece, g_n), f64::NEG_INFINITY)?;
         decision.state = State::Frictionless;
         decision.start =
             if parameters.mu > 0.0 && !(held.xi && held.xi_bar) { history.start(held) } else { None };
         let Some(start) = decision.start else { return Ok(decision) };
         let trial = Trial::new(points, at, held, &start);
         // Φ = ε_T γ − μ F_N, and Φ = 0 sticks.
-        let cone = parameters.mu * parameters.law.force(piece, gap.g_n);
-        decision.state = if parameters.eps_t * trial.gamma > cone { State::Slip } else { State::Stick };
+        let force = in_range("eps_T gamma", parameters.eps_t * trial.gamma, 0.0)?;
+        decision.state = if force > parameters.mu * f_n { State::Slip } else { State::Stick };
         Ok(decision)
     }
 

@@ -77,7 +77,8 @@ impl<'a, A: Curve<N>, B: Curve<M>, L: NormalLaw, const N: usize, const M: usize>
     /// Writes R and K at a closest point over `to`. Nothing is allocated.
     ///
     /// # Errors
-    /// [`ContactError`] if the point or the history does not define them; `to` is then unchanged.
+    /// [`ContactError`] if the point or the history does not define them; `to` is then unchanged. If R or K overflows,
+    /// [`ContactError::Result`]; `to` is then zero.
     pub fn evaluate(
         &self,
         q: &DofVector<f64, N, M>,
@@ -90,6 +91,10 @@ impl<'a, A: Curve<N>, B: Curve<M>, L: NormalLaw, const N: usize, const M: usize>
         let points = Points::new(&jet.geometry, &jet_bar.geometry);
         let decision = self.decide_at(&points, point, history)?;
         let values = closed_form::write_by_kernel(&decision, (&jet, &jet_bar), q, at, to);
+        if let Some((name, value)) = to.not_finite() {
+            to.set_zero();
+            return Err(ContactError::Result { name, value });
+        }
         Ok(self.outcome(&decision, &points, point, values))
     }
 

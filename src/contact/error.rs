@@ -33,6 +33,14 @@ pub enum ContactError {
         /// Its value.
         value: f64,
     },
+    /// A result is infinite or not a number, or a law pulls: F_N must not be negative.
+    #[error("the contact has {name} = {value}, which is out of range")]
+    Result {
+        /// Its name.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// The tangent of a beam has no length.
     #[error("the tangent of the {which} has the length {length:e}")]
     ZeroTangent {

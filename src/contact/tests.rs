@@ -6,4 +6,5 @@ mod beams;
 mod field;
 mod invariances;
 mod multiplier;
+mod refused;
 mod symmetry;

@@ -179,7 +179,8 @@ fn forces_and_slips_are_continuous_at_a_boundary() {
         let first = if REVERSED[node] { 1.0 } else { -1.0 };
         let slips = Slips { xi: 0.9 * last, xi_bar: 0.05, e: 0.02 * last, e_bar: 0.03, ..Slips::default() };
         let history = History { normal: Some(Vector3::z()), slips: Some(slips) };
-        let before = Owned { owners: Owners { beam: node - 1, bar: 0 }, history };
+        let owners = Owners { beam: node - 1, bar: 0 };
+        let before = Owned { owners, at: (slips.xi, slips.xi_bar), history };
         let found = [(node - 1, last), (node, first)].map(|(k, xi)| {
             let history = chains.carry(&before, Owners { beam: k, bar: 0 }).unwrap();
             let q = DofVector { beam: beam.dofs[k], bar };
@@ -251,13 +252,23 @@ fn a_history_goes_to_the_nearest_minimum_and_a_new_one_begins() {
     let before = |element: usize, s: f64, e: f64| {
         let (owners, point) = point(element, s);
         let slips = Slips { xi: point.xi, xi_bar: point.xi_bar, e, cosine: 0.5, ..Slips::default() };
-        Owned { owners, history: History { normal: None, slips: Some(slips) } }
+        Owned { owners, at: (point.xi, point.xi_bar), history: History { normal: None, slips: Some(slips) } }
     };
     let now = [point(0, 0.95), point(1, 1.15), point(3, 3.5)];
     let owned = chains.hand_on(&[before(0, 0.9, 1.0), before(0, 0.975, 2.0)], &now, 0.5).unwrap();
     // The second contact is the nearer one to the first minimum. The first contact is left with the reversed element.
     let slips = owned.iter().map(|of| of.history.slips.map(|slips| (slips.e, slips.cosine)));
     assert_eq!(slips.collect::<Vec<_>>(), [Some((2.0, 0.5)), Some((-1.0, -0.5)), None]);
+    // An open contact has a normal alone, and keeps it over a boundary.
+    let (owners, point) = point(0, 0.975);
+    let open = Owned {
+        owners,
+        at: (point.xi, point.xi_bar),
+        history: History { normal: Some(Vector3::z()), slips: None },
+    };
+    let owned = chains.hand_on(&[open], &now, 0.5).unwrap();
+    let normals = owned.iter().map(|of| of.history.normal);
+    assert_eq!(normals.collect::<Vec<_>>(), [Some(Vector3::z()), None, None]);
 }
 
 /// A bar across two straight elements that meet at an angle, on both sides of the kink.
