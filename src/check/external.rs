@@ -29,7 +29,7 @@ mod which_entries;
 
 pub use answers::{ANSWERS, AnswerReader, Answers, Program};
 pub use compare::{CaseFound, Demands, Judged, Judgement, compare_answers};
-pub use conventions::{Conventions, Dofs, ForceConventions, Length, Penalty, Range};
+pub use conventions::{Conventions, Dofs, ForceConventions, Length, Penalty, Range, Triangle};
 pub use diagnose::{OtherConventions, other_conventions};
 pub use error::{ExternalError, Place};
 pub use evaluate::{Evaluator, Formulas};

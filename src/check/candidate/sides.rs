@@ -151,8 +151,17 @@ impl Sides {
             if found != expected {
                 let name = quantity.name();
                 let is_triangle = what == "Hessian" && found == dofs * (dofs + 1) / 2;
-                let hint = if is_triangle { ": a triangle alone; the whole matrix is expected" } else { "" };
-                return Err(format!("{what} of {name}: {expected} numbers expected, found {found}{hint}"));
+                let hint = if is_triangle {
+                    ": a triangle alone; state it by the entry \"triangle\" of the head"
+                } else {
+                    ""
+                };
+                let of = match ([delta, second], what) {
+                    (["residual", _], "gradient") => "residual".to_owned(),
+                    ([_, "tangent"], "Hessian") => "tangent".to_owned(),
+                    _ => format!("{what} of {name}"),
+                };
+                return Err(format!("{of}: {expected} numbers expected, found {found}{hint}"));
             }
         }
         let mut entries = Vec::new();

@@ -161,11 +161,15 @@ impl<R: BufRead> AnswerReader<R> {
     /// If a line is not a valid answer.
     pub fn next_answers(&mut self) -> Result<Option<Answers>, ExternalError> {
         if let Some(rows) = &mut self.rows {
-            return rows.next_answers(&mut self.lines, self.head.conventions.first_index);
+            return rows.next_answers(&mut self.lines, &self.head.conventions);
         }
         let Some(line) = self.lines.next_line()? else { return Ok(None) };
         match jsonl::answers(line) {
-            Ok(answers) => Ok(Some(Answers { place: self.lines.place(), ..answers })),
+            Ok(mut answers) => {
+                let Conventions { triangle, column_major, .. } = self.head.conventions;
+                triangle.complete(column_major, &mut answers);
+                Ok(Some(Answers { place: self.lines.place(), ..answers }))
+            }
             Err(wrong) => Err(Place { column: wrong.column, ..self.lines.place() }.error(wrong.expected)),
         }
     }

@@ -7,6 +7,7 @@
 mod dofs;
 mod forces;
 mod others;
+mod triangle;
 
 use crate::check::element::ElementAt;
 use crate::linearization::Varied;
@@ -14,6 +15,7 @@ use crate::linearization::closed_form::Formulation;
 use crate::number::Real;
 pub use dofs::Dofs;
 pub use forces::ForceConventions;
+pub use triangle::Triangle;
 
 /// The item of the work of the contact element, after the components of the quantities: the penalty energy, or the virtual
 /// work. The items after it are those of [`STATE_AND_FORCES`].
@@ -62,6 +64,8 @@ pub struct Conventions {
     pub bar_first: bool,
     /// Whether Hessians and tangents are written column by column.
     pub column_major: bool,
+    /// The part of Hessians and tangents that is answered.
+    pub triangle: Triangle,
     /// d x/d xi of a Hermite beam over its dof: 1, or half the length if the dofs are unit tangents.
     pub hermite_tangent: f64,
     /// Whether the residual of a contact element has the opposite sign.
@@ -97,6 +101,7 @@ impl Default for Conventions {
             dofs: Dofs::default(),
             bar_first: false,
             column_major: false,
+            triangle: Triangle::default(),
             hermite_tangent: 1.0,
             residual_is_negative: false,
             tangent_is_negative: false,
@@ -109,7 +114,7 @@ impl Default for Conventions {
 }
 
 /// The keys of the head, each with its values. The first value is the default.
-pub(super) const KEYS: [(&str, &[&str]); 18] = [
+pub(super) const KEYS: [(&str, &[&str]); 19] = [
     ("parameter", &["[-1,1]", "[0,1]"]),
     ("d", &["x - x_bar", "x_bar - x"]),
     ("distance", &["d", "d^2", "d^2/2"]),
@@ -117,6 +122,7 @@ pub(super) const KEYS: [(&str, &[&str]); 18] = [
     ("dofs", &["node-major", "component-major", "component-major over both beams"]),
     ("beams", &["beam first", "bar first"]),
     ("matrix", &["row-major", "column-major"]),
+    ("triangle", &["both", "upper", "lower"]),
     ("residual_sign", &["+", "-"]),
     ("tangent_sign", &["+", "-"]),
     ("normal_force", &["positive in compression", "negative in compression"]),
@@ -166,6 +172,7 @@ impl Conventions {
             }
             "beams" => self.bar_first = choice()? == 1,
             "matrix" => self.column_major = choice()? == 1,
+            "triangle" => self.triangle = [Triangle::Both, Triangle::Upper, Triangle::Lower][choice()?],
             "residual_sign" => self.residual_is_negative = choice()? == 1,
             "tangent_sign" => self.tangent_is_negative = choice()? == 1,
             "normal_force" => self.forces.compression_is_negative = choice()? == 1,

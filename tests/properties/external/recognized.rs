@@ -36,8 +36,26 @@ fn triangles_and_doubled_entries_are_named() {
         *line = serde_json::json!({ "id": line["id"], "d": { "hessian": of } });
     });
     let (code, shown) = told(&vectors, "packed", &packed, &[]);
-    let expected = "144 numbers expected, found 78: a triangle alone; the whole matrix is expected";
+    let expected = "144 numbers expected, found 78: a triangle alone; state it by the entry \"triangle\"";
     assert!(code == Some(3) && shown.replace("\n  ", " ").contains(expected), "{shown}");
+    // Column by column it is a lower triangle. Symmetric numbers in the other triangle are not missed.
+    for (head, code) in [
+        (r#""triangle":"upper""#, 0),
+        (r#""triangle":"lower""#, 1),
+        (r#""triangle":"lower","matrix":"column-major""#, 0),
+    ] {
+        let stated = with_head(&packed, head);
+        let (found, shown) = told(&vectors, "stated", &stated, &["--allow-missing"]);
+        assert_eq!(found, Some(code), "{head}: {shown}");
+    }
+    let zeros = changed(&text, |line| {
+        let of = line["d"]["hessian"].as_array_mut().unwrap().iter_mut().enumerate();
+        of.filter(|(k, _)| k / 12 < k % 12).for_each(|(_, entry)| *entry = 0.0.into());
+    });
+    assert_eq!(
+        told(&vectors, "zeros", &with_head(&zeros, r#""triangle":"lower""#), &["--allow-missing"]).0,
+        Some(0)
+    );
 }
 
 /// An element may lack dofs, and may order those of both beams by components.

@@ -1,7 +1,7 @@
 //! Answers as CSV: `case,quantity,value`, one number a row.
 
 use super::{ANSWERS, Answers, Head, quantity, state};
-use crate::check::external::conventions::STATE_AND_FORCES;
+use crate::check::external::conventions::{Conventions, STATE_AND_FORCES, Triangle};
 use crate::check::external::error::{ExternalError, Place};
 use crate::check::external::lines::Lines;
 use crate::check::external::number;
@@ -68,7 +68,7 @@ impl Rows {
     pub(super) fn next_answers<R: BufRead>(
         &mut self,
         lines: &mut Lines<R>,
-        first_index: usize,
+        conventions: &Conventions,
     ) -> Result<Option<Answers>, ExternalError> {
         let mut arrays = Arrays::new();
         let mut answers: Option<Answers> = None;
@@ -77,7 +77,7 @@ impl Rows {
                 next
             } else {
                 let Some(line) = lines.next_line()?.map(ToOwned::to_owned) else { break };
-                (Row::read(&line, first_index, &lines.place())?, lines.place())
+                (Row::read(&line, conventions.first_index, &lines.place())?, lines.place())
             };
             if answers.as_ref().is_some_and(|answers| answers.id != row.id) {
                 self.next = Some((row, place));
@@ -92,7 +92,17 @@ impl Rows {
         }
         let Some(mut answers) = answers else { return Ok(None) };
         self.ended.insert(answers.id.clone());
-        for ((item, part), entries) in arrays {
+        for ((item, part), mut entries) in arrays {
+            // In this format rows and columns have their indices, so the order is not meant.
+            let given: Vec<_> = entries.iter().map(|(at, number)| (at.clone(), *number)).collect();
+            for (at, number) in given {
+                if let [i, j] = at[..]
+                    && conventions.triangle != Triangle::Both
+                    && conventions.triangle.has(i, j)
+                {
+                    entries.insert(vec![j, i], number);
+                }
+            }
             add_array(&mut answers, &item, &part, &entries)?;
         }
         Ok(Some(answers))

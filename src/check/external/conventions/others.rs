@@ -142,6 +142,7 @@ impl Conventions {
             ),
             forces: self.forces,
             penalty: self.penalty,
+            triangle: self.triangle,
             first_index: self.first_index,
             null_is_no_dof: self.null_is_no_dof,
         }
