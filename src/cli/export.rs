@@ -10,8 +10,10 @@ use beamgap::check::external::{
     ANSWERS, Drawing, Evaluator, Expected, Formulas, LIST_OF_FORMULAS, VECTORS, VectorReader, VectorWriter,
 };
 use beamgap::check::{Coverage, Family, Regime};
+use beamgap::contact::{State, Work};
 use clap::{Args, ValueEnum, value_parser};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -58,6 +60,9 @@ pub(crate) struct Export {
     /// Add two earlier converged steps, which lead to the history, for programs that keep their own history
     #[arg(long, requires = "element")]
     steps: bool,
+    /// Only this work of the contact elements [default: both in turn]
+    #[arg(long, value_enum, requires = "element")]
+    work: Option<Kind>,
     /// Write to this file, and not to standard output
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
@@ -68,6 +73,13 @@ enum Beside {
     None,
     Variations,
     All,
+}
+
+/// The work of friction.
+#[derive(Clone, Copy, ValueEnum)]
+enum Kind {
+    Rate,
+    Paper,
 }
 
 impl Export {
@@ -83,6 +95,10 @@ impl Export {
             penetrating: self.penetrating,
             elements: self.element,
             steps: self.steps,
+            work: self.work.map(|kind| match kind {
+                Kind::Rate => Work::Rate,
+                Kind::Paper => Work::Paper,
+            }),
         };
         let expected = match self.expected {
             Beside::None => Expected::None,
@@ -92,14 +108,18 @@ impl Export {
         let writer = VectorWriter { hex: self.hex, expected };
         let mut sink = Sink::open(self.output.as_deref())?;
         sink.line(&writer.head(&drawing))?;
-        let (mut start, mut seen) = (0, Coverage::default());
+        let (mut start, mut seen, mut states) = (0, Coverage::default(), BTreeSet::new());
         while start < drawing.count() && !sink.is_closed {
             let end = drawing.count().min(start + AT_ONCE);
             let numbers: Vec<u64> = (start..end).collect();
-            let line = |&number: &u64| writer.line_and_sides(&drawing.vector(number));
-            for (line, sides) in numbers.par_iter().map(line).collect::<Vec<_>>() {
+            let line = |&number: &u64| {
+                let vector = drawing.vector(number);
+                (writer.line_and_sides(&vector), vector.state())
+            };
+            for ((line, sides), state) in numbers.par_iter().map(line).collect::<Vec<_>>() {
                 sink.line(&line)?;
                 seen.merge(&sides);
+                states.extend(state);
             }
             start = end;
         }
@@ -108,6 +128,14 @@ impl Export {
         let unseen = drawing.unseen(&seen);
         if is_read && !unseen.is_empty() {
             tell(&words_of_unseen(&drawing, &unseen));
+        }
+        let others = State::ALL.into_iter().filter(|state| !states.contains(state)).map(State::name);
+        let others: Vec<_> = others.collect();
+        if is_read && self.element && !others.is_empty() {
+            tell(&format!(
+                "No contact element is in the state {}. More --cases show more.\n",
+                others.join(", ")
+            ));
         }
         Ok(Exit::Agree)
     }

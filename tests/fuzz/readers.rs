@@ -11,8 +11,17 @@ fn vector() -> &'static Vector {
     static VECTOR: OnceLock<Vector> = OnceLock::new();
     VECTOR.get_or_init(|| {
         let (families, regimes) = (vec![Family::Segment], vec![Regime::Generic]);
-        Drawing { seed: 7, regimes, families, cases: 1, penetrating: true, elements: false, steps: false }
-            .vector(0)
+        Drawing {
+            seed: 7,
+            regimes,
+            families,
+            cases: 1,
+            penetrating: true,
+            elements: false,
+            steps: false,
+            work: None,
+        }
+        .vector(0)
     })
 }
 

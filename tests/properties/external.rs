@@ -27,6 +27,7 @@ pub(crate) fn drawing(families: &[Family], regimes: &[Regime], cases: u64) -> Dr
         penetrating: false,
         elements: false,
         steps: false,
+        work: None,
     }
 }
 

@@ -24,6 +24,7 @@ use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::verdict::Inconclusive;
 use crate::check::{CaseData, Coverage, ElementData, Regime, Symmetry};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
+use crate::contact::{State, Work};
 use crate::test_beam::{AnyBeam, Family};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -105,6 +106,8 @@ pub struct Drawing {
     pub elements: bool,
     /// Whether these cases also have two earlier steps, from which their history follows.
     pub steps: bool,
+    /// The work of all elements, if it does not alternate.
+    pub work: Option<Work>,
 }
 
 impl Drawing {
@@ -168,7 +171,9 @@ impl Drawing {
             let contact = &mut vector.case.contact;
             if is_closed != (point.distance < contact.radius + contact.radius_bar) || self.penetrating {
                 // The ratio of the radii stays, and so does which beam is thicker.
-                let sum = if is_closed { 1.25 } else { 0.5 } * point.distance;
+                // With the same share of the distance in all cases some terms of a tangent could not be told apart.
+                let [least, range] = if is_closed { [1.1, 0.3] } else { [0.3, 0.4] };
+                let sum = (least + range * share_of(number)) * point.distance;
                 let factor = sum / (contact.radius + contact.radius_bar);
                 (contact.radius, contact.radius_bar) = (contact.radius * factor, contact.radius_bar * factor);
             }
@@ -181,15 +186,18 @@ impl Drawing {
             let mut contact = vector.case.contact;
             let mut rng = ChaCha8Rng::seed_from_u64(seed);
             rng.set_stream(number);
+            // Each regime begins with another situation.
+            let turn = place + 5 * shift;
             let element = vector.evaluated(|evaluation| {
                 let at = (evaluation.at.0.value, evaluation.at.1.value);
-                // Each regime begins with another situation.
-                let turn = place + 5 * shift;
                 ElementData::draw(turn, &evaluation.points(), at, evaluation.held, &mut contact, &mut rng)
             });
             (vector.element, vector.case.contact) = (element.ok(), contact);
+            if let Some((element, work)) = vector.element.as_mut().zip(self.work) {
+                element.parameters.work = work;
+            }
             if self.steps {
-                vector.go_through_steps(place + 5 * shift);
+                vector.go_through_steps(turn);
             }
         }
         vector
@@ -197,6 +205,12 @@ impl Drawing {
 }
 
 impl Vector {
+    /// The state of the contact element, if the case has one.
+    pub fn state(&self) -> Option<State> {
+        let of = |evaluation: EvaluationPoint<'_>| Some(self.element_at(&evaluation).ok()??.state());
+        self.evaluated(of).ok()?
+    }
+
     /// The nearest closest point, or the one next to the given parameters.
     fn closest_point(&self) -> Result<ClosestPoint, Outcome> {
         let beams = self.case.beams().map_err(|_| Outcome::NoProjection)?;
@@ -293,3 +307,9 @@ pub(super) fn held_name(held: Held) -> &'static str {
 
 /// The maximum distance of the parameters of a closest point from the written ones.
 const NEAR: f64 = 1e-5;
+
+/// A share between 0 and 1 that differs from case to case: the fraction of multiples of the golden ratio.
+#[expect(clippy::cast_precision_loss, reason = "the number of a case is small")]
+fn share_of(number: u64) -> f64 {
+    (number as f64 * 0.618_033_988_749_894_8).fract()
+}

@@ -232,6 +232,7 @@ fn chosen(seed: u64) -> Vec<Vector> {
         penetrating: false,
         elements: false,
         steps: false,
+        work: None,
     };
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();
     let mut chosen = Vec::new();

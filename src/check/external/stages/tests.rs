@@ -22,6 +22,7 @@ fn right_answers(digits: Option<u8>) -> (Vec<(Vector, Answers)>, Demands) {
         penetrating: false,
         elements: false,
         steps: false,
+        work: None,
     };
     let vectors: Vec<_> = (0..drawing.count()).map(|number| drawing.vector(number)).collect();
     let program = Evaluator { digits: digits.map(usize::from), ..Evaluator::default() };
