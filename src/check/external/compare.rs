@@ -97,16 +97,19 @@ impl Entry {
         let Self {
             comparison, loss, attainable, best_scale: scale, size, is_contracted, sensitivity, ..
         } = self;
-        let (is_meaningful, is_right) = match digits {
+        let is_parameter = matches!(
+            (comparison.quantity, comparison.order),
+            (Quantity::Xi | Quantity::XiBar, crate::check::Order::Value)
+        );
+        let size = if is_parameter { 1.0 } else { size.max(comparison.other.abs()) };
+        // Digits are those of the number. Its terms may be so much larger that no digit of it were asked for.
+        let limit = digits.map(|digits| attainable.max(half_unit(digits) * size));
+        let (is_meaningful, is_right) = match limit {
             None => (self.is_meaningful_with(comparison.tolerance, 0.0), comparison.agrees()),
-            Some(digits) => {
-                let asked = half_unit(digits) * scale.max(size);
-                let limit = attainable.max(asked);
-                (
-                    self.is_meaningful_with(attainable, scale.max(size)),
-                    loss <= limit || comparison.difference() <= limit,
-                )
-            }
+            Some(limit) => (
+                self.is_meaningful_with(attainable, scale.max(size)),
+                loss <= limit || comparison.difference() <= limit,
+            ),
         };
         let judgement = match (is_meaningful, is_right) {
             (false, _) => Judgement::Unclear,
@@ -115,17 +118,9 @@ impl Entry {
             (true, false) => Judgement::Wrong,
         };
         // The difference that rounding may explain under the demands.
-        let tolerance = match digits {
-            None => comparison.tolerance,
-            Some(digits) => attainable.max(half_unit(digits) * scale.max(size)),
-        };
+        let tolerance = limit.unwrap_or(comparison.tolerance);
         let is_rounding = comparison.agrees();
         let comparison = Comparison { tolerance, ..comparison };
-        let is_parameter = matches!(
-            (comparison.quantity, comparison.order),
-            (Quantity::Xi | Quantity::XiBar, crate::check::Order::Value)
-        );
-        let size = if is_parameter { 1.0 } else { size.max(comparison.other.abs()) };
         Judged {
             comparison,
             judgement,

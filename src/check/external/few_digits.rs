@@ -100,9 +100,9 @@ impl Precision {
     /// Adds the answers to a case.
     pub(super) fn add(&mut self, regime: &str, answers: &Answers, judged: &[Judged]) {
         for one in judged.iter().filter(|one| one.judgement == Judgement::Wrong) {
-            let (error, size) = (one.comparison.difference().min(one.loss), one.scale.max(one.size));
+            let error = one.comparison.difference().min(one.loss);
             if error > one.attainable {
-                self.worst = self.worst.max(error / size);
+                self.worst = self.worst.max(error / one.size);
             }
         }
         if self.is_double() {
@@ -115,7 +115,7 @@ impl Precision {
                 one.comparison.difference().min(one.loss) <= of_single
             };
             let agrees = |one: &Judged| {
-                let asked = half_unit(SINGLE) * one.scale.max(one.size);
+                let asked = half_unit(SINGLE) * one.size;
                 one.judgement != Judgement::Wrong || one.loss <= one.attainable.max(asked)
             };
             let [cases, agree, explained] = self.singles.entry(regime.to_owned()).or_default();
