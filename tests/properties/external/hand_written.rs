@@ -190,6 +190,36 @@ fn unstated_conventions_and_a_wrong_term_are_named_together() {
     assert_eq!(other_conventions(&[], &Demands::default()), None);
 }
 
+/// What is wrong inside of the Hessian of the gap is named from residual and tangent alone.
+#[test]
+fn a_term_of_the_gap_is_named_from_residual_and_tangent_alone() {
+    let all = vectors(&drawing(&[Family::Hermite], &[Regime::Generic, Regime::NearEnd], 16));
+    let found = |factor: f64| {
+        let text =
+            changed(&answers(&Evaluator { penalty: Some(1e3), ..Evaluator::default() }, &all), |line| {
+                if !line["d"].is_object() {
+                    return;
+                }
+                let [d, gap] = ["d", "g_N"].map(|name| line[name]["value"].as_f64().unwrap());
+                let normal = numbers(line, "d", "gradient");
+                let force = 1e3 * gap.min(0.0);
+                let tangent = line["tangent"].as_array().unwrap().iter().enumerate();
+                let product = |k: usize| normal[k / normal.len()] * normal[k % normal.len()];
+                let tangent: Vec<f64> = tangent
+                    .map(|(k, entry)| entry.as_f64().unwrap() + factor * force * product(k) / d)
+                    .collect();
+                *line =
+                    serde_json::json!({ "id": line["id"], "residual": line["residual"], "tangent": tangent });
+            });
+        let conventions = *AnswerReader::new(text.as_bytes(), "answers").unwrap().conventions();
+        let report = verified(&all, &text, None).unwrap();
+        explain(&report.kept, &report.right, &Demands { conventions, digits: None })
+    };
+    assert!(found(0.0).is_none());
+    let words = names(&found(1.0).unwrap()).join("; ");
+    assert!(words.contains("in Dd|d|, eq. (40), the term d|d| D|d| is missing"), "{words}");
+}
+
 /// Answers of few digits are recognized, and a wrong term is found in them.
 #[test]
 fn few_digits_are_recognized() {
@@ -255,4 +285,22 @@ fn few_digits_are_recognized() {
     // Answers with all digits have no such hint.
     let (_, told) = verified(&faulty, &[]);
     assert!(!told.contains("significant digits") && told.contains("Cause: "), "{told}");
+}
+
+/// The digits that are asked for are those of the number. Its terms may be so much larger that an error of half of it is
+/// less than six digits of them.
+#[test]
+fn no_wrong_hessian_has_the_digits_that_are_asked_for() {
+    let all = vectors(&drawing(&[Family::Hermite], &Regime::ALL, 4));
+    let text = |factor: f64| {
+        changed(&answers(&Evaluator { digits: Some(6), ..Evaluator::default() }, &all), |line| {
+            if line["d"].is_object() {
+                map(&mut line["d"]["hessian"], &|x| factor * x);
+            }
+        })
+    };
+    let found = |factor| verified(&all, &text(factor), Some(6)).unwrap();
+    let [right, wrong] = [1.0, 1.5].map(found);
+    assert!(right.compared > 30, "{}", right.compared);
+    assert_eq!((right.wrong, wrong.wrong, wrong.compared), (0, right.compared, right.compared));
 }

@@ -10,6 +10,7 @@ mod derivative;
 mod edits;
 mod entries;
 mod evaluation;
+mod friction;
 mod inputs;
 mod list;
 mod matrices;

@@ -66,6 +66,7 @@ fn changes() -> Vec<Change> {
     found.extend(list.of_entries());
     found.extend(list.of_results());
     found.extend(list.of_lengths());
+    found.extend(list.of_friction());
     found.extend(list.of_straight_beams());
     let of_formula = |formula: &Formula| {
         let twin = list.twin_of(formula, 0).filter(|twin| twin.name > formula.name)?;
@@ -225,8 +226,8 @@ impl Formulas {
 
     pub(super) fn words_of(&self, formula: &Formula) -> String {
         match &*self.names.0[formula.name] {
-            "R" => "the residual".into(),
-            "K" => "the tangent".into(),
+            "R" | "R_p" => "the residual".into(),
+            "K" | "K_p" => "the tangent".into(),
             name => name.to_owned(),
         }
     }

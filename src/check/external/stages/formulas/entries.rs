@@ -105,7 +105,7 @@ impl Formulas {
     /// Factors on entries of each result that is a gradient or a Hessian.
     pub(super) fn of_entries(&self) -> Vec<Change> {
         let mut found = Vec::new();
-        let results = RESULTS.iter().copied().chain(["R", "K"].map(|name| self.name(name)));
+        let results = RESULTS.iter().copied().chain(["R", "K", "R_p", "K_p"].map(|name| self.name(name)));
         for name in results {
             let blocks: &[(&[usize], &str)] = match self.kinds[name].varies {
                 [true, false] => &OF_GRADIENTS,
@@ -114,7 +114,8 @@ impl Formulas {
             };
             for (blocks, of_blocks) in blocks.iter().copied() {
                 for (factor, words) in FACTORS {
-                    let words = format!("in {} {of_blocks}: {words}", self.names.0[name]);
+                    let of = self.names.0[name].trim_end_matches("_p");
+                    let words = format!("in {of} {of_blocks}: {words}");
                     for is_stored in [true, false] {
                         let linear = self.linear.get(&name).copied();
                         let entries = Some(Entries { name, linear, blocks, factor });

@@ -85,6 +85,11 @@ impl Inputs {
         self.values[FORMULAS.name(name)] = value;
     }
 
+    /// The penalty stiffness of an element without friction, or zero at an open gap.
+    pub(in crate::check::external::stages) fn add_penalty(&mut self, stiffness: f64) {
+        self.set("penalty", stiffness.into());
+    }
+
     /// Adds the data of an element; leaves the inputs as they are if the point does not define it.
     pub(in crate::check::external::stages) fn add_element(
         &mut self,

@@ -27,8 +27,8 @@ const VECTORS: &str = "x x_bar t t_bar t,xi t_bar,xi t,xixi t_bar,xixi n_n tau_n
 const VARIATIONS: &str = "du du_bar du,xi du_bar,xi du,xixi du_bar,xixi";
 const MIXED: &str = "Ddu Ddu_bar Ddu,xi Ddu_bar,xi";
 /// Inputs that are numbers.
-const NUMBERS: &str =
-    "xi xi_bar xi_0 xi_bar_0 r r_bar xi_n xi_bar_n e_n e_bar_n c_n eps_N g_0 lambda eps_T mu";
+const NUMBERS: &str = "xi xi_bar xi_0 xi_bar_0 r r_bar xi_n xi_bar_n e_n e_bar_n c_n eps_N g_0 lambda eps_T mu \
+     penalty";
 /// Inputs that are conditions.
 const CONDITIONS: &str = "both_free free_xi free_xi_bar has_n has_slips held_changes lpqp paper was_free";
 
@@ -121,8 +121,10 @@ impl Formulas {
             }
         }
         list.twins = list.find_twins();
-        list.residual =
-            ["A", "A_bar", "R", "A^T", "A_bar^T", "R^T"].iter().map(|name| list.name(name)).collect();
+        list.residual = ["A", "A_bar", "R", "R_p", "A^T", "A_bar^T", "R^T", "R_p^T"]
+            .iter()
+            .map(|name| list.name(name))
+            .collect();
         list.ways = std::array::from_fn(|way| list.steps(way));
         assert!(list.names.0.len() <= Set::NAMES, "{} names", list.names.0.len());
         list.relations = std::array::from_fn(|way| Relations::new(&list, way));

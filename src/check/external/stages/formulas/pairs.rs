@@ -1,6 +1,6 @@
-//! Two changes of the list that explain answers together.
+//! Two changes of the list that explain answers together, and a term with a factor of its own.
 
-use super::changes::{CHANGES, Change};
+use super::changes::{CHANGES, Change, FACTORS};
 use super::list::FORMULAS;
 use super::names::Set;
 use super::point::{Point, points};
@@ -18,9 +18,31 @@ const SIMPLE: u32 = 3;
 /// The ways of writing in which pairs are looked for.
 const WAYS: [usize; 2] = [0, 2];
 
-/// A pair whose effects on residual or tangent add up to the difference of the answers.
+/// The rounding of a factor.
+const FACTOR: f64 = 1e-6;
+/// The words of a term that is left out.
+const MISSING: &str = "is missing";
+
+/// A term with a factor, or a pair whose effects on residual or tangent add up to the difference of the answers.
 pub(super) fn found(samples: &[Sample], among: Set, given: Set) -> Vec<Change> {
     WAYS.into_iter().find_map(|way| of_way(samples, way, among, given)).into_iter().collect()
+}
+
+/// The factor of what is left out in these effects, if it is the same at all samples: the wanted effects are a multiple.
+fn factor(effects: &[RunningError], wanted: &[RunningError]) -> Option<f64> {
+    let mut clear = effects.iter().zip(wanted).filter(|(of, wanted)| {
+        let is_clear = |of: &RunningError| of.value.abs() * FACTOR > of.bound;
+        is_clear(of) && is_clear(wanted)
+    });
+    let (first, first_wanted) = clear.next()?;
+    // Two samples agree by chance on no factor.
+    clear.next()?;
+    let share = first_wanted.value / first.value;
+    let is_multiple = |(of, wanted): (&RunningError, &RunningError)| {
+        let allowed = CAREFUL * (wanted.bound + share.abs() * of.bound) + FACTOR * wanted.value.abs();
+        (wanted.value - share * of.value).abs() <= allowed
+    };
+    effects.iter().zip(wanted).all(is_multiple).then_some(1.0 - share)
 }
 
 fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Change> {
@@ -47,6 +69,20 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
         .map(|&change| (change, probes.iter().map(|point| effect(point, change)).collect::<Vec<_>>()))
         .filter(|(_, effects)| effects.iter().all(|of| of.value.is_finite() && of.bound.is_finite()))
         .collect();
+    let of_factor = |(change, at_probes): &(&Change, Vec<RunningError>)| {
+        let subject = change.words.strip_suffix(MISSING)?;
+        factor(at_probes, &wanted_at)?;
+        let at: Vec<_> =
+            points.iter().filter_map(|point| Some((effect(point, change), wanted(point)?))).collect();
+        let (of, wanted): (Vec<_>, Vec<_>) = at.into_iter().unzip();
+        let words = format!("{subject}is multiplied by {}", short(factor(&of, &wanted)?));
+        Some(Change { words, cost: change.cost + 1, ..(*change).clone() })
+    };
+    // The formula that is next to the answers is meant.
+    let last = |change: &Change| change.new.iter().map(|(name, _)| *name).max();
+    if let Some(found) = effects.par_iter().filter_map(of_factor).max_by_key(last) {
+        return Some(found);
+    }
     let mut sorted: Vec<usize> = (0..effects.len()).collect();
     sorted.sort_by(|one, other| effects[*one].1[0].value.total_cmp(&effects[*other].1[0].value));
     let is_sum = |one: RunningError, other: RunningError, wanted: RunningError| {
@@ -59,7 +95,8 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
         let near = 1e-9 * (wanted_at[0].value.abs() + first[0].value.abs());
         let start = sorted.partition_point(|k| effects[*k].1[0].value < rest.value - near);
         let candidates = sorted[start..].iter().take_while(|k| effects[**k].1[0].value <= rest.value + near);
-        candidates.copied().filter(|&k| k > i).find(|&k| {
+        let differ = |k: &usize| *k > i && term(effects[*k].0) != term(effects[i].0);
+        candidates.copied().filter(differ).find(|&k| {
             let mut of = first.iter().zip(&effects[k].1).zip(&wanted_at);
             of.all(|((one, other), wanted)| is_sum(*one, *other, *wanted))
                 && points.iter().all(|point| {
@@ -72,4 +109,16 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
     let [one, other] = pair.map(|i| effects[i].0);
     let words = format!("{} and {}", one.words, other.words);
     Some(Change { words, cost: one.cost + other.cost, ..one.clone() })
+}
+
+/// What a change is about, without what is wrong with it.
+fn term(change: &Change) -> &str {
+    let words = &*change.words;
+    FACTORS.iter().find_map(|(_, wrong, _)| words.strip_suffix(wrong)).unwrap_or(words)
+}
+
+/// A factor with six digits at most.
+fn short(factor: f64) -> String {
+    let text = format!("{factor:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

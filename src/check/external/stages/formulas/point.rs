@@ -195,9 +195,10 @@ fn numbers(sample: &Sample) -> Vec<(Output, RunningError)> {
     }
     let scalar = |(name, number)| (Output { name, axis: None }, number);
     numbers.extend(sample.inputs.forces.iter().copied().map(scalar));
-    if let Some(element) = sample.element.as_ref().filter(|_| sample.inputs.decided.is_some()) {
+    if let Some(element) = &sample.element {
         let [residual, _, tangent] = element.numbers;
-        let of = [("R", residual), ("K", tangent)];
+        let [of_residual, of_tangent] = if element.stiffness.is_some() { ["R_p", "K_p"] } else { ["R", "K"] };
+        let of = [(of_residual, residual), (of_tangent, tangent)];
         numbers
             .extend(of.into_iter().filter_map(|(name, number)| Some(scalar((FORMULAS.name(name), number?)))));
     }

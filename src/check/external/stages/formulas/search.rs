@@ -72,11 +72,13 @@ pub(in crate::check::external::stages) fn found(
 /// One change that explains all answers, those of the geometry among them.
 pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Reading> {
     let names = STAGES.iter().flat_map(|(stage, _)| *stage).map(|name| FORMULAS.name(name));
-    let all = names.chain(RESULTS.iter().copied()).collect();
+    let of_penalty = ["R_p", "K_p"].map(|name| FORMULAS.name(name));
+    let all = names.chain(RESULTS.iter().copied()).chain(of_penalty).collect();
     readings(explained(&points(samples, Set::default()), all))
 }
 
-/// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones.
+/// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones. A
+/// stage that follows from what explains an earlier one is left out.
 fn of_stages(
     samples: &[Sample],
     entries: &dyn Fn(Along) -> Vec<Sample>,
@@ -84,25 +86,35 @@ fn of_stages(
 ) -> Vec<Vec<Reading>> {
     let mut given = Set::default();
     let mut stages = Vec::new();
+    let mut known: Vec<Change> = Vec::new();
     for (stage, _) in STAGES {
         let names = names(stage);
-        let is_wrong = |given: Set| points(samples, given).iter().any(|point| point.is_wrong(names));
-        if is_wrong(given) && is_wrong(Set::default()) {
-            let of_given = |given: Set| readings(explained(&points(samples, given), names));
-            let of_one = || [given, Set::default()].into_iter().map(of_given);
-            let of_matrix =
-                || matrices::reading(samples, entries).filter(|_| stage == ["K"]).into_iter().collect();
+        let both = [given, Set::default()].map(|given| points(samples, given));
+        let is_wrong = both.iter().all(|points| points.iter().any(|point| point.is_wrong(names)));
+        let follows = |change: &Change| both.iter().any(|points| yields(change, points, names));
+        if is_wrong && !known.iter().any(follows) {
+            let found = both.iter().map(|points| explained(points, names)).find(|found| !found.is_empty());
+            let of_matrix = || matrices::reading(samples, entries).filter(|_| stage == ["K"]);
             // Two effects add up where the answer is a sum.
             let is_sum = stage == ["R"] || stage == ["K"];
             let of_two = || if is_sum { readings(pairs::found(samples, names, given)) } else { Vec::new() };
-            let is_some = |found: &Vec<Reading>| !found.is_empty();
-            let causes =
-                of_one().find(is_some).or_else(|| Some(of_matrix()).filter(is_some)).unwrap_or_else(of_two);
-            stages.push(causes);
+            stages.push(match &found {
+                Some(found) => readings(found.clone()),
+                None => of_matrix().map_or_else(of_two, |reading| vec![reading]),
+            });
+            known.extend(found.unwrap_or_default());
         }
         given = given.or(names);
     }
     stages
+}
+
+/// Whether a change yields all these answers.
+fn yields(change: &Change, points: &[Point], among: Set) -> bool {
+    let mut ways = Ways::of(points, among);
+    ways.are_needed(change)
+        && ways.are_right(change)
+        && points.iter().all(|point| ways.keep(point, change, among))
 }
 
 fn readings(changes: Vec<Change>) -> Vec<Reading> {

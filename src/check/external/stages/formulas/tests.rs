@@ -22,6 +22,7 @@ fn right_answers(families: &[Family]) -> Vec<Sample> {
         penetrating: false,
         elements: true,
         steps: false,
+        work: None,
     };
     let vectors: Vec<_> = (0..drawing.count()).map(|number| drawing.vector(number)).collect();
     let program = Evaluator::default();

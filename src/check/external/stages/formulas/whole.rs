@@ -54,11 +54,11 @@ impl Formulas {
         found
     }
 
-    /// Factors on numbers.
+    /// Factors on numbers. The penalty is stated by the program, so another one is told as such.
     fn of_numbers(&self) -> Vec<Change> {
         let is_number = |name: &Name| {
             let kind = self.kinds[*name];
-            !kind.is_vector && !kind.is_condition
+            !kind.is_vector && !kind.is_condition && self.names.0[*name] != "penalty"
         };
         let of = |name: Name| {
             FACTORS.map(|(by, words, cost)| Change {
