@@ -51,8 +51,9 @@ impl Benchmark {
         chart.text([LEFT + 6.0, TOP + 16.0], Anchor::Start, INK, &words[1]);
         // The labels stand in one column: left of the points is the line of the stores.
         let [_, side] = Axis::ends(rows.iter().map(Below::density)).map(|density| x.at(density));
-        let heights = rows.iter().map(|row| y.at(row.rate())).collect::<Vec<_>>();
-        for (row, height) in rows.iter().zip(apart(&heights, 18.0, [TOP, BOTTOM])) {
+        // Where they are moved apart, they are moved down.
+        let heights = rows.iter().map(|row| y.at(row.rate()) - 18.0).collect::<Vec<_>>();
+        for (row, height) in rows.iter().zip(apart(&heights, 16.0, [TOP, BOTTOM])) {
             let k = usize::from(!row.name().starts_with("d, "));
             let at = [x.at(row.density()), y.at(row.rate())];
             chart.line(at, [side + 0.8 * BESIDE, height], &format!("s{k}"));
