@@ -68,7 +68,7 @@ pub use accuracy::{Accuracy, Errors, Level, accuracy};
 pub use arbitration::Arbitration;
 pub use bounds::{Bounds, Measured, Points, Side, Violation, bounds};
 pub use candidate::{Answer, CAREFUL, Candidate, Digits, Example, Found, Situation, linearization};
-pub use case_data::CaseData;
+pub use case_data::{ByTerm, CaseData};
 pub use cause::{LikelyCause, likely_cause};
 pub(crate) use compare::{Closed, References, compares_routes, judged};
 pub use compare::{Compared, compare};

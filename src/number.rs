@@ -29,8 +29,8 @@ pub use dual::{Differentiable, Dual};
 pub use extension::Extends;
 #[cfg(feature = "check")]
 pub(crate) use faulty::{
-    Bits, Change, Faulty, TermChange, counted, locate, operations, terms as recorded_terms, with_operation,
-    with_terms,
+    Bits, Change, Faulty, TermChange, counted, locate, operations, terms as recorded_terms,
+    terms_with as recorded_terms_with, with_operation, with_terms,
 };
 pub use hyper_dual::HyperDual;
 pub use hyper_dual_row::HyperDualRow;

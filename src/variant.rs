@@ -127,19 +127,27 @@ impl Variant {
         if faults.is_none() && operation.is_none() {
             return self.formulas(&partial(Step::Now), at, form, contact);
         }
-        let run = |kind: Option<Kind>| {
-            let ([mut beam, mut bar], (xi, xi_bar), contact) = mistaken(kind, &partial, at, *contact);
-            if kind == Some(Kind::Transposed) {
-                (beam, bar) = (beam.exchanged(), bar.exchanged());
-            }
-            let [beam, bar] = [beam, bar].map(|partial| partial.map(|v| v.map(Faulty)));
-            variations_in(form, &beam, &bar, (Faulty(xi), Faulty(xi_bar)), &contact)
-        };
+        let run = |kind| mistaken_quantities(kind, &partial, at, form, *contact);
         let quantities = match operation {
             Some((number, factor)) => with_operation(number, Change::Times(factor), || run(None)),
             None => planted::with(&faults.unwrap_or_default(), run),
         };
         quantities.map(|varied| varied.map(|Faulty(number)| number))
+    }
+
+    /// The same with the value of each term, with its fault, in the order of evaluation. Only faults are injected.
+    pub(crate) fn terms(
+        &self,
+        partial: impl Fn(Step) -> [PartialVariations<f64>; 2],
+        at: (f64, f64),
+        form: Formulation,
+        contact: &Contact,
+    ) -> (Quantities<Varied<f64>>, Vec<(Label, f64)>) {
+        let faults = self.planted(&terms()[0]).unwrap_or_default();
+        let run = |kind| mistaken_quantities(kind, &partial, at, form, *contact);
+        let (quantities, labels, values) = planted::recorded(&faults, run);
+        let values = values.into_iter().map(f64::from_bits);
+        (quantities.map(|varied| varied.map(|Faulty(number)| number)), labels.into_iter().zip(values).collect())
     }
 
     /// The same over any scalar, without the faults.
@@ -198,6 +206,22 @@ impl Variant {
             None => planted::with(&self.planted(&terms()[1])?, run),
         })
     }
+}
+
+/// All quantities with their variations, with operands that a mistake of this kind replaces.
+fn mistaken_quantities<T: Bits>(
+    kind: Option<Kind>,
+    partial: &impl Fn(Step) -> [PartialVariations<T>; 2],
+    at: (T, T),
+    form: Formulation,
+    contact: Contact,
+) -> Quantities<Varied<Faulty<T>>> {
+    let ([mut beam, mut bar], (xi, xi_bar), contact) = mistaken(kind, partial, at, contact);
+    if kind == Some(Kind::Transposed) {
+        (beam, bar) = (beam.exchanged(), bar.exchanged());
+    }
+    let [beam, bar] = [beam, bar].map(|partial| partial.map(|v| v.map(Faulty)));
+    variations_in(form, &beam, &bar, (Faulty(xi), Faulty(xi_bar)), &contact)
 }
 
 /// Gradients and Hessians of the scalars, of padded beams.

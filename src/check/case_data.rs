@@ -7,6 +7,7 @@ use super::independent_search::{Searched, pair_of, searched};
 use super::verdict::Inconclusive;
 use crate::closest_point::{ClosestPoint, Search, Unresolved, closest_points};
 use crate::linearization::{COMPONENTS, Varied};
+use crate::number::Label;
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, TestBeam, TestBeamError};
 use crate::variant::Variant;
@@ -18,6 +19,18 @@ pub struct CaseData {
     pub test_beams: [TestBeam; 2],
     /// Radii and reference parameters.
     pub contact: Contact,
+}
+
+/// The closed form at a closest point, term by term.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ByTerm {
+    /// All components with their variations, in the order of [`Quantities::components`].
+    ///
+    /// [`Quantities::components`]: crate::linearization::Quantities::components
+    pub components: [Varied<f64>; COMPONENTS],
+    /// The value of each term, with its fault, in the order of evaluation. The terms of a vector follow each other, those
+    /// along delta come before those along Delta.
+    pub terms: Vec<(Label, f64)>,
 }
 
 impl CaseData {
@@ -59,6 +72,20 @@ impl CaseData {
         let beams = self.beams()?;
         let evaluation = EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.contact, point);
         Ok(evaluation.map(|evaluation| evaluation.plain(variant)))
+    }
+
+    /// The same for several variants, with the values of all terms.
+    ///
+    /// # Errors
+    /// If the numbers define no beam.
+    pub fn by_term<const K: usize>(
+        &self,
+        variants: [&Variant; K],
+        point: &ClosestPoint,
+    ) -> Result<Result<[ByTerm; K], Inconclusive>, TestBeamError> {
+        let beams = self.beams()?;
+        let evaluation = EvaluationPoint::new(beams.each_ref().map(|beam| &**beam), &self.contact, point);
+        Ok(evaluation.map(|evaluation| variants.map(|variant| evaluation.by_term(variant))))
     }
 
     /// The pair of beams, for the search alone, that the drawn case of this number brings, if it brings one.

@@ -6,6 +6,7 @@ mod refined;
 mod solved_again;
 mod structure;
 
+use super::case_data::ByTerm;
 use super::root_enclosure;
 use super::verdict::Inconclusive;
 use crate::closest_point::{ClosestPoint, Degeneracy, Held};
@@ -164,6 +165,14 @@ impl<'a> EvaluationPoint<'a> {
         }
         let at = (self.at.0.value, self.at.1.value);
         variant.quantities(|step| self.partial_variations(step), at, self.form, self.contact).components()
+    }
+
+    /// The closed form, and the value of each of its terms in the order of evaluation.
+    pub(super) fn by_term(&self, variant: &Variant) -> ByTerm {
+        let at = (self.at.0.value, self.at.1.value);
+        let partial = |step| self.partial_variations(step);
+        let (quantities, terms) = variant.terms(partial, at, self.form, self.contact);
+        ByTerm { components: quantities.components(), terms }
     }
 
     /// The closed form with the directions exchanged.

@@ -8,7 +8,7 @@ mod bits;
 mod runs;
 
 pub(crate) use bits::Bits;
-pub(crate) use runs::{Change, TermChange, counted, locate, operations, terms, with_operation, with_terms};
+pub(crate) use runs::{Change, TermChange, counted, locate, operations, terms, terms_with, with_operation, with_terms};
 
 use super::{Label, Real, field_from_operators};
 use runs::{CHANGE, CHANGES, LABELS, Mode, Next, RECORD, STATE, State, TERMS, TRACE};
@@ -90,23 +90,24 @@ impl<T: Bits> Real for Faulty<T> {
         TERMS.set(place + 1);
         let (mode, after_fault) =
             STATE.with(|state| (state.mode.get(), state.count.get() > state.wrong.get()));
-        if mode == Mode::RecordTerms {
-            record(self.0);
-        }
         if mode == Mode::RecordTerms || mode == Mode::Locate && after_fault {
             LABELS.with_borrow_mut(|labels| labels.push(label));
         }
-        CHANGES.with_borrow(|changes| {
+        let value = CHANGES.with_borrow(|changes| {
             let of_label = changes.iter().filter(|(changed, _)| *changed == label);
-            Self(of_label.fold(self.0, |value, (_, change)| match change {
+            of_label.fold(self.0, |value, (_, change)| match change {
                 TermChange::Times(factor) => value * T::from(*factor),
                 TermChange::Instead(terms) => {
                     let other = terms.get(place).map(|&bits| T::from_bits(bits));
                     other.filter(|other| other.is_finite()).unwrap_or(value)
                 }
                 TermChange::Orders => value,
-            }))
-        })
+            })
+        });
+        if mode == Mode::RecordTerms {
+            record(value);
+        }
+        Self(value)
     }
 
     fn orders(label: Label, [k, l]: [usize; 2]) -> [usize; 2] {
@@ -120,7 +121,9 @@ impl<T: Bits> Real for Faulty<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Change, Faulty, TermChange, counted, operations, terms, with_operation, with_terms};
+    use super::{
+        Change, Faulty, TermChange, counted, operations, terms, terms_with, with_operation, with_terms,
+    };
     use crate::number::{Label, Real, Which, named, orders};
 
     const LABEL: Label = Label { name: "ab", which: Which::Beam };
@@ -156,6 +159,10 @@ mod tests {
     fn terms_of_one_name_are_wrong() {
         let with = |change| with_terms(vec![(LABEL, change)], || formula([4.0, 8.0]));
         assert_eq!(with(TermChange::Times(2.0)).to_bits(), 62_f64.sqrt().to_bits());
+        let (_, labels, bits) =
+            terms_with(vec![(LABEL, TermChange::Times(2.0))], || formula([4.0, 8.0]));
+        assert_eq!(labels[0], LABEL);
+        assert_eq!(bits, [64.0_f64, -8.0].map(f64::to_bits));
         let (_, other) = terms(|| formula([5.0, 7.0]));
         assert_eq!(with(TermChange::Instead(other.into())).to_bits(), 33_f64.sqrt().to_bits());
         assert_eq!(

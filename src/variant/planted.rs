@@ -2,7 +2,7 @@
 
 use super::before;
 use super::fault::Kind;
-use crate::number::{Label, Real, TermChange, recorded_terms, with_terms};
+use crate::number::{Label, Real, TermChange, recorded_terms, recorded_terms_with, with_terms};
 use crate::pair::Contact;
 use std::rc::Rc;
 
@@ -70,6 +70,18 @@ pub(super) fn mistaken<T: Real, B>(
 
 /// A run with faults; `run` runs the code with the given replacement of operands.
 pub(super) fn with<R>(faults: &[(Label, Planted)], run: impl Fn(Option<Kind>) -> R) -> R {
+    with_terms(changes(faults, &run), || run(None))
+}
+
+/// The same, with the names and the values of all terms, with their faults.
+pub(super) fn recorded<R>(
+    faults: &[(Label, Planted)],
+    run: impl Fn(Option<Kind>) -> R,
+) -> (R, Vec<Label>, Vec<u64>) {
+    recorded_terms_with(changes(faults, &run), || run(None))
+}
+
+fn changes<R>(faults: &[(Label, Planted)], run: impl Fn(Option<Kind>) -> R) -> Vec<(Label, TermChange)> {
     let mut known: Vec<(Kind, Rc<[u64]>)> = Vec::new();
     let mut changes = Vec::with_capacity(faults.len());
     for &(label, planted) in faults {
@@ -91,5 +103,5 @@ pub(super) fn with<R>(faults: &[(Label, Planted)], run: impl Fn(Option<Kind>) ->
             changes.push((label, TermChange::Orders));
         }
     }
-    with_terms(changes, || run(None))
+    changes
 }

@@ -2,17 +2,15 @@
 
 use crate::checks::checks;
 use crate::equations::{EquationCells, cells};
-use crate::handles::{Handle, handles};
 use crate::html::{escaped, number, short, table};
 use crate::numbers::{is_ad, numbers};
 use crate::plot::plot;
 use crate::points::{Found, find, points};
 use crate::prediction::{Prediction, predict, varied};
-use crate::scene::scene;
 use crate::situation::words;
 use crate::state::State;
-use crate::view::View;
-use beamgap::check::{CaseData, CheckConfig, Comparison, Order, Verdict, test_source};
+use beamgap::check::external::{Drawing, Expected, Vector, VectorWriter};
+use beamgap::check::{CaseData, CheckConfig, Comparison, Order, Regime, Verdict, test_source};
 use beamgap::closest_point::ClosestPoint;
 use beamgap::linearization::Quantity;
 use beamgap::variant::{Variant, with_faults};
@@ -25,19 +23,14 @@ use std::fmt::Write;
 pub struct Answer {
     /// The error in the request, as text. All other fields are then empty.
     pub error: Option<String>,
-    /// The gap at the closest point, as text.
-    pub gap: String,
-    /// The picture, without its frame.
-    pub scene: String,
-    handles: Vec<Handle>,
-    /// The vectors to the right, up and away from the eye, in space.
-    basis: [[f64; 3]; 3],
     /// The description of the configuration.
     pub words: String,
     /// The table of the closest points.
     pub points: String,
     /// The table of the checks.
     pub checks: String,
+    /// What the checks say together.
+    pub lesson: String,
     /// The table of the predictions.
     pub prediction: String,
     /// The plot of the errors of the predictions against the step.
@@ -50,6 +43,10 @@ pub struct Answer {
     pub test: String,
     /// The command that checks this case, as text.
     pub command: String,
+    /// This case as a file for `beamgap check --case-file`, as text.
+    pub case: String,
+    /// This case as a file for `beamgap verify`, as text.
+    pub vectors: String,
 }
 
 /// Answers a request. Both are JSON; the request is a state.
@@ -74,24 +71,22 @@ impl Answer {
         let centroids = [&*beam, &*bar];
         let (closest, found) = find(centroids, state.minimum)?;
         let found = found.as_ref();
-        let view = View::new(&state.view);
-        let handles = handles(&case, state, &view);
-        let varied = found.and_then(|found| varied(&case, state, found));
         let mut answer = Self {
-            scene: scene(state, &view, centroids, found, varied.as_ref(), &handles),
-            handles,
-            basis: [view.right, view.up, view.away].map(Into::into),
-            words: words(&case, &closest, found),
             points: points(&case, centroids, &closest, found.map(|found| found.minimum)),
             command: state.command(),
+            case: state.case_file(),
+            vectors: vectors(&case, found),
             ..Self::default()
         };
         let Some(found) = found else {
-            "none".clone_into(&mut answer.gap);
+            answer.words = words(&case, centroids, &closest, None, None);
             answer.equations = state.equations.then(Vec::new);
             return Ok(answer);
         };
-        answer.gap = number(found.point.distance - case.contact.radius - case.contact.radius_bar);
+        let varied = varied(&case, state, found);
+        let second = case.vary(&Variant::Unmodified, &found.point).ok().and_then(Result::ok);
+        let second = second.map(|all| all[Quantity::GN.component()].second);
+        answer.words = words(&case, centroids, &closest, Some(found), second);
         answer.equations = state.equations.then(|| cells(&case, &found.point));
         let prediction = predict(&case, state, &variant, found, varied.as_ref());
         if let Some(prediction) = &prediction {
@@ -137,7 +132,7 @@ impl Answer {
         state: &State,
     ) {
         let entries = verdict.entries();
-        self.checks = checks(&found.point, verdict, prediction, state.fault.as_deref());
+        (self.checks, self.lesson) = checks(&found.point, verdict, prediction, state.fault.as_deref());
         if entries.is_empty() {
             return;
         }
@@ -164,8 +159,32 @@ fn verdict(case: &CaseData, variant: Variant, found: &Found) -> Result<Option<Ve
     Ok(compared.into_iter().find(|(point, _)| point.as_ref().is_some_and(near)).map(|(_, verdict)| verdict))
 }
 
+/// The case as a file of cases for programs in any language, with the selected closest point.
+fn vectors(case: &CaseData, found: Option<&Found>) -> String {
+    let writer = VectorWriter { hex: false, expected: Expected::None };
+    let drawing = Drawing {
+        seed: 0,
+        regimes: vec![Regime::ALL[0]],
+        families: case.test_beams.each_ref().map(|test_beam| test_beam.family).to_vec(),
+        cases: 1,
+        penetrating: false,
+        elements: false,
+        steps: false,
+    };
+    let vector = Vector {
+        id: "0".to_owned(),
+        regime: "explorer".to_owned(),
+        case: case.clone(),
+        element: None,
+        steps: Vec::new(),
+        point: found.map(|found| (found.point.xi, found.point.xi_bar)),
+        place: None,
+    };
+    format!("{}\n{}\n", writer.head(&drawing), writer.line(&vector))
+}
+
 /// The closed form with the fault of this name. The last one is cached, because the lookup is slow.
-fn variant(fault: Option<&str>) -> Result<Variant, String> {
+pub(crate) fn variant(fault: Option<&str>) -> Result<Variant, String> {
     thread_local! {
         static LAST: RefCell<Option<(String, Variant)>> = const { RefCell::new(None) };
     }

@@ -22,13 +22,13 @@ const CHECKS: [(&str, &str, Pick); 4] = [
     }),
 ];
 
-/// The table of the checks, and the conclusion.
+/// The table of the checks, and the conclusion as a paragraph.
 pub(crate) fn checks(
     point: &ClosestPoint,
     verdict: &Verdict,
     prediction: Option<&Prediction>,
     fault: Option<&str>,
-) -> String {
+) -> (String, String) {
     let entries = verdict.entries();
     let mut rows = String::new();
     let mut outcomes = Vec::new();
@@ -58,7 +58,8 @@ pub(crate) fn checks(
         &rate.unwrap_or_default(),
     );
     let heads = ["check", "what it compares", "says", "wrong"];
-    table("checks", &heads, &rows) + &lesson(point, verdict, [outcomes[0], outcomes[2], taylor], fault)
+    let lesson = lesson(point, verdict, [outcomes[0], outcomes[2], taylor], fault);
+    (table("checks", &heads, &rows), lesson)
 }
 
 fn row(rows: &mut String, check: &str, what: &str, outcome: Outcome, count: &str) {
@@ -79,7 +80,7 @@ fn lesson(
     let first = Finding::of(&[(Some(*point), verdict.clone())]);
     let mut words = match (verdict, fault) {
         (Verdict::Inconclusive(reason, _), _) => format!("Not compared: {}.", reason.reason()),
-        (_, None) => "The closed form is as it is in the library. Choose a fault to break it.".to_owned(),
+        (_, None) => "The closed form is as it is in the library. Click a term of the formula to break it.".to_owned(),
         (_, Some(_)) if ad != Outcome::Wrong => {
             "The fault changes nothing here: at this point, or along these directions, its term is zero. Choose \
              another pair of beams."

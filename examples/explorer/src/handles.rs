@@ -5,13 +5,12 @@ use crate::view::View;
 use beamgap::check::CaseData;
 use beamgap::nalgebra::Vector3;
 use beamgap::test_beam::{Family, TestBeam, Unit};
-use serde::Serialize;
 
 /// The fraction of a tangent that is drawn.
 const TANGENT: f64 = 0.5;
 
 /// Three dofs that are moved together.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Handle {
     /// The beam is 0, the bar beam is 1.
     pub(crate) beam: usize,
@@ -22,10 +21,8 @@ pub(crate) struct Handle {
     /// The position in the picture.
     pub(crate) at: [f64; 2],
     /// The start of the rod in the picture.
-    #[serde(skip)]
     pub(crate) from: [f64; 2],
     /// Whether the handle has a rod.
-    #[serde(skip)]
     pub(crate) is_rod: bool,
     /// Its name.
     pub(crate) name: String,

@@ -6,10 +6,8 @@
 mod camera;
 mod detective;
 mod envelope;
-mod frame;
 mod friction;
 mod lines;
-mod map;
 mod normal;
 mod pair;
 mod race;
@@ -17,8 +15,9 @@ mod slide;
 mod valley;
 
 pub use detective::{Hidden, hidden};
-pub use frame::Frame;
 
+use crate::frame::Frame;
+use crate::state::State;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -33,6 +32,8 @@ pub const SCENES: [&str; 8] =
 enum Action {
     /// A handle is moved to a place of its picture.
     Drag { handle: String, to: [f64; 2] },
+    /// A handle is moved away from the eye, by this part of the unit of length.
+    Push { handle: String, by: f64 },
     /// A control gets a value.
     Choose { name: String, value: String },
 }
@@ -48,9 +49,12 @@ struct Request {
 }
 
 /// A scene: its state, and the picture of it.
-trait Scene: Default + Serialize + DeserializeOwned {
+pub(crate) trait Scene: Default + Serialize + DeserializeOwned {
     /// Moves a handle. A handle that does not exist is ignored.
     fn drag(&mut self, handle: &str, to: [f64; 2]);
+
+    /// Moves a handle away from the eye.
+    fn push(&mut self, _handle: &str, _by: f64) {}
 
     /// Sets a control. A value that does not exist is ignored.
     fn choose(&mut self, _name: &str, _value: &str) {}
@@ -59,7 +63,7 @@ trait Scene: Default + Serialize + DeserializeOwned {
     fn frame(&self) -> Result<Frame, String>;
 }
 
-/// Answers a request. Both are JSON; without a state it is the state in which the page opens.
+/// Answers a request of a scene, or of the explorer. Both are JSON; without a state it is the state in which the page opens.
 pub fn learn(request: &str) -> String {
     let frame = serde_json::from_str(request).map_err(|error| error.to_string()).and_then(answer);
     let frame = frame.unwrap_or_else(|error| Frame { error: Some(error), ..Frame::default() });
@@ -84,6 +88,7 @@ fn answer(request: Request) -> Result<Frame, String> {
         "race" => run::<race::Race>(request),
         "detective" => run::<detective::Detective>(request),
         "friction" => run::<friction::Friction>(request),
+        "explorer" => run::<State>(request),
         unknown => Err(format!("no scene is called {unknown:?}")),
     }
 }
@@ -95,6 +100,7 @@ fn run<S: Scene>(request: Request) -> Result<Frame, String> {
     };
     match request.action {
         Some(Action::Drag { handle, to }) => state.drag(&handle, to),
+        Some(Action::Push { handle, by }) => state.push(&handle, by),
         Some(Action::Choose { name, value }) => state.choose(&name, &value),
         None => {}
     }

@@ -15,14 +15,19 @@ const SCRIPT: &str = concat!(
     "\"use strict\";\n(() => {\n",
     include_str!("../page/module.js"),
     "\n",
-    include_str!("../page/learn/scene.js"),
+    include_str!("../page/scene.js"),
     "\n",
-    include_str!("../page/learn/hands.js"),
+    include_str!("../page/hands.js"),
+    "\n",
+    include_str!("../page/learn/walk.js"),
     "})();\n"
 );
-const STYLES: [&str; 2] =
-    [include_str!("../../../src/report/derivation/style.css"), include_str!("../page/learn/learn.css")];
-const FONT: &str = include_str!("../../../src/report/derivation/math.woff2.base64");
+const STYLES: [&str; 3] = [
+    include_str!("../../../src/report/derivation/style.css"),
+    include_str!("../page/scene.css"),
+    include_str!("../page/learn/learn.css"),
+];
+pub(crate) const FONT: &str = include_str!("../../../src/report/derivation/math.woff2.base64");
 /// The files of the scenes, in the order of [`SCENES`].
 const PROSE: [&str; 8] = [
     include_str!("../page/learn/valley.html"),
@@ -110,7 +115,7 @@ fn value(command: &str) -> Result<String, Box<dyn Error>> {
 }
 
 /// LaTeX becomes MathML, and terms become buttons with their values.
-fn typeset(html: &str) -> Result<String, Box<dyn Error>> {
+pub(crate) fn typeset(html: &str) -> Result<String, Box<dyn Error>> {
     let mut out = String::new();
     let mut rest = html;
     while let Some(at) = rest.find(['$', '[']) {
@@ -146,7 +151,7 @@ fn typeset(html: &str) -> Result<String, Box<dyn Error>> {
 }
 
 /// The elements of a scene, with their content as the page opens.
-fn filled(html: &str, frame: &Frame) -> Result<String, Box<dyn Error>> {
+pub(crate) fn filled(html: &str, frame: &Frame) -> Result<String, Box<dyn Error>> {
     let mut out = String::new();
     let mut rest = html;
     while let Some((before, from)) = rest.split_once("data-") {

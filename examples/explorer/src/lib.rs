@@ -1,9 +1,10 @@
 //! The explorer: the input is a state, the output is everything that the page shows for it.
 //!
-//! [`answer`] is an ordinary function. The page calls it in WebAssembly. The tests call it natively and compare the two
-//! answers byte by byte. A state is JSON: both beams, the view, the fault. The answer is JSON of parts of the page.
+//! [`learn`] answers at every frame: a state and an action in, a [`Frame`] of texts and paths out. It serves the picture of the
+//! explorer and the scenes of `learn.html`. [`answer`] returns the tables of the explorer; the page asks for them at rest.
 //!
-//! [`learn`] is the same for the scenes of `learn.html`.
+//! Both are ordinary functions. The page calls them in WebAssembly. The tests call them natively and compare the answers byte
+//! by byte. A state is JSON: both beams, the view, the fault.
 //!
 //! Data flow: state -> case -> closest points -> numbers, prediction, equations -> parts of the page.
 
@@ -11,15 +12,18 @@ mod answer;
 mod checks;
 mod draw;
 mod equations;
+mod explorer;
+mod formulas;
+mod frame;
 mod handles;
 mod html;
 mod learn;
+mod map;
 mod numbers;
 mod plot;
 mod points;
 mod prediction;
 mod presets;
-mod scene;
 #[cfg(target_arch = "wasm32")]
 mod shim;
 mod situation;
@@ -28,6 +32,8 @@ mod view;
 
 pub use answer::{Answer, answer};
 pub use equations::{EquationCells, cells};
-pub use learn::{Frame, Hidden, SCENES, hidden, learn, opening};
+pub use formulas::{Formula, Piece, Term, formulas};
+pub use frame::Frame;
+pub use learn::{Hidden, SCENES, hidden, learn, opening};
 pub use presets::preset;
-pub use state::{BeamState, ContactState, Dragged, State, ViewState};
+pub use state::{BeamState, ContactState, Dragged, Shown, State, ViewState};

@@ -8,10 +8,9 @@ use beamgap::closest_point::{
 use beamgap::linearization::closed_form::Projection;
 use std::fmt::Write;
 
-/// The result of the search, and the point that the numbers belong to.
+/// The point that the numbers belong to.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
-    pub(crate) closest: ClosestPoints,
     pub(crate) point: ClosestPoint,
     /// The index of the point among the minima.
     pub(crate) minimum: usize,
@@ -27,9 +26,14 @@ pub(crate) fn find(
 ) -> Result<(ClosestPoints, Option<Found>), String> {
     let [beam, bar] = centroids;
     let closest = closest_points(beam, bar, &Search::default()).map_err(|error| error.to_string())?;
-    let minimum = minimum.min(closest.minima.len().saturating_sub(1));
-    let found = closest.minima.get(minimum).map(|&point| Found { closest: closest.clone(), point, minimum });
+    let found = select(&closest, minimum);
     Ok((closest, found))
+}
+
+/// The selected minimum, or the last one.
+pub(crate) fn select(closest: &ClosestPoints, minimum: usize) -> Option<Found> {
+    let minimum = minimum.min(closest.minima.len().saturating_sub(1));
+    closest.minima.get(minimum).map(|&point| Found { point, minimum })
 }
 
 /// The table of all points; a button at each minimum selects it.

@@ -4,6 +4,7 @@ use crate::points::Found;
 use crate::state::State;
 use beamgap::check::CaseData;
 use beamgap::closest_point::{Centroid, ClosestPoint, refine};
+use beamgap::curve::Geometry;
 use beamgap::linearization::Quantity;
 use beamgap::test_beam::TestBeam;
 use beamgap::variant::Variant;
@@ -23,6 +24,15 @@ pub(crate) struct Varied {
     pub(crate) centroids: [Box<dyn Centroid>; 2],
     /// The new closest point; nothing if a step does not find it.
     pub(crate) point: Option<ClosestPoint>,
+}
+
+impl Varied {
+    /// Both beams at the new closest point.
+    pub(crate) fn geometry(&self) -> Option<[Geometry<f64>; 2]> {
+        let point = self.point.as_ref()?;
+        let [beam, bar] = &self.centroids;
+        Some([beam.geometry(point.xi), bar.geometry(point.xi_bar)])
+    }
 }
 
 impl std::fmt::Debug for Varied {
@@ -80,14 +90,8 @@ pub(crate) fn varied(case: &CaseData, state: &State, found: &Found) -> Option<Va
     Some(Varied { centroids: moved(case, state, state.step)?, point })
 }
 
-/// Compares the gap with its predictions; nothing if the gap has no derivatives.
-pub(crate) fn predict(
-    case: &CaseData,
-    state: &State,
-    variant: &Variant,
-    found: &Found,
-    varied: Option<&Varied>,
-) -> Option<Prediction> {
+/// The case with both directions alike: the one along which the beams are varied.
+pub(crate) fn alike(case: &CaseData, state: &State) -> CaseData {
     let mut alike = case.clone();
     for test_beam in &mut alike.test_beams {
         if state.along_linear {
@@ -96,7 +100,18 @@ pub(crate) fn predict(
             test_beam.linear_dq.clone_from(&test_beam.dq);
         }
     }
-    let components = alike.vary(variant, &found.point).ok()?.ok()?;
+    alike
+}
+
+/// Compares the gap with its predictions; nothing if the gap has no derivatives.
+pub(crate) fn predict(
+    case: &CaseData,
+    state: &State,
+    variant: &Variant,
+    found: &Found,
+    varied: Option<&Varied>,
+) -> Option<Prediction> {
+    let components = alike(case, state).vary(variant, &found.point).ok()?.ok()?;
     let place = (0..components.len()).find(|&i| Quantity::of_component(i) == Quantity::GN)?;
     let of = components[place];
     let radii = case.contact.radius + case.contact.radius_bar;

@@ -1,6 +1,6 @@
 //! An initial beam of each family, near those of the standard case.
 
-use crate::state::{BeamState, ContactState, Dragged, Parameter, State, ViewState};
+use crate::state::{BeamState, ContactState, Dragged, Parameter, Shown, State, ViewState};
 use beamgap::curve::{Curve, Hermite};
 use beamgap::equations::StandardCase;
 use beamgap::nalgebra::{SVector, Vector3};
@@ -27,13 +27,16 @@ impl Default for State {
             beam: beam(&q.beam, &dq.beam, &linear_dq.beam),
             bar: beam(&q.bar, &dq.bar, &linear_dq.bar),
             contact: ContactState { radius, radius_bar, xi_0, xi_bar_0 },
-            view: ViewState { azimuth: 14.0, elevation: 18.0, scale: 165.0 },
+            view: ViewState { azimuth: 14.0, elevation: 18.0, scale: 195.0 },
+            shown: Shown::Gap,
+            order: 1,
             fault: None,
             step: 0.25,
             along_linear: false,
             minimum: 0,
             dragged: Dragged::Q,
             equations: true,
+            refused: None,
         }
     }
 }

@@ -3,10 +3,28 @@
 use crate::html::{linked, number, short};
 use crate::points::Found;
 use beamgap::check::CaseData;
-use beamgap::closest_point::{ClosestPoints, Degeneracy, End, Side};
+use beamgap::closest_point::{Centroid, ClosestPoint, ClosestPoints, Degeneracy, End, Side};
+use beamgap::linearization::closed_form::Projection;
 
-/// The paragraphs of the description; at least one.
-pub(crate) fn words(case: &CaseData, closest: &ClosestPoints, found: Option<&Found>) -> String {
+/// Tangents are called nearly parallel if -D is below this part of t² t_bar². A choice; nothing is computed with it.
+const NEARLY: f64 = 1e-3;
+
+/// D, if a closest point inside both beams exists, but only just.
+pub(crate) fn nearly_parallel(beams: [&dyn Centroid; 2], point: &ClosestPoint) -> Option<f64> {
+    let (x, y) = (beams[0].geometry(point.xi), beams[1].geometry(point.xi_bar));
+    let det = Projection::new(&x, &y, point.held()).det();
+    let is_near = -det < NEARLY * x.t.norm_squared() * y.t.norm_squared();
+    (point.is_interior() && is_near).then_some(det)
+}
+
+/// The paragraphs of the description; at least one. `second` is the second variation of the gap.
+pub(crate) fn words(
+    case: &CaseData,
+    beams: [&dyn Centroid; 2],
+    closest: &ClosestPoints,
+    found: Option<&Found>,
+    second: Option<f64>,
+) -> String {
     let mut all = Vec::new();
     if !closest.unresolved.is_empty() {
         all.push(
@@ -22,6 +40,16 @@ pub(crate) fn words(case: &CaseData, closest: &ClosestPoints, found: Option<&Fou
                 .to_owned(),
         ),
         Some(found) => of_point(case, found, &mut all),
+    }
+    if let Some(det) = found.and_then(|found| nearly_parallel(beams, &found.point)) {
+        let second = second.map(|second| format!(" The second variation of the gap is {}.", number(second)));
+        all.push(format!(
+            "The beams are nearly parallel: D is {}, and the parameters are divided by it.{} The closest point runs along the \
+             beams at a small turn, so the linearization holds for very small steps alone. A Newton iteration needs short steps \
+             here.",
+            short(det),
+            second.unwrap_or_default()
+        ));
     }
     if closest.minima.len() > 1 {
         all.push(format!(

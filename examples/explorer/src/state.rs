@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::error::Error;
 
-/// Everything that the page depends on.
+/// Everything that the page depends on. What a link does not hold is as in the standard case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct State {
     /// The beam.
     pub beam: BeamState,
@@ -19,6 +19,10 @@ pub struct State {
     pub contact: ContactState,
     /// The direction of view.
     pub view: ViewState,
+    /// The quantity whose formulas are shown.
+    pub shown: Shown,
+    /// 1 shows its value and its first variation, 2 its second variation, 3 its gradient and its Hessian.
+    pub order: u8,
     /// The name of the fault in the closed form, if there is one.
     pub fault: Option<String>,
     /// The step from the beams to the varied state along the direction.
@@ -31,6 +35,9 @@ pub struct State {
     pub dragged: Dragged,
     /// Whether the equations of the paper are evaluated too.
     pub equations: bool,
+    /// Why the last input was not taken over.
+    #[serde(skip)]
+    pub refused: Option<String>,
 }
 
 /// A beam, as in `beamgap-case/1`.
@@ -86,6 +93,26 @@ pub struct ViewState {
     pub scale: f64,
 }
 
+/// A quantity whose formulas can be shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Shown {
+    /// The gap g_N, and the distance d.
+    Gap,
+    /// The parameters xi and xi_bar.
+    Xi,
+    /// The closest points.
+    X,
+    /// The vector d.
+    D,
+    /// The tangents.
+    T,
+    /// The lengths of the tangents.
+    Length,
+    /// The slips.
+    Slip,
+}
+
 /// The vectors that the handles move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -114,10 +141,15 @@ impl State {
     /// The error in the request.
     pub fn read(json: &str) -> Result<Self, String> {
         let state: Self = serde_json::from_str(json).map_err(|error| error.to_string())?;
-        let ViewState { azimuth, elevation, scale } = state.view;
-        let is_finite = [azimuth, elevation, scale, state.step].into_iter().all(f64::is_finite);
-        if is_finite && (1.0..=1e5).contains(&scale) && (0.0..=1.0).contains(&state.step) {
-            Ok(state)
+        state.validate().map(|()| state)
+    }
+
+    /// Whether view and step are in range.
+    pub(crate) fn validate(&self) -> Result<(), String> {
+        let ViewState { azimuth, elevation, scale } = self.view;
+        let is_finite = [azimuth, elevation, scale, self.step].into_iter().all(f64::is_finite);
+        if is_finite && (1.0..=1e5).contains(&scale) && (0.0..=1.0).contains(&self.step) {
+            Ok(())
         } else {
             Err("view and step: a scale from 1 to 1e5 and a step from 0 to 1 expected".to_owned())
         }
@@ -137,17 +169,27 @@ impl State {
         Ok(CaseData { test_beams, contact })
     }
 
-    /// The command that checks this case.
-    pub(crate) fn command(&self) -> String {
+    /// The case as a file of the schema `beamgap-case/1`.
+    pub(crate) fn case_file(&self) -> String {
         let file =
             CaseFile { schema: "beamgap-case/1", beam: &self.beam, bar: &self.bar, contact: self.contact };
-        let json = serde_json::to_string(&file).unwrap_or_default();
+        serde_json::to_string(&file).unwrap_or_default()
+    }
+
+    /// The command that checks this case.
+    pub(crate) fn command(&self) -> String {
+        let json = self.case_file();
         let fault = self.fault.as_ref().map(|fault| format!(" --plant '{fault}'")).unwrap_or_default();
         format!("echo '{json}' | beamgap check --case-file -{fault}")
     }
 }
 
 impl BeamState {
+    /// Whether both are the same curve, along any directions.
+    pub(crate) fn has_same_curve(&self, other: &Self) -> bool {
+        self.family == other.family && self.curve == other.curve && self.q == other.q
+    }
+
     /// The beam; `name` is its name in errors.
     ///
     /// # Errors

@@ -127,20 +127,33 @@ pub(crate) fn counted<R>(run: impl FnOnce() -> R) -> (R, usize) {
 
 /// The results of all operations of a run.
 pub(crate) fn operations<R>(run: impl FnOnce() -> R) -> Vec<u64> {
-    recorded(Mode::RecordOperations, run).1
+    recorded(Mode::RecordOperations, Vec::new(), run).2
 }
 
 /// The names and the values of all terms of a run.
 pub(crate) fn terms<R>(run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
-    recorded(Mode::RecordTerms, run)
+    let (_, labels, values) = terms_with(Vec::new(), run);
+    (labels, values)
 }
 
-fn recorded<R>(mode: Mode, run: impl FnOnce() -> R) -> (Vec<Label>, Vec<u64>) {
+/// A run with faults in some terms: its result, and the names and the values of all terms, with their faults.
+pub(crate) fn terms_with<R>(
+    changes: Vec<(Label, TermChange)>,
+    run: impl FnOnce() -> R,
+) -> (R, Vec<Label>, Vec<u64>) {
+    recorded(Mode::RecordTerms, changes, run)
+}
+
+fn recorded<R>(
+    mode: Mode,
+    changes: Vec<(Label, TermChange)>,
+    run: impl FnOnce() -> R,
+) -> (R, Vec<Label>, Vec<u64>) {
     let _run = Run::start();
     drop((RECORD.take(), LABELS.take()));
+    CHANGES.set(changes);
     STATE.with(|state| state.mode.set(mode));
-    drop(run());
-    (LABELS.take(), RECORD.take())
+    (run(), LABELS.take(), RECORD.take())
 }
 
 /// A run with a fault in one operation.

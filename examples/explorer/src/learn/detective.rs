@@ -1,7 +1,7 @@
 //! Scene 7: a hidden error in the closed form, and what each check sees of it.
 
 use super::camera::Camera;
-use super::frame::{Frame, number};
+use crate::frame::{Frame, number};
 use super::{Scene, rounded};
 use crate::html::Outcome;
 use crate::numbers::{is_ad, outcome};

@@ -1,6 +1,6 @@
 //! Scene 5: the distance along a motion, with the closest points followed and with their parameters frozen.
 
-use super::frame::{Frame, number};
+use crate::frame::{Frame, number};
 use super::pair::{Both, Dofs, First, above, below, followed, geometry, nearest};
 use super::{Scene, rounded};
 use beamgap::closest_point::{ClosestPoint, Held};

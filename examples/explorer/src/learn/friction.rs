@@ -1,7 +1,7 @@
 //! Scene 8: the beam is moved over the bar beam; friction sticks, then slips.
 
 use super::camera::Camera;
-use super::frame::{Frame, line, number};
+use crate::frame::{Frame, line, number};
 use super::pair::{Both, Dofs, First, above, below, drawn, followed, geometry, nearest, parabolas};
 use super::{Scene, rounded};
 use beamgap::closest_point::{ClosestPoint, Held};

@@ -1,7 +1,7 @@
 //! Scene 4: the two equations for the variations of the parameters, as two lines.
 
 use super::camera::Camera;
-use super::frame::{Frame, number};
+use crate::frame::{Frame, number};
 use super::pair::{Both, Dofs, First, drawn, followed, geometry, nearest};
 use super::{Scene, rounded};
 use beamgap::closest_point::Held;

@@ -1,8 +1,8 @@
 //! Scene 2: two points on the beams, and the two products that vanish at a closest point.
 
 use super::camera::Camera;
-use super::frame::Frame;
-use super::map::{self, Grid};
+use crate::frame::Frame;
+use crate::map::{self, Grid};
 use super::pair::{Dofs, above, below, drawn, geometry, nearest_drawn};
 use super::{Scene, rounded};
 use beamgap::closest_point::{Centroid, SquaredDistance};

@@ -1,7 +1,7 @@
 //! Scene 6: Newton's method with the exact tangent and with a wrong one.
 
 use super::camera::Camera;
-use super::frame::{Frame, line, number};
+use crate::frame::{Frame, line, number};
 use super::{Scene, rounded};
 use beamgap::curve::{Curve, Hermite};
 use beamgap::number::{Label, Which};

@@ -1,7 +1,7 @@
 //! Scene 3: the beam moves, and the contact point moves by its material and along the beam.
 
 use super::camera::Camera;
-use super::frame::{Frame, number, vector};
+use crate::frame::{Frame, number, vector};
 use super::pair::{Both, Dofs, First, above, below, drawn, followed, geometry, nearest};
 use super::{Scene, rounded};
 use beamgap::closest_point::Held;

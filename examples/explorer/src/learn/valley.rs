@@ -1,8 +1,8 @@
 //! Scene 1: the squared distance as a landscape over both parameters.
 
 use super::camera::Camera;
-use super::frame::{Frame, line, number};
-use super::map::{self, Grid};
+use crate::frame::{Frame, line, number};
+use crate::map::{self, Grid};
 use super::pair::drawn;
 use super::{Scene, rounded};
 use beamgap::closest_point::{

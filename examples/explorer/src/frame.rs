@@ -1,4 +1,4 @@
-//! What a scene shows: texts, paths and places by name.
+//! What a picture and its formulas show: texts, paths and places by name.
 
 use beamgap::nalgebra::Vector3;
 use serde::Serialize;
@@ -32,42 +32,57 @@ pub struct Frame {
     /// The values of controls and of handles that are sliders.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub controls: BTreeMap<Name, String>,
+    /// The names of handles, for those who do not see them.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub labels: BTreeMap<Name, String>,
+    /// Widths in units of the picture.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub widths: BTreeMap<Name, f64>,
 }
 
 impl Frame {
-    pub(super) fn text(&mut self, name: impl Into<Name>, words: impl Into<String>) {
+    pub(crate) fn text(&mut self, name: impl Into<Name>, words: impl Into<String>) {
         self.values.insert(name.into(), words.into());
     }
 
     /// A number with three decimals.
-    pub(super) fn number(&mut self, name: impl Into<Name>, x: f64) {
+    pub(crate) fn number(&mut self, name: impl Into<Name>, x: f64) {
         self.text(name, number(x));
     }
 
-    pub(super) fn place(&mut self, name: impl Into<Name>, at: [f64; 2]) {
+    pub(crate) fn place(&mut self, name: impl Into<Name>, at: [f64; 2]) {
         self.places.insert(name.into(), Some(at.map(tenth)));
     }
 
     /// A place, if there is one.
-    pub(super) fn place_if(&mut self, name: impl Into<Name>, at: Option<[f64; 2]>) {
+    pub(crate) fn place_if(&mut self, name: impl Into<Name>, at: Option<[f64; 2]>) {
         self.places.insert(name.into(), at.map(|at| at.map(tenth)));
     }
 
-    pub(super) fn hide(&mut self, name: impl Into<Name>) {
+    pub(crate) fn hide(&mut self, name: impl Into<Name>) {
         self.places.insert(name.into(), None);
     }
 
     /// A line through points.
-    pub(super) fn line(&mut self, name: impl Into<Name>, points: impl IntoIterator<Item = [f64; 2]>) {
+    pub(crate) fn line(&mut self, name: impl Into<Name>, points: impl IntoIterator<Item = [f64; 2]>) {
         self.paths.insert(name.into(), line(points));
     }
 
-    pub(super) fn no_path(&mut self, name: impl Into<Name>) {
+    /// Several lines as one path.
+    pub(crate) fn lines<const K: usize>(&mut self, name: impl Into<Name>, lines: &[[[f64; 2]; K]]) {
+        let mut data = String::new();
+        for line in lines {
+            push_line(&mut data, *line);
+        }
+        self.paths.insert(name.into(), data);
+    }
+
+    pub(crate) fn no_path(&mut self, name: impl Into<Name>) {
         self.paths.insert(name.into(), String::new());
     }
 
     /// An arrow with a head. A very short one is not drawn.
-    pub(super) fn arrow(&mut self, name: impl Into<Name>, from: [f64; 2], to: [f64; 2]) {
+    pub(crate) fn arrow(&mut self, name: impl Into<Name>, from: [f64; 2], to: [f64; 2]) {
         self.paths.insert(name.into(), arrow(from, to));
     }
 }
@@ -77,14 +92,14 @@ fn tenth(x: f64) -> f64 {
 }
 
 /// The data of a line through points.
-pub(super) fn line(points: impl IntoIterator<Item = [f64; 2]>) -> String {
+pub(crate) fn line(points: impl IntoIterator<Item = [f64; 2]>) -> String {
     let mut data = String::new();
     push_line(&mut data, points);
     data
 }
 
 /// Adds a line through points.
-pub(super) fn push_line(data: &mut String, points: impl IntoIterator<Item = [f64; 2]>) {
+pub(crate) fn push_line(data: &mut String, points: impl IntoIterator<Item = [f64; 2]>) {
     for (i, [x, y]) in points.into_iter().enumerate() {
         data.push(if i == 0 { 'M' } else { 'L' });
         push_tenths(data, x);
@@ -129,7 +144,7 @@ fn arrow(from: [f64; 2], to: [f64; 2]) -> String {
 }
 
 /// A number with three decimals, or with an exponent if it is very large or very small.
-pub(super) fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     let text = match x.abs() {
         size if !size.is_finite() => return "not finite".to_owned(),
         size if size < 5e-13 => "0.000".to_owned(),
@@ -140,7 +155,7 @@ pub(super) fn number(x: f64) -> String {
 }
 
 /// A vector with two decimals.
-pub(super) fn vector(v: &Vector3<f64>) -> String {
+pub(crate) fn vector(v: &Vector3<f64>) -> String {
     let entry = |x: f64| format!("{:.2}", if x.abs() < 0.005 { 0.0 } else { x }).replace('-', "−");
     format!("({}, {}, {})", entry(v.x), entry(v.y), entry(v.z))
 }

@@ -1,6 +1,6 @@
 //! The square of both parameters as a map: xi to the right, xi_bar upwards.
 
-use super::frame::push_line;
+use crate::frame::push_line;
 use beamgap::closest_point::{Centroid, SquaredDistance};
 
 const LEFT: f64 = 40.0;
@@ -12,12 +12,12 @@ const CELLS: usize = 20;
 const SHADES: f64 = 15.0;
 
 /// Where a pair of parameters is drawn.
-pub(super) fn at([xi, xi_bar]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn at([xi, xi_bar]: [f64; 2]) -> [f64; 2] {
     [LEFT + 0.5 * SIDE * (xi + 1.0), TOP + 0.5 * SIDE * (1.0 - xi_bar)]
 }
 
 /// The pair of parameters nearest to a place.
-pub(super) fn from([x, y]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn from([x, y]: [f64; 2]) -> [f64; 2] {
     [2.0 * (x - LEFT) / SIDE - 1.0, 1.0 - 2.0 * (y - TOP) / SIDE].map(|xi| xi.clamp(-1.0, 1.0))
 }
 
@@ -28,14 +28,14 @@ fn parameter(i: usize) -> f64 {
 
 /// A function of both parameters on a grid.
 #[derive(Clone, Debug)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     /// Rows of equal xi_bar, from below.
     values: Vec<f64>,
 }
 
 impl Grid {
     /// Several functions of the two points on the same grid.
-    pub(super) fn of<const K: usize>(
+    pub(crate) fn of<const K: usize>(
         [beam, bar]: [&dyn Centroid; 2],
         functions: [fn(&SquaredDistance) -> f64; K],
     ) -> [Self; K] {
@@ -54,13 +54,13 @@ impl Grid {
     }
 
     /// The smallest and the largest value.
-    pub(super) fn range(&self) -> [f64; 2] {
+    pub(crate) fn range(&self) -> [f64; 2] {
         let fold = |pick: fn(f64, f64) -> f64, from| self.values.iter().copied().fold(from, pick);
         [fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY)]
     }
 
     /// The lines where the function has these values.
-    pub(super) fn contours(&self, levels: &[f64]) -> String {
+    pub(crate) fn contours(&self, levels: &[f64]) -> String {
         let mut data = String::new();
         let width = CELLS + 1;
         for j in 0..CELLS {
@@ -76,7 +76,7 @@ impl Grid {
     }
 
     /// A letter for each point, row by row from above: `a` for the largest value, `p` for the smallest.
-    pub(super) fn shades(&self) -> String {
+    pub(crate) fn shades(&self) -> String {
         let [low, high] = self.range();
         let scale = SHADES / (high - low).max(1e-12);
         let letter = |&value: &f64| {

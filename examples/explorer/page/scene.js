@@ -1,7 +1,7 @@
 // The scenes: a frame of the module sets texts and attributes of existing elements. Nothing is computed here.
 
 const scenes = [];
-const PARTS = ["value", "path", "place", "shades", "shown"];
+const PARTS = ["value", "path", "place", "shades", "shown", "label", "width"];
 
 /** A scene with its elements by kind and name. */
 function sceneOf(section) {
@@ -13,6 +13,11 @@ function sceneOf(section) {
       if (!scene[kind].has(name)) scene[kind].set(name, []);
       scene[kind].get(name).push(element);
     }
+  }
+  scene.controls = new Map();
+  for (const element of section.querySelectorAll("[data-choose], [data-handle]")) {
+    const name = element.dataset.choose ?? element.dataset.handle;
+    scene.controls.set(name, [...(scene.controls.get(name) ?? []), element]);
   }
   section.scene = scene;
   return scene;
@@ -27,6 +32,7 @@ function act(scene, action) {
   if (frame.error) return false;
   scene.state = frame.state;
   show(scene, frame);
+  scene.after?.(frame);
   return true;
 }
 
@@ -58,6 +64,12 @@ function show(scene, frame) {
   for (const [name, is] of Object.entries(frame.shown ?? {})) {
     for (const element of changed(scene, "shown", name, is)) element.hidden = !is;
   }
+  for (const [name, label] of Object.entries(frame.labels ?? {})) {
+    for (const element of changed(scene, "label", name, label)) element.setAttribute("aria-label", label);
+  }
+  for (const [name, width] of Object.entries(frame.widths ?? {})) {
+    for (const element of changed(scene, "width", name, width)) element.style.setProperty("--w", `${width}px`);
+  }
   for (const [name, value] of Object.entries(frame.controls ?? {})) control(scene, name, value);
 }
 
@@ -70,11 +82,18 @@ function shade(canvas, letters) {
 }
 
 function control(scene, name, value) {
-  for (const element of scene.section.querySelectorAll(`[data-choose="${name}"], [data-handle="${name}"]`)) {
+  for (const element of scene.controls.get(name) ?? []) {
     if (element.dataset.handle) element.setAttribute("aria-valuenow", value);
-    else if (element.tagName === "INPUT") { if (element.value !== value) element.value = value; }
-    else element.setAttribute("aria-pressed", String(element.dataset.to === value));
+    else if (element.type === "radio") element.checked = element.value === value;
+    // What the reader types is not written over.
+    else if (element.type === "number" && element === document.activeElement) continue;
+    else if (element.tagName !== "BUTTON") { if (element.value !== value) element.value = value; }
+    else press(element, element.dataset.to === value);
   }
+}
+
+function press(button, is) {
+  if (button.getAttribute("aria-pressed") !== String(is)) button.setAttribute("aria-pressed", String(is));
 }
 
 /** Shows the last of several actions at the next frame. */

@@ -1,6 +1,8 @@
 // Mouse, touch and keys.
 
 const KEYS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+/** Away from the eye and towards it, in units of length. */
+const DEPTHS = { PageUp: 0.03, PageDown: -0.03 };
 /** The way of a handle for one key, in units of the picture. */
 const WAY = 6;
 
@@ -28,6 +30,12 @@ function listen(scene, handle) {
   });
   for (const end of ["pointerup", "pointercancel"]) handle.addEventListener(end, () => { grip = null; });
   handle.addEventListener("keydown", (event) => {
+    const depth = DEPTHS[event.key];
+    if (depth && !isSlider) {
+      event.preventDefault();
+      schedule(scene, { push: { handle: name, by: depth * (event.shiftKey ? 4 : 1) } });
+      return;
+    }
     const key = KEYS[event.key];
     if (!key) return;
     event.preventDefault();
@@ -43,53 +51,46 @@ function listen(scene, handle) {
 function listenToControls(scene) {
   for (const element of scene.section.querySelectorAll("[data-choose]")) {
     const name = element.dataset.choose;
-    if (element.tagName === "INPUT") {
-      element.addEventListener("input", () => schedule(scene, { choose: { name, value: element.value } }));
+    if (element.tagName === "INPUT" || element.tagName === "SELECT") {
+      element.addEventListener("input", () => {
+        if (element.checkValidity()) schedule(scene, { choose: { name, value: element.value } });
+      });
     } else {
       element.addEventListener("click", () => act(scene, { choose: { name, value: element.dataset.to } }));
     }
   }
-  for (const element of scene.section.querySelectorAll("button.play")) element.addEventListener("click", () => play(scene));
 }
 
-/** Lets the walker go down, one step a frame; at once if the reader wants no motion. */
-function play(scene) {
-  if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-    act(scene, { choose: { name: "walk", value: "end" } });
-    return;
-  }
-  const before = JSON.stringify(scene.state);
-  act(scene, { choose: { name: "walk", value: "step" } });
-  if (JSON.stringify(scene.state) !== before) requestAnimationFrame(() => play(scene));
-}
-
-/** A term lights its parts of the pictures, while it is pointed at or focused. */
+/** A term lights its parts of the pictures, while it is pointed at or focused. In the explorer it has a list of them. */
 function light(scene) {
   const parts = [...scene.section.querySelectorAll("[data-part]")];
   const set = (name) => {
     scene.section.classList.toggle("lighting", name !== null);
-    for (const part of parts) part.classList.toggle("lit", name !== null && part.dataset.part.split(" ").includes(name));
+    const names = name?.split(" ") ?? [];
+    for (const part of parts) part.classList.toggle("lit", part.dataset.part.split(" ").some((of) => names.includes(of)));
   };
-  for (const term of scene.section.querySelectorAll("[data-term]")) {
-    const on = () => set(term.dataset.term);
+  for (const term of scene.section.querySelectorAll("[data-term], [data-light]")) {
+    const on = () => set(term.dataset.light ?? term.dataset.term);
     for (const event of ["pointerenter", "focus"]) term.addEventListener(event, on);
     for (const event of ["pointerleave", "blur"]) term.addEventListener(event, () => set(null));
   }
 }
 
+/** Compiles the module and opens all scenes; whether it has done so. */
 async function start() {
   await compile();
   for (const section of document.querySelectorAll("[data-scene]")) {
     const scene = sceneOf(section);
     scenes.push(scene);
-    if (!act(scene, null)) return;
+    if (!act(scene, null)) return false;
     for (const handle of section.querySelectorAll("[data-handle]")) listen(scene, handle);
     listenToControls(scene);
     light(scene);
   }
-  document.documentElement.dataset.ready = "true";
+  return true;
 }
-start().catch((error) => {
+
+function told(error) {
   at("message").textContent = `The module does not start: ${error}`;
   at("message").hidden = false;
-});
+}

@@ -1,0 +1,155 @@
+//! The explorer as a scene: what the reader does to its state, and the picture, the map and the formulas of a state.
+
+mod change;
+mod labels;
+mod marks;
+mod overlap;
+mod plane;
+mod sentence;
+mod terms;
+mod tubes;
+
+use crate::answer::variant;
+use crate::frame::Frame;
+use crate::handles::{Handle, handles};
+use crate::html::number;
+use crate::learn::Scene;
+use crate::points::select;
+use crate::prediction::varied;
+use crate::state::State;
+use crate::view::View;
+use beamgap::closest_point::Centroid;
+use beamgap::linearization::closed_form::Projection;
+use beamgap::variant::Variant;
+use marks::Predicted;
+use plane::Landscape;
+
+/// The names of both beams in the picture.
+const BEAMS: [&str; 2] = ["b", "r"];
+/// The number of handles of a beam that the page has.
+const HANDLES: usize = 6;
+
+impl Scene for State {
+    fn drag(&mut self, handle: &str, [x, y]: [f64; 2]) {
+        let Some(found) = self.handle(handle) else { return };
+        let [from_x, from_y] = found.at;
+        let view = View::new(&self.view);
+        let by = (view.right * (x - from_x) - view.up * (y - from_y)) / self.view.scale;
+        self.move_handle(&found, by);
+    }
+
+    fn push(&mut self, handle: &str, by: f64) {
+        let Some(found) = self.handle(handle) else { return };
+        self.move_handle(&found, View::new(&self.view).away * by);
+    }
+
+    fn choose(&mut self, name: &str, value: &str) {
+        self.refused = self.change(name, value).err();
+    }
+
+    fn frame(&self) -> Result<Frame, String> {
+        if let Some(refused) = &self.refused {
+            return Err(refused.clone());
+        }
+        self.validate()?;
+        let case = self.case()?;
+        let variant = variant(self.fault.as_deref())?;
+        let beams =
+            case.test_beams.each_ref().map(|test_beam| test_beam.centroid().map_err(|e| e.to_string()));
+        let [beam, bar] = beams;
+        let (beam, bar) = (beam?, bar?);
+        let centroids: [&dyn Centroid; 2] = [&*beam, &*bar];
+        let landscape = Landscape::of(self, centroids)?;
+        let found = select(&landscape.closest, self.minimum);
+        let found = found.as_ref();
+        let view = View::new(&self.view);
+        let varied = found.and_then(|found| varied(&case, self, found));
+        // The closed form with the fault, and as it is.
+        let variants = [&variant, &Variant::Unmodified];
+        let by_term = found.and_then(|found| case.by_term(variants, &found.point).ok()?.ok());
+        let predicted = found.and_then(|found| Predicted::new(&case, self, variants, &found.point));
+
+        let mut frame = Frame::default();
+        let radii = [self.contact.radius, self.contact.radius_bar];
+        tubes::draw(&mut frame, &view, centroids, radii);
+        overlap::draw(&mut frame, &view, centroids, radii, &landscape.closest);
+        let points = (&landscape.closest, found);
+        marks::draw(&mut frame, self, &view, centroids, points, varied.as_ref());
+        marks::draw_predicted(&mut frame, self, &view, predicted.as_ref(), varied.as_ref());
+        plane::draw(&mut frame, &landscape, found, predicted.as_ref(), varied.as_ref());
+        place_handles(&mut frame, &handles(&case, self, &view));
+        terms::write(&mut frame, self, by_term.as_ref());
+        let second = by_term.as_ref().map(|[_, right]| terms::second_of_gap(right));
+        frame.text("sentence", sentence::of(centroids, radii, &landscape, found, second));
+
+        let point = found.map(|found| &found.point);
+        let text = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), number);
+        frame.text("gap", text(point.map(|point| point.distance - radii[0] - radii[1])));
+        frame.text("d", text(point.map(|point| point.distance)));
+        frame.text("xi", text(point.map(|point| point.xi)));
+        frame.text("xi_bar", text(point.map(|point| point.xi_bar)));
+        let det = point.filter(|point| point.is_interior()).map(|point| {
+            let [x, y] = [beam.geometry(point.xi), bar.geometry(point.xi_bar)];
+            Projection::new(&x, &y, point.held()).det()
+        });
+        frame.text("D", text(det));
+        frame.text("step-value", format!("{:.2}", self.step));
+        self.show_controls(&mut frame);
+        Ok(frame)
+    }
+}
+
+impl State {
+    /// The handle of this name, such as `b0`.
+    fn handle(&self, name: &str) -> Option<Handle> {
+        let case = self.case().ok()?;
+        let all = handles(&case, self, &View::new(&self.view));
+        named(&all).find(|(known, _)| known == name).map(|(_, handle)| handle.clone())
+    }
+
+    /// Moves the dofs of a handle. They keep three decimals, so that links are short.
+    fn move_handle(&mut self, handle: &Handle, by: beamgap::nalgebra::Vector3<f64>) {
+        let dragged = self.dragged;
+        let beam = if handle.beam == 0 { &mut self.beam } else { &mut self.bar };
+        let numbers = beam.numbers(dragged);
+        for c in 0..3 {
+            if let Some(number) = numbers.get_mut(handle.start + c) {
+                let moved = *number + by[c] / handle.factor;
+                // What is not moved keeps its digits.
+                if by[c] != 0.0 {
+                    *number = (moved * 1000.0).round() / 1000.0;
+                }
+            }
+        }
+    }
+}
+
+/// Handles with their names: the beam, and the number among its handles.
+fn named(handles: &[Handle]) -> impl Iterator<Item = (String, &Handle)> {
+    let mut counts = [0; 2];
+    handles.iter().map(move |handle| {
+        let name = format!("{}{}", BEAMS[handle.beam], counts[handle.beam]);
+        counts[handle.beam] += 1;
+        (name, handle)
+    })
+}
+
+fn place_handles(frame: &mut Frame, handles: &[Handle]) {
+    for beam in BEAMS {
+        for i in 0..HANDLES {
+            frame.hide(format!("{beam}{i}"));
+        }
+    }
+    let mut rods = [Vec::new(), Vec::new()];
+    for (name, handle) in named(handles) {
+        let [x, y, z] = handle.value;
+        frame.labels.insert(name.clone().into(), format!("{}: {x:.3}, {y:.3}, {z:.3}", handle.name));
+        frame.place(name, handle.at);
+        if handle.is_rod {
+            rods[handle.beam].push([handle.from, handle.at]);
+        }
+    }
+    for (name, rods) in [("rods_b", &rods[0]), ("rods_r", &rods[1])] {
+        frame.lines(name, rods);
+    }
+}
