@@ -53,6 +53,8 @@ function listenToControls(scene) {
     const name = element.dataset.choose;
     if (element.tagName === "INPUT" || element.tagName === "SELECT") {
       element.addEventListener("input", () => {
+        // The state may not take the value: the control shows again what it has.
+        scene.last.control.delete(name);
         if (element.checkValidity()) schedule(scene, { choose: { name, value: element.value } });
       });
     } else {
@@ -70,7 +72,7 @@ function light(scene) {
     for (const part of parts) part.classList.toggle("lit", part.dataset.part.split(" ").some((of) => names.includes(of)));
   };
   for (const term of scene.section.querySelectorAll("[data-term], [data-light]")) {
-    const on = () => set(term.dataset.light ?? term.dataset.term);
+    const on = () => set((term.dataset.light ?? term.dataset.term) || null);
     for (const event of ["pointerenter", "focus"]) term.addEventListener(event, on);
     for (const event of ["pointerleave", "blur"]) term.addEventListener(event, () => set(null));
   }

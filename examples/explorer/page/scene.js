@@ -5,9 +5,10 @@ const PARTS = ["value", "path", "place", "shades", "shown", "label", "width"];
 
 /** A scene with its elements by kind and name. */
 function sceneOf(section) {
-  const scene = { section, name: section.dataset.scene, state: null, places: {}, pending: null, shown: new Map() };
+  const scene = { section, name: section.dataset.scene, state: null, places: {}, pending: null, last: { control: new Map() } };
   for (const kind of PARTS) {
     scene[kind] = new Map();
+    scene.last[kind] = new Map();
     for (const element of section.querySelectorAll(`[data-${kind}]`)) {
       const name = element.dataset[kind];
       if (!scene[kind].has(name)) scene[kind].set(name, []);
@@ -36,41 +37,61 @@ function act(scene, action) {
   return true;
 }
 
+const NONE = [];
+
 /** The elements of a name, if its content has changed. */
 function changed(scene, kind, name, content) {
-  const key = `${kind} ${name}`;
-  if (scene.shown.get(key) === content) return [];
-  scene.shown.set(key, content);
-  return scene[kind].get(name) ?? [];
+  const last = scene.last[kind];
+  if (last.get(name) === content) return NONE;
+  last.set(name, content);
+  return scene[kind].get(name) ?? NONE;
 }
 
 function show(scene, frame) {
-  for (const [name, text] of Object.entries(frame.values)) {
-    for (const element of changed(scene, "value", name, text)) element.textContent = text;
+  for (const name in frame.values) {
+    const text = frame.values[name];
+    for (const element of changed(scene, "value", name, text)) write(element, text);
   }
-  for (const [name, path] of Object.entries(frame.paths)) {
+  for (const name in frame.paths) {
+    const path = frame.paths[name];
     for (const element of changed(scene, "path", name, path)) element.setAttribute("d", path);
   }
-  for (const [name, place] of Object.entries(frame.places)) {
+  for (const name in frame.places) {
+    const place = frame.places[name];
     scene.places[name] = place;
-    for (const element of changed(scene, "place", name, String(place))) {
-      if (place) element.setAttribute("transform", `translate(${place[0]} ${place[1]})`);
-      element.style.display = place ? "" : "none";
-    }
+    const transform = place && `translate(${place[0]} ${place[1]})`;
+    for (const element of changed(scene, "place", name, transform)) move(element, transform);
   }
-  for (const [name, letters] of Object.entries(frame.shades ?? {})) {
+  for (const name in frame.shades) {
+    const letters = frame.shades[name];
     for (const canvas of changed(scene, "shades", name, letters)) shade(canvas, letters);
   }
-  for (const [name, is] of Object.entries(frame.shown ?? {})) {
+  for (const name in frame.shown) {
+    const is = frame.shown[name];
     for (const element of changed(scene, "shown", name, is)) element.hidden = !is;
   }
-  for (const [name, label] of Object.entries(frame.labels ?? {})) {
+  for (const name in frame.labels) {
+    const label = frame.labels[name];
     for (const element of changed(scene, "label", name, label)) element.setAttribute("aria-label", label);
   }
-  for (const [name, width] of Object.entries(frame.widths ?? {})) {
+  for (const name in frame.widths) {
+    const width = frame.widths[name];
     for (const element of changed(scene, "width", name, width)) element.style.setProperty("--w", `${width}px`);
   }
-  for (const [name, value] of Object.entries(frame.controls ?? {})) control(scene, name, value);
+  for (const name in frame.controls) control(scene, name, frame.controls[name]);
+}
+
+/** Changes the text of an element. A node that is kept costs half of a new one. */
+function write(element, text) {
+  const node = element.firstChild;
+  if (node && text) node.data = text;
+  else element.textContent = text;
+}
+
+function move(element, transform) {
+  if (transform) element.setAttribute("transform", transform);
+  const display = transform ? "" : "none";
+  if (element.style.display !== display) element.style.display = display;
 }
 
 /** A map: the letter of each point is its opacity. */
@@ -82,6 +103,8 @@ function shade(canvas, letters) {
 }
 
 function control(scene, name, value) {
+  if (scene.last.control.get(name) === value) return;
+  scene.last.control.set(name, value);
   for (const element of scene.controls.get(name) ?? []) {
     if (element.dataset.handle) element.setAttribute("aria-valuenow", value);
     else if (element.type === "radio") element.checked = element.value === value;

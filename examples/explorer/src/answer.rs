@@ -9,8 +9,7 @@ use crate::points::{Found, find, points};
 use crate::prediction::{Prediction, predict, varied};
 use crate::situation::words;
 use crate::state::State;
-use beamgap::check::external::{Drawing, Expected, Vector, VectorWriter};
-use beamgap::check::{CaseData, CheckConfig, Comparison, Order, Regime, Verdict, test_source};
+use beamgap::check::{CaseData, CheckConfig, Comparison, Order, Verdict, test_source};
 use beamgap::closest_point::ClosestPoint;
 use beamgap::linearization::Quantity;
 use beamgap::variant::{Variant, with_faults};
@@ -75,7 +74,7 @@ impl Answer {
             points: points(&case, centroids, &closest, found.map(|found| found.minimum)),
             command: state.command(),
             case: state.case_file(),
-            vectors: vectors(&case, found),
+            vectors: state.vectors(found.map(|found| &found.point)),
             ..Self::default()
         };
         let Some(found) = found else {
@@ -157,30 +156,6 @@ fn verdict(case: &CaseData, variant: Variant, found: &Found) -> Result<Option<Ve
     let compared = case.compare(&config).map_err(|error| error.to_string())?;
     let near = |point: &ClosestPoint| point == &found.point;
     Ok(compared.into_iter().find(|(point, _)| point.as_ref().is_some_and(near)).map(|(_, verdict)| verdict))
-}
-
-/// The case as a file of cases for programs in any language, with the selected closest point.
-fn vectors(case: &CaseData, found: Option<&Found>) -> String {
-    let writer = VectorWriter { hex: false, expected: Expected::None };
-    let drawing = Drawing {
-        seed: 0,
-        regimes: vec![Regime::ALL[0]],
-        families: case.test_beams.each_ref().map(|test_beam| test_beam.family).to_vec(),
-        cases: 1,
-        penetrating: false,
-        elements: false,
-        steps: false,
-    };
-    let vector = Vector {
-        id: "0".to_owned(),
-        regime: "explorer".to_owned(),
-        case: case.clone(),
-        element: None,
-        steps: Vec::new(),
-        point: found.map(|found| (found.point.xi, found.point.xi_bar)),
-        place: None,
-    };
-    format!("{}\n{}\n", writer.head(&drawing), writer.line(&vector))
 }
 
 /// The closed form with the fault of this name. The last one is cached, because the lookup is slow.

@@ -18,7 +18,8 @@ use crate::points::select;
 use crate::prediction::varied;
 use crate::state::State;
 use crate::view::View;
-use beamgap::closest_point::Centroid;
+use beamgap::check::{ByTerm, CaseData};
+use beamgap::closest_point::{Centroid, ClosestPoint};
 use beamgap::linearization::closed_form::Projection;
 use beamgap::variant::Variant;
 use marks::Predicted;
@@ -30,6 +31,11 @@ const BEAMS: [&str; 2] = ["b", "r"];
 const HANDLES: usize = 6;
 
 impl Scene for State {
+    /// By the reader of links, so that the module has one reader.
+    fn read(state: serde_json::Value) -> Result<Self, String> {
+        serde_json::from_str(&state.to_string()).map_err(|error| error.to_string())
+    }
+
     fn drag(&mut self, handle: &str, [x, y]: [f64; 2]) {
         let Some(found) = self.handle(handle) else { return };
         let [from_x, from_y] = found.at;
@@ -64,10 +70,8 @@ impl Scene for State {
         let found = found.as_ref();
         let view = View::new(&self.view);
         let varied = found.and_then(|found| varied(&case, self, found));
-        // The closed form with the fault, and as it is.
-        let variants = [&variant, &Variant::Unmodified];
-        let by_term = found.and_then(|found| case.by_term(variants, &found.point).ok()?.ok());
-        let predicted = found.and_then(|found| Predicted::new(&case, self, variants, &found.point));
+        let by_term = found.and_then(|found| by_term(&case, &variant, &found.point));
+        let predicted = found.and_then(|found| Predicted::new(&case, self, &variant, &found.point));
 
         let mut frame = Frame::default();
         let radii = [self.contact.radius, self.contact.radius_bar];
@@ -97,6 +101,15 @@ impl Scene for State {
         self.show_controls(&mut frame);
         Ok(frame)
     }
+}
+
+/// The closed form with the fault, and as it is.
+fn by_term(case: &CaseData, variant: &Variant, point: &ClosestPoint) -> Option<[ByTerm; 2]> {
+    if *variant == Variant::Unmodified {
+        let [right] = case.by_term([variant], point).ok()?.ok()?;
+        return Some([right.clone(), right]);
+    }
+    case.by_term([variant, &Variant::Unmodified], point).ok()?.ok()
 }
 
 impl State {
@@ -135,11 +148,8 @@ fn named(handles: &[Handle]) -> impl Iterator<Item = (String, &Handle)> {
 }
 
 fn place_handles(frame: &mut Frame, handles: &[Handle]) {
-    for beam in BEAMS {
-        for i in 0..HANDLES {
-            frame.hide(format!("{beam}{i}"));
-        }
-    }
+    let hidden = BEAMS.iter().flat_map(|beam| (0..HANDLES).map(move |i| format!("{beam}{i}")));
+    hidden.for_each(|name| frame.hide(name));
     let mut rods = [Vec::new(), Vec::new()];
     for (name, handle) in named(handles) {
         let [x, y, z] = handle.value;

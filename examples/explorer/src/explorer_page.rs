@@ -3,6 +3,7 @@
 use crate::learn_page::{FONT, filled, typeset};
 use crate::math::mathml;
 use crate::{compose, escaped};
+use beamgap::linearization::Quantity;
 use beamgap::test_beam::Family;
 use beamgap::variant::{Fault, Kind, catalogue};
 use beamgap_explorer::{Answer, EquationCells, Formula, Frame, Piece, State, Term, formulas, opening};
@@ -128,7 +129,8 @@ fn tubes(frame: &Frame) -> String {
             let width = frame.widths.get(beam).copied().unwrap_or_default();
             let name = format!("tube{layer}{beam}");
             let _ = write!(out, "<g class=\"tubes {beam}\" data-width=\"{beam}\" style=\"--w:{width}px\">");
-            for class in ["halo", "shade0", "shade1", "shade2", "shade3", "axis"] {
+            // The first layer covers nothing, and needs no gap.
+            for class in ["halo", "edge", "middle", "light", "axis"].into_iter().skip(usize::from(layer == 0)) {
                 let _ = write!(out, "<path class=\"{class}\" data-path=\"{name}\"/>");
             }
             let _ = writeln!(out, "<path class=\"cap\" data-path=\"cap{layer}{beam}\"/></g>");
@@ -203,21 +205,19 @@ fn kinds() -> String {
 fn formulas_html(frame: &Frame, faults: &[Fault]) -> Result<String, Box<dyn Error>> {
     let mut out = String::new();
     for (i, formula) in formulas().iter().enumerate() {
-        let name = format!("formula{i}");
-        let hidden = if frame.shown.get(name.as_str()) == Some(&true) { "" } else { " hidden" };
+        let name = formula.visible;
+        let hidden = if frame.shown.get(name) == Some(&true) { "" } else { " hidden" };
         write!(out, "<div class=\"formula\" data-shown=\"{name}\"{hidden}>")?;
         for piece in &formula.pieces {
             match piece {
-                Piece::Latex(latex) => write!(out, "<span>{}</span> ", mathml(latex, false)?)?,
+                Piece::Latex(latex) => write!(out, "{} ", short(latex)?)?,
                 Piece::Term(term) => out += &term_html(term, faults)?,
             }
         }
-        if formula.result.is_some() {
-            write!(
-                out,
-                "<span class=\"result\">= <output class=\"is\" data-value=\"result{i}\"></output> \
-                 <s class=\"ghost\" data-value=\"right-result{i}\"></s></span> "
-            )?;
+        if let Some(result) = formula.result {
+            let is_vector = Quantity::axis_of_component(result.0.component()).is_some();
+            let class = if is_vector { "is vector" } else { "is" };
+            write!(out, "<span class=\"result\">= <span class=\"{class}\" data-value=\"result{i}\"></span></span> ")?;
         }
         writeln!(out, "{}</div>", tag(formula))?;
     }
@@ -229,7 +229,7 @@ fn tag(formula: &Formula) -> String {
     format!("<a class=\"tag\" href=\"derivation.html#eq-{number}\">({number})</a>")
 }
 
-/// A term as a button, with its value and, if a fault changes it, the right one.
+/// A term as a button, with its value. The script adds a place for the right one.
 fn term_html(term: &Term, faults: &[Fault]) -> Result<String, Box<dyn Error>> {
     let of_term = |fault: &&Fault| fault.label.to_string() == term.name;
     let place = |fault: &Fault| Kind::ALL.iter().position(|kind| *kind == fault.kind);
@@ -244,16 +244,31 @@ fn term_html(term: &Term, faults: &[Fault]) -> Result<String, Box<dyn Error>> {
         None => String::new(),
         Some((is_vector, _)) => {
             let class = if is_vector { "now vector" } else { "now" };
-            format!(
-                "<span class=\"{class}\" data-value=\"term{number}\"></span><s class=\"ghost\" data-value=\"right-term{number}\"></s>"
-            )
+            format!("<span class=\"{class}\" data-value=\"term{number}\"></span>")
         }
     };
     Ok(format!(
-        "<button type=\"button\" class=\"term\" data-name=\"{name}\" data-kinds=\"{kinds}\" data-light=\"{}\">{}{values}</button> ",
+        "<button class=\"term\" data-name=\"{name}\" data-kinds=\"{kinds}\" data-light=\"{}\">{}{values}</button> ",
         lights(term.latex),
-        mathml(term.latex, false)?
+        short(term.latex)?
     ))
+}
+
+/// A formula as MathML, without rows that contain one letter alone.
+fn short(latex: &str) -> Result<String, Box<dyn Error>> {
+    let mut math = mathml(latex, false)?.replace(" display=\"inline\"", "");
+    loop {
+        let single = math.match_indices("<mrow>").find_map(|(start, row)| {
+            let inner = start + row.len();
+            let end = inner + math[inner..].find("</mrow>")?;
+            let element = &math[inner..end];
+            let tag = element.strip_prefix('<')?.split(['>', ' ']).next()?;
+            let is_single = element.matches('<').count() == 2 && element.ends_with(&format!("</{tag}>"));
+            is_single.then(|| (start..end + "</mrow>".len(), element.to_owned()))
+        });
+        let Some((range, element)) = single else { return Ok(math) };
+        math.replace_range(range, &element);
+    }
 }
 
 /// The parts of the picture that the letters of a term stand for.
@@ -284,15 +299,6 @@ fn lights(latex: &str) -> String {
 
 /// The table of the equations, with the numbers of the standard case.
 fn rows(equations: &Value, cells: &[EquationCells]) -> Result<String, Box<dyn Error>> {
-    const HEADS: [&str; 7] = [
-        "equation",
-        "what it says",
-        "verdict",
-        "formula, corrected",
-        "hyper-dual",
-        "digits",
-        "digits of the print",
-    ];
     let mut rows = String::new();
     for row in equations["equations"].as_array().ok_or("equations.json has no equations")? {
         let (Some(number), Some(says), Some(verdict)) =
@@ -306,26 +312,22 @@ fn rows(equations: &Value, cells: &[EquationCells]) -> Result<String, Box<dyn Er
         write!(
             rows,
             "<tr data-equation=\"{number}\"><th scope=\"row\"><a href=\"derivation.html#eq-{number}\">({number})</a></th>\
-             <td class=\"words\" data-head=\"{}\">{}</td><td class=\"{class}\" data-head=\"{}\">{}</td>",
-            HEADS[1],
+             <td class=\"words\">{}</td><td class=\"{class}\">{}</td>",
             escaped(says),
-            HEADS[2],
             verdict.replace('-', " ")
         )?;
-        for ((name, text), head) in [
+        for (name, text) in [
             ("formula", &cell.formula),
             ("hyper_dual", &cell.hyper_dual),
             ("digits", &cell.digits),
             ("printed", &cell.printed),
-        ]
-        .into_iter()
-        .zip(&HEADS[3..])
-        {
-            write!(rows, "<td data-cell=\"{name}\" data-head=\"{head}\">{}</td>", escaped(text))?;
+        ] {
+            write!(rows, "<td data-cell=\"{name}\">{}</td>", escaped(text))?;
         }
         rows += "</tr>\n";
     }
-    let heads = HEADS.map(|head| format!("<th scope=\"col\">{head}</th>")).concat();
+    let heads = ["equation", "what it says", "verdict", "formula, corrected", "hyper-dual", "digits", "digits of the print"];
+    let heads = heads.map(|head| format!("<th scope=\"col\">{head}</th>")).concat();
     Ok(format!(
         "<div class=\"wide\"><table><thead><tr>{heads}</tr></thead><tbody>\n{rows}</tbody></table></div>\n"
     ))

@@ -12,6 +12,8 @@ pub struct Formula {
     pub groups: Vec<(&'static str, char)>,
     /// When it is evaluated.
     pub when: char,
+    /// Groups and condition as written: formulas that share it are visible together.
+    pub visible: &'static str,
     /// The number of its equation in the paper.
     pub equation: &'static str,
     /// The quantity and the index of the part that it computes, if it is one of them.
@@ -70,7 +72,7 @@ pub fn formulas() -> &'static [Formula] {
 }
 
 fn read(line: &'static str, count: &mut usize) -> Formula {
-    let fields: Vec<&str> = line.splitn(5, " @ ").collect();
+    let fields: Vec<&'static str> = line.splitn(5, " @ ").collect();
     let [groups, when, equation, result, mut rest] = fields[..] else { panic!("{line:?} has no five fields") };
     let letter = |text: &str| text.chars().next().unwrap_or('.');
     let group = |text: &'static str| text.split_once('?').map_or((text, '.'), |(name, when)| (name, letter(when)));
@@ -87,6 +89,7 @@ fn read(line: &'static str, count: &mut usize) -> Formula {
     Formula {
         groups: groups.split(' ').map(group).collect(),
         when: letter(when),
+        visible: line[..groups.len() + " @ ".len() + when.len()].into(),
         equation,
         result: of_result(result),
         pieces,

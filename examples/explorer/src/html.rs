@@ -77,31 +77,11 @@ pub(crate) fn linked(words: &str) -> String {
     out + rest
 }
 
-/// A table. Its cells have the names of their columns, for a page that is too narrow for the table.
+/// A table. On a page that is too narrow for it, the style makes blocks of its rows.
 pub(crate) fn table(name: &str, heads: &[&str], rows: &str) -> String {
-    let mut body = String::with_capacity(2 * rows.len());
-    for row in rows.split_inclusive("</tr>") {
-        // The cells of a row are its last ones: the first may be left out, because it spans rows.
-        let cells = row.matches("<td").count();
-        let mut heads = heads.iter().skip(heads.len().saturating_sub(cells));
-        for part in row.split_inclusive("<td") {
-            match part.strip_suffix("<td") {
-                Some(before) => {
-                    let head = heads.next().map(|head| without_tags(head)).unwrap_or_default();
-                    let _ = write!(body, "{before}<td data-head=\"{head}\"");
-                }
-                None => body += part,
-            }
-        }
-    }
     let heads: Vec<_> = heads.iter().map(|head| format!("<th scope=\"col\">{head}</th>")).collect();
     let heads = heads.concat();
     format!(
-        "<div class=\"wide\"><table aria-label=\"{name}\"><thead><tr>{heads}</tr></thead><tbody>\n{body}</tbody></table></div>\n"
+        "<div class=\"wide\"><table aria-label=\"{name}\"><thead><tr>{heads}</tr></thead><tbody>\n{rows}</tbody></table></div>\n"
     )
-}
-
-/// A text without its tags.
-fn without_tags(html: &str) -> String {
-    html.split('<').map(|part| part.split_once('>').map_or(part, |(_, text)| text)).collect()
 }

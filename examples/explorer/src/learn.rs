@@ -59,6 +59,16 @@ pub(crate) trait Scene: Default + Serialize + DeserializeOwned {
     /// Sets a control. A value that does not exist is ignored.
     fn choose(&mut self, _name: &str, _value: &str) {}
 
+    /// Reads a state.
+    fn read(state: Value) -> Result<Self, String> {
+        serde_json::from_value(state).map_err(|error| error.to_string())
+    }
+
+    /// The state as JSON.
+    fn written(&self) -> Result<Value, String> {
+        serde_json::to_value(self).map_err(|error| error.to_string())
+    }
+
     /// The frame.
     fn frame(&self) -> Result<Frame, String>;
 }
@@ -95,7 +105,7 @@ fn answer(request: Request) -> Result<Frame, String> {
 
 fn run<S: Scene>(request: Request) -> Result<Frame, String> {
     let mut state = match request.state {
-        Some(state) => serde_json::from_value::<S>(state).map_err(|error| error.to_string())?,
+        Some(state) => S::read(state)?,
         None => S::default(),
     };
     match request.action {
@@ -105,7 +115,7 @@ fn run<S: Scene>(request: Request) -> Result<Frame, String> {
         None => {}
     }
     let mut frame = state.frame()?;
-    frame.state = serde_json::to_value(&state).map_err(|error| error.to_string())?;
+    frame.state = state.written()?;
     Ok(frame)
 }
 

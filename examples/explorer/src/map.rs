@@ -59,15 +59,29 @@ impl Grid {
         [fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY)]
     }
 
-    /// The lines where the function has these values.
+    /// The lines where the function has these values, which ascend.
     pub(crate) fn contours(&self, levels: &[f64]) -> String {
         let mut data = String::new();
         let width = CELLS + 1;
+        // The number of levels up to each value. A line crosses few cells, and these numbers are compared fast.
+        let up_to = |value: &f64| levels.iter().take_while(|&level| level <= value).count();
+        let counts: Vec<usize> = self.values.iter().map(up_to).collect();
         for j in 0..CELLS {
             for i in 0..CELLS {
-                let corner = |i: usize, j: usize| (self.values[j * width + i], [parameter(i), parameter(j)]);
-                let corners = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
-                for &level in levels {
+                let places = [j * width + i, j * width + i + 1, (j + 1) * width + i + 1, (j + 1) * width + i];
+                let [p, q, r, s] = places.map(|place| counts[place]);
+                let (low, high) = (p.min(q).min(r.min(s)), p.max(q).max(r.max(s)));
+                if low == high {
+                    continue;
+                }
+                let corner = |place: usize, i: usize, j: usize| (self.values[place], [parameter(i), parameter(j)]);
+                let corners = [
+                    corner(places[0], i, j),
+                    corner(places[1], i + 1, j),
+                    corner(places[2], i + 1, j + 1),
+                    corner(places[3], i, j + 1),
+                ];
+                for &level in &levels[low..high] {
                     segments(&corners, level, &mut data);
                 }
             }

@@ -27,7 +27,7 @@ impl Default for State {
             beam: beam(&q.beam, &dq.beam, &linear_dq.beam),
             bar: beam(&q.bar, &dq.bar, &linear_dq.bar),
             contact: ContactState { radius, radius_bar, xi_0, xi_bar_0 },
-            view: ViewState { azimuth: 14.0, elevation: 18.0, scale: 195.0 },
+            view: ViewState { azimuth: 14.0, elevation: 18.0, scale: 165.0 },
             shown: Shown::Gap,
             order: 1,
             fault: None,

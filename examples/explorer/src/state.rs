@@ -1,6 +1,8 @@
 //! The input of the user: the beams, the directions, the view, the fault.
 
 use beamgap::check::CaseData;
+use beamgap::check::external::VECTORS;
+use beamgap::closest_point::ClosestPoint;
 use beamgap::pair::Contact;
 use beamgap::test_beam::{Family, TestBeam};
 use serde::{Deserialize, Serialize};
@@ -134,6 +136,18 @@ struct CaseFile<'a> {
     contact: ContactState,
 }
 
+/// The case as a line of a file that `beamgap verify` reads.
+#[derive(Serialize)]
+struct VectorLine<'a> {
+    id: &'static str,
+    regime: &'static str,
+    beam: &'a BeamState,
+    bar: &'a BeamState,
+    contact: ContactState,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    point: Option<BTreeMap<&'static str, f64>>,
+}
+
 impl State {
     /// Reads the state from a request.
     ///
@@ -174,6 +188,15 @@ impl State {
         let file =
             CaseFile { schema: "beamgap-case/1", beam: &self.beam, bar: &self.bar, contact: self.contact };
         serde_json::to_string(&file).unwrap_or_default()
+    }
+
+    /// The case as a file of cases for `beamgap verify`, with the selected closest point.
+    pub(crate) fn vectors(&self, point: Option<&ClosestPoint>) -> String {
+        let point = point.map(|point| BTreeMap::from([("xi", point.xi), ("xi_bar", point.xi_bar)]));
+        let Self { beam, bar, contact, .. } = self;
+        let line = VectorLine { id: "0", regime: "explorer", beam, bar, contact: *contact, point };
+        let line = serde_json::to_string(&line).unwrap_or_default();
+        format!("{{\"schema\":\"{VECTORS}\",\"count\":1}}\n{line}\n")
     }
 
     /// The command that checks this case.

@@ -6,7 +6,7 @@ use beamgap::nalgebra::Vector3;
 /// The width of the picture.
 pub(crate) const WIDTH: f64 = 720.0;
 /// The height of the picture.
-pub(crate) const HEIGHT: f64 = 480.0;
+pub(crate) const HEIGHT: f64 = 430.0;
 
 /// A view of the beams.
 #[derive(Clone, Copy, Debug)]

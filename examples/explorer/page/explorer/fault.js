@@ -6,6 +6,14 @@ const DROPPED = "1";
 let kind = DROPPED;
 let marked = null;
 
+// Beside each value there is a place for the right one, which is filled where the fault changes it.
+for (const value of document.querySelectorAll(".formulas [data-value^=term], .formulas [data-value^=result]")) {
+  const right = document.createElement("span");
+  right.className = "ghost";
+  right.dataset.value = `right-${value.dataset.value}`;
+  value.after(" ", right);
+}
+
 const nameOf = (digit) => kinds.find((one) => one.dataset.kind === digit).textContent;
 const plant = (value) => act(scenes[0], { choose: { name: "fault", value } });
 

@@ -36,7 +36,7 @@ function play() {
     return;
   }
   if (playing) stop();
-  else playing = { start: performance.now() - (step * ROUND) / 2, frame: requestAnimationFrame(move) };
+  else playing = { start: performance.now() - (step * ROUND) / 2, frame: requestAnimationFrame(goOn) };
   press(at("play"), playing !== null);
 }
 
@@ -45,10 +45,10 @@ function stop() {
   playing = null;
 }
 
-function move(now) {
+function goOn(now) {
   const part = ((now - playing.start) / ROUND) % 1;
   act(scenes[0], { choose: { name: "step", value: (1 - Math.abs(1 - 2 * part)).toFixed(4) } });
-  playing.frame = requestAnimationFrame(move);
+  playing.frame = requestAnimationFrame(goOn);
 }
 
 at("play").addEventListener("click", play);

@@ -4,9 +4,7 @@ use crate::formulas::formulas;
 use crate::frame::Frame;
 use crate::presets::preset;
 use crate::state::{BeamState, ContactState, Dragged, Parameter, Shown, State};
-use beamgap::check::TestBeam;
-use beamgap::check::external::VectorReader;
-use beamgap::pair::Contact;
+use beamgap::check::external::VECTORS;
 use beamgap::test_beam::Family;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -141,18 +139,13 @@ impl State {
 
     /// Takes the beams of a case file over, or those of the first case of a file for `verify`.
     fn open(&mut self, text: &str) -> Result<(), String> {
-        let (beam, bar, contact) = if text.contains("\"beamgap-vectors/") {
-            let vector = VectorReader::new(text.as_bytes(), "the file").and_then(|mut reader| reader.next_vector());
-            let vector = vector.map_err(|error| error.to_string())?.ok_or("the file has no case")?;
-            let Contact { radius, radius_bar, xi_0, xi_bar_0 } = vector.case.contact;
-            let [beam, bar] = vector.case.test_beams.each_ref().map(of_test_beam);
-            (beam, bar, ContactState { radius, radius_bar, xi_0, xi_bar_0 })
-        } else {
-            let file: CaseFile = serde_json::from_str(text).map_err(|error| format!("the file is not a case: {error}"))?;
-            let PartOfContact { radius, radius_bar, xi_0, xi_bar_0 } = file.contact;
-            (file.beam, file.bar, ContactState { radius, radius_bar, xi_0, xi_bar_0 })
-        };
-        (self.beam, self.bar, self.contact) = (beam, bar, contact);
+        let is_of_vectors = text.lines().next().is_some_and(|head| head.contains(VECTORS));
+        let text = if is_of_vectors { text.lines().nth(1).unwrap_or_default() } else { text };
+        let file: CaseFile =
+            serde_json::from_str(text).map_err(|error| format!("the file is not a case: {error}"))?;
+        let PartOfContact { radius, radius_bar, xi_0, xi_bar_0 } = file.contact;
+        self.contact = ContactState { radius, radius_bar, xi_0, xi_bar_0 };
+        (self.beam, self.bar) = (file.beam, file.bar);
         Ok(())
     }
 
@@ -207,25 +200,6 @@ impl Shown {
             Self::Length => "length",
             Self::Slip => "slip",
         }
-    }
-}
-
-fn of_test_beam(test_beam: &TestBeam) -> BeamState {
-    let parameters = test_beam.family.parameters().iter().map(|&(name, count)| {
-        let numbers = test_beam.parameter(name);
-        let parameter = match (count, numbers.first()) {
-            (1, Some(&one)) => Parameter::One(one),
-            _ => Parameter::Many(numbers.to_vec()),
-        };
-        (name.to_owned(), parameter)
-    });
-    let TestBeam { family, q, dq, linear_dq, .. } = test_beam;
-    BeamState {
-        family: family.name().to_owned(),
-        curve: parameters.collect(),
-        q: q.clone(),
-        dq: dq.clone(),
-        linear_dq: linear_dq.clone(),
     }
 }
 

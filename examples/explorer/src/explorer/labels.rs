@@ -5,7 +5,7 @@ use crate::view::{HEIGHT, WIDTH};
 /// Half the width of a letter with its margin.
 const SIZE: f64 = 15.0;
 /// The distances of a letter from what it belongs to.
-const AWAY: [f64; 3] = [19.0, 28.0, 40.0];
+const AWAY: [f64; 2] = [20.0, 34.0];
 /// The tried directions.
 const DIRECTIONS: u8 = 16;
 
@@ -21,6 +21,9 @@ pub(super) struct Label {
 pub(super) fn placed(labels: &[Label], lines: &[([[f64; 2]; 2], f64)]) -> Vec<[f64; 2]> {
     let mut places: Vec<[f64; 2]> = Vec::new();
     for label in labels {
+        // Only lines near the label can be covered by it.
+        let reach = AWAY[AWAY.len() - 1] + SIZE;
+        let lines: Vec<_> = lines.iter().filter(|(line, _)| distance(label.at, *line) < reach).collect();
         let norm = (label.towards[0].powi(2) + label.towards[1].powi(2)).sqrt().max(1e-9);
         let cost = |place: &[f64; 2], away: f64, turn: f64| {
             let from_lines: f64 =

@@ -38,10 +38,10 @@ impl Predicted {
     pub(super) fn new(
         case: &CaseData,
         state: &State,
-        variants: [&Variant; 2],
+        variant: &Variant,
         point: &ClosestPoint,
     ) -> Option<Self> {
-        let both = alike(case, state).by_term(variants, point).ok()?.ok()?;
+        let both = super::by_term(&alike(case, state), variant, point)?;
         let s = state.step;
         let of = |varied: &OfQuantity<f64>| {
             let second = if state.order > 1 { 0.5 * s * s * varied.second } else { 0.0 };
@@ -144,7 +144,7 @@ fn at_point(frame: &mut Frame, state: &State, view: &View, centroids: [&dyn Cent
     }
     labels.push(Label { name: "gap", at: middle, towards: [side, 0.0] });
     for centroid in centroids {
-        let drawn: Vec<_> = (0..=12).map(|i| view.at(&centroid.geometry(f64::from(i) / 6.0 - 1.0).x)).collect();
+        let drawn: Vec<_> = (0..=8).map(|i| view.at(&centroid.geometry(f64::from(i) / 4.0 - 1.0).x)).collect();
         lines.extend(drawn.windows(2).map(|ends| ([ends[0], ends[1]], 0.7)));
     }
     for (label, place) in labels.iter().zip(placed(&labels, &lines)) {

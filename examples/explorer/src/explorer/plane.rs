@@ -11,7 +11,7 @@ use beamgap::linearization::Quantity;
 use std::cell::RefCell;
 
 /// Lines of equal distance.
-const LEVELS: u8 = 7;
+const LEVELS: u8 = 5;
 /// Points of a kind that the page can show.
 const MARKS: usize = 4;
 

@@ -7,23 +7,27 @@ use crate::state::State;
 use beamgap::check::ByTerm;
 use beamgap::linearization::Quantity;
 use beamgap::nalgebra::Vector3;
+use beamgap::number::{Label, Which};
 
 /// Values of a closed form by name.
 struct Values<'a>(&'a ByTerm);
 
 impl Values<'_> {
-    fn has(&self, name: &str) -> bool {
-        self.0.terms.iter().any(|(label, _)| is_called(*label, name))
+    /// The values of a term. It is looked for in the list, because few of the terms are visible.
+    fn get(&self, name: &str) -> impl Iterator<Item = f64> {
+        let (name, which) = name.strip_suffix(" (bar)").map_or((name, Which::Beam), |name| (name, Which::Bar));
+        let is_it = move |label: &Label| label.which == which && label.name == name;
+        self.0.terms.iter().filter(move |(label, _)| is_it(label)).map(|(_, value)| *value)
     }
 
     /// The value of a term, in words.
     fn of_term(&self, name: &str, (is_vector, which): (bool, usize)) -> Option<String> {
-        let mut values = self.0.terms.iter().filter(|(label, _)| is_called(*label, name)).map(|(_, value)| *value);
         if is_vector {
-            let numbers: Vec<f64> = values.skip(3 * which).take(3).collect();
-            (numbers.len() == 3).then(|| vector(&Vector3::from_row_slice(&numbers)))
+            let mut values = self.get(name).skip(3 * which);
+            let [x, y, z] = [values.next()?, values.next()?, values.next()?];
+            Some(vector(&Vector3::new(x, y, z)))
         } else {
-            values.nth(which).map(number)
+            self.get(name).nth(which).map(number)
         }
     }
 
@@ -38,14 +42,6 @@ impl Values<'_> {
     }
 }
 
-fn is_called(label: beamgap::number::Label, name: &str) -> bool {
-    let is_bar = label.which == beamgap::number::Which::Bar;
-    match name.strip_suffix(" (bar)") {
-        Some(name) => is_bar && label.name == name,
-        None => !is_bar && label.name == name,
-    }
-}
-
 /// The second variation of the gap along both directions.
 pub(super) fn second_of_gap(of: &ByTerm) -> f64 {
     of.components[Quantity::GN.component()].second
@@ -54,8 +50,10 @@ pub(super) fn second_of_gap(of: &ByTerm) -> f64 {
 /// Which formulas are visible, and the values in them. At a point without derivatives they are the paper's, without values.
 pub(super) fn write(frame: &mut Frame, state: &State, found: Option<&[ByTerm; 2]>) {
     let group = format!("{}{}", state.shown.name(), state.order);
-    let [faulty, right] = found.map_or([None, None], |[faulty, right]| [faulty, right].map(|of| Some(Values(of))));
-    let has = |name: &str| right.as_ref().is_some_and(|values| values.has(name));
+    let right = found.map(|[_, right]| Values(right));
+    // Without a fault both are the same.
+    let faulty = found.filter(|_| state.fault.is_some()).map(|[faulty, _]| Values(faulty));
+    let has = |name: &str| right.as_ref().is_some_and(|values| values.get(name).next().is_some());
     let (normal, cross) = (has("|d|: n.d"), has("D: c.c"));
     let (held, bar_held) = (has("xi_bar, xi held: R_bar / a_bar"), has("xi, xi_bar held: R / a"));
     let solved = right.is_none() || has("xi: a_bar R");
@@ -72,10 +70,10 @@ pub(super) fn write(frame: &mut Frame, state: &State, found: Option<&[ByTerm; 2]
     let mut has_fault = false;
     for (i, formula) in formulas().iter().enumerate() {
         let is_shown = formula.is_shown(&group, holds);
-        frame.shown.insert(format!("formula{i}").into(), is_shown);
+        frame.shown.insert(formula.visible.into(), is_shown);
         if is_shown {
             has_fault |= state.fault.as_ref().is_some_and(|fault| contains(formula, fault));
-            write_formula(frame, formula, i, [&faulty, &right]);
+            write_formula(frame, formula, i, faulty.as_ref(), right.as_ref());
         }
     }
     // A fault in a formula of another quantity is said.
@@ -93,19 +91,27 @@ fn contains(formula: &Formula, fault: &str) -> bool {
     formula.terms().any(|term| fault.split(" = ").next() == Some(term.name))
 }
 
-fn write_formula(frame: &mut Frame, formula: &Formula, i: usize, [faulty, right]: [&Option<Values<'_>>; 2]) {
-    let mut write = |name: String, [faulty, right]: [Option<String>; 2]| {
-        let ghost = right.filter(|right| faulty.as_ref() != Some(right)).unwrap_or_default();
-        frame.text(format!("right-{name}"), ghost);
-        frame.text(name, faulty.unwrap_or_default());
+/// The values of a formula: those with the fault, and where it changes them the right ones.
+fn write_formula(
+    frame: &mut Frame,
+    formula: &Formula,
+    i: usize,
+    faulty: Option<&Values<'_>>,
+    right: Option<&Values<'_>>,
+) {
+    let mut write = |name: String, of: &dyn Fn(&Values<'_>) -> Option<String>| {
+        let right = right.and_then(of);
+        let shown = if faulty.is_some() { faulty.and_then(of) } else { right.clone() };
+        let ghost = if shown == right { None } else { right };
+        frame.text(format!("right-{name}"), ghost.unwrap_or_default());
+        frame.text(name, shown.unwrap_or_default());
     };
     for term in formula.terms() {
-        let Some(value) = term.value else { continue };
-        let of = |values: &Option<Values<'_>>| values.as_ref().and_then(|values| values.of_term(term.name, value));
-        write(format!("term{}", term.number), [of(faulty), of(right)]);
+        if let Some(value) = term.value {
+            write(format!("term{}", term.number), &|values| values.of_term(term.name, value));
+        }
     }
     if let Some(result) = formula.result {
-        let of = |values: &Option<Values<'_>>| values.as_ref().map(|values| values.of_quantity(result));
-        write(format!("result{i}"), [of(faulty), of(right)]);
+        write(format!("result{i}"), &|values| Some(values.of_quantity(result)));
     }
 }

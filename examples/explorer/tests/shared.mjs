@@ -1,0 +1,185 @@
+// What the tests of the pages in a browser share: opened pages, frames of the library, and what every page must hold.
+//
+// playwright-core and axe-core are looked for in NODE_PATH.
+import { createRequire } from "node:module";
+import { execFileSync } from "node:child_process";
+import { readFileSync, existsSync } from "node:fs";
+import assert from "node:assert/strict";
+import path from "node:path";
+
+const require = createRequire(process.env.NODE_PATH + "/");
+const { chromium } = require("playwright-core");
+const axe = readFileSync(require.resolve("axe-core"), "utf8");
+const executablePath = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
+const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+export const browser = await chromium.launch({ executablePath, args });
+/** Milliseconds for script, style and layout of a frame, with the processor slowed down four times. A quiet machine needs less than
+ * WANTED; above LIMIT there are fewer than 60 frames a second. */
+const [WANTED, LIMIT] = [8, 16];
+export const WIDTHS = [400, 800, 1280];
+
+/** A page of the reports, in which no error may occur and which may ask for no other file. */
+export async function opened(reports, name, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+  page.on("request", (request) => request.url().startsWith("file:") || request.url().startsWith("data:") || errors.push(`asks for ${request.url()}`));
+  await page.goto(`file://${path.resolve(reports, name)}` + (options.fragment ?? ""));
+  if (name !== "derivation.html" && options.javaScriptEnabled !== false) await page.waitForSelector("html[data-ready]");
+  return { page, close: async () => { assert.deepEqual(errors, []); await context.close(); } };
+}
+
+/** The native frames of states; `explorer` is the program `beamgap-explorer`. */
+export function frames(explorer, states) {
+  const input = states.map(([scene, state]) => JSON.stringify({ scene, state })).join("\n") + "\n";
+  return execFileSync(explorer, ["frames"], { input, maxBuffer: 1 << 28 }).toString().trim().split("\n").map((line) => JSON.parse(line));
+}
+
+export const stateOf = (page, scene) => page.evaluate((id) => document.getElementById(id).scene.state, scene);
+/** Two frames: one for the action, one to be sure that it is drawn. */
+export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** What a scene shows: texts, paths and places by name. */
+const shownBy = (page, scene) => page.evaluate((id) => {
+  const section = document.getElementById(id);
+  const all = (kind, read) => [...section.querySelectorAll(`[data-${kind}]`)].map((element) => [element.dataset[kind], read(element)]);
+  return {
+    values: all("value", (element) => element.textContent),
+    paths: all("path", (element) => element.getAttribute("d")),
+    places: all("place", (element) => (element.style.display === "none" ? null : element.getAttribute("transform"))),
+    shown: all("shown", (element) => !element.hidden),
+    labels: all("label", (element) => element.getAttribute("aria-label")),
+  };
+}, scene);
+
+/** Fails unless the page shows the library's frame of its state. A value that no visible formula has may be an old one. */
+export async function agrees(page, scene, explorer) {
+  await drawn(page);
+  const state = await stateOf(page, scene);
+  const [frame] = frames(explorer, [[scene, state]]);
+  assert.deepEqual(frame.state, state);
+  const { values, paths, places, shown, labels } = await shownBy(page, scene);
+  assert.ok(values.length > 0 && paths.length > 0 && places.length > 0);
+  for (const [name, text] of values) if (name in frame.values || scene !== "explorer") assert.equal(text, frame.values[name], `${scene}: ${name}`);
+  const known = new Set(values.map(([name]) => name));
+  for (const name in frame.values) if (scene === "explorer") assert.ok(known.has(name), `the page has no place for ${name}`);
+  for (const [name, data] of paths) assert.equal(data ?? "", frame.paths[name], `${scene}: ${name}`);
+  for (const [name, is] of shown) assert.equal(is, frame.shown[name], `${scene}: ${name}`);
+  for (const [name, label] of labels) if (frame.labels[name]) assert.equal(label, frame.labels[name], `${scene}: ${name}`);
+  for (const [name, transform] of places) {
+    const place = frame.places[name];
+    assert.equal(transform, place && `translate(${place[0]} ${place[1]})`, `${scene}: ${name}`);
+  }
+  return { state, frame };
+}
+
+export async function middle(page, handle) {
+  await handle.scrollIntoViewIfNeeded();
+  const { x, y, width, height } = await handle.boundingBox();
+  return [x + width / 2, y + height / 2];
+}
+
+/** A finger moves a handle upwards; the page may not scroll. */
+export async function touched(page, handle) {
+  const session = await page.context().newCDPSession(page);
+  const [x, y] = await middle(page, handle);
+  const scrolled = await page.evaluate(() => scrollY);
+  const at = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
+  await at("touchStart", [{ x, y }]);
+  for (let i = 1; i <= 6; i++) await at("touchMove", [{ x: x - 2 * i, y: y - 6 * i }]);
+  await at("touchEnd", []);
+  assert.equal(await page.evaluate(() => scrollY), scrolled, "the page scrolls");
+}
+
+/** Handles and controls that are less than 44 px high or wide. A link in a sentence may be. */
+const smallTargets = (page) => page.evaluate(() => {
+  const all = [...document.querySelectorAll("main button, main select, main input, main summary, main [role=button], main [role=slider]")];
+  const target = (element) => (element.type === "radio" || element.type === "range" ? element.closest("label") ?? element : element.querySelector(".grip") ?? element);
+  return all.filter((element) => element.checkVisibility() && element.getAttribute("tabindex") !== "-1").map((element) => [element, target(element).getBoundingClientRect()])
+    .filter(([element, box]) => box.height < 43.5 || (box.width < 43.5 && element.tagName !== "SUMMARY"))
+    .map(([element, box]) => `${element.outerHTML.slice(0, 90)} is ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`);
+});
+
+/** Elements that are cut, or that scroll inside the page. */
+const cut = (page) => page.evaluate(() => [...document.querySelectorAll("main *")]
+  .filter((element) => element.checkVisibility() && !(element instanceof SVGElement) && !element.closest("math, .vh") && !["INPUT", "SELECT", "CANVAS"].includes(element.tagName))
+  .filter((element) => {
+    const { overflowX, overflowY, display } = getComputedStyle(element);
+    const box = element.getBoundingClientRect();
+    const scrolls = [overflowX, overflowY].some((of) => of === "auto" || of === "scroll") && (element.scrollWidth > element.clientWidth + 1 || element.scrollHeight > element.clientHeight + 1);
+    const beyond = box.width > 0 && display !== "inline" && (box.right > innerWidth + 1 || box.left < -1) && getComputedStyle(element).clipPath === "none" && !element.closest("thead");
+    return scrolls || beyond;
+  })
+  .map((element) => element.outerHTML.slice(0, 120)));
+
+/** No overflow, nothing cut, targets of 44 px and no violation, in every width and scheme; not blank without scripts. */
+export async function looks(reports, name, { pictures, widths = WIDTHS, characters = 3000, targets = true }) {
+  for (const colorScheme of ["light", "dark"]) {
+    for (const width of widths) {
+      const { page, close } = await opened(reports, name, { colorScheme, viewport: { width, height: 900 } });
+      if (pictures) await page.screenshot({ path: `${pictures}/${name}-${width}-${colorScheme}.png`, fullPage: name !== "derivation.html" });
+      await page.evaluate(() => document.querySelectorAll("details").forEach((one) => { one.open = true; }));
+      await page.waitForTimeout(400);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      assert.ok(wide <= 0, `${name} is ${wide} px too wide at ${width} px`);
+      if (targets) {
+        assert.deepEqual(await cut(page), [], `${name}: cut at ${width} px`);
+        assert.deepEqual(await smallTargets(page), [], `${name}: small targets at ${width} px`);
+      }
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => axe.run());
+      const told = violations.map((one) => `${one.id}: ${one.nodes.length} x ${one.nodes[0].html.slice(0, 160)} ${one.nodes[0].failureSummary}`);
+      assert.deepEqual(told, [], `${name}, ${width} px, ${colorScheme}`);
+      await close();
+    }
+  }
+  const { page, close } = await opened(reports, name, { javaScriptEnabled: false });
+  assert.ok((await page.textContent("main")).length > characters, `${name} is blank without scripts`);
+  assert.ok(await page.locator("main svg path[d]").count() > 20);
+  if (pictures) await page.pdf({ path: `${pictures}/${name}.pdf`, format: "A4" });
+  await close();
+  console.log(`${name}: no overflow and no violation at ${widths.join(", ")} px, light and dark; not blank without scripts`);
+}
+
+/** Script, style and layout of the frames while each handle is dragged. */
+export async function speed(reports, name, scenes, prepare = async () => {}) {
+  const { page, close } = await opened(reports, name);
+  await prepare(page);
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate: 4 });
+  const found = {};
+  for (const scene of scenes) {
+    for (const handle of await page.locator(`#${scene} [data-handle]:visible`).all()) {
+      const [x, y] = await middle(page, handle);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      const times = await handle.evaluate((element, [x, y]) => new Promise((done) => {
+        const times = [];
+        const next = (i) => {
+          if (i === 60) return done(times);
+          // The three callbacks run in this order in the same frame: the clock, the page's own, the layout and the clock.
+          let start = 0;
+          requestAnimationFrame(() => { start = performance.now(); });
+          const to = { clientX: x - 30 * Math.sin(i / 9), clientY: y + 18 * Math.sin(i / 7), pointerId: 1, bubbles: true };
+          element.dispatchEvent(new PointerEvent("pointermove", to));
+          requestAnimationFrame(() => {
+            element.ownerSVGElement.getBoundingClientRect();
+            times.push(performance.now() - start);
+            setTimeout(() => next(i + 1), 0);
+          });
+        };
+        next(0);
+      }), [x, y]);
+      await page.mouse.up();
+      const sorted = times.slice(5).sort((a, b) => a - b);
+      found[`${scene} ${await handle.getAttribute("data-handle")}`] = [sorted[Math.floor(sorted.length / 2)], sorted[Math.floor(sorted.length * 0.9)]];
+    }
+  }
+  await close();
+  for (const [handle, [median, slow]] of Object.entries(found)) console.log(`${handle}: ${median.toFixed(1)} ms in the median, ${slow.toFixed(1)} ms in the slowest tenth`);
+  const slow = Object.entries(found).filter(([, [median]]) => median > WANTED).map(([handle]) => handle);
+  if (slow.length > 0) console.log(`above ${WANTED} ms: ${slow.join(", ")}`);
+  for (const [handle, [median]] of Object.entries(found)) assert.ok(median < LIMIT, `${handle}: a frame takes ${median} ms`);
+}
