@@ -6,7 +6,7 @@ use crate::html::{escaped, number, short, table};
 use crate::numbers::{is_ad, numbers};
 use crate::plot::plot;
 use crate::points::{Found, find, points};
-use crate::prediction::{Prediction, predict, varied};
+use crate::prediction::{Prediction, alike, predict, varied};
 use crate::situation::words;
 use crate::state::State;
 use beamgap::check::{CaseData, CheckConfig, Comparison, Order, Verdict, test_source};
@@ -83,7 +83,7 @@ impl Answer {
             return Ok(answer);
         };
         let varied = varied(&case, state, found);
-        let second = case.vary(&Variant::Unmodified, &found.point).ok().and_then(Result::ok);
+        let second = alike(&case, state).vary(&Variant::Unmodified, &found.point).ok().and_then(Result::ok);
         let second = second.map(|all| all[Quantity::GN.component()].second);
         answer.words = words(&case, centroids, &closest, Some(found), second);
         answer.equations = state.equations.then(|| cells(&case, &found.point));

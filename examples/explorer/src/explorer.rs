@@ -83,7 +83,7 @@ impl Scene for State {
         plane::draw(&mut frame, &landscape, found, predicted.as_ref(), varied.as_ref());
         place_handles(&mut frame, &handles(&case, self, &view));
         terms::write(&mut frame, self, by_term.as_ref());
-        let second = by_term.as_ref().map(|[_, right]| terms::second_of_gap(right));
+        let second = predicted.as_ref().map(|predicted| predicted.second);
         frame.text("sentence", sentence::of(centroids, radii, &landscape, found, second));
 
         let point = found.map(|found| &found.point);

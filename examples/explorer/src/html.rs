@@ -23,6 +23,11 @@ pub(crate) fn short(x: f64) -> String {
     if x == 0.0 { "0".to_owned() } else { format!("{x:.1e}").replace('-', "−") }
 }
 
+/// A large number without decimals.
+pub(crate) fn whole(x: f64) -> String {
+    if x.abs() < 1e9 { format!("{x:.0}").replace('-', "−") } else { short(x) }
+}
+
 /// The decimal digits of a relative error; beyond 13 they depend on the machine.
 pub(crate) fn digits(relative: f64) -> String {
     let digits = -relative.log10();

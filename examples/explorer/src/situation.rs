@@ -1,6 +1,6 @@
 //! A description of what is special about the configuration of the beams.
 
-use crate::html::{linked, number, short};
+use crate::html::{linked, number, short, whole};
 use crate::points::Found;
 use beamgap::check::CaseData;
 use beamgap::closest_point::{Centroid, ClosestPoint, ClosestPoints, Degeneracy, End, Side};
@@ -42,7 +42,7 @@ pub(crate) fn words(
         Some(found) => of_point(case, found, &mut all),
     }
     if let Some(det) = found.and_then(|found| nearly_parallel(beams, &found.point)) {
-        let second = second.map(|second| format!(" The second variation of the gap is {}.", number(second)));
+        let second = second.map(|second| format!(" The second variation of the gap is {}.", whole(second)));
         all.push(format!(
             "The beams are nearly parallel: D is {}, and the parameters are divided by it.{} The closest point runs along the \
              beams at a small turn, so the linearization holds for very small steps alone. A Newton iteration needs short steps \

@@ -2,7 +2,7 @@
 //! byte. `examples/explorer/build` builds the pages again.
 
 use beamgap::test_beam::Family;
-use beamgap_explorer::{Dragged, SCENES, State, answer, learn, opening, preset};
+use beamgap_explorer::{Dragged, Frame, SCENES, Shown, State, answer, learn, opening, preset};
 use serde_json::Value;
 use std::io::Read;
 use wasmi::{Engine, Instance, Linker, Memory, Module, Store, TypedFunc};
@@ -104,7 +104,8 @@ fn requests() -> Vec<String> {
     short.beam.q.pop();
     add(&short);
     add(&State { step: 2.0, ..State::default() });
-    requests.extend([String::new(), "{}".to_owned(), "no JSON".to_owned()]);
+    add(&State { fault: Some("Dd t: rest = sign".to_owned()), shown: Shown::T, order: 2, ..State::default() });
+    requests.extend([String::new(), "{}".to_owned(), "no JSON".to_owned(), "{\"colour\":1}".to_owned()]);
     requests
 }
 
@@ -144,6 +145,42 @@ fn scene_requests() -> Vec<String> {
     requests
 }
 
+/// Pictures of the explorer: the states of the tables, and what a reader does.
+fn picture_requests() -> Vec<String> {
+    let states = requests().into_iter().filter(|request| request.starts_with('{') && request.len() > 20);
+    let mut all: Vec<String> =
+        states.map(|state| format!("{{\"scene\":\"explorer\",\"state\":{state}}}")).collect();
+    let mut act = |action: &str| all.push(format!("{{\"scene\":\"explorer\",\"action\":{action}}}"));
+    act("{\"drag\":{\"handle\":\"b1\",\"to\":[300,120]}}");
+    act("{\"push\":{\"handle\":\"r0\",\"by\":-0.3}}");
+    for (name, value) in [
+        ("situation", "parallel"),
+        ("situation", "nearly parallel"),
+        ("situation", "crossing"),
+        ("situation", "overlap"),
+        ("situation", "at an end"),
+        ("situation", "two minima"),
+        ("lesson", "d|d|: n.du_hat = sign"),
+        ("lesson", "Ddg_T: dt Dxi = dropped"),
+        ("family-bar", "helix"),
+        ("view", "100 -20"),
+        ("shown", "rope"),
+        ("beam q 2", "0.9"),
+    ] {
+        act(&format!("{{\"choose\":{{\"name\":\"{name}\",\"value\":\"{value}\"}}}}"));
+    }
+    all
+}
+
+#[test]
+fn the_module_draws_like_the_library() {
+    let mut running = Running::of_page(EXPLORER, "learn");
+    for request in picture_requests() {
+        let (native, module) = (learn(&request), running.answer(&request));
+        assert_eq!(native, module, "the page is stale, or the platform rounds otherwise: {request}");
+    }
+}
+
 #[test]
 fn the_module_of_the_page_answers_like_the_library() {
     let mut running = Running::of_page(EXPLORER, "respond");
@@ -163,18 +200,29 @@ fn the_page_shows_the_standard_case_before_the_module_runs() {
     let page = committed(EXPLORER);
     let answer: Value =
         serde_json::from_str(&answer(&serde_json::to_string(&State::default()).unwrap())).unwrap();
-    for piece in ["scene", "words", "points", "checks", "prediction", "plot", "numbers", "gap"] {
+    for piece in ["words", "points", "checks", "prediction", "plot", "numbers", "lesson"] {
         assert!(page.contains(answer[piece].as_str().unwrap()), "{piece} is stale: examples/explorer/build");
     }
-    let files =
-        ["page/module.js", "page/picture.js", "page/controls.js", "page/link.js", "page/explorer.css"];
+    shows(&page, &opening("explorer").unwrap(), "explorer");
+    let files = [
+        "module.js",
+        "scene.js",
+        "hands.js",
+        "explorer/picture.js",
+        "explorer/fault.js",
+        "explorer/tables.js",
+        "explorer/dofs.js",
+        "explorer/link.js",
+        "scene.css",
+        "explorer/explorer.css",
+    ];
     is_complete(&page, &files);
 }
 
 /// The page contains these files, needs no other place, and is small enough.
 fn is_complete(page: &str, files: &[&str]) {
     for file in files {
-        let text = std::fs::read_to_string(format!("{}/{file}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+        let text = std::fs::read_to_string(format!("{}/page/{file}", env!("CARGO_MANIFEST_DIR"))).unwrap();
         assert!(page.contains(text.trim()), "{file} is stale: examples/explorer/build");
     }
     assert_eq!(page.matches("http://").count(), page.matches("http://www.w3.org/").count());
@@ -198,20 +246,25 @@ fn the_page_of_the_scenes_shows_how_they_open() {
         let frame = opening(scene).unwrap();
         let (_, from) = page.split_once(&format!("data-scene=\"{scene}\"")).unwrap();
         let html = from.split("</section>").next().unwrap();
-        for (name, path) in &frame.paths {
-            let is_shown = html.contains(&format!("data-path=\"{name}\" d=\"{path}\""));
-            assert!(is_shown, "{scene}: {name} is stale: examples/explorer/build");
-        }
-        for (name, text) in &frame.values {
-            let from = html.split_once(&format!("data-value=\"{name}\"")).map(|(_, from)| from);
-            let shown = from.and_then(|from| from.split_once('>')).map(|(_, from)| from.split('<').next());
-            // A value that no sentence shows is not needed on the page.
-            assert!(
-                shown.is_none_or(|shown| shown == Some(text.as_str())),
-                "{scene}: {name} is stale: examples/explorer/build"
-            );
-        }
+        shows(html, &frame, scene);
     }
-    let files = ["page/module.js", "page/learn/scene.js", "page/learn/hands.js", "page/learn/learn.css"];
+    let files = ["module.js", "scene.js", "hands.js", "scene.css", "learn/walk.js", "learn/learn.css"];
     is_complete(&page, &files);
+}
+
+/// The elements of a scene have the content of its frame.
+fn shows(html: &str, frame: &Frame, scene: &str) {
+    for (name, path) in &frame.paths {
+        let is_shown = html.contains(&format!("data-path=\"{name}\" d=\"{path}\""));
+        assert!(is_shown, "{scene}: {name} is stale: examples/explorer/build");
+    }
+    for (name, text) in &frame.values {
+        let from = html.split_once(&format!("data-value=\"{name}\"")).map(|(_, from)| from);
+        let shown = from.and_then(|from| from.split_once('>')).map(|(_, from)| from.split('<').next());
+        // A value that no sentence shows is not needed on the page.
+        assert!(
+            shown.is_none_or(|shown| shown == Some(text.as_str())),
+            "{scene}: {name} is stale: examples/explorer/build"
+        );
+    }
 }

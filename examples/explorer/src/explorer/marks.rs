@@ -31,6 +31,8 @@ pub(super) struct Predicted {
     pub(super) faulty: [f64; COMPONENTS],
     pub(super) right: [f64; COMPONENTS],
     pub(super) is_faulty: bool,
+    /// The right second variation of the gap along the direction.
+    pub(super) second: f64,
 }
 
 impl Predicted {
@@ -47,8 +49,9 @@ impl Predicted {
             let second = if state.order > 1 { 0.5 * s * s * varied.second } else { 0.0 };
             varied.value + s * varied.delta + second
         };
+        let second = both[1].components[Quantity::GN.component()].second;
         let [faulty, right] = both.map(|by_term| by_term.components.each_ref().map(of));
-        Some(Self { faulty, right, is_faulty: state.fault.is_some() })
+        Some(Self { faulty, right, is_faulty: state.fault.is_some(), second })
     }
 }
 

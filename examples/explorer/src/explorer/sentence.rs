@@ -1,7 +1,8 @@
 //! What is special about the beams, in one sentence.
 
 use super::plane::Landscape;
-use crate::html::short;
+use crate::frame::number;
+use crate::html::{short, whole};
 use crate::points::Found;
 use crate::situation::nearly_parallel;
 use beamgap::closest_point::{Centroid, Degeneracy, End, Side};
@@ -40,7 +41,7 @@ pub(super) fn of(
         _ => {}
     }
     if let Some(det) = nearly_parallel(beams, point) {
-        let second = second.map(|second| format!(", the second variation of the gap is {}", short(second)));
+        let second = second.map(|second| format!(", the second variation of the gap is {}", whole(second)));
         return format!(
             "The beams are nearly parallel: D is {}{}, and the linearization holds for very small steps alone.",
             short(det),
@@ -70,7 +71,7 @@ pub(super) fn of(
     if is_open {
         "One minimum stands alone; in the framed region of the map the beams are parallel.".to_owned()
     } else if gap < 0.0 {
-        format!("The beams overlap: the gap is {}.", short(gap))
+        format!("The beams overlap: the gap is {}.", number(gap))
     } else {
         "One closest point inside both beams: all equations of the paper hold.".to_owned()
     }

@@ -42,11 +42,6 @@ impl Values<'_> {
     }
 }
 
-/// The second variation of the gap along both directions.
-pub(super) fn second_of_gap(of: &ByTerm) -> f64 {
-    of.components[Quantity::GN.component()].second
-}
-
 /// Which formulas are visible, and the values in them. At a point without derivatives they are the paper's, without values.
 pub(super) fn write(frame: &mut Frame, state: &State, found: Option<&[ByTerm; 2]>) {
     let group = format!("{}{}", state.shown.name(), state.order);

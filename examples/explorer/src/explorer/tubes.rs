@@ -86,10 +86,10 @@ fn layers(
         for other in behind {
             let reach = 0.5 * (widths[piece.beam] + widths[other.beam]) + HALO + piece.half_length + other.half_length;
             let away = length([piece.at[0] - other.at[0], piece.at[1] - other.at[1]]);
-            // Neighbours on a beam touch, and do not cover each other.
+            // A beam covers itself where pieces that are apart in space are close in the picture.
+            let in_space = (piece.middle - other.middle).norm();
             let is_apart = piece.beam != other.beam
-                || piece.number.abs_diff(other.number) > 2
-                    && (piece.middle - other.middle).norm() > 2.0 * radii[piece.beam].abs();
+                || in_space > 2.0 * radii[piece.beam].abs() && away < 0.5 * in_space * view.scale;
             if is_apart && away < reach {
                 piece.layer = piece.layer.max(other.layer + 1).min(LAYERS - 1);
             }
