@@ -147,7 +147,10 @@ impl Variant {
         let run = |kind| mistaken_quantities(kind, &partial, at, form, *contact);
         let (quantities, labels, values) = planted::recorded(&faults, run);
         let values = values.into_iter().map(f64::from_bits);
-        (quantities.map(|varied| varied.map(|Faulty(number)| number)), labels.into_iter().zip(values).collect())
+        (
+            quantities.map(|varied| varied.map(|Faulty(number)| number)),
+            labels.into_iter().zip(values).collect(),
+        )
     }
 
     /// The same over any scalar, without the faults.

@@ -8,7 +8,9 @@ mod bits;
 mod runs;
 
 pub(crate) use bits::Bits;
-pub(crate) use runs::{Change, TermChange, counted, locate, operations, terms, terms_with, with_operation, with_terms};
+pub(crate) use runs::{
+    Change, TermChange, counted, locate, operations, terms, terms_with, with_operation, with_terms,
+};
 
 use super::{Label, Real, field_from_operators};
 use runs::{CHANGE, CHANGES, LABELS, Mode, Next, RECORD, STATE, State, TERMS, TRACE};
@@ -159,8 +161,7 @@ mod tests {
     fn terms_of_one_name_are_wrong() {
         let with = |change| with_terms(vec![(LABEL, change)], || formula([4.0, 8.0]));
         assert_eq!(with(TermChange::Times(2.0)).to_bits(), 62_f64.sqrt().to_bits());
-        let (_, labels, bits) =
-            terms_with(vec![(LABEL, TermChange::Times(2.0))], || formula([4.0, 8.0]));
+        let (_, labels, bits) = terms_with(vec![(LABEL, TermChange::Times(2.0))], || formula([4.0, 8.0]));
         assert_eq!(labels[0], LABEL);
         assert_eq!(bits, [64.0_f64, -8.0].map(f64::to_bits));
         let (_, other) = terms(|| formula([5.0, 7.0]));

@@ -130,7 +130,7 @@ impl State {
                 let moved = *number + by[c] / handle.factor;
                 // What is not moved keeps its digits.
                 if by[c] != 0.0 {
-                    *number = (moved * 1000.0).round() / 1000.0;
+                    *number = (moved * 1000.0).round() / 1000.0 + 0.0; // never −0, which JSON does not keep
                 }
             }
         }

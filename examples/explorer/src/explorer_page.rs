@@ -130,7 +130,8 @@ fn tubes(frame: &Frame) -> String {
             let name = format!("tube{layer}{beam}");
             let _ = write!(out, "<g class=\"tubes {beam}\" data-width=\"{beam}\" style=\"--w:{width}px\">");
             // The first layer covers nothing, and needs no gap.
-            for class in ["halo", "edge", "middle", "light", "axis"].into_iter().skip(usize::from(layer == 0)) {
+            for class in ["halo", "edge", "middle", "light", "axis"].into_iter().skip(usize::from(layer == 0))
+            {
                 let _ = write!(out, "<path class=\"{class}\" data-path=\"{name}\"/>");
             }
             let _ = writeln!(out, "<path class=\"cap\" data-path=\"cap{layer}{beam}\"/></g>");
@@ -217,7 +218,10 @@ fn formulas_html(frame: &Frame, faults: &[Fault]) -> Result<String, Box<dyn Erro
         if let Some(result) = formula.result {
             let is_vector = Quantity::axis_of_component(result.0.component()).is_some();
             let class = if is_vector { "is vector" } else { "is" };
-            write!(out, "<span class=\"result\">= <span class=\"{class}\" data-value=\"result{i}\"></span></span> ")?;
+            write!(
+                out,
+                "<span class=\"result\">= <span class=\"{class}\" data-value=\"result{i}\"></span></span> "
+            )?;
         }
         writeln!(out, "{}</div>", tag(formula))?;
     }
@@ -326,7 +330,15 @@ fn rows(equations: &Value, cells: &[EquationCells]) -> Result<String, Box<dyn Er
         }
         rows += "</tr>\n";
     }
-    let heads = ["equation", "what it says", "verdict", "formula, corrected", "hyper-dual", "digits", "digits of the print"];
+    let heads = [
+        "equation",
+        "what it says",
+        "verdict",
+        "formula, corrected",
+        "hyper-dual",
+        "digits",
+        "digits of the print",
+    ];
     let heads = heads.map(|head| format!("<th scope=\"col\">{head}</th>")).concat();
     Ok(format!(
         "<div class=\"wide\"><table><thead><tr>{heads}</tr></thead><tbody>\n{rows}</tbody></table></div>\n"

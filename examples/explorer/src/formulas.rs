@@ -73,12 +73,16 @@ pub fn formulas() -> &'static [Formula] {
 
 fn read(line: &'static str, count: &mut usize) -> Formula {
     let fields: Vec<&'static str> = line.splitn(5, " @ ").collect();
-    let [groups, when, equation, result, mut rest] = fields[..] else { panic!("{line:?} has no five fields") };
+    let [groups, when, equation, result, mut rest] = fields[..] else {
+        panic!("{line:?} has no five fields")
+    };
     let letter = |text: &str| text.chars().next().unwrap_or('.');
-    let group = |text: &'static str| text.split_once('?').map_or((text, '.'), |(name, when)| (name, letter(when)));
+    let group =
+        |text: &'static str| text.split_once('?').map_or((text, '.'), |(name, when)| (name, letter(when)));
     let mut pieces = Vec::new();
     while let Some((before, from)) = rest.split_once("[[") {
-        let (term, after) = from.split_once("]]").unwrap_or_else(|| panic!("a term of {line:?} does not end"));
+        let (term, after) =
+            from.split_once("]]").unwrap_or_else(|| panic!("a term of {line:?} does not end"));
         pieces.push(Piece::Latex(before.trim()));
         pieces.push(Piece::Term(of_term(term, *count)));
         *count += 1;

@@ -74,7 +74,8 @@ impl Grid {
                 if low == high {
                     continue;
                 }
-                let corner = |place: usize, i: usize, j: usize| (self.values[place], [parameter(i), parameter(j)]);
+                let corner =
+                    |place: usize, i: usize, j: usize| (self.values[place], [parameter(i), parameter(j)]);
                 let corners = [
                     corner(places[0], i, j),
                     corner(places[1], i + 1, j),

@@ -24,7 +24,10 @@ fn text<'a>(frame: &'a Value, name: &str) -> &'a str {
 }
 
 fn number(frame: &Value, name: &str) -> f64 {
-    text(frame, name).replace('−', "-").parse().unwrap_or_else(|_| panic!("{name} is {:?}", text(frame, name)))
+    text(frame, name)
+        .replace('−', "-")
+        .parse()
+        .unwrap_or_else(|_| panic!("{name} is {:?}", text(frame, name)))
 }
 
 /// The name of a term's value.
@@ -42,7 +45,8 @@ fn result(frame: &Value, of: (Quantity, usize)) -> String {
 
 #[test]
 fn every_term_of_the_catalogue_is_in_a_formula_and_no_other() {
-    let mut named: Vec<&str> = formulas().iter().flat_map(|formula| formula.terms()).map(|term| term.name).collect();
+    let mut named: Vec<&str> =
+        formulas().iter().flat_map(|formula| formula.terms()).map(|term| term.name).collect();
     let mut known: Vec<String> = catalogue().iter().map(|fault: &Fault| fault.label.to_string()).collect();
     for list in [&mut known] {
         list.sort();
@@ -116,7 +120,10 @@ fn a_fault_is_seen_in_the_numbers_and_in_the_picture() {
 #[test]
 fn a_lesson_shows_its_formula_and_a_fault_elsewhere_is_said() {
     let lesson = chosen(&[("lesson", "Ddg_T: dt Dxi = dropped")]);
-    assert_eq!((lesson["state"]["shown"].as_str(), lesson["state"]["order"].as_u64()), (Some("slip"), Some(2)));
+    assert_eq!(
+        (lesson["state"]["shown"].as_str(), lesson["state"]["order"].as_u64()),
+        (Some("slip"), Some(2))
+    );
     assert_eq!(lesson["shown"]["elsewhere"], json!(false));
     let other = chosen(&[("lesson", "Ddg_T: dt Dxi = dropped"), ("shown", "x")]);
     assert_eq!(other["shown"]["elsewhere"], json!(true));
@@ -138,7 +145,9 @@ fn a_sentence_says_what_is_special() {
         let state = serde_json::from_value(chosen(&[("situation", situation)])["state"].clone()).unwrap();
         Answer::of(&state).unwrap().words
     };
-    assert!(!words("nearly parallel").contains("all equations") && words("nearly parallel").contains("−84225"));
+    assert!(
+        !words("nearly parallel").contains("all equations") && words("nearly parallel").contains("−84225")
+    );
 }
 
 #[test]
@@ -170,7 +179,8 @@ fn a_handle_goes_where_it_is_dragged() {
 
 #[test]
 fn a_case_is_written_and_read_again() {
-    let bent = chosen(&[("family-beam", "nurbs"), ("family-bar", "helix"), ("radius", "0.2"), ("bar q 4", "0.3")]);
+    let bent =
+        chosen(&[("family-beam", "nurbs"), ("family-bar", "helix"), ("radius", "0.2"), ("bar q 4", "0.3")]);
     let state: State = serde_json::from_value(bent["state"].clone()).unwrap();
     let answer = Answer::of(&state).unwrap();
     for file in [&answer.case, &answer.vectors] {

@@ -104,7 +104,12 @@ fn requests() -> Vec<String> {
     short.beam.q.pop();
     add(&short);
     add(&State { step: 2.0, ..State::default() });
-    add(&State { fault: Some("Dd t: rest = sign".to_owned()), shown: Shown::T, order: 2, ..State::default() });
+    add(&State {
+        fault: Some("Dd t: rest = sign".to_owned()),
+        shown: Shown::T,
+        order: 2,
+        ..State::default()
+    });
     requests.extend([String::new(), "{}".to_owned(), "no JSON".to_owned(), "{\"colour\":1}".to_owned()]);
     requests
 }

@@ -56,7 +56,8 @@ impl State {
             "shown" => self.shown = of_word(value)?,
             "order" => {
                 let order = value.parse().ok().filter(|order| (1..=3).contains(order));
-                self.order = order.ok_or_else(|| format!("an order from 1 to 3 expected, found {value:?}"))?;
+                self.order =
+                    order.ok_or_else(|| format!("an order from 1 to 3 expected, found {value:?}"))?;
             }
             "minimum" => self.minimum = value.parse().map_err(|_| format!("no minimum {value:?}"))?,
             "fault" => self.fault = (!value.is_empty()).then(|| value.to_owned()),
@@ -204,7 +205,9 @@ impl Shown {
 }
 
 fn of_family(name: &str, bar: bool) -> Result<BeamState, String> {
-    Family::from_name(name).map(|family| preset(family, bar)).ok_or_else(|| format!("no family is called {name:?}"))
+    Family::from_name(name)
+        .map(|family| preset(family, bar))
+        .ok_or_else(|| format!("no family is called {name:?}"))
 }
 
 fn of_number(text: &str) -> Result<f64, String> {

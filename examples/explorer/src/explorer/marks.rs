@@ -97,7 +97,9 @@ pub(super) fn draw(
             [centroids[0].geometry(point.xi), centroids[1].geometry(point.xi_bar)].map(|x| view.at(&x.x))
         });
         frame.line(format!("other{i}"), ends.into_iter().flatten());
-        for (name, end) in BEAMS.into_iter().enumerate().map(|(beam, name)| (name, ends.map(|ends| ends[beam]))) {
+        for (name, end) in
+            BEAMS.into_iter().enumerate().map(|(beam, name)| (name, ends.map(|ends| ends[beam])))
+        {
             frame.place_if(format!("other{i}{name}"), end);
         }
     }
@@ -117,7 +119,13 @@ pub(super) fn draw(
 }
 
 /// d, both tangents and the gap at the selected closest point, with their letters.
-fn at_point(frame: &mut Frame, state: &State, view: &View, centroids: [&dyn Centroid; 2], point: &ClosestPoint) {
+fn at_point(
+    frame: &mut Frame,
+    state: &State,
+    view: &View,
+    centroids: [&dyn Centroid; 2],
+    point: &ClosestPoint,
+) {
     let [x, y] = [centroids[0].geometry(point.xi), centroids[1].geometry(point.xi_bar)];
     let [at, at_bar] = [x.x, y.x].map(|x| view.at(&x));
     let [t, t_bar] = [&x, &y].map(|x| view.at(&tip(view, &x.x, &x.t)));
@@ -147,7 +155,8 @@ fn at_point(frame: &mut Frame, state: &State, view: &View, centroids: [&dyn Cent
     }
     labels.push(Label { name: "gap", at: middle, towards: [side, 0.0] });
     for centroid in centroids {
-        let drawn: Vec<_> = (0..=8).map(|i| view.at(&centroid.geometry(f64::from(i) / 4.0 - 1.0).x)).collect();
+        let drawn: Vec<_> =
+            (0..=8).map(|i| view.at(&centroid.geometry(f64::from(i) / 4.0 - 1.0).x)).collect();
         lines.extend(drawn.windows(2).map(|ends| ([ends[0], ends[1]], 0.7)));
     }
     for (label, place) in labels.iter().zip(placed(&labels, &lines)) {

@@ -33,12 +33,14 @@ impl Landscape {
         thread_local! {
             static LAST: RefCell<Option<Landscape>> = const { RefCell::new(None) };
         }
-        let is_same = |last: &&Self| last.of[0].has_same_curve(&state.beam) && last.of[1].has_same_curve(&state.bar);
+        let is_same =
+            |last: &&Self| last.of[0].has_same_curve(&state.beam) && last.of[1].has_same_curve(&state.bar);
         let last = LAST.with_borrow(|last| last.as_ref().filter(is_same).cloned());
         if let Some(last) = last {
             return Ok(last);
         }
-        let closest = closest_points(beams[0], beams[1], &Search::default()).map_err(|error| error.to_string())?;
+        let closest =
+            closest_points(beams[0], beams[1], &Search::default()).map_err(|error| error.to_string())?;
         let [grid] = Grid::of(beams, [|at| at.distance]);
         let [low, high] = grid.range();
         let level = |i: u8| low + (high - low) * (f64::from(i) + 0.35) / f64::from(LEVELS);

@@ -15,7 +15,8 @@ struct Values<'a>(&'a ByTerm);
 impl Values<'_> {
     /// The values of a term. It is looked for in the list, because few of the terms are visible.
     fn get(&self, name: &str) -> impl Iterator<Item = f64> {
-        let (name, which) = name.strip_suffix(" (bar)").map_or((name, Which::Beam), |name| (name, Which::Bar));
+        let (name, which) =
+            name.strip_suffix(" (bar)").map_or((name, Which::Beam), |name| (name, Which::Bar));
         let is_it = move |label: &Label| label.which == which && label.name == name;
         self.0.terms.iter().filter(move |(label, _)| is_it(label)).map(|(_, value)| *value)
     }

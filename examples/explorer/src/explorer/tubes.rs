@@ -84,7 +84,10 @@ fn layers(
         let (behind, rest) = pieces.split_at_mut(i);
         let piece = &mut rest[0];
         for other in behind {
-            let reach = 0.5 * (widths[piece.beam] + widths[other.beam]) + HALO + piece.half_length + other.half_length;
+            let reach = 0.5 * (widths[piece.beam] + widths[other.beam])
+                + HALO
+                + piece.half_length
+                + other.half_length;
             let away = length([piece.at[0] - other.at[0], piece.at[1] - other.at[1]]);
             // A beam covers itself where pieces that are apart in space are close in the picture.
             let in_space = (piece.middle - other.middle).norm();

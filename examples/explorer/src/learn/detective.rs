@@ -1,8 +1,8 @@
 //! Scene 7: a hidden error in the closed form, and what each check sees of it.
 
 use super::camera::Camera;
-use crate::frame::{Frame, number};
 use super::{Scene, rounded};
+use crate::frame::{Frame, number};
 use crate::html::Outcome;
 use crate::numbers::{is_ad, outcome};
 use crate::state::BeamState;

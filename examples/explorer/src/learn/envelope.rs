@@ -1,8 +1,8 @@
 //! Scene 5: the distance along a motion, with the closest points followed and with their parameters frozen.
 
-use crate::frame::{Frame, number};
 use super::pair::{Both, Dofs, First, above, below, followed, geometry, nearest};
 use super::{Scene, rounded};
+use crate::frame::{Frame, number};
 use beamgap::closest_point::{ClosestPoint, Held};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;

@@ -1,9 +1,9 @@
 //! Scene 8: the beam is moved over the bar beam; friction sticks, then slips.
 
 use super::camera::Camera;
-use crate::frame::{Frame, line, number};
 use super::pair::{Both, Dofs, First, above, below, drawn, followed, geometry, nearest, parabolas};
 use super::{Scene, rounded};
+use crate::frame::{Frame, line, number};
 use beamgap::closest_point::{ClosestPoint, Held};
 use beamgap::contact::{Contribution, Element, History, Law, Outcome, Parameters, Slips, State};
 use beamgap::nalgebra::Vector3;

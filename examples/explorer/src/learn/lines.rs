@@ -1,9 +1,9 @@
 //! Scene 4: the two equations for the variations of the parameters, as two lines.
 
 use super::camera::Camera;
-use crate::frame::{Frame, number};
 use super::pair::{Both, Dofs, First, drawn, followed, geometry, nearest};
 use super::{Scene, rounded};
+use crate::frame::{Frame, number};
 use beamgap::closest_point::Held;
 use beamgap::nalgebra::Vector3;
 use serde::{Deserialize, Serialize};

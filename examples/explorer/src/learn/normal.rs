@@ -1,10 +1,10 @@
 //! Scene 2: two points on the beams, and the two products that vanish at a closest point.
 
 use super::camera::Camera;
-use crate::frame::Frame;
-use crate::map::{self, Grid};
 use super::pair::{Dofs, above, below, drawn, geometry, nearest_drawn};
 use super::{Scene, rounded};
+use crate::frame::Frame;
+use crate::map::{self, Grid};
 use beamgap::closest_point::{Centroid, SquaredDistance};
 use beamgap::nalgebra::Vector3;
 use beamgap::pair::DofVector;

@@ -1,8 +1,8 @@
 //! Scene 6: Newton's method with the exact tangent and with a wrong one.
 
 use super::camera::Camera;
-use crate::frame::{Frame, line, number};
 use super::{Scene, rounded};
+use crate::frame::{Frame, line, number};
 use beamgap::curve::{Curve, Hermite};
 use beamgap::number::{Label, Which};
 use beamgap::pair::DofVector;

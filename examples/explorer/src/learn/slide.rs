@@ -1,9 +1,9 @@
 //! Scene 3: the beam moves, and the contact point moves by its material and along the beam.
 
 use super::camera::Camera;
-use crate::frame::{Frame, number, vector};
 use super::pair::{Both, Dofs, First, above, below, drawn, followed, geometry, nearest};
 use super::{Scene, rounded};
+use crate::frame::{Frame, number, vector};
 use beamgap::closest_point::Held;
 use beamgap::nalgebra::Vector3;
 use serde::{Deserialize, Serialize};

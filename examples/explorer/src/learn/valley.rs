@@ -1,10 +1,10 @@
 //! Scene 1: the squared distance as a landscape over both parameters.
 
 use super::camera::Camera;
-use crate::frame::{Frame, line, number};
-use crate::map::{self, Grid};
 use super::pair::drawn;
 use super::{Scene, rounded};
+use crate::frame::{Frame, line, number};
+use crate::map::{self, Grid};
 use beamgap::closest_point::{
     Centroid, ClosestPoint, ClosestPoints, Kind, Search, SquaredDistance, closest_points,
 };
