@@ -50,12 +50,14 @@ impl Frame {
         self.text(name, number(x));
     }
 
+    /// A place. If a wrong formula has led to a number that is not finite, nothing is shown.
     pub(crate) fn place(&mut self, name: impl Into<Name>, at: [f64; 2]) {
-        self.places.insert(name.into(), Some(at.map(tenth)));
+        self.place_if(name, Some(at));
     }
 
     /// A place, if there is one.
     pub(crate) fn place_if(&mut self, name: impl Into<Name>, at: Option<[f64; 2]>) {
+        let at = at.filter(|at| at.iter().all(|x| x.is_finite()));
         self.places.insert(name.into(), at.map(|at| at.map(tenth)));
     }
 
@@ -133,7 +135,7 @@ fn push_tenths(data: &mut String, x: f64) {
 fn arrow(from: [f64; 2], to: [f64; 2]) -> String {
     let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
     let length = (dx * dx + dy * dy).sqrt();
-    if length < 2.5 {
+    if length < 2.5 || !length.is_finite() {
         return String::new();
     }
     let size = length.min(11.0);

@@ -118,6 +118,14 @@ fn a_fault_is_seen_in_the_numbers_and_in_the_picture() {
 }
 
 #[test]
+fn a_prediction_that_is_not_finite_is_not_drawn() {
+    let frame = chosen(&[("order", "2"), ("fault", "dn: c.c = dropped")]);
+    assert_eq!(frame["places"]["predicted_tip0"], Value::Null);
+    assert_eq!(frame["paths"]["predicted0"], json!(""));
+    assert_ne!(frame["paths"]["right0"], json!(""));
+}
+
+#[test]
 fn a_lesson_shows_its_formula_and_a_fault_elsewhere_is_said() {
     let lesson = chosen(&[("lesson", "Ddg_T: dt Dxi = dropped")]);
     assert_eq!(

@@ -3,6 +3,8 @@
 const svg = at("picture");
 let turning = null;
 
+// Parts of a picture do not obey touch-action in every browser: without this the page scrolls.
+svg.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
 svg.addEventListener("pointerdown", (event) => {
   if (event.target.closest("[data-handle]")) return;
   svg.setPointerCapture(event.pointerId);
