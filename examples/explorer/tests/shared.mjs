@@ -98,7 +98,8 @@ const smallTargets = (page) => page.evaluate(() => {
   const all = [...document.querySelectorAll("main button, main select, main input, main summary, main [role=button], main [role=slider]")];
   const target = (element) => (element.type === "radio" || element.type === "range" ? element.closest("label") ?? element : element.querySelector(".grip") ?? element);
   return all.filter((element) => element.checkVisibility() && element.getAttribute("tabindex") !== "-1").map((element) => [element, target(element).getBoundingClientRect()])
-    .filter(([element, box]) => box.height < 43.5 || (box.width < 43.5 && element.tagName !== "SUMMARY"))
+    // What is not drawn has no size.
+    .filter(([element, box]) => box.width + box.height > 0 && (box.height < 43.5 || (box.width < 43.5 && element.tagName !== "SUMMARY")))
     .map(([element, box]) => `${element.outerHTML.slice(0, 90)} is ${box.width.toFixed(0)} x ${box.height.toFixed(0)}`);
 });
 

@@ -37,7 +37,7 @@ function element(tag, ...content) {
 
 function dofTable(which, beam) {
   const words = which === "beam" ? "beam" : "bar beam";
-  const box = element("div", element("h3", `The ${words}: ${beam.family}`));
+  const box = element("div", element("h2", `The ${words}: ${beam.family}`));
   for (const [name, value] of Object.entries(beam.curve ?? {})) {
     const fields = Array.isArray(value)
       ? value.map((_, i) => field(`${name} ${i + 1} of the ${words}`, `${which} curve ${name} ${i}`, (state) => state[which].curve[name][i]))
