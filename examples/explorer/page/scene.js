@@ -24,9 +24,9 @@ function sceneOf(section) {
   return scene;
 }
 
-/** Asks for the frame after an action, and shows it. */
-function act(scene, action) {
-  const frame = call("learn", { scene: scene.name, state: scene.state, action });
+/** Asks for the frame after an action, or a part of it, and shows it. */
+function act(scene, action, part) {
+  const frame = call("learn", { scene: scene.name, state: scene.state, action, part });
   const message = at("message");
   message.hidden = !frame.error;
   message.textContent = frame.error ?? "";
@@ -119,6 +119,13 @@ function press(button, is) {
   if (button.getAttribute("aria-pressed") !== String(is)) button.setAttribute("aria-pressed", String(is));
 }
 
+/** A scene that has much beside its picture shows one part of it in each frame, and all when nothing follows. */
+function actInTurns(scene, action) {
+  scene.turn = scene.turn === "map" ? "texts" : "map";
+  act(scene, action, scene.turn);
+  requestAnimationFrame(() => { if (!scene.pending) act(scene, null); });
+}
+
 /** Shows the last of several actions at the next frame. */
 function schedule(scene, action) {
   const isFirst = !scene.pending;
@@ -126,7 +133,8 @@ function schedule(scene, action) {
   if (isFirst) requestAnimationFrame(() => {
     const next = scene.pending;
     scene.pending = null;
-    act(scene, next);
+    if ("turns" in scene.section.dataset) actInTurns(scene, next);
+    else act(scene, next);
   });
   if ("rest" in scene.section.dataset) {
     clearTimeout(scene.rest);

@@ -13,7 +13,7 @@ use crate::answer::variant;
 use crate::frame::Frame;
 use crate::handles::{Handle, handles};
 use crate::html::number;
-use crate::learn::Scene;
+use crate::learn::{Part, Scene};
 use crate::points::select;
 use crate::prediction::varied;
 use crate::state::State;
@@ -54,6 +54,17 @@ impl Scene for State {
     }
 
     fn frame(&self) -> Result<Frame, String> {
+        self.drawn(None)
+    }
+
+    fn part(&self, part: Part) -> Result<Frame, String> {
+        self.drawn(Some(part))
+    }
+}
+
+impl State {
+    /// The frame, or a part of it.
+    fn drawn(&self, part: Option<Part>) -> Result<Frame, String> {
         if let Some(refused) = &self.refused {
             return Err(refused.clone());
         }
@@ -65,12 +76,12 @@ impl Scene for State {
         let [beam, bar] = beams;
         let (beam, bar) = (beam?, bar?);
         let centroids: [&dyn Centroid; 2] = [&*beam, &*bar];
-        let landscape = Landscape::of(self, centroids)?;
+        let (has_map, has_texts) = (part != Some(Part::Texts), part != Some(Part::Map));
+        let landscape = Landscape::of(self, centroids, has_map)?;
         let found = select(&landscape.closest, self.minimum);
         let found = found.as_ref();
         let view = View::new(&self.view);
         let varied = found.and_then(|found| varied(&case, self, found));
-        let by_term = found.and_then(|found| by_term(&case, &variant, &found.point));
         let predicted = found.and_then(|found| Predicted::new(&case, self, &variant, &found.point));
 
         let mut frame = Frame::default();
@@ -80,24 +91,17 @@ impl Scene for State {
         let points = (&landscape.closest, found);
         marks::draw(&mut frame, self, &view, centroids, points, varied.as_ref());
         marks::draw_predicted(&mut frame, self, &view, predicted.as_ref(), varied.as_ref());
-        plane::draw(&mut frame, &landscape, found, predicted.as_ref(), varied.as_ref());
         place_handles(&mut frame, &handles(&case, self, &view));
-        terms::write(&mut frame, self, by_term.as_ref());
         let second = predicted.as_ref().map(|predicted| predicted.second);
         frame.text("sentence", sentence::of(centroids, radii, &landscape, found, second));
-
-        let point = found.map(|found| &found.point);
-        let text = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), number);
-        frame.text("gap", text(point.map(|point| point.distance - radii[0] - radii[1])));
-        frame.text("d", text(point.map(|point| point.distance)));
-        frame.text("xi", text(point.map(|point| point.xi)));
-        frame.text("xi_bar", text(point.map(|point| point.xi_bar)));
-        let det = point.filter(|point| point.is_interior()).map(|point| {
-            let [x, y] = [beam.geometry(point.xi), bar.geometry(point.xi_bar)];
-            Projection::new(&x, &y, point.held()).det()
-        });
-        frame.text("D", text(det));
-        frame.text("step-value", format!("{:.2}", self.step));
+        if has_map {
+            plane::draw(&mut frame, &landscape, found, predicted.as_ref(), varied.as_ref());
+        }
+        if has_texts {
+            let by_term = found.and_then(|found| by_term(&case, &variant, &found.point));
+            terms::write(&mut frame, self, by_term.as_ref());
+            self.write_numbers(&mut frame, centroids, found.map(|found| &found.point));
+        }
         self.show_controls(&mut frame);
         Ok(frame)
     }
@@ -113,6 +117,27 @@ fn by_term(case: &CaseData, variant: &Variant, point: &ClosestPoint) -> Option<[
 }
 
 impl State {
+    /// The numbers below the picture.
+    fn write_numbers(
+        &self,
+        frame: &mut Frame,
+        [beam, bar]: [&dyn Centroid; 2],
+        point: Option<&ClosestPoint>,
+    ) {
+        let radii = self.contact.radius + self.contact.radius_bar;
+        let text = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), number);
+        frame.text("gap", text(point.map(|point| point.distance - radii)));
+        frame.text("d", text(point.map(|point| point.distance)));
+        frame.text("xi", text(point.map(|point| point.xi)));
+        frame.text("xi_bar", text(point.map(|point| point.xi_bar)));
+        let det = point.filter(|point| point.is_interior()).map(|point| {
+            let [x, y] = [beam.geometry(point.xi), bar.geometry(point.xi_bar)];
+            Projection::new(&x, &y, point.held()).det()
+        });
+        frame.text("D", text(det));
+        frame.text("step-value", format!("{:.2}", self.step));
+    }
+
     /// The handle of this name, such as `b0`.
     fn handle(&self, name: &str) -> Option<Handle> {
         let case = self.case().ok()?;

@@ -46,6 +46,18 @@ struct Request {
     state: Option<Value>,
     #[serde(default)]
     action: Option<Action>,
+    #[serde(default)]
+    part: Option<Part>,
+}
+
+/// What a frame has beside the picture, if it does not have all: frames in a row take turns, so that each takes less time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Part {
+    /// The map.
+    Map,
+    /// Formulas and numbers.
+    Texts,
 }
 
 /// A scene: its state, and the picture of it.
@@ -71,6 +83,11 @@ pub(crate) trait Scene: Default + Serialize + DeserializeOwned {
 
     /// The frame.
     fn frame(&self) -> Result<Frame, String>;
+
+    /// A part of the frame.
+    fn part(&self, _part: Part) -> Result<Frame, String> {
+        self.frame()
+    }
 }
 
 /// Answers a request of a scene, or of the explorer. Both are JSON; without a state it is the state in which the page opens.
@@ -85,7 +102,7 @@ pub fn learn(request: &str) -> String {
 /// # Errors
 /// If there is no such scene.
 pub fn opening(scene: &str) -> Result<Frame, String> {
-    answer(Request { scene: scene.to_owned(), state: None, action: None })
+    answer(Request { scene: scene.to_owned(), state: None, action: None, part: None })
 }
 
 fn answer(request: Request) -> Result<Frame, String> {
@@ -114,7 +131,7 @@ fn run<S: Scene>(request: Request) -> Result<Frame, String> {
         Some(Action::Choose { name, value }) => state.choose(&name, &value),
         None => {}
     }
-    let mut frame = state.frame()?;
+    let mut frame = request.part.map_or_else(|| state.frame(), |part| state.part(part))?;
     frame.state = state.written()?;
     Ok(frame)
 }

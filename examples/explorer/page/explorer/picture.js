@@ -49,7 +49,7 @@ function stop() {
 
 function goOn(now) {
   const part = ((now - playing.start) / ROUND) % 1;
-  act(scenes[0], { choose: { name: "step", value: (1 - Math.abs(1 - 2 * part)).toFixed(4) } });
+  schedule(scenes[0], { choose: { name: "step", value: (1 - Math.abs(1 - 2 * part)).toFixed(4) } });
   playing.frame = requestAnimationFrame(goOn);
 }
 

@@ -20,35 +20,52 @@ const MARKS: usize = 4;
 pub(super) struct Landscape {
     of: [BeamState; 2],
     pub(super) closest: ClosestPoints,
+    map: Option<Map>,
+}
+
+/// The map of the distance.
+#[derive(Clone, Debug)]
+struct Map {
     contours: String,
     shades: String,
 }
 
 impl Landscape {
-    /// The landscape of the beams. The last one is kept: view, step and fault do not change it.
+    /// The landscape of the beams, with the map or without. The last one is kept: view, step and fault do not change it.
     ///
     /// # Errors
     /// The reason why the search has no result.
-    pub(super) fn of(state: &State, beams: [&dyn Centroid; 2]) -> Result<Self, String> {
+    pub(super) fn of(state: &State, beams: [&dyn Centroid; 2], has_map: bool) -> Result<Self, String> {
         thread_local! {
             static LAST: RefCell<Option<Landscape>> = const { RefCell::new(None) };
         }
         let is_same =
-            |last: &&Self| last.of[0].has_same_curve(&state.beam) && last.of[1].has_same_curve(&state.bar);
-        let last = LAST.with_borrow(|last| last.as_ref().filter(is_same).cloned());
-        if let Some(last) = last {
-            return Ok(last);
+            |last: &Self| last.of[0].has_same_curve(&state.beam) && last.of[1].has_same_curve(&state.bar);
+        let known = LAST.take().filter(is_same);
+        let mut found = match known {
+            Some(known) => known,
+            None => Self {
+                of: [state.beam.clone(), state.bar.clone()],
+                closest: closest_points(beams[0], beams[1], &Search::default())
+                    .map_err(|error| error.to_string())?,
+                map: None,
+            },
+        };
+        if has_map && found.map.is_none() {
+            found.map = Some(Map::of(beams));
         }
-        let closest =
-            closest_points(beams[0], beams[1], &Search::default()).map_err(|error| error.to_string())?;
+        LAST.set(Some(found.clone()));
+        Ok(found)
+    }
+}
+
+impl Map {
+    fn of(beams: [&dyn Centroid; 2]) -> Self {
         let [grid] = Grid::of(beams, [|at| at.distance]);
         let [low, high] = grid.range();
         let level = |i: u8| low + (high - low) * (f64::from(i) + 0.35) / f64::from(LEVELS);
         let levels: Vec<f64> = (0..LEVELS).map(level).collect();
-        let (contours, shades) = (grid.contours(&levels), grid.shades());
-        let found = Self { of: [state.beam.clone(), state.bar.clone()], closest, contours, shades };
-        LAST.with_borrow_mut(|last| *last = Some(found.clone()));
-        Ok(found)
+        Self { contours: grid.contours(&levels), shades: grid.shades() }
     }
 }
 
@@ -63,9 +80,11 @@ pub(super) fn draw(
     predicted: Option<&Predicted>,
     varied: Option<&Varied>,
 ) {
-    let Landscape { closest, contours, shades, .. } = landscape;
-    frame.paths.insert("contours".into(), contours.clone());
-    frame.shades.insert("map".into(), shades.clone());
+    let Landscape { closest, map, .. } = landscape;
+    if let Some(map) = map {
+        frame.paths.insert("contours".into(), map.contours.clone());
+        frame.shades.insert("map".into(), map.shades.clone());
+    }
     let saddles: Vec<_> = closest.stationary.iter().filter(|point| point.kind == Kind::Saddle).collect();
     for i in 0..MARKS {
         frame.place_if(format!("minimum{i}"), closest.minima.get(i).map(of));
