@@ -97,6 +97,7 @@ async function faults() {
 
   // The command gives the same verdict.
   await page.click("summary:text-is('Case file, Rust test and command')");
+  await page.waitForFunction(() => document.getElementById("command").textContent.includes("--plant"));
   const command = (await page.textContent("#command")).replace("| beamgap", `| ${path.resolve(beamgap)}`);
   let status = 0;
   try { execSync(command, { stdio: "pipe" }); } catch (error) { status = error.status; }
@@ -140,6 +141,7 @@ async function controls() {
   }
   // The background turns the view, by mouse.
   const before = await stateOf(page, "explorer");
+  await page.evaluate(() => scrollTo(0, 0));
   const { x, y } = await page.locator("#picture").boundingBox();
   await page.mouse.move(x + 30, y + 30);
   await page.mouse.down();

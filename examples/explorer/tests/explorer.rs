@@ -2,7 +2,7 @@
 
 use beamgap::linearization::Quantity;
 use beamgap::variant::{Fault, catalogue};
-use beamgap_explorer::{Answer, State, formulas, learn};
+use beamgap_explorer::{Answer, Formula, State, formulas, learn};
 use serde_json::{Value, json};
 
 fn frame(state: &Value, action: &Value) -> Value {
@@ -32,7 +32,7 @@ fn number(frame: &Value, name: &str) -> f64 {
 
 /// The name of a term's value.
 fn term(name: &str) -> String {
-    let found = formulas().iter().flat_map(|formula| formula.terms()).find(|term| term.name == name);
+    let found = formulas().iter().flat_map(Formula::terms).find(|term| term.name == name);
     format!("term{}", found.unwrap().number)
 }
 
@@ -45,13 +45,10 @@ fn result(frame: &Value, of: (Quantity, usize)) -> String {
 
 #[test]
 fn every_term_of_the_catalogue_is_in_a_formula_and_no_other() {
-    let mut named: Vec<&str> =
-        formulas().iter().flat_map(|formula| formula.terms()).map(|term| term.name).collect();
+    let mut named: Vec<&str> = formulas().iter().flat_map(Formula::terms).map(|term| term.name).collect();
     let mut known: Vec<String> = catalogue().iter().map(|fault: &Fault| fault.label.to_string()).collect();
-    for list in [&mut known] {
-        list.sort();
-        list.dedup();
-    }
+    known.sort();
+    known.dedup();
     named.sort_unstable();
     named.dedup();
     assert_eq!(named, known);

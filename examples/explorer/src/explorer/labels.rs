@@ -5,7 +5,7 @@ use crate::view::{HEIGHT, WIDTH};
 /// Half the width of a letter with its margin.
 const SIZE: f64 = 15.0;
 /// The distances of a letter from what it belongs to.
-const AWAY: [f64; 2] = [20.0, 34.0];
+const AWAY: [f64; 3] = [20.0, 36.0, 52.0];
 /// The tried directions.
 const DIRECTIONS: u8 = 16;
 
