@@ -156,8 +156,15 @@ pub(crate) fn number(x: f64) -> String {
     text.replace('-', "−")
 }
 
-/// A vector with two decimals.
+/// A vector with two decimals, or with exponents where an entry is very large.
 pub(crate) fn vector(v: &Vector3<f64>) -> String {
-    let entry = |x: f64| format!("{:.2}", if x.abs() < 0.005 { 0.0 } else { x }).replace('-', "−");
+    let entry = |x: f64| {
+        let text = match x.abs() {
+            size if size < 0.005 => "0.00".to_owned(),
+            size if size < 1e3 => format!("{x:.2}"),
+            _ => format!("{x:.1e}"),
+        };
+        text.replace('-', "−")
+    };
     format!("({}, {}, {})", entry(v.x), entry(v.y), entry(v.z))
 }

@@ -84,6 +84,9 @@ export async function middle(page, handle) {
 /** A finger moves a handle upwards; the page may not scroll. */
 export async function touched(page, handle) {
   const session = await page.context().newCDPSession(page);
+  // Scenes that come into view are laid out, which may move what is above them.
+  await middle(page, handle);
+  await drawn(page);
   const [x, y] = await middle(page, handle);
   const scrolled = await page.evaluate(() => scrollY);
   const at = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
