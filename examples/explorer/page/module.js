@@ -4,6 +4,8 @@ const at = (id) => document.getElementById(id);
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
 let module = null;
 let exports = null;
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
 
 /** Compiles the module that the page contains. */
 async function compile() {
@@ -16,11 +18,11 @@ async function compile() {
 function call(name, request) {
   try {
     exports ??= new WebAssembly.Instance(module, {}).exports;
-    const bytes = new TextEncoder().encode(JSON.stringify(request));
+    const bytes = encoder.encode(JSON.stringify(request));
     const start = exports.reserve(bytes.length);
     new Uint8Array(exports.memory.buffer, start, bytes.length).set(bytes);
     const length = exports[name]();
-    return JSON.parse(new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.answer_at(), length)));
+    return JSON.parse(decoder.decode(new Uint8Array(exports.memory.buffer, exports.answer_at(), length)));
   } catch (error) {
     exports = null; // A module that stopped is not asked again; the next request starts it anew.
     return { error: `the computation stopped: ${error}` };

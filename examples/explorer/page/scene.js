@@ -96,8 +96,8 @@ function move(element, transform) {
 
 /** A map: the letter of each point is its opacity. */
 function shade(canvas, letters) {
-  const context = canvas.getContext("2d");
-  const image = context.createImageData(canvas.width, canvas.height);
+  const context = (canvas.context ??= canvas.getContext("2d"));
+  const image = (canvas.image ??= context.createImageData(canvas.width, canvas.height));
   for (let i = 0; i < letters.length; i++) image.data[4 * i + 3] = 9 * (letters.charCodeAt(i) - 97);
   context.putImageData(image, 0, 0);
 }

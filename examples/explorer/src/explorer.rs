@@ -91,7 +91,7 @@ impl State {
         let points = (&landscape.closest, found);
         marks::draw(&mut frame, self, &view, centroids, points, varied.as_ref());
         marks::draw_predicted(&mut frame, self, &view, predicted.as_ref(), varied.as_ref());
-        place_handles(&mut frame, &handles(&case, self, &view));
+        place_handles(&mut frame, &handles(&case, self, &view), has_texts);
         let second = predicted.as_ref().map(|predicted| predicted.second);
         frame.text("sentence", sentence::of(centroids, radii, &landscape, found, second));
         if has_map {
@@ -101,8 +101,8 @@ impl State {
             let by_term = found.and_then(|found| by_term(&case, &variant, &found.point));
             terms::write(&mut frame, self, by_term.as_ref());
             self.write_numbers(&mut frame, centroids, found.map(|found| &found.point));
+            self.show_controls(&mut frame);
         }
-        self.show_controls(&mut frame);
         Ok(frame)
     }
 }
@@ -172,13 +172,16 @@ fn named(handles: &[Handle]) -> impl Iterator<Item = (String, &Handle)> {
     })
 }
 
-fn place_handles(frame: &mut Frame, handles: &[Handle]) {
+/// The handles, with what they are called for those who do not see them.
+fn place_handles(frame: &mut Frame, handles: &[Handle], has_labels: bool) {
     let hidden = BEAMS.iter().flat_map(|beam| (0..HANDLES).map(move |i| format!("{beam}{i}")));
     hidden.for_each(|name| frame.hide(name));
     let mut rods = [Vec::new(), Vec::new()];
     for (name, handle) in named(handles) {
-        let [x, y, z] = handle.value;
-        frame.labels.insert(name.clone().into(), format!("{}: {x:.3}, {y:.3}, {z:.3}", handle.name));
+        if has_labels {
+            let [x, y, z] = handle.value;
+            frame.labels.insert(name.clone().into(), format!("{}: {x:.3}, {y:.3}, {z:.3}", handle.name));
+        }
         frame.place(name, handle.at);
         if handle.is_rod {
             rods[handle.beam].push([handle.from, handle.at]);

@@ -132,7 +132,7 @@ fn tubes(frame: &Frame) -> String {
             // The first layer covers nothing, and needs no gap.
             for class in ["halo", "edge", "middle", "light", "axis"].into_iter().skip(usize::from(layer == 0))
             {
-                let _ = write!(out, "<path class=\"{class}\" data-path=\"{name}\"/>");
+                let _ = write!(out, "<g class=\"{class}\"><path data-path=\"{name}\"/></g>");
             }
             let _ = writeln!(out, "<path class=\"cap\" data-path=\"cap{layer}{beam}\"/></g>");
         }

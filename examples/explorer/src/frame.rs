@@ -83,6 +83,11 @@ impl Frame {
         self.paths.insert(name.into(), String::new());
     }
 
+    /// An arrow as an outline that can be filled. A very short one is not drawn.
+    pub(crate) fn solid_arrow(&mut self, name: impl Into<Name>, from: [f64; 2], to: [f64; 2]) {
+        self.paths.insert(name.into(), solid_arrow(from, to));
+    }
+
     /// An arrow with a head. A very short one is not drawn.
     pub(crate) fn arrow(&mut self, name: impl Into<Name>, from: [f64; 2], to: [f64; 2]) {
         self.paths.insert(name.into(), arrow(from, to));
@@ -143,6 +148,23 @@ fn arrow(from: [f64; 2], to: [f64; 2]) -> String {
     let back = [to[0] - size * ux, to[1] - size * uy];
     let side = |sign: f64| [back[0] - sign * 0.42 * size * uy, back[1] + sign * 0.42 * size * ux];
     line([from, back]) + &line([to, side(1.0), side(-1.0)]) + "z"
+}
+
+fn solid_arrow(from: [f64; 2], to: [f64; 2]) -> String {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let length = (dx * dx + dy * dy).sqrt();
+    if length < 2.5 || !length.is_finite() {
+        return String::new();
+    }
+    let (ux, uy) = (dx / length, dy / length);
+    let head = length.min(13.0);
+    // Along the arrow and across it.
+    let at =
+        |along: f64, across: f64| [from[0] + along * ux - across * uy, from[1] + along * uy + across * ux];
+    let neck = length - head;
+    let half = [at(0.0, 1.4), at(neck, 1.4), at(neck, 0.45 * head), to];
+    let other = [at(neck, -0.45 * head), at(neck, -1.4), at(0.0, -1.4)];
+    line(half.into_iter().chain(other)) + "z"
 }
 
 /// A number with three decimals, or with an exponent if it is very large or very small.

@@ -3,13 +3,22 @@
 const PIECES = ["words", "points", "checks", "prediction", "plot", "numbers", "lesson"];
 const TEXTS = ["test", "command", "case"];
 let answer = null;
+/** The time without a frame after which the tables are computed, in milliseconds. */
+const REST = 200;
+let drawnAt = 0;
 let rest = 0;
 
 /** Follows a frame. */
 function after(frame) {
   markFault(frame.state.fault);
-  clearTimeout(rest);
-  rest = setTimeout(atRest, 200);
+  drawnAt = performance.now();
+  rest ||= setTimeout(restOrWait, REST);
+}
+
+function restOrWait() {
+  const wait = REST - (performance.now() - drawnAt);
+  rest = wait > 5 ? setTimeout(restOrWait, wait) : 0;
+  if (!rest) atRest();
 }
 
 function atRest() {

@@ -129,9 +129,9 @@ fn at_point(
     let [x, y] = [centroids[0].geometry(point.xi), centroids[1].geometry(point.xi_bar)];
     let [at, at_bar] = [x.x, y.x].map(|x| view.at(&x));
     let [t, t_bar] = [&x, &y].map(|x| view.at(&tip(view, &x.x, &x.t)));
-    frame.arrow("d", at_bar, at);
-    frame.arrow("t", at, t);
-    frame.arrow("t_bar", at_bar, t_bar);
+    frame.solid_arrow("d", at_bar, at);
+    frame.solid_arrow("t", at, t);
+    frame.solid_arrow("t_bar", at_bar, t_bar);
     frame.place("at_b", at);
     frame.place("at_r", at_bar);
     let mut lines = vec![([at_bar, at], 2.0), ([at, t], 2.0), ([at_bar, t_bar], 2.0)];
@@ -220,7 +220,7 @@ pub(super) fn draw_predicted(
         for (i, vector) in vectors.into_iter().enumerate() {
             let ends = vector.map(|ends| ends.map(|x| view.at(&x)));
             match ends {
-                Some([from, to]) => frame.arrow(format!("{name}{i}"), from, to),
+                Some([from, to]) => frame.solid_arrow(format!("{name}{i}"), from, to),
                 None => frame.no_path(format!("{name}{i}")),
             }
             frame.place_if(format!("{name}_tip{i}"), ends.map(|[_, to]| to));
