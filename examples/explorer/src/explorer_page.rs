@@ -1,12 +1,13 @@
 //! The page of the explorer: its pictures, its formulas with a button for each term, and the standard case as it opens.
 
+use crate::equations_table::rows;
 use crate::learn_page::{FONT, filled, typeset};
 use crate::math::mathml;
 use crate::{compose, escaped};
 use beamgap::linearization::Quantity;
 use beamgap::test_beam::Family;
 use beamgap::variant::{Fault, Kind, catalogue};
-use beamgap_explorer::{Answer, EquationCells, Formula, Frame, Piece, State, Term, formulas, opening};
+use beamgap_explorer::{Answer, Formula, Frame, Piece, State, Term, formulas, opening};
 use serde_json::Value;
 use std::error::Error;
 use std::fmt::Write;
@@ -299,48 +300,4 @@ fn lights(latex: &str) -> String {
     }
     parts.dedup();
     parts.join(" ")
-}
-
-/// The table of the equations, with the numbers of the standard case.
-fn rows(equations: &Value, cells: &[EquationCells]) -> Result<String, Box<dyn Error>> {
-    let mut rows = String::new();
-    for row in equations["equations"].as_array().ok_or("equations.json has no equations")? {
-        let (Some(number), Some(says), Some(verdict)) =
-            (row["number"].as_u64(), row["says"].as_str(), row["verdict"].as_str())
-        else {
-            return Err("an equation has no number, words or verdict".into());
-        };
-        let cell =
-            cells.iter().find(|cell| u64::from(cell.number) == number).ok_or("an equation is missing")?;
-        let class = if verdict == "misprint" { "bad" } else { "good" };
-        write!(
-            rows,
-            "<tr data-equation=\"{number}\"><th scope=\"row\"><a href=\"derivation.html#eq-{number}\">({number})</a></th>\
-             <td class=\"words\">{}</td><td class=\"{class}\">{}</td>",
-            escaped(says),
-            verdict.replace('-', " ")
-        )?;
-        for (name, text) in [
-            ("formula", &cell.formula),
-            ("hyper_dual", &cell.hyper_dual),
-            ("digits", &cell.digits),
-            ("printed", &cell.printed),
-        ] {
-            write!(rows, "<td data-cell=\"{name}\">{}</td>", escaped(text))?;
-        }
-        rows += "</tr>\n";
-    }
-    let heads = [
-        "equation",
-        "what it says",
-        "verdict",
-        "formula, corrected",
-        "hyper-dual",
-        "digits",
-        "digits of the print",
-    ];
-    let heads = heads.map(|head| format!("<th scope=\"col\">{head}</th>")).concat();
-    Ok(format!(
-        "<div class=\"wide\"><table><thead><tr>{heads}</tr></thead><tbody>\n{rows}</tbody></table></div>\n"
-    ))
 }

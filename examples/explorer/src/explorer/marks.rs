@@ -88,7 +88,8 @@ pub(super) fn draw(
         frame.no_path(format!("varied_{name}"));
     }
     if let Some(found) = found {
-        at_point(frame, state, view, centroids, &found.point);
+        let beside = varied.and_then(Varied::geometry).map(|[x, _]| view.at(&x.x));
+        at_point(frame, state, view, centroids, (&found.point, beside));
     }
     let others = closest.minima.iter().chain(&closest.stationary);
     let mut others = others.filter(|point| found.is_none_or(|found| **point != found.point));
@@ -118,13 +119,13 @@ pub(super) fn draw(
     }
 }
 
-/// d, both tangents and the gap at the selected closest point, with their letters.
+/// d, both tangents and the gap at the selected closest point, with their letters; `beside` is the varied one.
 fn at_point(
     frame: &mut Frame,
     state: &State,
     view: &View,
     centroids: [&dyn Centroid; 2],
-    point: &ClosestPoint,
+    (point, beside): (&ClosestPoint, Option<[f64; 2]>),
 ) {
     let [x, y] = [centroids[0].geometry(point.xi), centroids[1].geometry(point.xi_bar)];
     let [at, at_bar] = [x.x, y.x].map(|x| view.at(&x));
@@ -135,8 +136,12 @@ fn at_point(
     frame.place("at_b", at);
     frame.place("at_r", at_bar);
     let mut lines = vec![([at_bar, at], 2.0), ([at, t], 2.0), ([at_bar, t_bar], 2.0)];
-    // The gap is drawn beside d, on the side that is away from the tangents.
-    let side = if t[0] + t_bar[0] > at[0] + at_bar[0] { -14.0 } else { 14.0 };
+    // The gap is drawn beside d, on the side that is away from the varied beams or from the tangents.
+    let is_left = match beside {
+        Some([x, _]) => x > at[0],
+        None => t[0] + t_bar[0] > at[0] + at_bar[0],
+    };
+    let side = if is_left { -14.0 } else { 14.0 };
     let mut middle = [f64::midpoint(at[0], at_bar[0]), f64::midpoint(at[1], at_bar[1])];
     let mut labels = vec![
         Label { name: "d", at: middle, towards: [-side, 0.0] },
