@@ -88,7 +88,7 @@ pub(super) fn draw(
         frame.no_path(format!("varied_{name}"));
     }
     if let Some(found) = found {
-        let beside = varied.and_then(Varied::geometry).map(|[x, _]| view.at(&x.x));
+        let beside = varied.and_then(Varied::geometry).map(|ends| ends.map(|x| view.at(&x.x)));
         at_point(frame, state, view, centroids, (&found.point, beside));
     }
     let others = closest.minima.iter().chain(&closest.stationary);
@@ -125,7 +125,7 @@ fn at_point(
     state: &State,
     view: &View,
     centroids: [&dyn Centroid; 2],
-    (point, beside): (&ClosestPoint, Option<[f64; 2]>),
+    (point, beside): (&ClosestPoint, Option<[[f64; 2]; 2]>),
 ) {
     let [x, y] = [centroids[0].geometry(point.xi), centroids[1].geometry(point.xi_bar)];
     let [at, at_bar] = [x.x, y.x].map(|x| view.at(&x));
@@ -136,9 +136,10 @@ fn at_point(
     frame.place("at_b", at);
     frame.place("at_r", at_bar);
     let mut lines = vec![([at_bar, at], 2.0), ([at, t], 2.0), ([at_bar, t_bar], 2.0)];
+    lines.extend(beside.map(|ends| (ends, 2.0)));
     // The gap is drawn beside d, on the side that is away from the varied beams or from the tangents.
     let is_left = match beside {
-        Some([x, _]) => x > at[0],
+        Some([[x, _], _]) => x > at[0],
         None => t[0] + t_bar[0] > at[0] + at_bar[0],
     };
     let side = if is_left { -14.0 } else { 14.0 };
