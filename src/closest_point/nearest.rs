@@ -76,8 +76,7 @@ pub(super) fn nearest(
             }
             let bounds = Bounds::new(nodes[0], nodes[1]);
             let (offset, least) = bounds.least();
-            // A gain of less than the rounding is none: between parallel beams every box has one.
-            if least < best.distance() - best.p.rounding() {
+            if least < best.p.distance {
                 let inside = |i: usize| (nodes[i].centre + offset[i]).clamp(extent[i][0], extent[i][1]);
                 let found = Descent::from(pair, (inside(0), inside(1)), extent)?;
                 if found.distance() < best.distance() && band.contains(found.at) {
