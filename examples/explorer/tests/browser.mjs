@@ -306,6 +306,7 @@ try {
   await touch();
   console.log("explorer.html: touch, faults, situations, play, links and case files work");
   await looks(reports, "explorer.html", { pictures });
+  await looks(reports, "benchmark.html", { pictures, targets: false });
   await looks(reports, "derivation.html", { pictures, widths: [400, 1200, 1800], targets: false });
   await speed(reports, "explorer.html", ["explorer"]);
 } finally {

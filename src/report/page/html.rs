@@ -11,11 +11,11 @@ impl Page {
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <meta name=\"color-scheme\" content=\"light dark\">\n\
-             <title>{title}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{title}</h1>\n",
+             <title>{title}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n",
             style()
         );
         add(&mut page, &self.blocks);
-        page + "</body>\n</html>\n"
+        page + "</main>\n</body>\n</html>\n"
     }
 }
 
@@ -33,8 +33,11 @@ fn add(page: &mut String, blocks: &[Block]) {
                 writeln!(page, "<ul>\n{points}</ul>")
             }
             Block::Table { head, rows } => {
-                let names = head.iter().map(|(name, right)| cell("th", *right, name)).collect::<String>();
-                let _ = writeln!(page, "<div class=\"wide\"><table>\n<tr>{names}</tr>");
+                // A cell without words names no column.
+                let tag = |name: &str| if name.is_empty() { "td" } else { "th" };
+                let names = head.iter().map(|(name, right)| cell(tag(name), *right, name)).collect::<String>();
+                // A table that is wider than a narrow window is scrolled by keys too.
+                let _ = writeln!(page, "<div class=\"wide\" tabindex=\"0\"><table>\n<tr>{names}</tr>");
                 for row in rows {
                     let cells = head.iter().zip(row).map(|((_, right), text)| cell("td", *right, text));
                     let _ = writeln!(page, "<tr>{}</tr>", cells.collect::<String>());
