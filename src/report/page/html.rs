@@ -35,7 +35,8 @@ fn add(page: &mut String, blocks: &[Block]) {
             Block::Table { head, rows } => {
                 // A cell without words names no column.
                 let tag = |name: &str| if name.is_empty() { "td" } else { "th" };
-                let names = head.iter().map(|(name, right)| cell(tag(name), *right, name)).collect::<String>();
+                let names =
+                    head.iter().map(|(name, right)| cell(tag(name), *right, name)).collect::<String>();
                 // A table that is wider than a narrow window is scrolled by keys too.
                 let _ = writeln!(page, "<div class=\"wide\" tabindex=\"0\"><table>\n<tr>{names}</tr>");
                 for row in rows {

@@ -10,6 +10,7 @@ use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;
 use crate::number::RunningError;
 use rayon::prelude::*;
+use std::cmp::Reverse;
 
 /// The number of samples at which pairs are tried.
 const PROBES: usize = 8;
@@ -70,16 +71,16 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
         .filter(|(_, effects)| effects.iter().all(|of| of.value.is_finite() && of.bound.is_finite()))
         .collect();
     let of_factor = |(change, at_probes): &(&Change, Vec<RunningError>)| {
-        let subject = change.words.strip_suffix(MISSING)?;
+        let (subject, scope) = change.words.split_once(MISSING)?;
         factor(at_probes, &wanted_at)?;
         let at: Vec<_> =
             points.iter().filter_map(|point| Some((effect(point, change), wanted(point)?))).collect();
         let (of, wanted): (Vec<_>, Vec<_>) = at.into_iter().unzip();
-        let words = format!("{subject}is multiplied by {}", short(factor(&of, &wanted)?));
+        let words = format!("{subject}is multiplied by {}{scope}", short(factor(&of, &wanted)?));
         Some(Change { words, cost: change.cost + 1, ..(*change).clone() })
     };
     // The formula that is next to the answers is meant.
-    let last = |change: &Change| change.new.iter().map(|(name, _)| *name).max();
+    let last = |change: &Change| (change.new.iter().map(|(name, _)| *name).max(), Reverse(change.cost));
     if let Some(found) = effects.par_iter().filter_map(of_factor).max_by_key(last) {
         return Some(found);
     }
@@ -114,7 +115,7 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
 /// What a change is about, without what is wrong with it.
 fn term(change: &Change) -> &str {
     let words = &*change.words;
-    FACTORS.iter().find_map(|(_, wrong, _)| words.strip_suffix(wrong)).unwrap_or(words)
+    FACTORS.iter().find_map(|(_, wrong, _)| Some(words.split_once(wrong)?.0)).unwrap_or(words)
 }
 
 /// A factor with six digits at most.

@@ -110,7 +110,7 @@ fn of_stages(
 }
 
 /// Whether a change yields all these answers.
-pub(super) fn yields(change: &Change, points: &[Point], among: Set) -> bool {
+fn yields(change: &Change, points: &[Point], among: Set) -> bool {
     let mut ways = Ways::of(points, among);
     ways.are_needed(change)
         && ways.are_right(change)
