@@ -13,9 +13,9 @@ const axe = readFileSync(require.resolve("axe-core"), "utf8");
 const executablePath = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
 const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 export const browser = await chromium.launch({ executablePath, args });
-/** Milliseconds for script, style and layout of a frame, with the processor slowed down four times. A quiet machine needs less than
- * WANTED; above LIMIT there are fewer than 60 frames a second. */
-const [WANTED, LIMIT] = [8, 16];
+/** Milliseconds for script, style and layout of a frame, with the processor slowed down four times. A quiet machine needs less. A
+ * time depends on the machine, so it is shown and no test. */
+const WANTED = 8;
 export const WIDTHS = [400, 800, 1280];
 
 /** A page of the reports, in which no error may occur and which may ask for no other file. */
@@ -187,7 +187,7 @@ export async function speed(reports, name, scenes, prepare = async () => {}) {
   }
   await close();
   for (const [handle, [median, slow]] of Object.entries(found)) console.log(`${handle}: ${median.toFixed(1)} ms in the median, ${slow.toFixed(1)} ms in the slowest tenth`);
+  assert.ok(Object.keys(found).length > 0 && Object.values(found).flat().every(Number.isFinite));
   const slow = Object.entries(found).filter(([, [median]]) => median > WANTED).map(([handle]) => handle);
   if (slow.length > 0) console.log(`above ${WANTED} ms: ${slow.join(", ")}`);
-  for (const [handle, [median]] of Object.entries(found)) assert.ok(median < LIMIT, `${handle}: a frame takes ${median} ms`);
 }
