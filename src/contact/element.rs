@@ -77,8 +77,8 @@ impl<'a, A: Curve<N>, B: Curve<M>, L: NormalLaw, const N: usize, const M: usize>
     /// Writes R and K at a closest point over `to`. Nothing is allocated.
     ///
     /// # Errors
-    /// [`ContactError`] if the point or the history does not define them; `to` is then unchanged. If R or K overflows,
-    /// [`ContactError::Result`]; `to` is then zero.
+    /// [`ContactError`] if the point or the history does not define them; `to` is then unchanged. If R or the
+    /// diagonal of K overflows, [`ContactError::Result`]; `to` is then zero.
     pub fn evaluate(
         &self,
         q: &DofVector<f64, N, M>,

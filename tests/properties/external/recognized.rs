@@ -6,6 +6,7 @@ use super::programs::scratch;
 use super::with_head;
 use crate::program::run;
 use serde_json::Value;
+use std::fmt::Write as _;
 
 #[test]
 fn triangles_and_doubled_entries_are_named() {
@@ -48,6 +49,16 @@ fn triangles_and_doubled_entries_are_named() {
         let (found, shown) = told(&vectors, "stated", &stated, &["--allow-missing"]);
         assert_eq!(found, Some(code), "{head}: {shown}");
     }
+    let mut csv = "# schema = beamgap-answers/1\n# triangle = upper\ncase,quantity,value\n".to_owned();
+    for line in text.lines().skip(1).map(|line| serde_json::from_str::<Value>(line).unwrap()) {
+        for (k, entry) in line["d"]["hessian"].as_array().unwrap().iter().enumerate() {
+            if k / 12 <= k % 12 {
+                let (id, i, j) = (line["id"].as_str().unwrap(), k / 12, k % 12);
+                writeln!(csv, "{id},d:hessian:{i}:{j},{entry}").unwrap();
+            }
+        }
+    }
+    assert_eq!(told(&vectors, "upper-csv", &csv, &["--allow-missing"]).0, Some(0));
     let zeros = changed(&text, |line| {
         let of = line["d"]["hessian"].as_array_mut().unwrap().iter_mut().enumerate();
         of.filter(|(k, _)| k / 12 < k % 12).for_each(|(_, entry)| *entry = 0.0.into());

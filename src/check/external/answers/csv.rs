@@ -93,15 +93,8 @@ impl Rows {
         let Some(mut answers) = answers else { return Ok(None) };
         self.ended.insert(answers.id.clone());
         for ((item, part), mut entries) in arrays {
-            // In this format rows and columns have their indices, so the order is not meant.
-            let given: Vec<_> = entries.iter().map(|(at, number)| (at.clone(), *number)).collect();
-            for (at, number) in given {
-                if let [i, j] = at[..]
-                    && conventions.triangle != Triangle::Both
-                    && conventions.triangle.has(i, j)
-                {
-                    entries.insert(vec![j, i], number);
-                }
+            if conventions.triangle != Triangle::Both {
+                mirror(&mut entries, conventions.triangle);
             }
             add_array(&mut answers, &item, &part, &entries)?;
         }
@@ -214,6 +207,16 @@ impl Row {
             Err(error(self.columns[0], format!("{} expected once, found twice", self.item)))
         })
     }
+}
+
+/// Completes a matrix of which one triangle is answered. Rows and columns have their indices here, in any order of storage.
+fn mirror(entries: &mut BTreeMap<Vec<usize>, f64>, triangle: Triangle) {
+    let of_other = |(at, number): (&Vec<usize>, &f64)| match at[..] {
+        [i, j] if triangle.has(i, j) => Some((vec![j, i], *number)),
+        _ => None,
+    };
+    let others: Vec<_> = entries.iter().filter_map(of_other).collect();
+    entries.extend(others);
 }
 
 /// Assembles the entries of an array. None may be missing.

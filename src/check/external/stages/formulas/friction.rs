@@ -39,7 +39,7 @@ impl Formulas {
     }
 
     /// The change with these formulas in the place of others.
-    fn instead(&self, words: String, others: &[(&str, String)]) -> Change {
+    pub(super) fn instead(&self, words: String, others: &[(&str, String)]) -> Change {
         let mut names = self.names.clone();
         let mut new = Vec::new();
         for (name, text) in others {

@@ -69,6 +69,7 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
         .par_iter()
         .map(|&change| (change, probes.iter().map(|point| effect(point, change)).collect::<Vec<_>>()))
         .filter(|(_, effects)| effects.iter().all(|of| of.value.is_finite() && of.bound.is_finite()))
+        .filter(|(_, effects)| effects.iter().any(|of| of.value.abs() > of.bound))
         .collect();
     let of_factor = |(change, at_probes): &(&Change, Vec<RunningError>)| {
         let (subject, scope) = change.words.split_once(MISSING)?;

@@ -56,7 +56,7 @@ pub(in crate::check::external::stages) fn found(
         is_of_formulas: true,
         ..Traced::default()
     };
-    let mut stages = vec![readings(explained(&first, all))];
+    let mut stages = vec![readings(explained(&first, all, Set::default()))];
     if stages[0].is_empty() {
         stages = of_stages(samples, entries, &names);
     }
@@ -74,11 +74,11 @@ pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Read
     let names = STAGES.iter().flat_map(|(stage, _)| *stage).map(|name| FORMULAS.name(name));
     let of_penalty = ["R_p", "K_p"].map(|name| FORMULAS.name(name));
     let all = names.chain(RESULTS.iter().copied()).chain(of_penalty).collect();
-    readings(explained(&points(samples, Set::default()), all))
+    readings(explained(&points(samples, Set::default()), all, Set::default()))
 }
 
 /// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones. A
-/// stage that follows from what explains an earlier one is left out.
+/// stage that follows from what explains an earlier one is left out, and so is a cause that would change an earlier one.
 fn of_stages(
     samples: &[Sample],
     entries: &dyn Fn(Along) -> Vec<Sample>,
@@ -86,23 +86,26 @@ fn of_stages(
 ) -> Vec<Vec<Reading>> {
     let mut given = Set::default();
     let mut stages = Vec::new();
-    let mut known: Vec<Change> = Vec::new();
+    let (mut known, mut wrong): (Vec<Change>, Set) = (Vec::new(), Set::default());
     for (stage, _) in STAGES {
         let names = names(stage);
         let both = [given, Set::default()].map(|given| points(samples, given));
         let is_wrong = both.iter().all(|points| points.iter().any(|point| point.is_wrong(names)));
         let follows = |change: &Change| both.iter().any(|points| yields(change, points, names));
         if is_wrong && !known.iter().any(follows) {
-            let found = both.iter().map(|points| explained(points, names)).find(|found| !found.is_empty());
+            let before = FORMULAS.needed(wrong);
+            let found = |points: &Vec<Point>| explained(points, names, before);
+            let found = both.iter().map(found).find(|found| !found.is_empty());
             let of_matrix = || matrices::reading(samples, entries).filter(|_| stage == ["K"]);
             // Two effects add up where the answer is a sum.
-            let is_sum = stage == ["R"] || stage == ["K"];
+            let is_sum = (stage == ["R"] || stage == ["K"]) && wrong.is_empty();
             let of_two = || if is_sum { readings(pairs::found(samples, names, given)) } else { Vec::new() };
             stages.push(match &found {
                 Some(found) => readings(found.clone()),
                 None => of_matrix().map_or_else(of_two, |reading| vec![reading]),
             });
             known.extend(found.unwrap_or_default());
+            wrong = wrong.or(names);
         }
         given = given.or(names);
     }
@@ -125,8 +128,8 @@ fn readings(changes: Vec<Change>) -> Vec<Reading> {
 /// The simplest changes that explain these answers.
 ///
 /// A program may write each formula in its own way. So each result must be that of the changed formulas in one of the ways,
-/// which is the same at all samples.
-fn explained(points: &[Point], among: Set) -> Vec<Change> {
+/// which is the same at all samples. The formulas `before` are not changed.
+fn explained(points: &[Point], among: Set, before: Set) -> Vec<Change> {
     let probes = probes(points, among, PROBES);
     if probes.is_empty() {
         return Vec::new();
@@ -136,6 +139,9 @@ fn explained(points: &[Point], among: Set) -> Vec<Change> {
     let first: Set = among.names().find(is_first).into_iter().collect();
     let [of_first, of_all] = [first, among].map(|among| Ways::of(points, among));
     let explains = |change: &&Change| {
+        if !change.names().and(before).is_empty() {
+            return false;
+        }
         let yields = |ways: &Ways, among: Set, mut points: Box<dyn Iterator<Item = &Point> + '_>| {
             let mut ways = ways.clone();
             ways.are_needed(change)

@@ -6,6 +6,7 @@ use super::values::Values;
 use super::{found, of_all};
 use crate::check::Regime;
 use crate::check::candidate::CAREFUL;
+use crate::check::external::stages::Reading;
 use crate::check::external::stages::sample::{Along, Sample, samples};
 use crate::check::external::{AnswerReader, Demands, Drawing, Evaluator};
 use crate::linearization::Quantity;
@@ -214,6 +215,19 @@ fn a_term_with_a_factor_and_uncoupled_friction_are_told() {
     let words = "friction is uncoupled: eps_T e and eps_T e_bar have a cone each";
     let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, change(words))).collect();
     assert_eq!(told(&answered), [words]);
+}
+
+/// What explains a later answer must not change an earlier one. Here a program pushes at an open gap.
+#[test]
+fn no_cause_of_a_later_answer_contradicts_an_earlier_one() {
+    let samples: Vec<Sample> = right_answers(&[Family::Segment]);
+    let pushing = [("F_N", "force".to_owned()), ("k", "stiffness".to_owned())];
+    let pushing = FORMULAS.instead(String::new(), &pushing);
+    let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, &pushing)).collect();
+    let traced = found(&answered, &|_| Vec::new()).unwrap();
+    let words = |all: &[Reading]| all.iter().map(|of| of.words.clone()).collect::<Vec<_>>();
+    assert_eq!(words(&traced.causes), ["in F_N force is taken whatever active is"]);
+    assert_eq!(words(&traced.beyond), ["in k stiffness is taken whatever active is"]);
 }
 
 /// A change must yield all answers, and not those alone that are wrong: here those with xi_bar held.
