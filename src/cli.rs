@@ -13,6 +13,7 @@ mod config;
 mod count;
 mod disagreements;
 mod equations;
+mod evaluate;
 mod exit;
 mod explain;
 mod export;
@@ -32,6 +33,7 @@ mod prove;
 mod report;
 mod searched;
 mod shell;
+mod stream;
 mod terminal;
 mod verify;
 
@@ -76,7 +78,7 @@ enum Command {
     /// Print the JSON Schema of the cases or of the answers, or the formulas of a contact element.
     Schema(export::Schema),
     /// Answer cases by the closed form of this library.
-    Evaluate(export::Evaluate),
+    Evaluate(evaluate::Evaluate),
     /// Compare the answers of a program in any language, from a file or from the program.
     Verify(verify::Verify),
     /// Name the term that is wrong in the answers of a program.

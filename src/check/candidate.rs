@@ -9,6 +9,7 @@
 
 mod entry;
 mod found;
+mod problem_size;
 mod sides;
 
 use super::diagnosis::place;
@@ -26,7 +27,8 @@ use rayon::prelude::*;
 pub(super) use entry::Entry;
 pub use found::{Digits, Example, Found};
 pub(super) use found::{contact_in_words, list};
-pub(super) use sides::{ProblemSize, Sides, is_doubted};
+pub(super) use problem_size::ProblemSize;
+pub(super) use sides::{Sides, is_doubted};
 
 /// The factor on the rounding of the textbook formulas: a choice, which allows another order of the sums.
 pub const CAREFUL: f64 = 8.0;

@@ -1,7 +1,7 @@
 //! `beamgap adapter`: a small complete program that answers cases, in the language of the user.
 
 use super::exit::Exit;
-use super::export::Sink;
+use super::stream::Sink;
 use clap::{Args, ValueEnum};
 
 /// The arguments.

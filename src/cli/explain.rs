@@ -3,9 +3,9 @@
 use super::answered::{Diagnosed, head, verdict};
 use super::arguments::{seed, work_with};
 use super::exit::Exit;
-use super::export::source;
 use super::outcome::Verdict;
 use super::output::to_stdout;
+use super::stream::source;
 use super::verify::Verified;
 use beamgap::check::external::{AnswerReader, Demands, Matching, VectorReader};
 use beamgap::report;

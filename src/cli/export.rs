@@ -1,22 +1,17 @@
-//! `beamgap export`, `beamgap schema`, `beamgap evaluate`: cases for other programs, and the library's own answers.
+//! `beamgap export` and `beamgap schema`: cases for other programs.
 
-use super::arguments::{families, fault, regimes, seed, variant};
+use super::arguments::{families, regimes, seed};
 use super::count::count;
 use super::exit::Exit;
-use super::output::distinct;
+use super::stream::Sink;
 use super::terminal::{folded, tell};
-use anyhow::Context;
-use beamgap::check::external::{
-    ANSWERS, Drawing, Evaluator, Expected, Formulas, LIST_OF_FORMULAS, VECTORS, VectorReader, VectorWriter,
-};
+use beamgap::check::external::{ANSWERS, Drawing, Expected, LIST_OF_FORMULAS, VECTORS, VectorWriter};
 use beamgap::check::{Coverage, Family, Regime};
 use beamgap::contact::{State, Work};
 use clap::{Args, ValueEnum, value_parser};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, BufWriter, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The JSON Schemas, and the list of formulas, by name.
 const SCHEMAS: [(&str, &str); 3] = [
@@ -172,137 +167,5 @@ impl Schema {
         sink.line(SCHEMAS[self.of as usize].1.trim_end())?;
         sink.finish()?;
         Ok(Exit::Agree)
-    }
-}
-
-/// The arguments of `evaluate`.
-#[derive(Args)]
-#[command(after_help = Exit::help())]
-pub(crate) struct Evaluate {
-    /// The cases, or - for standard input
-    #[arg(value_name = "VECTORS", default_value = "-")]
-    vectors: PathBuf,
-    /// Inject this fault; may be repeated (see `beamgap faults --list`)
-    #[arg(long, value_name = "FAULT", value_parser = fault)]
-    plant: Vec<String>,
-    /// By which formulas: those that keep the most digits, the paper's, or the normal and the cross products
-    #[arg(long, value_enum, default_value_t = By::Chosen)]
-    formulas: By,
-    /// Also answer residual and tangent of a contact element with this penalty stiffness
-    #[arg(long, value_name = "STIFFNESS", value_parser = positive)]
-    penalty: Option<f64>,
-    /// Write numbers as hexadecimal strings, as C's %a prints them
-    #[arg(long, conflicts_with = "digits")]
-    hex: bool,
-    /// Write N significant digits, instead of all
-    #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=17))]
-    digits: Option<u8>,
-    /// Write to this file, and not to standard output
-    #[arg(long, short, value_name = "PATH")]
-    output: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum By {
-    Chosen,
-    Paper,
-    Robust,
-}
-
-/// A positive number.
-pub(super) fn positive(text: &str) -> Result<f64, String> {
-    let number = beamgap::check::external::parse(text).ok().filter(|x| x.is_finite() && *x > 0.0);
-    number.ok_or_else(|| "expected a positive number".into())
-}
-
-impl Evaluate {
-    /// Answers one case after the other; each answer is written before the next case is read.
-    pub(super) fn run(self) -> anyhow::Result<Exit> {
-        let evaluator = Evaluator {
-            variant: variant(&self.plant)?,
-            formulas: match self.formulas {
-                By::Chosen => Formulas::Chosen,
-                By::Paper => Formulas::Paper,
-                By::Robust => Formulas::Robust,
-            },
-            penalty: self.penalty,
-            writer: VectorWriter { hex: self.hex, expected: Expected::None },
-            digits: self.digits.map(usize::from),
-        };
-        if let Some(output) = &self.output {
-            distinct(output, &[&self.vectors])?;
-        }
-        let (from, name) = source(&self.vectors)?;
-        let mut vectors = VectorReader::new(from, &name)?;
-        let mut sink = Sink::open(self.output.as_deref())?;
-        sink.line(&evaluator.head())?;
-        sink.flush()?;
-        while let Some(vector) = vectors.next_vector()? {
-            if sink.is_closed {
-                break;
-            }
-            sink.line(&evaluator.line(&vector))?;
-            if self.output.is_none() {
-                sink.flush()?;
-            }
-        }
-        sink.finish()?;
-        Ok(Exit::Agree)
-    }
-}
-
-/// A file, or standard input for `-`, with its name for messages.
-pub(super) fn source(path: &Path) -> anyhow::Result<(Box<dyn BufRead + Send>, String)> {
-    if path == Path::new("-") {
-        return Ok((Box::new(BufReader::new(io::stdin())), "standard input".into()));
-    }
-    let name = path.display().to_string();
-    let file = File::open(path).with_context(|| format!("cannot read {name}"))?;
-    Ok((Box::new(BufReader::with_capacity(1 << 16, file)), name))
-}
-
-/// Standard output or a file, line by line. A reader that closes the pipe early is not an error.
-pub(super) struct Sink {
-    to: Box<dyn Write>,
-    name: String,
-    is_closed: bool,
-}
-
-impl Sink {
-    pub(super) fn open(path: Option<&Path>) -> anyhow::Result<Self> {
-        let (to, name): (Box<dyn Write>, _) = match path {
-            None => (Box::new(BufWriter::new(io::stdout())), "standard output".into()),
-            Some(path) => {
-                let name = path.display().to_string();
-                let file = File::create(path).with_context(|| format!("cannot write {name}"))?;
-                (Box::new(BufWriter::new(file)), name)
-            }
-        };
-        Ok(Self { to, name, is_closed: false })
-    }
-
-    pub(super) fn line(&mut self, line: &str) -> anyhow::Result<()> {
-        let written = self.to.write_all(line.as_bytes()).and_then(|()| self.to.write_all(b"\n"));
-        self.told(written)
-    }
-
-    fn flush(&mut self) -> anyhow::Result<()> {
-        let written = self.to.flush();
-        self.told(written)
-    }
-
-    pub(super) fn finish(mut self) -> anyhow::Result<()> {
-        self.flush()
-    }
-
-    fn told(&mut self, written: io::Result<()>) -> anyhow::Result<()> {
-        match written {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
-                self.is_closed = true;
-                Ok(())
-            }
-            Err(error) => Err(error).with_context(|| format!("cannot write {}", self.name)),
-            Ok(()) => Ok(()),
-        }
     }
 }

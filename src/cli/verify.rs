@@ -3,9 +3,9 @@
 use super::answered::{self, Diagnosed};
 use super::arguments::work_with;
 use super::exit::Exit;
-use super::export::source;
 use super::outcome::Verdict;
 use super::output::{OutputOptions, Outputs};
+use super::stream::source;
 use anyhow::anyhow;
 use beamgap::check::external::{
     AnswerReader, Conventions, Demands, Matching, ProcessError, Report, Runner, VectorReader,

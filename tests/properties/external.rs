@@ -3,6 +3,7 @@
 mod broken;
 mod complete;
 mod conventions;
+mod digits;
 mod explanations;
 mod hand_written;
 mod hidden;

@@ -1,7 +1,8 @@
 //! The page of the explorer: its pictures, its formulas with a button for each term, and the standard case as it opens.
 
+use crate::assets::{script, style};
 use crate::equations_table::rows;
-use crate::learn_page::{FONT, filled, typeset};
+use crate::learn_page::{filled, typeset};
 use crate::math::mathml;
 use crate::{compose, escaped};
 use beamgap::linearization::Quantity;
@@ -13,31 +14,15 @@ use std::error::Error;
 use std::fmt::Write;
 
 const TEMPLATE: &str = include_str!("../page/explorer/page.html");
-/// The parts of the script, which share one scope.
-const SCRIPT: &str = concat!(
-    "\"use strict\";\n(() => {\n",
-    include_str!("../page/module.js"),
-    "\n",
-    include_str!("../page/scene.js"),
-    "\n",
-    include_str!("../page/hands.js"),
-    "\n",
+/// The parts of the script and the style that this page alone has.
+const SCRIPT: [&str; 5] = [
     include_str!("../page/explorer/picture.js"),
-    "\n",
     include_str!("../page/explorer/fault.js"),
-    "\n",
     include_str!("../page/explorer/tables.js"),
-    "\n",
     include_str!("../page/explorer/dofs.js"),
-    "\n",
     include_str!("../page/explorer/link.js"),
-    "})();\n"
-);
-const STYLES: [&str; 3] = [
-    include_str!("../../../src/report/derivation/style.css"),
-    include_str!("../page/scene.css"),
-    include_str!("../page/explorer/explorer.css"),
 ];
+const STYLE: &str = include_str!("../page/explorer/explorer.css");
 
 /// Instructive faults: their names, and the labels of their buttons.
 const LESSONS: [(&str, &str); 6] = [
@@ -104,7 +89,7 @@ pub(crate) fn page(module: &str, equations: &Value) -> Result<String, Box<dyn Er
     let html = filled(&compose(&typeset(TEMPLATE)?, &pieces)?, &frame)?;
     let cells = answer.equations.clone().unwrap_or_default();
     let pieces = [
-        ("style", STYLES.concat().replace("FONT", &FONT.replace('\n', ""))),
+        ("style", style(STYLE)),
         ("lesson", answer.lesson),
         ("words", answer.words),
         ("points", answer.points),
@@ -116,7 +101,7 @@ pub(crate) fn page(module: &str, equations: &Value) -> Result<String, Box<dyn Er
         ("case", escaped(&answer.case)),
         ("test", escaped(&answer.test)),
         ("command", escaped(&answer.command)),
-        ("script", SCRIPT.to_owned()),
+        ("script", script(&SCRIPT)),
         ("module", module.to_owned()),
     ];
     compose(&html, &pieces)

@@ -3,6 +3,7 @@
 //! In the files of `page/learn`, `$..$` is LaTeX, `[[name|..]]` is a term with the value of this name, and
 //! `{{scene name=value,.. key}}` is a value of a scene after its controls are set. A number of the prose is never written.
 
+use crate::assets::{script, style};
 use crate::math::mathml;
 use crate::{compose, escaped};
 use beamgap_explorer::{Frame, SCENES, hidden, learn, opening};
@@ -11,23 +12,9 @@ use std::error::Error;
 use std::fmt::Write;
 
 const TEMPLATE: &str = include_str!("../page/learn/page.html");
-const SCRIPT: &str = concat!(
-    "\"use strict\";\n(() => {\n",
-    include_str!("../page/module.js"),
-    "\n",
-    include_str!("../page/scene.js"),
-    "\n",
-    include_str!("../page/hands.js"),
-    "\n",
-    include_str!("../page/learn/walk.js"),
-    "})();\n"
-);
-const STYLES: [&str; 3] = [
-    include_str!("../../../src/report/derivation/style.css"),
-    include_str!("../page/scene.css"),
-    include_str!("../page/learn/learn.css"),
-];
-pub(crate) const FONT: &str = include_str!("../../../src/report/derivation/math.woff2.base64");
+/// The parts of the script and the style that this page alone has.
+const SCRIPT: [&str; 1] = [include_str!("../page/learn/walk.js")];
+const STYLE: &str = include_str!("../page/learn/learn.css");
 /// The files of the scenes, in the order of [`SCENES`].
 const PROSE: [&str; 8] = [
     include_str!("../page/learn/valley.html"),
@@ -60,11 +47,11 @@ pub(crate) fn page(module: &str) -> Result<String, Box<dyn Error>> {
         )?;
     }
     let pieces = [
-        ("style", STYLES.concat().replace("FONT", &FONT.replace('\n', ""))),
+        ("style", style(STYLE)),
         ("contents", contents),
         ("scenes", scenes),
         ("module", module.to_owned()),
-        ("script", SCRIPT.to_owned()),
+        ("script", script(&SCRIPT)),
     ];
     compose(&typeset(TEMPLATE)?, &pieces)
 }

@@ -3,6 +3,7 @@
 //! `beamgap-explorer MODULE REPORTS` reads `REPORTS/equations.json`, and writes `REPORTS/explorer.html` and
 //! `REPORTS/learn.html`. `beamgap-explorer frames` answers requests of scenes, one a line.
 
+mod assets;
 mod equations_table;
 mod explorer_page;
 mod learn_page;
