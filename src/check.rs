@@ -79,7 +79,7 @@ pub use coverage::{Coverage, Symmetry};
 pub use diagnosis::{Diagnosis, Finding, layer, look_at};
 pub use distribution::Quantiles;
 pub use draw::{Case, Selection};
-pub use element::ElementData;
+pub use element::{ContactSituation, ElementData};
 pub(crate) use evaluation_point::{ELEMENT_ENTRIES, EvaluationPoint};
 pub(crate) use independent_search::{IndependentSearch, pair_of};
 pub use independent_search::{SearchFinding, SearchFindingKind, SearchTally, Searched};
@@ -90,7 +90,7 @@ pub use regime::Regime;
 pub use run::{run, run_part};
 pub use shard::Shard;
 pub use shrink::{Shrunk, shrink, shrink_mismatches};
-pub use summary::{Cell, Differences, Mismatch, MismatchKind, NotCompared, Summary, Tally};
+pub use summary::{Cell, Differences, ElementCells, Mismatch, MismatchKind, NotCompared, Summary, Tally};
 pub use verdict::{Comparison, Inconclusive, Order, Verdict};
 
 pub use crate::test_beam::{Family, TestBeam, TestBeamError};

@@ -108,6 +108,7 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use super::{Arbitration, Comparison, DIFFERENCES, Order};
+    use crate::check::element::ContactSituations;
     use crate::linearization::Quantity;
 
     const ROUTES: [&str; 3] = ["newton", "stationary", "chord"];
@@ -124,6 +125,7 @@ mod tests {
             scale: 1.0,
             bound: 1e-12,
             tolerance: 1e-12 + bound,
+            situations: ContactSituations::NONE,
         }
     }
 

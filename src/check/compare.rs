@@ -6,6 +6,7 @@ mod functions;
 use super::arbitration::DIFFERENCES;
 use super::config::{CheckConfig, Oracles};
 use super::draw::{Case, place_in_regime};
+use super::element::ContactSituation;
 use super::evaluation_point::EvaluationPoint;
 use super::oracle::differences;
 use super::verdict::{Comparison, Inconclusive, Verdict, is_decided};
@@ -62,6 +63,11 @@ impl Comparison {
     /// Whether the reference is the differences in double-double.
     pub(crate) fn is_by_differences(&self) -> bool {
         self.against == DIFFERENCES
+    }
+
+    /// Whether it is of a contact element with d = 0.
+    pub(crate) fn is_with_crossing(&self) -> bool {
+        self.situations.iter().any(|situation| situation == ContactSituation::ZeroDistance)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The contact element of a case: its parameters, its history, and what it does at the closest point.
 
 mod draw;
+mod situation;
 
 use super::evaluation_point::EvaluationPoint;
 use crate::contact::ad::{ForceValues, force_values, virtual_work};
@@ -10,6 +11,9 @@ use crate::linearization::{Quantities, Varied};
 use crate::number::{HyperDual, Real};
 use crate::pair::Contact;
 use crate::test_beam::RunningError2;
+
+pub use situation::ContactSituation;
+pub(in crate::check) use situation::ContactSituations;
 
 /// The parameters and the history of a contact element.
 #[derive(Clone, Copy, Debug, PartialEq)]

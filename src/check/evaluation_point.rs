@@ -20,7 +20,7 @@ use crate::variant::{
     Contracted, Returned, SCALARS, Step, Variant, bounded_kernel, contracted, kernel_functions, routes, terms,
 };
 pub(crate) use contact::ELEMENT_ENTRIES;
-pub(super) use contact::state_of;
+pub(super) use contact::is_of_residual;
 pub(super) use dense::Dense;
 use refined::Refined;
 use std::sync::OnceLock;
@@ -77,6 +77,15 @@ impl<'a> EvaluationPoint<'a> {
             Some(Degeneracy::ZeroTangent { .. }) => return Err(Inconclusive::ZeroTangent),
             Some(_) => return Err(Inconclusive::Singular),
         }
+        Self::regular(beams, contact, point)
+    }
+
+    /// A closest point that is known to have derivatives, or d = 0.
+    fn regular(
+        beams: [&'a dyn AnyBeam; 2],
+        contact: &'a Contact,
+        point: &ClosestPoint,
+    ) -> Result<Self, Inconclusive> {
         let (xi, xi_bar) = root_enclosure::parameters(beams, point).ok_or(Inconclusive::IllConditioned)?;
         let at = [xi, xi_bar].map(|RunningError { value, bound }| RunningError2 { value, bound: [bound; 2] });
         let mut evaluation = Self {

@@ -6,7 +6,7 @@ use super::arbitration::{Arbitration, DIFFERENCES};
 use super::counts::Counts;
 use super::diagnosis::Finding;
 use super::draw::Case;
-use super::evaluation_point::state_of;
+use super::evaluation_point::is_of_residual;
 use super::independent_search::SearchTally;
 use super::regime::Regime;
 use super::serialized::{Name, name, nested};
@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use tally::merge;
 
-pub use tally::{Cell, NotCompared, Tally};
+pub use tally::{Cell, ElementCells, NotCompared, Tally};
 
 /// The result of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -163,17 +163,19 @@ impl Summary {
                 tally.cover(case, point);
             }
             compared += 1;
-            if let Some(state) = entries.iter().rev().find_map(state_of) {
-                *tally.elements.entry(state).or_default() += 1;
-            }
             for entry in entries.iter().filter(|entry| entry.is_meaningful()) {
                 let by_differences = usize::from(entry.against == DIFFERENCES);
-                cells[entry.quantity as usize][entry.order as usize][by_differences].merge(&Cell {
+                let cell = Cell {
                     scaled_error: entry.scaled_error(),
                     case: case.number,
                     over_tolerance: entry.over_tolerance(),
                     entries: 1,
-                });
+                };
+                cells[entry.quantity as usize][entry.order as usize][by_differences].merge(&cell);
+                for situation in entry.situations.iter() {
+                    let ElementCells { residual, tangent } = tally.elements.entry(situation).or_default();
+                    if is_of_residual(entry) { residual } else { tangent }.merge(&cell);
+                }
             }
         }
         for (quantity, cells) in Quantity::ALL.into_iter().zip(cells) {

@@ -1,5 +1,6 @@
 //! The results of a comparison: single entries, and the verdict on a closest point.
 
+use super::element::ContactSituations;
 use super::serialized::{Name, by_name, name, number};
 use crate::linearization::Quantity;
 use crate::source_fault::source_fault;
@@ -58,6 +59,9 @@ pub struct Comparison {
     /// The largest difference that the rounding of both explains.
     #[serde(with = "number")]
     pub tolerance: f64,
+    /// What the contact element is an example of, if the number is one of an element.
+    #[serde(skip)]
+    pub(super) situations: ContactSituations,
 }
 
 impl Comparison {
@@ -184,6 +188,7 @@ pub(super) fn is_decided<'a>(mut entries: impl Iterator<Item = &'a Comparison> +
 #[cfg(test)]
 mod tests {
     use super::{Comparison, Inconclusive, Order, Verdict, is_decided};
+    use crate::check::element::ContactSituations;
     use crate::linearization::Quantity;
     use std::collections::BTreeSet;
 
@@ -198,6 +203,7 @@ mod tests {
         scale: 4.0,
         bound: 0.125,
         tolerance: 0.25,
+        situations: ContactSituations::NONE,
     };
 
     #[test]

@@ -125,12 +125,14 @@ pub fn named(line: &str) -> Vec<u8> {
 
 /// The name that a line introduces, if it begins an item.
 fn name(line: &str) -> Option<&str> {
-    let mut words =
-        line.trim_start().split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
-    let mut word = words.next()?;
-    while ["pub", "crate", "super", "const"].contains(&word) {
-        word = words.next()?;
+    let mut line = line.trim_start();
+    if let Some(public) = line.strip_prefix("pub") {
+        // The path of `pub(in path)` is no name.
+        line =
+            public.strip_prefix('(').and_then(|path| path.split_once(')')).map_or(public, |(_, item)| item);
     }
+    let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
+    let word = words.by_ref().find(|&word| word != "const")?;
     ["fn", "struct", "enum", "trait", "type"].contains(&word).then(|| words.next())?
 }
 
@@ -167,6 +169,7 @@ mod tests {
         assert_eq!(name("    pub(crate) const fn delta<T>(x: T) -> T {"), Some("delta"));
         assert_eq!(name("pub struct Closed_Form;"), Some("Closed_Form"));
         assert_eq!(name("pub(super) trait Terms: Copy {"), Some("Terms"));
+        assert_eq!(name("pub(in crate::contact) fn assemble("), Some("assemble"));
         for line in ["", "    // fn", "let fn_like = 1;", "impl Terms for Unmodified {", "pub use fnord;"] {
             assert_eq!(name(line), None, "{line}");
         }

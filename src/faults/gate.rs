@@ -131,9 +131,10 @@ fn counts(case: &Case) -> Vec<(Compared, [usize; 2])> {
     counts
 }
 
-/// The kind of a comparison; none for the differences, which are computed only where they are needed.
+/// The kind of a comparison; none for the differences, which are computed only where they are needed, and for elements with
+/// d = 0, which not every pair allows.
 fn kind(entry: &Comparison) -> Option<Compared> {
-    if entry.is_by_differences() {
+    if entry.is_by_differences() || entry.is_with_crossing() {
         return None;
     }
     Some(match entry.order {

@@ -3,8 +3,10 @@
 use super::crosscheck::Crosscheck;
 use super::number::{count, error, finite};
 use super::page::{Block, Page};
-use crate::check::{Cell, Coverage, Inconclusive, Mismatch, NotCompared, Order, Regime, Symmetry, Tally};
-use crate::contact::State;
+use crate::check::{
+    Cell, ContactSituation, Coverage, ElementCells, Inconclusive, Mismatch, NotCompared, Order, Regime,
+    Symmetry, Tally,
+};
 use crate::linearization::Quantity;
 use crate::test_beam::Family;
 
@@ -35,9 +37,9 @@ impl Crosscheck {
         blocks.extend(self.by_regime());
         blocks.extend(self.by_quantity());
         blocks.extend(self.by_symmetry());
+        blocks.extend(self.by_situation());
         blocks.push(Block::heading("Details"));
-        blocks.extend([self.by_reason(), self.by_state()]);
-        blocks.push(self.by_family());
+        blocks.extend([self.by_reason(), self.by_family()]);
         let (seed, of_each) = (format!("{:#x}", self.seed), count(self.cases_per_regime));
         blocks.extend([
             Block::heading("What these numbers do not say"),
@@ -134,16 +136,25 @@ impl Crosscheck {
         ]
     }
 
-    /// The contact elements of all regimes.
-    fn by_state(&self) -> Block {
-        let of_state = |state: State| -> u64 {
-            self.found.regimes.values().filter_map(|tally| tally.elements.get(&state)).sum()
+    /// The contact elements of all regimes, by situation.
+    fn by_situation(&self) -> [Block; 3] {
+        let row = |situation: ContactSituation| {
+            let mut sum = ElementCells::default();
+            let tallies = self.found.regimes.values();
+            tallies.filter_map(|tally| tally.elements.get(&situation)).for_each(|cells| sum.merge(cells));
+            let ElementCells { residual, tangent } = sum;
+            let entries = residual.entries + tangent.entries;
+            let worst = [residual, tangent].map(|cell| error(finite(cell.scaled_error)));
+            std::iter::once(situation.name().to_owned()).chain([count(entries)]).chain(worst).collect()
         };
-        let counts =
-            State::ALL.map(|state| format!("{} {}", count(of_state(state)), state.name())).join(", ");
-        Block::text(&format!(
-            "At the closest points of one case in eight, residual and tangent of a contact element are compared, too: {counts}."
-        ))
+        let head = ["situation", "#numbers", "#worst error of R", "#of K"];
+        [
+            Block::heading("Contact elements"),
+            Block::text(
+                "In one case in eight, residual R and tangent K of contact elements are compared, too. An element is in several                  situations. For *d = 0* the bar beam is moved until the centroids cross.",
+            ),
+            Block::table(&head, ContactSituation::ALL.map(row).to_vec()),
+        ]
     }
 
     fn by_reason(&self) -> Block {

@@ -40,6 +40,9 @@ pub(crate) trait AnyBeam:
     /// The same curve with other dofs and directions, in the same number.
     fn with_numbers(&self, numbers: &[Vec<f64>; 3]) -> Box<dyn AnyBeam>;
 
+    /// The beam moved by a vector; nothing if its points are not known.
+    fn translated(&self, by: &Vector3<f64>) -> Option<Box<dyn AnyBeam>>;
+
     /// Point and tangent at any parameter, also beyond the ends.
     fn geometry_at(&self, xi: RunningError) -> Geometry<RunningError>;
 
@@ -187,6 +190,16 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
     fn with_numbers(&self, numbers: &[Vec<f64>; 3]) -> Box<dyn AnyBeam> {
         let [q, dq, linear_dq] = numbers.each_ref().map(|v| SVector::from_column_slice(v));
         Box::new(Self { q, dq, linear_dq, ..self.clone() })
+    }
+
+    fn translated(&self, by: &Vector3<f64>) -> Option<Box<dyn AnyBeam>> {
+        let mut moved = self.clone();
+        for &start in &moved.points {
+            for c in 0..3 {
+                moved.q[start + c] += by[c];
+            }
+        }
+        (!self.points.is_empty()).then(|| Box::new(moved) as _)
     }
 
     fn geometry_at(&self, xi: RunningError) -> Geometry<RunningError> {

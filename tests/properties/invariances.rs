@@ -101,9 +101,10 @@ fn in_unit(compared: &Compared, power: i32) -> Compared {
                 (_, part) if part.starts_with("residual") || part.starts_with("tangent") => unit * unit,
                 _ => unit,
             };
-            let [closed, other, scale, bound, tolerance] =
-                [entry.closed, entry.other, entry.scale, entry.bound, entry.tolerance].map(|x| x * unit);
-            Comparison { closed, other, scale, bound, tolerance, ..*entry }
+            let mut scaled = *entry;
+            let Comparison { closed, other, scale, bound, tolerance, .. } = &mut scaled;
+            [closed, other, scale, bound, tolerance].into_iter().for_each(|number| *number *= unit);
+            scaled
         };
         entries.iter().map(scaled).collect()
     };

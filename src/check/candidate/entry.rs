@@ -70,6 +70,7 @@ const LEAST: f64 = 1e-3;
 mod tests {
     use super::Entry;
     use crate::check::Order;
+    use crate::check::element::ContactSituations;
     use crate::check::verdict::Comparison;
     use crate::linearization::Quantity;
 
@@ -87,6 +88,7 @@ mod tests {
                 tolerance,
                 scale: 1.0,
                 bound: 0.0,
+                situations: ContactSituations::NONE,
             },
             place: [20, 3],
             is_contracted: true,

@@ -2,6 +2,7 @@
 
 use super::{Answer, CAREFUL, Entry, ProblemSize};
 use crate::check::compare::ROUTES;
+use crate::check::element::ContactSituations;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::oracle::differences;
 use crate::check::verdict::{Comparison, Order};
@@ -181,6 +182,7 @@ impl Sides {
             scale,
             bound,
             tolerance: bound + other.bound[0],
+            situations: ContactSituations::NONE,
         };
         Entry {
             comparison,

@@ -1,6 +1,7 @@
 //! The two sides of a comparison at a closest point: the closed form, and automatic differentiation.
 
 use super::{MATRICES, ROUTES};
+use crate::check::element::ContactSituations;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::verdict::{Comparison, Order};
 use crate::linearization::ad::{evaluate, newton, stationary};
@@ -105,6 +106,7 @@ impl Closed {
                         scale: scale[k],
                         bound: bound[k],
                         tolerance: tolerance[k],
+                        situations: ContactSituations::NONE,
                     });
                 }
             }
@@ -129,6 +131,7 @@ impl Closed {
             scale: self.scales[i].second.scale,
             bound: self.bounds[i].second.bound[0],
             tolerance: 2.0 * self.bounds[i].second.bound[0],
+            situations: ContactSituations::NONE,
         }
     }
 
@@ -152,6 +155,7 @@ impl Closed {
             scale: self.scales[i].parts()[k].scale,
             bound,
             tolerance: bound + other.bound,
+            situations: ContactSituations::NONE,
         }
     }
 }

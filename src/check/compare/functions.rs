@@ -1,6 +1,7 @@
 //! The library's public functions against the formulas that were compared with the references.
 
 use super::{Closed, References};
+use crate::check::element::ContactSituations;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::verdict::{Comparison, Order};
 use crate::linearization::{Quantity, Varied};
@@ -40,7 +41,7 @@ impl Closed {
         // By the kernel, by the matrices or by a route.
         add(own, &|of| 2.0 * bound(of)[1] + of_kernel(of) + of_matrices(of) + of_routes(of));
         if with_routes {
-            entries.extend(evaluation.contact_element(&references.chord));
+            entries.extend(evaluation.contact_elements(&references.chord));
         }
         entries
     }
@@ -65,6 +66,7 @@ impl Closed {
             scale: self.scales[i].parts()[k].scale,
             bound: self.bounds[i].parts()[k].bound[0],
             tolerance: tolerance([i, k]),
+            situations: ContactSituations::NONE,
         };
         numbers.map(comparison).collect()
     }

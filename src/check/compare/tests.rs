@@ -4,8 +4,8 @@ use super::{MATRICES, ROUTES, compare, judged};
 use crate::check::arbitration::DIFFERENCES;
 use crate::check::evaluation_point::EvaluationPoint;
 use crate::check::{
-    Case, CaseData, CheckConfig, Compared, Comparison, Inconclusive, Oracles, Order, Regime, Selection,
-    TestBeam, Verdict,
+    Case, CaseData, CheckConfig, Compared, Comparison, ContactSituation, Inconclusive, Oracles, Order,
+    Regime, Selection, TestBeam, Verdict,
 };
 use crate::linearization::{COMPONENTS, Varied};
 use crate::number::{Label, Which};
@@ -244,25 +244,38 @@ fn every_function_of_the_library_is_compared() {
     );
 }
 
-/// In each case with all routes, and in every state.
+/// In each case with all routes: the pair in every state, and inside of both beams the centroids moved until they cross.
 #[test]
 fn a_contact_element_is_compared_at_every_point() {
-    let mut states: BTreeMap<&str, usize> = BTreeMap::new();
-    let mut points = 0;
+    let (mut points, mut inside, mut crossing) = (0, 0, 0);
+    let mut elements: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut situations: BTreeMap<ContactSituation, usize> = BTreeMap::new();
     for number in (0..1210).filter(|&number| super::compares_routes(number)) {
-        for (_, verdict) in found(Oracles::Ad, 7, number) {
+        for (point, verdict) in found(Oracles::Ad, 7, number) {
             let (Verdict::Pass(entries) | Verdict::Mismatch(entries)) = verdict else { continue };
             points += 1;
-            let of_element =
-                entries.iter().filter_map(|entry| entry.against.strip_prefix("contact::Element, "));
-            for state in of_element.step_by(4) {
-                *states.entry(state).or_default() += 1;
+            inside += usize::from(point.is_some_and(|point| point.is_interior()));
+            let of_element = |entry: &&Comparison| entry.against.starts_with("contact::Element, ");
+            for entry in entries.iter().filter(of_element).step_by(4) {
+                if entry.against.ends_with("d = 0") {
+                    crossing += 1;
+                } else {
+                    *elements.entry(entry.against).or_default() += 1;
+                }
+                entry.situations.iter().for_each(|situation| *situations.entry(situation).or_default() += 1);
             }
         }
     }
-    assert_eq!(states.values().sum::<usize>(), points);
+    assert_eq!(elements.values().sum::<usize>(), points);
+    // Where a dof is very large, its rounding leaves a distance.
+    assert!(100 * crossing > 95 * inside, "{crossing} of {inside}");
     // Two of twelve situations are open. The contact is open, too, where rounding hides the numbers of all others.
-    let percent = |state: &str| 100 * states[state] / points;
-    assert!(percent("open") < 25 && percent("frictionless") > 12, "{states:?}");
-    assert!(percent("stick") > 12 && percent("slip") > 30, "{states:?}");
+    let percent = |state: &str| 100 * elements[&*format!("contact::Element, {state}")] / points;
+    assert!(percent("open") < 25 && percent("frictionless") > 12, "{elements:?}");
+    assert!(percent("stick") > 12 && percent("slip") > 30, "{elements:?}");
+    assert_eq!(situations[&ContactSituation::ZeroDistance], crossing);
+    assert!(
+        ContactSituation::ALL.iter().all(|of| situations.get(of).is_some_and(|&n| n > 1)),
+        "{situations:?}"
+    );
 }

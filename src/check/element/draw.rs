@@ -59,12 +59,14 @@ impl ElementData {
 
     /// Draws the element of case `number` at contact points, and sets the radii.
     ///
-    /// Situations, laws and both works alternate.
+    /// Situations, laws and both works alternate. If `is_crossing`, the element is for centroids that are moved along d until they
+    /// cross.
     pub(in crate::check) fn draw(
         number: u64,
         points: &Points<f64>,
         (xi, xi_bar): (f64, f64),
         held: Held,
+        is_crossing: bool,
         contact: &mut Contact,
         rng: &mut ChaCha8Rng,
     ) -> Self {
@@ -123,7 +125,7 @@ impl ElementData {
         let history = History { normal, slips: (!situation.is_new).then_some(slips) };
         if let Some(cone) = situation.cone {
             let radii = contact.radius + contact.radius_bar;
-            let g_n = side * distance - radii;
+            let g_n = if is_crossing { -radii } else { side * distance - radii };
             let force = force(law, g_n);
             let of_step = |is_held: bool, t: f64, u: f64, e: f64| if is_held { e } else { e + t * u };
             let trial = history.start(held).map_or(0.0, |start| {
@@ -191,7 +193,8 @@ mod tests {
             for held in [(false, false), (true, false), (false, true), (true, true)] {
                 let (mut contact, mut rng) = (Contact::default(), ChaCha8Rng::seed_from_u64(number));
                 let now = Held { xi: held.0, xi_bar: held.1 };
-                let element = ElementData::draw(number, &points, (0.0, 0.0), now, &mut contact, &mut rng);
+                let element =
+                    ElementData::draw(number, &points, (0.0, 0.0), now, false, &mut contact, &mut rng);
                 element.check().unwrap();
                 let g_n = 0.5 - contact.radius - contact.radius_bar;
                 match element.parameters.law {

@@ -1,10 +1,11 @@
 //! Residual and tangent of a contact element at a closest point, against the virtual work of automatic differentiation.
 
 use super::EvaluationPoint;
-use crate::check::element::{ElementAt, ElementData};
+use crate::check::element::{ContactSituations, ElementAt, ElementData};
 use crate::check::verdict::{Comparison, Order};
 use crate::contact::closed_form::{write, write_by_kernel};
 use crate::contact::{BlockMatrix, Contribution, State, contracted};
+use crate::linearization::closed_form::Points;
 use crate::linearization::{Quantity, Varied};
 use crate::number::{DoubleDouble, Real, RunningError};
 use crate::pair::DofVector;
@@ -14,8 +15,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 /// The two ways to the geometry that the element has, by state.
-fn doors(state: State) -> [&'static str; 2] {
+fn doors(state: State, is_crossing: bool) -> [&'static str; 2] {
     match state {
+        _ if is_crossing => ["contact::closed_form, d = 0", "contact::Element, d = 0"],
         State::Open => ["contact::closed_form, open", "contact::Element, open"],
         State::Frictionless => ["contact::closed_form, frictionless", "contact::Element, frictionless"],
         State::Stick => ["contact::closed_form, stick", "contact::Element, stick"],
@@ -26,38 +28,77 @@ fn doors(state: State) -> [&'static str; 2] {
 /// The residual along delta and Delta, and the tangent between them in both orders.
 const PARTS: [&str; 4] =
     ["residual, delta", "residual, Delta", "tangent, delta-Delta", "tangent, Delta-delta"];
-/// The number of comparisons at a closest point.
+/// |d| where the centroids cross, over the distance from which they were moved.
+const CROSSING: f64 = 1e-9;
+/// The number of comparisons of an element.
 pub(crate) const ELEMENT_ENTRIES: usize = 2 * PARTS.len();
 
 impl EvaluationPoint<'_> {
-    /// A contact element that is drawn for this point, in closed form and by automatic differentiation.
+    /// Contact elements that are drawn for this point, in closed form and by automatic differentiation: one for the two beams,
+    /// and inside of both one for the bar beam moved so that the centroids cross.
     ///
     /// `chord` are the components of the quantities by automatic differentiation.
-    pub(in crate::check) fn contact_element(&self, chord: &[Varied<RunningError2>]) -> Vec<Comparison> {
-        self.drawn_element(chord).map_or_else(Vec::new, |(_, comparisons)| comparisons)
+    pub(in crate::check) fn contact_elements(&self, chord: &[Varied<RunningError2>]) -> Vec<Comparison> {
+        let of_pair = self.drawn_element(&self.points(), chord).map(|(_, comparisons)| comparisons);
+        of_pair.into_iter().chain(self.of_crossing()).flatten().collect()
     }
 
-    /// The same comparisons, each with its number in double-double, from the quantities `precise`.
+    /// The comparisons of the pair, each with its number in double-double, from the quantities `precise`.
     pub(in crate::check) fn precise_element(
         &self,
         chord: &[Varied<RunningError2>],
         precise: &[Varied<DoubleDouble>],
     ) -> Vec<(Comparison, DoubleDouble)> {
-        let Some((element, comparisons)) = self.drawn_element(chord) else { return Vec::new() };
+        let Some((element, comparisons)) = self.drawn_element(&self.points(), chord) else {
+            return Vec::new();
+        };
         let Some(numbers) = self.numbers(&element, precise) else { return Vec::new() };
         comparisons.into_iter().zip(numbers.into_iter().cycle()).collect()
     }
 
+    /// The comparisons where the centroids cross: d = 0 up to rounding. There only the signed distance has derivatives.
+    ///
+    /// Nothing if d is not small after the move, because some dof is very large, or if rounding hides the numbers.
+    fn of_crossing(&self) -> Option<Vec<Comparison>> {
+        if !self.point.is_interior() {
+            return None;
+        }
+        let (points, [beam, bar]) = (self.points(), self.beams);
+        let bar = bar.translated(&points.d)?;
+        let crossing = EvaluationPoint::regular([beam, &*bar], self.contact, &self.point).ok()?;
+        if !crossing.is_moved_from(&points) {
+            return None;
+        }
+        let (_, comparisons) = crossing.drawn_element(&points, &crossing.chord())?;
+        comparisons.iter().all(Comparison::is_meaningful).then_some(comparisons)
+    }
+
+    /// Whether the bar beam was moved from these contact points until the centroids cross.
+    fn is_moved_from(&self, points: &Points<f64>) -> bool {
+        self.points().d.norm() < CROSSING * points.d.norm()
+    }
+
     /// The numbers of the case choose a situation. If rounding leaves its state open, or hides its numbers, the next one is
     /// taken: an open contact has no rounding.
-    fn drawn_element(&self, chord: &[Varied<RunningError2>]) -> Option<(ElementAt, Vec<Comparison>)> {
+    ///
+    /// `drawn_for` are the contact points before the bar beam was moved, if it was.
+    fn drawn_element(
+        &self,
+        drawn_for: &Points<f64>,
+        chord: &[Varied<RunningError2>],
+    ) -> Option<(ElementAt, Vec<Comparison>)> {
         // The parameters are the same in every unit of length.
         let seed = self.at.0.value.to_bits().rotate_left(7) ^ self.at.1.value.to_bits();
         let first = seed.rotate_right(11) % 1024;
+        let is_crossing = self.is_moved_from(drawn_for);
         let mut drawn = None;
         for number in first..first + ElementData::SITUATIONS {
-            let Some(element) = self.in_situation(number, seed, chord) else { continue };
-            let Some(comparisons) = self.compared(&element, chord) else { continue };
+            let Some(element) = self.in_situation((number, seed), (drawn_for, is_crossing), chord) else {
+                continue;
+            };
+            let Some(comparisons) = self.compared(&element, (drawn_for, is_crossing), chord) else {
+                continue;
+            };
             let is_clear = comparisons.iter().all(Comparison::is_meaningful);
             drawn = Some((element, comparisons));
             if is_clear {
@@ -68,12 +109,17 @@ impl EvaluationPoint<'_> {
     }
 
     /// The element of this number. None if the point does not define it, or rounding leaves its state open.
-    fn in_situation(&self, number: u64, seed: u64, chord: &[Varied<RunningError2>]) -> Option<ElementAt> {
-        let points = self.points();
+    fn in_situation(
+        &self,
+        (number, seed): (u64, u64),
+        (drawn_for, is_crossing): (&Points<f64>, bool),
+        chord: &[Varied<RunningError2>],
+    ) -> Option<ElementAt> {
         let at = (self.at.0.value, self.at.1.value);
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut contact = *self.contact;
-        let element = ElementData::draw(number, &points, at, self.held, &mut contact, &mut rng);
+        let element =
+            ElementData::draw(number, drawn_for, at, self.held, is_crossing, &mut contact, &mut rng);
         let element = element.with_contact(self, contact).ok()?;
         element.other_state(chord).is_none().then_some(element)
     }
@@ -86,9 +132,14 @@ impl EvaluationPoint<'_> {
         Some([work.delta, work.linear, work.second, other.second])
     }
 
-    fn compared(&self, element: &ElementAt, chord: &[Varied<RunningError2>]) -> Option<Vec<Comparison>> {
+    fn compared(
+        &self,
+        element: &ElementAt,
+        (drawn_for, is_crossing): (&Points<f64>, bool),
+        chord: &[Varied<RunningError2>],
+    ) -> Option<Vec<Comparison>> {
         let expected = self.numbers(element, chord)?;
-        let (bounded, found_by, size) = element.with(|decision| {
+        let (bounded, found_by, size, situations) = element.with(|decision| {
             let beams = self.padded(Step::Now);
             let [(jet, vectors), (jet_bar, vectors_bar)] = beams;
             let directions = |k: usize| DofVector { beam: vectors[k], bar: vectors_bar[k] };
@@ -105,11 +156,12 @@ impl EvaluationPoint<'_> {
             let by_matrices = contracted(&to.residual, &to.tangent, &along);
             let q = values(&directions(0));
             let forces = write_by_kernel(decision, (jet, jet_bar), &q, at, &mut to);
-            let energy = forces.f_n * self.points().d.norm();
+            let energy = forces.f_n * drawn_for.d.norm();
             let size = sizes(&to.residual, &to.tangent, &along, energy);
-            (bounded, [by_matrices, contracted(&to.residual, &to.tangent, &along)], size)
+            let situations = ContactSituations::of(element, is_crossing, forces.yield_ratio);
+            (bounded, [by_matrices, contracted(&to.residual, &to.tangent, &along)], size, situations)
         })?;
-        let names = doors(element.state());
+        let names = doors(element.state(), is_crossing);
         let comparison = |door: usize, k: usize| {
             let (closed, other): (f64, f64) = (expected[k].value, found_by[door][k]);
             // The sums of the kernel have another order. A number that is not finite has no bound, and is wrong.
@@ -126,6 +178,7 @@ impl EvaluationPoint<'_> {
                 scale: size[k],
                 bound: bounded[k].bound,
                 tolerance: if is_lost { 0.0 } else { bound },
+                situations,
             }
         };
         let of_door = |door: usize| (0..PARTS.len()).map(move |k| comparison(door, k));
@@ -133,12 +186,9 @@ impl EvaluationPoint<'_> {
     }
 }
 
-/// The state of the contact element that this number is of, if it is the first number of one.
-pub(in crate::check) fn state_of(comparison: &Comparison) -> Option<State> {
-    if comparison.part != PARTS[0] {
-        return None;
-    }
-    State::ALL.into_iter().find(|&state| doors(state)[1] == comparison.against)
+/// Whether a number of a contact element belongs to R, and not to K.
+pub(in crate::check) fn is_of_residual(comparison: &Comparison) -> bool {
+    PARTS[..2].contains(&comparison.part)
 }
 
 fn values(v: &DofVector<RunningError, DOFS, DOFS>) -> DofVector<f64, DOFS, DOFS> {

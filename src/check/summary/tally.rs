@@ -2,10 +2,10 @@
 
 use crate::check::coverage::Coverage;
 use crate::check::draw::Case;
+use crate::check::element::ContactSituation;
 use crate::check::serialized::number;
 use crate::check::verdict::{Inconclusive, Order};
 use crate::closest_point::ClosestPoint;
-use crate::contact::State;
 use crate::linearization::Quantity;
 use crate::test_beam::Family;
 use serde::{Deserialize, Serialize};
@@ -43,6 +43,23 @@ impl Cell {
     }
 }
 
+/// The worst comparisons of contact elements.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ElementCells {
+    /// Those of R.
+    pub residual: Cell,
+    /// Those of K.
+    pub tangent: Cell,
+}
+
+impl ElementCells {
+    /// Merges the cells of both.
+    pub fn merge(&mut self, other: &Self) {
+        self.residual.merge(&other.residual);
+        self.tangent.merge(&other.tangent);
+    }
+}
+
 pub(super) fn merge(
     cells: &mut BTreeMap<(Quantity, Order), Cell>,
     others: &BTreeMap<(Quantity, Order), Cell>,
@@ -76,8 +93,8 @@ pub struct Tally {
     pub worst: Cell,
     /// The points or cases that were not compared, by reason.
     pub not_compared: BTreeMap<Inconclusive, NotCompared>,
-    /// The compared contact elements, by state.
-    pub elements: BTreeMap<State, u64>,
+    /// The comparisons of contact elements, by situation.
+    pub elements: BTreeMap<ContactSituation, ElementCells>,
     /// The compared points on both sides of each symmetry.
     pub coverage: Coverage,
     /// The same, by family of either beam.
@@ -105,8 +122,8 @@ impl Tally {
         for (reason, other) in &other.not_compared {
             self.leave_out(*reason, *other);
         }
-        for (state, count) in &other.elements {
-            *self.elements.entry(*state).or_default() += count;
+        for (situation, other) in &other.elements {
+            self.elements.entry(*situation).or_default().merge(other);
         }
         self.coverage.merge(&other.coverage);
         for (family, coverage) in &other.coverage_of_families {

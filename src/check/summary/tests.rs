@@ -2,6 +2,7 @@
 
 use super::{Cell, Differences, NotCompared, Summary, Tally};
 use crate::check::arbitration::DIFFERENCES;
+use crate::check::element::ContactSituations;
 use crate::check::{
     Arbitration, Case, CheckConfig, Compared, Comparison, Inconclusive, Order, Regime, Symmetry, Verdict,
     compare,
@@ -22,6 +23,7 @@ fn off(by: f64) -> Comparison {
         scale: 1.0,
         bound: 0.0,
         tolerance: 1e-3,
+        situations: ContactSituations::NONE,
     }
 }
 

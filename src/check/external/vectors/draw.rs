@@ -115,7 +115,15 @@ impl Drawing {
             let turn = place + 5 * shift;
             let element = vector.evaluated(|evaluation| {
                 let at = (evaluation.at.0.value, evaluation.at.1.value);
-                ElementData::draw(turn, &evaluation.points(), at, evaluation.held, &mut contact, &mut rng)
+                ElementData::draw(
+                    turn,
+                    &evaluation.points(),
+                    at,
+                    evaluation.held,
+                    false,
+                    &mut contact,
+                    &mut rng,
+                )
             });
             (vector.element, vector.case.contact) = (element.ok(), contact);
             if let Some((element, work)) = vector.element.as_mut().zip(self.work) {
