@@ -185,15 +185,12 @@ impl SquaredDistance {
                 best = (at, change(at));
             }
         };
-        for [u, v] in [[low[0], low[1]], [low[0], high[1]], [high[0], low[1]], high] {
-            consider([u, v]);
-            // On an edge the polynomial is least at its zero slope or at a corner.
-            if c > 0.0 {
-                consider([u, -(g_bar + b * u) / c]);
-            }
-            if a > 0.0 {
-                consider([-(g + b * v) / a, v]);
-            }
+        // On an edge the polynomial is least at its zero slope or at a corner.
+        let at_u = |u: f64| [u, if c > 0.0 { -(g_bar + b * u) / c } else { low[1] }];
+        let at_v = |v: f64| [if a > 0.0 { -(g + b * v) / a } else { low[0] }, v];
+        let [left, right] = [[low[0], high[1]], [high[0], low[1]]];
+        for at in [low, at_u(low[0]), at_v(low[1]), left, at_v(high[1]), right, at_u(high[0]), high] {
+            consider(at);
         }
         let (u, v) = self.step(super::Held::default());
         let inside = |u: f64, i: usize| low[i] <= u && u <= high[i];

@@ -101,6 +101,19 @@ async function controls() {
   await close();
 }
 
+/** The map is seen: without it the screen has other colours. */
+async function shades() {
+  const { page, close } = await openedPage();
+  const map = page.locator("#valley canvas[data-shades]");
+  await map.scrollIntoViewIfNeeded();
+  await drawn(page);
+  const clip = await map.boundingBox();
+  const withMap = await page.screenshot({ clip });
+  await map.evaluate((canvas) => { canvas.style.visibility = "hidden"; });
+  assert.ok(!withMap.equals(await page.screenshot({ clip })), "the map is hidden");
+  await close();
+}
+
 /** Without motion the walk ends at once. */
 async function still() {
   const { page, close } = await openedPage({ reducedMotion: "reduce" });
@@ -122,6 +135,7 @@ try {
   await touch();
   await controls();
   await still();
+  await shades();
   console.log("learn.html: touch, buttons, terms and the walk work");
   await looks(reports, "learn.html", { pictures, characters: 15000 });
   await speed(reports, "learn.html", SCENES);

@@ -1,8 +1,8 @@
 // What the tests of the pages in a browser share: opened pages, frames of the library, and what every page must hold.
 //
 // playwright-core and axe-core are looked for in NODE_PATH.
+import { drawn } from "./frames.mjs";
 import { createRequire } from "node:module";
-import { execFileSync } from "node:child_process";
 import { readFileSync, existsSync } from "node:fs";
 import assert from "node:assert/strict";
 import path from "node:path";
@@ -17,6 +17,7 @@ export const browser = await chromium.launch({ executablePath, args });
  * time depends on the machine, so it is shown and no test. */
 const WANTED = 8;
 export const WIDTHS = [400, 800, 1280];
+export { agrees, drawn, frames, stateOf } from "./frames.mjs";
 
 /** A page of the reports, in which no error may occur and which may ask for no other file. */
 export async function opened(reports, name, options = {}) {
@@ -30,53 +31,6 @@ export async function opened(reports, name, options = {}) {
   const isScript = ["explorer.html", "learn.html"].includes(name);
   if (isScript && options.javaScriptEnabled !== false) await page.waitForSelector("html[data-ready]");
   return { page, close: async () => { assert.deepEqual(errors, []); await context.close(); } };
-}
-
-/** The native frames of states; `explorer` is the program `beamgap-explorer`. */
-export function frames(explorer, states) {
-  const input = states.map(([scene, state]) => JSON.stringify({ scene, state })).join("\n") + "\n";
-  return execFileSync(explorer, ["frames"], { input, maxBuffer: 1 << 28 }).toString().trim().split("\n").map((line) => JSON.parse(line));
-}
-
-export const stateOf = (page, scene) => page.evaluate((id) => document.getElementById(id).scene.state, scene);
-/** Two frames: one for the action, one to be sure that it is drawn. */
-export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-
-/** What a scene shows: texts, paths and places by name. */
-const shownBy = (page, scene) => page.evaluate((id) => {
-  const section = document.getElementById(id);
-  const all = (kind, read) => [...section.querySelectorAll(`[data-${kind}]`)].map((element) => [element.dataset[kind], read(element)]);
-  return {
-    values: all("value", (element) => element.textContent),
-    paths: all("path", (element) => element.getAttribute("d")),
-    places: all("place", (element) => (element.style.display === "none" ? null : element.getAttribute("transform"))),
-    shown: all("shown", (element) => !element.hidden),
-    labels: all("label", (element) => element.getAttribute("aria-label")),
-  };
-}, scene);
-
-/** Fails unless the page shows the library's frame of its state. A value that no visible formula has may be an old one. */
-export async function agrees(page, scene, explorer) {
-  await drawn(page);
-  const state = await stateOf(page, scene);
-  const [frame] = frames(explorer, [[scene, state]]);
-  assert.deepEqual(frame.state, state);
-  const { values, paths, places, shown, labels } = await shownBy(page, scene);
-  assert.ok(values.length > 0 && paths.length > 0 && places.length > 0);
-  for (const [name, text] of values) if (name in frame.values || scene !== "explorer") assert.equal(text, frame.values[name], `${scene}: ${name}`);
-  // The page of a scene need not show everything; that of the explorer shows all.
-  for (const [kind, all] of scene === "explorer" ? Object.entries({ values, paths, places }) : []) {
-    const known = new Set(all.map(([name]) => name));
-    for (const name in frame[kind]) assert.ok(known.has(name), `the page has nothing for ${kind} ${name}`);
-  }
-  for (const [name, data] of paths) assert.equal(data ?? "", frame.paths[name], `${scene}: ${name}`);
-  for (const [name, is] of shown) assert.equal(is, frame.shown[name], `${scene}: ${name}`);
-  for (const [name, label] of labels) if (frame.labels[name]) assert.equal(label, frame.labels[name], `${scene}: ${name}`);
-  for (const [name, transform] of places) {
-    const place = frame.places[name];
-    assert.equal(transform, place && `translate(${place[0]} ${place[1]})`, `${scene}: ${name}`);
-  }
-  return { state, frame };
 }
 
 export async function middle(page, handle) {

@@ -102,7 +102,10 @@ impl Run {
         let count = self.found.iterations();
         match &self.found.stopped {
             None => format!("{count} iterations"),
-            Some(reason) => format!("stops after {count} iterations: {reason}"),
+            Some(reason) => {
+                let limit = format!(" after {count} iterations");
+                format!("stops after {count} iterations: {}", reason.trim_end_matches(&limit))
+            }
         }
     }
 }

@@ -1,0 +1,58 @@
+// The pages in Firefox: opened from the disk without an error, and every handle moved by the mouse, with the page compared with the
+// library.
+//
+// node firefox.mjs REPORTS EXPLORER [SCREENSHOTS]; EXPLORER is the program `beamgap-explorer`. puppeteer-core is looked for in
+// NODE_PATH.
+import { agrees, drawn, stateOf } from "./frames.mjs";
+import { createRequire } from "node:module";
+import { existsSync } from "node:fs";
+import assert from "node:assert/strict";
+import path from "node:path";
+
+const require = createRequire(process.env.NODE_PATH + "/");
+const puppeteer = require("puppeteer-core");
+const [reports, explorer, pictures] = process.argv.slice(2);
+const executablePath = ["/usr/bin/firefox-esr", "/usr/bin/firefox"].find(existsSync);
+const browser = await puppeteer.launch({ browser: "firefox", executablePath, headless: true });
+const PAGES = { "derivation.html": [], "benchmark.html": [], "explorer.html": ["explorer"] };
+PAGES["learn.html"] = ["valley", "normal", "slide", "lines", "envelope", "race", "detective", "friction"];
+
+for (const [name, scenes] of Object.entries(PAGES)) {
+  for (const width of [400, 1280]) {
+    const page = await browser.newPage();
+    const errors = [];
+    page.on("pageerror", (error) => errors.push(String(error)));
+    page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+    await page.setViewport({ width, height: 900 });
+    await page.goto(`file://${path.resolve(reports, name)}`);
+    if (scenes.length > 0) await page.waitForSelector("html[data-ready]");
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.ok(wide <= 0, `${name} is ${wide} px too wide at ${width} px`);
+    let moved = 0;
+    for (const scene of scenes) {
+      for (const handle of await page.$$(`#${scene} [data-handle]`)) {
+        if (!(await handle.isVisible())) continue;
+        await handle.scrollIntoView();
+        await drawn(page);
+        const before = await stateOf(page, scene);
+        const { x, y, width, height } = await handle.boundingBox();
+        await page.mouse.move(x + width / 2, y + height / 2);
+        await page.mouse.down();
+        await page.mouse.move(x + width / 2 - 24, y + height / 2 + 13, { steps: 4 });
+        await drawn(page);
+        await page.mouse.up();
+        // The detective judges when the handle rests.
+        if (scene === "detective") await new Promise((done) => setTimeout(done, 300));
+        const { state } = await agrees(page, scene, explorer);
+        assert.notDeepEqual(state, before, `${scene}: the mouse does not move ${await handle.evaluate((one) => one.dataset.handle)}`);
+        moved += 1;
+      }
+    }
+    assert.ok(moved >= scenes.length);
+    if (pictures) await page.screenshot({ path: `${pictures}/firefox-${name}-${width}.png` });
+    assert.deepEqual(errors, [], name);
+    await page.close();
+    console.log(`Firefox, ${name} at ${width} px: no error, ${moved} handles moved`);
+  }
+}
+await browser.close();
