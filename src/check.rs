@@ -79,6 +79,7 @@ pub use coverage::{Coverage, Symmetry};
 pub use diagnosis::{Diagnosis, Finding, layer, look_at};
 pub use distribution::Quantiles;
 pub use draw::{Case, Selection};
+pub(crate) use element::ElementAt;
 pub use element::{ContactSituation, ElementData};
 pub(crate) use evaluation_point::{ELEMENT_ENTRIES, EvaluationPoint};
 pub(crate) use independent_search::{IndependentSearch, pair_of};

@@ -8,6 +8,7 @@
 
 mod check;
 mod differences;
+mod elements;
 mod exact;
 mod gate;
 mod limit;
@@ -21,6 +22,7 @@ mod test_points;
 
 pub use check::Check;
 pub use differences::Rule;
+pub use elements::{ElementFaults, element_faults};
 pub use gate::{Compared, Gate, gate};
 pub use limit::{Limit, limits};
 pub use operations::{Lost, Operations, Undetected, all_operations};

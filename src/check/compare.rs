@@ -65,6 +65,11 @@ impl Comparison {
         self.against == DIFFERENCES
     }
 
+    /// Whether it is wrong if the other number is larger by `by`.
+    pub(crate) fn is_wrong_with(&self, by: f64) -> bool {
+        Self { other: self.other + by, ..*self }.is_wrong()
+    }
+
     /// Whether it is of a contact element with d = 0.
     pub(crate) fn is_with_crossing(&self) -> bool {
         self.situations.iter().any(|situation| situation == ContactSituation::ZeroDistance)

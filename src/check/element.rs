@@ -76,7 +76,7 @@ impl ElementData {
 
 /// A contact element at a closest point.
 #[derive(Clone, Debug)]
-pub(in crate::check) struct ElementAt {
+pub(crate) struct ElementAt {
     data: ElementData,
     points: Points<f64>,
     contact: Contact,
@@ -95,7 +95,7 @@ impl ElementAt {
     }
 
     /// Calls `f` with the decision. Nothing if there is none, which [`ElementData::at`] excludes.
-    pub(in crate::check) fn with<R>(&self, f: impl FnOnce(&Decision<'_, Law>) -> R) -> Option<R> {
+    pub(crate) fn with<R>(&self, f: impl FnOnce(&Decision<'_, Law>) -> R) -> Option<R> {
         self.decided().ok().map(|decision| f(&decision))
     }
 
@@ -103,7 +103,7 @@ impl ElementAt {
         &self.data.history
     }
 
-    pub(in crate::check) fn state(&self) -> State {
+    pub(crate) fn state(&self) -> State {
         self.with(|decision| decision.state).unwrap_or(State::Open)
     }
 

@@ -274,7 +274,7 @@ impl<'a> EvaluationPoint<'a> {
     }
 
     /// Automatic differentiation in our own hyper-dual numbers, with bounds on its error.
-    pub(super) fn chord(&self) -> [Varied<RunningError2>; COMPONENTS] {
+    pub(crate) fn chord(&self) -> [Varied<RunningError2>; COMPONENTS] {
         let Self { beams: [beam, bar], contact, held, at, .. } = *self;
         let chord = Chord::<RunningError2>::new(beam, bar, at, held);
         chord.evaluate_by_orders(beam, bar, at, contact).map(Varied::from).components()

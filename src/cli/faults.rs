@@ -10,7 +10,9 @@ use super::progress::Progress;
 use super::terminal;
 use beamgap::check::Regime;
 use beamgap::closest_point::SearchFault;
-use beamgap::faults::{all_operations, gate, inject, limits, one_sided, sampled, search_faults};
+use beamgap::faults::{
+    all_operations, element_faults, gate, inject, limits, one_sided, sampled, search_faults,
+};
 use beamgap::report::{self, Environment, Faults, Record};
 use beamgap::variant::{Rewrite, catalogue_in_parts};
 use clap::{Args, value_parser};
@@ -91,7 +93,7 @@ impl InjectFaults {
 pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     let asked = |regime: &Regime| named.is_empty() || named.contains(regime);
     let regimes: Vec<_> = Regime::ALL.into_iter().filter(asked).collect();
-    let progress = Progress::stages(5 + 2 * regimes.len());
+    let progress = Progress::stages(5 + 3 * regimes.len());
     let found = progress.stage("faults in terms", || inject(seed, &regimes));
     // Faults in single operations do not depend on the regime.
     let of_field = || if named.is_empty() { all_operations(seed) } else { Vec::new() };
@@ -100,6 +102,9 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     let sampled = progress.stage("operations in f64", || sampled(seed, &regimes));
     let of_search = |regime: &Regime| progress.stage("the search", || search_faults(seed, &[*regime]));
     let search = regimes.iter().flat_map(of_search).collect();
+    let of_elements =
+        |regime: &Regime| progress.stage("the contact element", || element_faults(seed, &[*regime]));
+    let elements = regimes.iter().flat_map(of_elements).collect();
     let one_sided = Some(progress.stage("one side of each symmetry", || one_sided(seed, &regimes)));
     let gate =
         regimes.iter().flat_map(|regime| progress.stage("the gate", || gate(seed, &[*regime]))).collect();
@@ -114,6 +119,7 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
         sampled,
         limits,
         search,
+        elements,
         one_sided,
         gate,
     }
@@ -138,6 +144,10 @@ fn words(record: &Faults) -> String {
             "\nAll {} of the search are detected.",
             counted(SearchFault::ALL.len(), "fault")
         );
+    }
+    if let Some(of) = record.elements.first() {
+        let _ =
+            write!(of_terms, "\nAll {} of the contact element are detected.", counted(of.planted, "fault"));
     }
     if let Some(of) = &record.one_sided {
         let count = counted(of.detected, "fault");

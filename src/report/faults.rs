@@ -2,7 +2,9 @@
 
 use super::{Environment, Record};
 use crate::check::Regime;
-use crate::faults::{Check, Gate, Injected, Limit, OneSided, Operations, Sampled, SearchFaults};
+use crate::faults::{
+    Check, ElementFaults, Gate, Injected, Limit, OneSided, Operations, Sampled, SearchFaults,
+};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,6 +30,9 @@ pub struct Faults {
     /// Faults of the search for closest points, by regime.
     #[serde(default)]
     pub search: Vec<SearchFaults>,
+    /// Faults of the terms of residual and tangent of the contact element, by regime.
+    #[serde(default)]
+    pub elements: Vec<ElementFaults>,
     /// Faults of terms that act on one side of a symmetry only.
     #[serde(default)]
     pub one_sided: Option<OneSided>,
@@ -52,6 +57,7 @@ impl Faults {
             && self.terms.holds()
             && self.operations.iter().all(Operations::is_whole)
             && self.search.iter().all(SearchFaults::holds)
+            && self.elements.iter().all(ElementFaults::holds)
             && self.one_sided.iter().all(OneSided::holds)
             && self.gate.iter().all(Gate::holds);
         Self { holds, ..self }
@@ -62,8 +68,9 @@ impl Faults {
     fn is_complete(&self) -> bool {
         let of_gate = self.terms.detections.iter().filter(|of| of.check == Check::Gate);
         let regimes: BTreeSet<Regime> = of_gate.filter_map(|of| of.regime).collect();
-        let parts: [BTreeSet<Regime>; 4] = [
+        let parts: [BTreeSet<Regime>; 5] = [
             self.search.iter().map(|of| of.regime).collect(),
+            self.elements.iter().map(|of| of.regime).collect(),
             self.gate.iter().map(|of| of.regime).collect(),
             self.sampled.iter().map(|of| of.regime).collect(),
             self.limits.values().flat_map(BTreeMap::keys).copied().collect(),
@@ -83,7 +90,8 @@ mod tests {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/faults.json");
         let whole = Faults::from_json(&std::fs::read_to_string(path).unwrap()).unwrap();
         assert!(whole.clone().judged().holds);
-        let without: [fn(&mut Faults); 9] = [
+        let without: [fn(&mut Faults); 10] = [
+            |of| of.elements.clear(),
             |of| of.search.clear(),
             |of| of.search.truncate(1),
             |of| of.gate.clear(),

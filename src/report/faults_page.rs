@@ -51,6 +51,7 @@ impl Faults {
         blocks.extend(self.missed());
         blocks.extend(self.single_operations());
         blocks.extend(self.faults_of_search());
+        blocks.extend(self.of_elements());
         blocks.extend(self.one_sided());
         blocks.extend(self.of_gate());
         blocks.extend(self.detection_limits());

@@ -99,6 +99,8 @@ impl Tangent {
 pub struct Terms {
     /// R.
     pub residual: DVector<f64>,
+    /// Its terms: −F_N ∇g_N, F A and F̄ Ā.
+    pub forces: Vec<DVector<f64>>,
     /// The state, which depends on the components.
     pub state: State,
     /// The elastic slips after the return, lengths; 0 without friction.
@@ -139,8 +141,10 @@ impl Terms {
         ];
         let mut residual = &n * -f_n;
         let Some(start) = decision.start.filter(|_| decision.state.has_friction()) else {
-            return Self { residual, state: decision.state, returned: [0.0; 2], matrices, lagged: None };
+            let (forces, state) = (vec![residual.clone()], decision.state);
+            return Self { residual, forces, state, returned: [0.0; 2], matrices, lagged: None };
         };
+        let mut forces = vec![residual.clone()];
 
         // e = eₙ + t u   ∇e = t g + u ∇t   ∇c = J_tᵀ(τ̄ − c τ)/t + J_t̄ᵀ(τ − c τ̄)/t̄
         let held = decision.form.held;
@@ -201,6 +205,7 @@ impl Terms {
                 a += &side.grad_t * side.u;
                 paper += (dense(side.hess_t) * side.u + &side.grad_t * side.g.transpose()) * f;
             }
+            forces.push(&a * f);
             residual += &a * f;
             direction += &a * gradients[i].transpose();
             angle += &a * of_angle[i].transpose();
@@ -222,7 +227,7 @@ impl Terms {
             (Term::ParameterHessian, hessian),
             (Term::PaperWork, paper),
         ]);
-        Self { residual, state, returned: [rho * e, rho * e_bar], matrices, lagged: Some(lagged) }
+        Self { residual, forces, state, returned: [rho * e, rho * e_bar], matrices, lagged: Some(lagged) }
     }
 
     /// K, the sum of the terms.

@@ -103,7 +103,9 @@ fn in_unit(compared: &Compared, power: i32) -> Compared {
             };
             let mut scaled = *entry;
             let Comparison { closed, other, scale, bound, tolerance, .. } = &mut scaled;
-            [closed, other, scale, bound, tolerance].into_iter().for_each(|number| *number *= unit);
+            for number in [closed, other, scale, bound, tolerance] {
+                *number *= unit;
+            }
             scaled
         };
         entries.iter().map(scaled).collect()

@@ -9,7 +9,7 @@ use crate::linearization::closed_form::Points;
 use crate::linearization::{Quantity, Varied};
 use crate::number::{DoubleDouble, Real, RunningError};
 use crate::pair::DofVector;
-use crate::test_beam::{DOFS, RunningError2, map_padded};
+use crate::test_beam::{DOFS, FEW_DOFS, PaddedBeam, RunningError2, map_padded};
 use crate::variant::Step;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -33,14 +33,28 @@ const CROSSING: f64 = 1e-9;
 /// The number of comparisons of an element.
 pub(crate) const ELEMENT_ENTRIES: usize = 2 * PARTS.len();
 
+/// A jet with few dofs, the dofs and the two directions.
+pub(crate) type FewDofs = PaddedBeam<f64, FEW_DOFS>;
+/// What is done with an element: the beams at their contact point, the element, and its comparisons.
+pub(crate) type OfElement<'a> = dyn FnMut(&EvaluationPoint<'_>, &ElementAt, Vec<Comparison>) + 'a;
+
 impl EvaluationPoint<'_> {
-    /// Contact elements that are drawn for this point, in closed form and by automatic differentiation: one for the two beams,
-    /// and inside of both one for the bar beam moved so that the centroids cross.
+    /// The comparisons of the contact elements at this point, in closed form and by automatic differentiation.
+    pub(in crate::check) fn contact_elements(&self, chord: &[Varied<RunningError2>]) -> Vec<Comparison> {
+        let mut all = Vec::new();
+        self.each_element(chord, &mut |_, _, comparisons| all.extend(comparisons));
+        all
+    }
+
+    /// Calls `each` with the contact elements that are drawn for this point: one for the two beams, and inside of both one for
+    /// the bar beam moved so that the centroids cross.
     ///
     /// `chord` are the components of the quantities by automatic differentiation.
-    pub(in crate::check) fn contact_elements(&self, chord: &[Varied<RunningError2>]) -> Vec<Comparison> {
-        let of_pair = self.drawn_element(&self.points(), chord).map(|(_, comparisons)| comparisons);
-        of_pair.into_iter().chain(self.of_crossing()).flatten().collect()
+    pub(crate) fn each_element(&self, chord: &[Varied<RunningError2>], each: &mut OfElement<'_>) {
+        if let Some((element, comparisons)) = self.drawn_element(&self.points(), chord) {
+            each(self, &element, comparisons);
+        }
+        let _ = self.of_crossing(each);
     }
 
     /// The comparisons of the pair, each with its number in double-double, from the quantities `precise`.
@@ -56,10 +70,10 @@ impl EvaluationPoint<'_> {
         comparisons.into_iter().zip(numbers.into_iter().cycle()).collect()
     }
 
-    /// The comparisons where the centroids cross: d = 0 up to rounding. There only the signed distance has derivatives.
+    /// The element where the centroids cross: d = 0 up to rounding. There only the signed distance has derivatives.
     ///
-    /// Nothing if d is not small after the move, because some dof is very large, or if rounding hides the numbers.
-    fn of_crossing(&self) -> Option<Vec<Comparison>> {
+    /// None if d is not small after the move, because some dof is very large, or if rounding hides the numbers.
+    fn of_crossing(&self, each: &mut OfElement<'_>) -> Option<()> {
         if !self.point.is_interior() {
             return None;
         }
@@ -69,8 +83,11 @@ impl EvaluationPoint<'_> {
         if !crossing.is_moved_from(&points) {
             return None;
         }
-        let (_, comparisons) = crossing.drawn_element(&points, &crossing.chord())?;
-        comparisons.iter().all(Comparison::is_meaningful).then_some(comparisons)
+        let (element, comparisons) = crossing.drawn_element(&points, &crossing.chord())?;
+        if comparisons.iter().all(Comparison::is_meaningful) {
+            each(&crossing, &element, comparisons);
+        }
+        Some(())
     }
 
     /// Whether the bar beam was moved from these contact points until the centroids cross.
@@ -122,6 +139,12 @@ impl EvaluationPoint<'_> {
             ElementData::draw(number, drawn_for, at, self.held, is_crossing, &mut contact, &mut rng);
         let element = element.with_contact(self, contact).ok()?;
         element.other_state(chord).is_none().then_some(element)
+    }
+
+    /// Both jets with few dofs, and the two directions; nothing if a beam has more.
+    pub(crate) fn jets_of_few(&self) -> Option<[FewDofs; 2]> {
+        let value = |number: RunningError| number.value;
+        self.has_few_dofs().then(|| self.padded_few(Step::Now).each_ref().map(|beam| map_padded(beam, value)))
     }
 
     /// The numbers of [`PARTS`], from the components of the quantities.

@@ -42,6 +42,24 @@ impl Faults {
         ]
     }
 
+    /// The faults of the contact element.
+    pub(super) fn of_elements(&self) -> Vec<Block> {
+        let Some(first) = self.elements.first() else { return Vec::new() };
+        let missed: Vec<_> =
+            self.elements.iter().filter(|of| !of.holds()).map(|of| of.regime.name()).collect();
+        let missed = if missed.is_empty() { "no regime".to_owned() } else { missed.join(", ") };
+        let most = self.elements.iter().map(|of| of.cases).max().unwrap_or_default();
+        vec![
+            Block::heading("Faults of the contact element"),
+            Block::text(&format!(
+                "{} faults in the terms of R and K are injected in each regime. Some are missed in {missed}. {} cases of a regime detect \
+                 the others.",
+                count(first.planted as u64),
+                count(most)
+            )),
+        ]
+    }
+
     /// The faults that act on one side of a symmetry only.
     pub(super) fn one_sided(&self) -> Vec<Block> {
         let Some(of) = &self.one_sided else { return Vec::new() };
