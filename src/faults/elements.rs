@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 /// The largest number of cases: the default of `beamgap check`.
 const CASES: u64 = 10_000;
 /// The number of cases that are drawn at a time.
-const AT_ONCE: usize = 320;
+const AT_ONCE: usize = 32;
 /// The terms of R.
 const FORCES: [&str; 3] = ["-F_N grad g_N", "F A", "F_bar A_bar"];
 /// What is wrong with a term, and what this adds to it, in multiples of it.

@@ -47,15 +47,17 @@ impl Faults {
         let Some(first) = self.elements.first() else { return Vec::new() };
         let missed: Vec<_> =
             self.elements.iter().filter(|of| !of.holds()).map(|of| of.regime.name()).collect();
-        let missed = if missed.is_empty() { "no regime".to_owned() } else { missed.join(", ") };
         let most = self.elements.iter().map(|of| of.cases).max().unwrap_or_default();
+        let found = if missed.is_empty() {
+            format!("All are detected within {} cases of each regime.", count(most))
+        } else {
+            format!("NOT ALL ARE DETECTED in {}.", missed.join(", "))
+        };
         vec![
             Block::heading("Faults of the contact element"),
             Block::text(&format!(
-                "{} faults in the terms of R and K are injected in each regime. Some are missed in {missed}. {} cases of a regime detect \
-                 the others.",
-                count(first.planted as u64),
-                count(most)
+                "{} faults in the terms of R and K are injected, one at a time. {found}",
+                count(first.planted as u64)
             )),
         ]
     }
