@@ -101,16 +101,26 @@ async function controls() {
   await close();
 }
 
-/** The map is seen: without it the screen has other colours. */
+/** The map is seen: without it the screen is lighter. */
 async function shades() {
   const { page, close } = await openedPage();
   const map = page.locator("#valley canvas[data-shades]");
   await map.scrollIntoViewIfNeeded();
   await drawn(page);
   const clip = await map.boundingBox();
-  const withMap = await page.screenshot({ clip });
+  const pictures = [await page.screenshot({ clip })];
   await map.evaluate((canvas) => { canvas.style.visibility = "hidden"; });
-  assert.ok(!withMap.equals(await page.screenshot({ clip })), "the map is hidden");
+  pictures.push(await page.screenshot({ clip }));
+  const [shaded, bare] = await page.evaluate((all) => Promise.all(all.map(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const pixels = context.getImageData(0, 0, image.width, image.height).data;
+    return pixels.reduce((sum, channel) => sum + channel, 0) / pixels.length;
+  })), pictures.map((picture) => picture.toString("base64")));
+  assert.ok(bare - shaded > 5, `the map darkens the screen by ${bare - shaded} of 255`);
   await close();
 }
 
