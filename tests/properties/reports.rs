@@ -213,3 +213,20 @@ fn the_compared_points_lie_on_both_sides_of_every_symmetry() {
         }
     }
 }
+
+/// Every situation of a contact element is compared in every regime, but for both ends: there are regimes without such pairs.
+#[test]
+fn contact_elements_are_compared_in_every_situation() {
+    let crosscheck = Crosscheck::from_json(&committed("crosscheck.json")).unwrap();
+    let rare = check::ContactSituation::BothHeld;
+    let mut of_both = 0;
+    for (regime, tally) in &crosscheck.found.regimes {
+        of_both += tally.elements.get(&rare).map_or(0, |cells| cells.tangent.entries);
+        for situation in check::ContactSituation::ALL.into_iter().filter(|&situation| situation != rare) {
+            let cells = tally.elements.get(&situation).copied().unwrap_or_default();
+            let least = cells.residual.entries.min(cells.tangent.entries);
+            assert!(least >= 200, "{}: {} has {least} numbers", regime.name(), situation.name());
+        }
+    }
+    assert!(of_both >= 1000, "{of_both}");
+}

@@ -17,9 +17,9 @@ enumeration! {
         Stick => "stick",
         /// Slip.
         Slip => "slip",
-        /// Stick within 1e-5 of the cone, of its radius.
+        /// Stick with -1e-5 < Phi/(mu F_N) <= 0.
         StickAtCone => "stick, at the cone",
-        /// Slip within 1e-5 of the cone.
+        /// Slip with Phi/(mu F_N) < 1e-5.
         SlipAtCone => "slip, at the cone",
         /// One parameter is held at an end.
         OneHeld => "one end held",
@@ -27,13 +27,13 @@ enumeration! {
         BothHeld => "both ends held",
         /// In contact on the other side than before.
         Crossed => "crossed",
-        /// The centroids cross.
+        /// The bar beam is moved until the centroids cross.
         ZeroDistance => "d = 0",
-        /// A slip of the step by more than half of a beam.
+        /// A slip of the step by more than 1 in a parameter: half of a beam.
         LargeSlip => "large slip",
-        /// In contact, with the work of the rate of slip.
+        /// Friction with the work of the rate of slip.
         RateWork => "work: rate",
-        /// In contact, with the work of the paper.
+        /// Friction with the work of the paper.
         PaperWork => "work: paper",
     }
 }
