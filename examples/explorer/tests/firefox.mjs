@@ -34,6 +34,8 @@ for (const [name, scenes] of Object.entries(PAGES)) {
         if (!(await handle.isVisible())) continue;
         await handle.scrollIntoView();
         await drawn(page);
+        // A scene that comes into view is laid out, which may move the handle once more.
+        await handle.scrollIntoView();
         const before = await stateOf(page, scene);
         const { x, y, width, height } = await handle.boundingBox();
         await page.mouse.move(x + width / 2, y + height / 2);

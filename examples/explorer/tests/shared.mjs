@@ -33,7 +33,10 @@ export async function opened(reports, name, options = {}) {
   return { page, close: async () => { assert.deepEqual(errors, []); await context.close(); } };
 }
 
+/** The middle of a handle in the window. A scene that comes into view is laid out, which may move it once more. */
 export async function middle(page, handle) {
+  await handle.scrollIntoViewIfNeeded();
+  await drawn(page);
   await handle.scrollIntoViewIfNeeded();
   const { x, y, width, height } = await handle.boundingBox();
   return [x + width / 2, y + height / 2];
@@ -42,9 +45,6 @@ export async function middle(page, handle) {
 /** A finger moves a handle upwards; the page may not scroll. */
 export async function touched(page, handle) {
   const session = await page.context().newCDPSession(page);
-  // Scenes that come into view are laid out, which may move what is above them.
-  await middle(page, handle);
-  await drawn(page);
   const [x, y] = await middle(page, handle);
   const scrolled = await page.evaluate(() => scrollY);
   const at = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
