@@ -18,6 +18,7 @@ mod continua;
 mod costs;
 mod degenerate;
 mod derivation;
+mod elastica;
 mod elements;
 mod equations;
 mod errors;
