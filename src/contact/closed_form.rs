@@ -43,18 +43,20 @@ impl<T: Real, const N: usize, const M: usize> Contribution<T, N, M> {
 }
 
 impl<const N: usize, const M: usize> Contribution<f64, N, M> {
-    /// R or K, if R or the diagonal of K has an infinite entry or one that is not a number, and the sum of the entries.
-    /// To add up all of K would cost a tenth of its computation.
+    /// The first entry of R, or of the diagonal of K, that is infinite or not a number, with the name of its array.
+    /// To look at all of K would cost a tenth of its computation.
     pub(super) fn not_finite(&self) -> Option<(&'static str, f64)> {
         let Self { tangent: k, residual: r, .. } = self;
-        // One running sum: an instruction an entry.
+        // One running sum: an instruction an entry. It may overflow by itself.
         let of_r = r.beam.data.0[0].iter().chain(&r.bar.data.0[0]).fold(0.0, |sum, entry| sum + entry);
         let sum = (0..N).fold(of_r, |sum, i| sum + k.beam.data.0[i][i]);
         let sum = (0..M).fold(sum, |sum, i| sum + k.bar.data.0[i][i]);
         if sum.is_finite() {
             return None;
         }
-        Some(if of_r.is_finite() { ("K", sum) } else { ("R", of_r) })
+        let residual = r.beam.iter().chain(r.bar.iter()).map(|&entry| ("R", entry));
+        let diagonal = (0..N).map(|i| k.beam[(i, i)]).chain((0..M).map(|i| k.bar[(i, i)]));
+        residual.chain(diagonal.map(|entry| ("K", entry))).find(|(_, entry)| !entry.is_finite())
     }
 }
 

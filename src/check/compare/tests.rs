@@ -247,7 +247,7 @@ fn every_function_of_the_library_is_compared() {
 /// In each case with all routes: the pair in every state, and inside of both beams the centroids moved until they cross.
 #[test]
 fn a_contact_element_is_compared_at_every_point() {
-    let (mut points, mut inside, mut crossing) = (0, 0, 0);
+    let (mut points, mut inside, mut crossing, mut at_cone) = (0, 0, 0, 0);
     let mut elements: BTreeMap<&str, usize> = BTreeMap::new();
     let mut situations: BTreeMap<ContactSituation, usize> = BTreeMap::new();
     for number in (0..1210).filter(|&number| super::compares_routes(number)) {
@@ -259,6 +259,9 @@ fn a_contact_element_is_compared_at_every_point() {
             for entry in entries.iter().filter(of_element).step_by(4) {
                 if entry.against.ends_with("d = 0") {
                     crossing += 1;
+                    let is_at_cone =
+                        |of| matches!(of, ContactSituation::StickAtCone | ContactSituation::SlipAtCone);
+                    at_cone += usize::from(entry.situations.iter().any(is_at_cone));
                 } else {
                     *elements.entry(entry.against).or_default() += 1;
                 }
@@ -274,6 +277,8 @@ fn a_contact_element_is_compared_at_every_point() {
     assert!(percent("open") < 25 && percent("frictionless") > 12, "{elements:?}");
     assert!(percent("stick") > 12 && percent("slip") > 30, "{elements:?}");
     assert_eq!(situations[&ContactSituation::ZeroDistance], crossing);
+    // Two of twelve situations are at the cone.
+    assert!(12 * at_cone > crossing, "{at_cone} of {crossing}");
     assert!(
         ContactSituation::ALL.iter().all(|of| situations.get(of).is_some_and(|&n| n > 1)),
         "{situations:?}"
