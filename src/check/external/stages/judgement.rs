@@ -55,6 +55,8 @@ impl Status {
     }
 }
 
+/// The least cost of an equation that is wrong: one error explains one sum, at all cases.
+const LEAST: u32 = 1;
 /// The cost of a sum that is not explained.
 const UNKNOWN: u32 = 100;
 
@@ -116,11 +118,13 @@ pub(super) fn examined(
     }
     let examination = Examination { equation, points, wrong, right };
     let mut best: Option<(u32, Vec<Status>)> = None;
+    let satisfies = |form: &&Vec<Zero>| form.iter().all(|zero| examination.is_right(zero, &[Earlier::Own]));
+    let mut wrong_forms = equation.forms.iter().filter(|form| form[0].is_wrong_form.is_some());
+    if let Some(words) = wrong_forms.find(satisfies).and_then(|form| form[0].is_wrong_form) {
+        return vec![Status::WrongForm(words)];
+    }
     for (form, errors) in equation.forms.iter().zip(&errors.0) {
-        if let Some(words) = form[0].is_wrong_form {
-            if form.iter().all(|zero| examination.is_right(zero, &[Earlier::Own])) {
-                return vec![Status::WrongForm(words)];
-            }
+        if form[0].is_wrong_form.is_some() {
             continue;
         }
         let found: Vec<Status> = form
@@ -131,6 +135,10 @@ pub(super) fn examined(
         let cost = found.iter().map(Status::cost).sum();
         if best.as_ref().is_none_or(|(known, _)| cost < *known) {
             best = Some((cost, found));
+        }
+        // No form of a wrong equation costs less.
+        if cost <= LEAST {
+            break;
         }
     }
     best.map(|(_, found)| found).unwrap_or_default()

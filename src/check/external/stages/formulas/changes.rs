@@ -8,7 +8,7 @@ use super::point::RESULTS;
 use super::tree::{Name, Op, Tree};
 use rayon::prelude::*;
 use std::collections::HashMap;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 /// A change of the self.
 #[derive(Clone, Debug)]
@@ -35,6 +35,13 @@ impl Change {
         Self { new, is_of_derivatives: false, is_stored: false, words, cost: 0, ways, entries: None }
     }
 
+    /// The names in the other formulas.
+    pub(super) fn uses(&self) -> Set {
+        let mut used = Set::default();
+        self.new.iter().for_each(|(_, tree)| tree.each_name(&mut |name| used.add(name)));
+        used
+    }
+
     /// The names whose formulas or entries are others.
     pub(super) fn names(&self) -> Set {
         let of_entries = self.entries.iter().flat_map(Entries::names);
@@ -42,8 +49,20 @@ impl Change {
     }
 }
 
-/// All changes.
-pub(super) static CHANGES: LazyLock<Vec<Change>> = LazyLock::new(changes);
+/// All changes. Those of a formula are made when they are asked for.
+pub(super) static CHANGES: LazyLock<Changes> = LazyLock::new(Changes::new);
+
+pub(super) struct Changes {
+    /// The changes that are not of one formula.
+    others: Vec<Change>,
+    of_formulas: Vec<OfFormula>,
+}
+
+struct OfFormula {
+    /// The names that its changes may give another formula.
+    names: Set,
+    changes: OnceLock<Vec<Change>>,
+}
 
 /// What is wrong with something by a factor.
 pub(super) const FACTORS: [(f64, &str, u32); 4] = [
@@ -60,28 +79,62 @@ pub(super) fn scaled(name: Name, by: f64) -> Tree {
     Tree::product(vec![(false, Tree::number(by)), (false, Tree::name(name))])
 }
 
-fn changes() -> Vec<Change> {
-    let list = &*FORMULAS;
-    let mut found = list.of_inputs();
-    found.extend(list.of_entries());
-    found.extend(list.of_results());
-    found.extend(list.of_lengths());
-    found.extend(list.of_friction());
-    found.extend(list.of_straight_beams());
-    let of_formula = |formula: &Formula| {
-        let twin = list.twin_of(formula, 0).filter(|twin| twin.name > formula.name)?;
-        Some(list.exchange_of(formula, twin))
-    };
-    found.extend(list.all.iter().filter_map(of_formula));
-    let written =
-        list.all.par_iter().flat_map(|formula| (0..WAYS).into_par_iter().map(move |way| (formula, way)));
-    found.par_extend(written.flat_map(|(formula, way)| list.changes_of(formula, way)));
-    found
+impl Changes {
+    fn new() -> Self {
+        let list = &*FORMULAS;
+        let mut others = list.of_inputs();
+        others.extend(list.of_entries());
+        others.extend(list.of_results());
+        others.extend(list.of_lengths());
+        others.extend(list.of_friction());
+        others.extend(list.of_straight_beams());
+        let exchange = |formula: &Formula| {
+            let twin = list.twin_of(formula, 0).filter(|twin| twin.name > formula.name)?;
+            Some(list.exchange_of(formula, twin))
+        };
+        others.extend(list.all.iter().filter_map(exchange));
+        let of_formula =
+            |formula| OfFormula { names: list.names_of_changes(formula), changes: OnceLock::new() };
+        Self { others, of_formulas: list.all.iter().map(of_formula).collect() }
+    }
+
+    /// The changes of each formula that are made, with the names that they may give another formula.
+    #[cfg(test)]
+    pub(super) fn of_each_formula(&self) -> impl Iterator<Item = (Set, &[Change])> {
+        self.of_formulas.iter().filter_map(|of| Some((of.names, &of.changes.get()?[..])))
+    }
+
+    /// The changes of formulas that these names follow from, and those that are not of one formula.
+    pub(super) fn of(&self, needed: Set) -> Vec<&Change> {
+        let is_needed = |i: &usize| !self.of_formulas[*i].names.and(needed).is_empty();
+        let which: Vec<usize> = (0..self.of_formulas.len()).filter(is_needed).collect();
+        let missing = which.par_iter().filter(|i| self.of_formulas[**i].changes.get().is_none());
+        // No lock is held while other threads are waited for.
+        let made: Vec<_> = missing.map(|&i| (i, FORMULAS.changes_of(&FORMULAS.all[i]))).collect();
+        for (i, changes) in made {
+            self.of_formulas[i].changes.get_or_init(|| changes);
+        }
+        let of_formulas = which.into_iter().filter_map(|i| self.of_formulas[i].changes.get());
+        self.others.iter().chain(of_formulas.flatten()).collect()
+    }
 }
 
 impl Formulas {
+    /// The names that a change of this formula may give another formula.
+    fn names_of_changes(&self, formula: &Formula) -> Set {
+        let twins = (0..WAYS).filter_map(|way| self.twin_of(formula, way));
+        let all: Vec<&Formula> = twins.chain([formula]).collect();
+        let derived = all.iter().flat_map(|of| [self.derivative_of(of), self.second_formula(of)]).flatten();
+        all.iter().copied().chain(derived).flat_map(|of| [Some(of.name), of.linear]).flatten().collect()
+    }
+
+    /// The changes of a formula in all ways of writing.
+    fn changes_of(&self, formula: &Formula) -> Vec<Change> {
+        (0..WAYS).into_par_iter().flat_map(|way| self.changes_in(formula, way)).collect()
+    }
+
     /// The changes of a formula that is written in this way, unless an earlier way is the same.
-    fn changes_of(&self, formula: &Formula, way: usize) -> Vec<Change> {
+    fn changes_in(&self, formula: &Formula, way: usize) -> Vec<Change> {
         let twin = |way| self.twin_of(formula, way);
         let both = |way| (formula.written(way), twin(way).map(|twin| twin.written(way)));
         let ways: [bool; WAYS] = std::array::from_fn(|other| both(other) == both(way));

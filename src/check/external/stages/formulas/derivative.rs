@@ -14,32 +14,55 @@ const NAMED: [(&str, &str); 8] = [
     ("moved_bar", "dxi_bar"),
     ("d_s", "dgap"),
 ];
+/// The normal force as a function of the gap.
+const FORCE: &str = "force";
 /// Names that are constant in a step.
 const CONSTANT: [&str; 6] = ["e_0", "e_bar_0", "side", "n_n", "tau_n", "tau_bar_n"];
 /// Their formulas are differentiated at fixed parameters.
 const PARTIAL: [&str; 3] = ["a", "b", "a_bar"];
 
 impl Formulas {
-    /// The formula of the derivative, if this one stood in the place of a formula; nothing if the list has none.
-    pub(super) fn derivative(&self, formula: &Formula, tree: &Tree) -> Option<(&Formula, Tree)> {
+    /// The formula of the derivative of a formula; nothing if the list has none.
+    pub(super) fn derivative_of(&self, formula: &Formula) -> Option<&Formula> {
         let name = &*self.names.0[formula.name];
         let of = |name: &str| self.all.iter().find(|formula| self.names.0[formula.name] == name);
-        if PARTIAL.contains(&name) {
-            return None;
-        }
-        if name == "force" {
+        match name {
+            name if PARTIAL.contains(&name) => None,
             // The stiffness is -dF_N/dg_N.
+            FORCE => of("stiffness"),
+            name => {
+                let named = NAMED.iter().find(|(of, _)| *of == name && self.is_row(formula));
+                match named {
+                    Some((_, named)) => of(named),
+                    None => of(&format!("{}{name}", self.letter(formula))),
+                }
+            }
+        }
+    }
+
+    /// Whether it is a row, as the residual is. Rows are differentiated along Delta.
+    fn is_row(&self, formula: &Formula) -> bool {
+        self.kinds[formula.name].varies == [true, false]
+    }
+
+    /// The letter of the direction along which it is differentiated.
+    fn letter(&self, formula: &Formula) -> &'static str {
+        if self.is_row(formula) { "D" } else { "d" }
+    }
+
+    /// The formula of the derivative, if this one stood in the place of a formula; nothing if the list has none.
+    pub(super) fn derivative(&self, formula: &Formula, tree: &Tree) -> Option<(&Formula, Tree)> {
+        let result = self.derivative_of(formula)?;
+        if self.names.0[formula.name] == FORCE {
             let by_gap = |name: Name| match &*self.names.0[name] {
                 "gap" => Of::Tree(Tree::number(-1.0)),
                 "line" => Of::Tree(Tree::name(self.name("eps_N"))),
                 _ if name < self.inputs || self.kinds[name].is_condition => Of::Zero,
                 _ => Of::Unknown,
             };
-            return Some((of("stiffness")?, derivative(tree, &by_gap)?));
+            return Some((result, derivative(tree, &by_gap)?));
         }
-        // Rows are differentiated along Delta.
-        let is_row = self.kinds[formula.name].varies == [true, false];
-        let letter = if is_row { "D" } else { "d" };
+        let letter = self.letter(formula);
         let by_dofs = |name: Name| {
             let text = &*self.names.0[name];
             let is_constant = name < self.inputs && !self.kinds[name].is_vector && !text.starts_with("xi");
@@ -54,8 +77,6 @@ impl Formulas {
             let text = named.unwrap_or_else(|| format!("{letter}{text}"));
             self.names.find(&text).map_or(Of::Unknown, |name| Of::Tree(Tree::name(name)))
         };
-        let named = NAMED.iter().find(|(of, _)| *of == name && is_row).map(|(_, named)| (*named).to_owned());
-        let result = of(&named.unwrap_or_else(|| format!("{letter}{name}")))?;
         Some((result, derivative(tree, &by_dofs)?))
     }
 }

@@ -9,18 +9,19 @@ use super::values::{Value, Values, value};
 use std::num::NonZeroU16;
 
 impl Formulas {
-    /// The values of all names that follow from the inputs, and from values that are `given`. `known` are the values of
-    /// conditions that are open within rounding.
+    /// The values of the names that are `needed`. They follow from the inputs, and from values that are `given`. `known` are
+    /// the values of conditions that are open within rounding.
     pub(super) fn values(
         &self,
         way: usize,
         inputs: &[Value],
         known: &[(Name, Value)],
         given: &[(Name, Value)],
+        needed: Set,
     ) -> Vec<Value> {
         let mut values = inputs.to_vec();
         values.resize(self.names.0.len(), Value::from(0.0));
-        for Step { name, tree, .. } in &self.ways[way] {
+        for Step { name, tree, .. } in self.ways[way].iter().filter(|step| needed.has(step.name)) {
             let fixed = given.iter().find(|(of, _)| of == name).map(|(_, value)| *value);
             values[*name] = fixed.unwrap_or_else(|| evaluated(*name, tree, &values[..], known));
         }
@@ -93,8 +94,7 @@ impl Point<'_> {
         let known = &self.sample.inputs.known;
         let right = &self.values[way][..];
         let new = change.names();
-        let mut used = new;
-        change.new.iter().for_each(|(_, tree)| tree.each_name(&mut |name| used.add(name)));
+        let used = new.or(change.uses());
         let places = vec![None; right.len()];
         let mut values = Changed { way, right, affected: Set::default(), used, places, others: Vec::new() };
         if change.is_stored {

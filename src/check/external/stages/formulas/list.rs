@@ -230,13 +230,22 @@ impl Formulas {
         &self.ways[way][name - self.inputs]
     }
 
+    /// For each way the first one in which the formulas that are needed are written in the same way.
+    pub(super) fn same_ways(&self, needed: Set) -> [usize; WAYS] {
+        std::array::from_fn(|way| {
+            let is_same = |other: &usize| self.relations[way].differ[*other].and(needed).is_empty();
+            (0..way).find(is_same).unwrap_or(way)
+        })
+    }
+
     /// The ways in which the formulas that are needed are not written as in an earlier way.
     pub(super) fn distinct_ways(&self, needed: Set) -> Vec<usize> {
-        let trees = |way: usize| -> Vec<&Tree> {
-            self.ways[way].iter().filter(|step| needed.has(step.name)).map(|step| &step.tree).collect()
-        };
-        let is_new = |way: &usize| (0..*way).all(|earlier| trees(earlier) != trees(*way));
-        (0..WAYS).filter(is_new).collect()
+        self.same_ways(needed)
+            .into_iter()
+            .enumerate()
+            .filter(|(way, same)| way == same)
+            .map(|of| of.0)
+            .collect()
     }
 
     /// The formula along Delta.

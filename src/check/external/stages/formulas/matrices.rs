@@ -2,7 +2,7 @@
 
 use super::list::FORMULAS;
 use super::names::Set;
-use super::point::points;
+use super::point::{Point, points};
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::Reading;
 use crate::check::external::stages::sample::{Along, Sample};
@@ -13,10 +13,11 @@ fn is_answered(samples: &[Sample], of: &dyn Fn(RunningError, RunningError) -> Ru
     let list = &*FORMULAS;
     let tangent = list.name("K");
     let points = points(samples, Set::default());
-    let is_right = |point: &super::point::Point| {
+    let is_right = |point: &Point| {
         let inputs = &point.sample.inputs;
         let Some(answer) = point.among(Set::from_iter([tangent])).next().copied() else { return true };
-        let exchanged = list.values(0, &list.exchanged(&inputs.values), &inputs.known, &[]);
+        let exchanged = list.exchanged(&inputs.values);
+        let exchanged = list.values(0, &exchanged, &inputs.known, &[], point.needed);
         let number = of(point.values[0][tangent].number(), exchanged[tangent].number());
         (number.value - answer.number.value).abs() <= CAREFUL * number.bound + answer.number.bound
     };

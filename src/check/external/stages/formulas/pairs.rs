@@ -64,10 +64,9 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
     };
     let wanted_at: Vec<RunningError> = probes.iter().filter_map(|point| wanted(point)).collect();
     let is_simple = |change: &&Change| change.cost <= SIMPLE && change.ways[way];
-    let simple: Vec<&Change> = CHANGES.iter().filter(is_simple).collect();
+    let simple = CHANGES.of(needed).into_par_iter().filter(is_simple);
     let effects: Vec<(&Change, Vec<RunningError>)> = simple
-        .par_iter()
-        .map(|&change| (change, probes.iter().map(|point| effect(point, change)).collect::<Vec<_>>()))
+        .map(|change| (change, probes.iter().map(|point| effect(point, change)).collect::<Vec<_>>()))
         .filter(|(_, effects)| effects.iter().all(|of| of.value.is_finite() && of.bound.is_finite()))
         .filter(|(_, effects)| effects.iter().any(|of| of.value.abs() > of.bound))
         .collect();

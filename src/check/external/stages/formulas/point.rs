@@ -59,8 +59,11 @@ pub(super) struct Point<'a> {
     pub(super) answers: Vec<Answer>,
     /// Values that are answers.
     pub(super) given: Vec<(Name, Value)>,
+    /// The names that have values.
+    pub(super) needed: Set,
     parts: OnceLock<Vec<Vec<Value>>>,
-    unlike: OnceLock<[[Set; WAYS]; WAYS]>,
+    /// For two ways, the first the smaller one.
+    unlike: [[OnceLock<Set>; WAYS]; WAYS],
 }
 
 impl Point<'_> {
@@ -87,26 +90,17 @@ impl Point<'_> {
 
     /// The values by the dofs of each block alone.
     pub(super) fn parts(&self) -> &[Vec<Value>] {
-        let of_inputs = |inputs: Vec<Value>| FORMULAS.values(0, &inputs, &self.sample.inputs.known, &[]);
+        let known = &self.sample.inputs.known;
+        let of_inputs = |inputs: Vec<Value>| FORMULAS.values(0, &inputs, known, &[], self.needed);
         self.parts
             .get_or_init(|| inputs_of_parts(&self.sample.inputs.values).into_iter().map(of_inputs).collect())
     }
 
     /// The names whose values in two ways of writing differ by more than rounding.
     pub(super) fn unlike(&self, way: usize, other: usize) -> Set {
-        let differ = |[one, other]: [Value; 2]| {
-            let axes = [None, Some(0), Some(1), Some(2)];
-            !axes.into_iter().all(|axis| {
-                let [one, other] = [one, other].map(|value| value.component(axis));
-                one == other || (one.value - other.value).abs() <= CAREFUL * (one.bound + other.bound)
-            })
-        };
-        let of = |way: usize, other: usize| -> Set {
-            let names = 0..self.values[way].len();
-            names.filter(|&name| differ([way, other].map(|way| self.values[way][name]))).collect()
-        };
-        self.unlike.get_or_init(|| std::array::from_fn(|way| std::array::from_fn(|other| of(way, other))))
-            [way][other]
+        let differ = |name: &Name| self.values[way][*name].differs(self.values[other][*name]);
+        *self.unlike[way.min(other)][way.max(other)]
+            .get_or_init(|| (0..self.values[way].len()).filter(differ).collect())
     }
 
     /// Whether the changed formulas yield this answer. Rounding must not explain much more than before.
@@ -120,7 +114,15 @@ impl Point<'_> {
 
 /// The samples with their answers. Those that are `given` stand for the formulas' own numbers.
 pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
-    let mut points: Vec<Point> = samples.iter().map(|sample| point(sample, given)).collect();
+    let numbers: Vec<_> = samples.iter().map(numbers).collect();
+    let answered = numbers.iter().flatten().map(|(output, _)| output.name);
+    // Programs of the geometry alone have no numbers of a contact element.
+    let of_geometry = FORMULAS.needed(RESULTS.iter().copied().collect()).or((0..FORMULAS.inputs).collect());
+    let is_of_geometry = Set::from_iter(answered).without(of_geometry).is_empty();
+    let needed = if is_of_geometry { of_geometry } else { (0..FORMULAS.names.0.len()).collect() };
+    let same = FORMULAS.same_ways(needed);
+    let mut points: Vec<Point> =
+        samples.iter().zip(numbers).map(|of| point(of, given, (needed, same))).collect();
     let mut sizes = BTreeMap::new();
     for Answer { output, number, .. } in points.iter().flat_map(|point| &point.answers) {
         let size: &mut f64 = sizes.entry(output.name).or_default();
@@ -132,14 +134,27 @@ pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
     points
 }
 
-fn point(sample: &Sample, given: Set) -> Point<'_> {
+/// `same` has for each way of writing the first one with the same formulas.
+fn point(
+    (sample, numbers): (&Sample, Vec<(Output, RunningError)>),
+    given: Set,
+    (needed, same): (Set, [usize; WAYS]),
+) -> Point<'_> {
     let list = &*FORMULAS;
     let inputs = &sample.inputs;
-    let numbers = numbers(sample);
     let fixed = numbers.iter().filter(|(output, _)| given.has(output.name));
     let fixed: Vec<_> = fixed.map(|(output, number)| (output.name, Value::Number(*number))).collect();
     let values = |given: &[(Name, Value)]| -> Vec<_> {
-        (0..WAYS).map(|way| list.values(way, &inputs.values, &inputs.known, given)).collect()
+        let mut values: Vec<Vec<Value>> = Vec::with_capacity(WAYS);
+        for way in 0..WAYS {
+            let of_way = if same[way] < way {
+                values[same[way]].clone()
+            } else {
+                list.values(way, &inputs.values, &inputs.known, given, needed)
+            };
+            values.push(of_way);
+        }
+        values
     };
     let own = values(&[]);
     let is_right = |output: Output, way: usize| {
@@ -152,7 +167,15 @@ fn point(sample: &Sample, given: Set) -> Point<'_> {
     };
     let answers = numbers.into_iter().map(answer).collect();
     let values = if fixed.is_empty() { own } else { values(&fixed) };
-    Point { sample, values, answers, given: fixed, parts: OnceLock::new(), unlike: OnceLock::new() }
+    Point {
+        sample,
+        values,
+        answers,
+        given: fixed,
+        needed,
+        parts: OnceLock::new(),
+        unlike: Default::default(),
+    }
 }
 
 /// The names of a quantity: value, delta, Delta, Delta-delta. The parameters are inputs.

@@ -55,9 +55,14 @@ impl Formulas {
             let name = |name: Name| self.names.find(&format!("D{}", self.names.0[name]));
             tree.renamed(&|of| name(of).filter(|_| self.kinds[of].varies == [true, false]).unwrap_or(of))
         };
-        let name = self.names.find(&format!("D{}", self.names.0[formula.name]))?;
-        let second = self.all.iter().find(|of| of.name == name)?;
+        let second = self.second_formula(formula)?;
         (*second.written(way) == of_second(formula.written(way))).then(|| (second, of_second(tree)))
+    }
+
+    /// The formula of the second order that belongs to one of the first.
+    pub(super) fn second_formula(&self, formula: &Formula) -> Option<&Formula> {
+        let name = self.names.find(&format!("D{}", self.names.0[formula.name]))?;
+        self.all.iter().find(|of| of.name == name)
     }
 
     /// The length of the variation of a vector, for the variation of its length.

@@ -114,10 +114,7 @@ fn of_stages(
 
 /// Whether a change yields all these answers.
 fn yields(change: &Change, points: &[Point], among: Set) -> bool {
-    let mut ways = Ways::of(points, among);
-    ways.are_needed(change)
-        && ways.are_right(change)
-        && points.iter().all(|point| ways.keep(point, change, among))
+    Ways::of(points, among).yield_answers(change, points.iter())
 }
 
 fn readings(changes: Vec<Change>) -> Vec<Reading> {
@@ -139,19 +136,14 @@ fn explained(points: &[Point], among: Set, before: Set) -> Vec<Change> {
     let first: Set = among.names().find(is_first).into_iter().collect();
     let [of_first, of_all] = [first, among].map(|among| Ways::of(points, among));
     let explains = |change: &&Change| {
-        if !change.names().and(before).is_empty() {
-            return false;
-        }
-        let yields = |ways: &Ways, among: Set, mut points: Box<dyn Iterator<Item = &Point> + '_>| {
-            let mut ways = ways.clone();
-            ways.are_needed(change)
-                && ways.are_right(change)
-                && points.all(|point| ways.keep(point, change, among))
-        };
-        yields(&of_first, first, Box::new(probes.iter().copied()))
-            && yields(&of_all, among, Box::new(probes.iter().copied().chain(points)))
+        change.names().and(before).is_empty()
+            && of_first.yield_answers(change, probes.iter().copied())
+            && of_all.yield_answers(change, probes.iter().copied().chain(points))
+            // A name without a value is no part of this program.
+            && change.uses().without(points[0].needed).is_empty()
     };
-    let mut found: Vec<Change> = CHANGES.par_iter().filter(explains).cloned().collect();
+    let tried = CHANGES.of(of_all.needed).into_par_iter();
+    let mut found: Vec<Change> = tried.filter(explains).cloned().collect();
     let least = found.iter().map(|change| change.cost).min();
     found.retain(|change| Some(change.cost) == least);
     // The formula that is next to the answers is meant.
@@ -168,14 +160,18 @@ fn explained(points: &[Point], among: Set, before: Set) -> Vec<Change> {
 }
 
 /// The ways in which a program may have written the formulas of each of its results.
-#[derive(Clone)]
 struct Ways {
+    among: Set,
+    /// The names that the results follow from.
+    needed: Set,
     /// Those that are not the same as another one.
     distinct: Vec<usize>,
-    /// Whether the results follow from each name.
-    needed: Set,
-    left: BTreeMap<Output, [bool; WAYS]>,
+    /// For each result, in their order.
+    left: Left,
 }
+
+/// The ways that are left for each result.
+type Left = Vec<(Output, [bool; WAYS])>;
 
 impl Ways {
     fn of(points: &[Point], among: Set) -> Self {
@@ -191,7 +187,16 @@ impl Ways {
         let left =
             lost.into_iter().map(|(of, lost)| (of, std::array::from_fn(|way| is_left(way, lost[way]))));
         let needed = FORMULAS.needed(among);
-        Self { distinct: FORMULAS.distinct_ways(needed), needed, left: left.collect() }
+        Self { among, needed, distinct: FORMULAS.distinct_ways(needed), left: left.collect() }
+    }
+
+    /// Whether a change yields the answers at all these samples.
+    fn yield_answers<'a>(&self, change: &Change, mut points: impl Iterator<Item = &'a Point<'a>>) -> bool {
+        if !self.are_needed(change) || !self.are_right(change) {
+            return false;
+        }
+        let mut left = self.left.clone();
+        points.all(|point| self.keep(&mut left, point, change))
     }
 
     /// Whether some of the results follow from what is changed.
@@ -201,14 +206,14 @@ impl Ways {
 
     /// Whether the formulas are right before the change, in some way in which they are written so.
     fn are_right(&self, change: &Change) -> bool {
-        (0..WAYS).any(|way| change.ways[way] && self.left.values().all(|left| left[way]))
+        (0..WAYS).any(|way| change.ways[way] && self.left.iter().all(|(_, left)| left[way]))
     }
 
     /// Keeps the ways that yield the answers at this sample; whether each result has one.
-    fn keep(&mut self, point: &Point, change: &Change, among: Set) -> bool {
+    fn keep(&self, left: &mut Left, point: &Point, change: &Change) -> bool {
         let mut known: Vec<Changed> = Vec::new();
         for &way in &self.distinct {
-            if !self.left.values().any(|left| left[way]) {
+            if !left.iter().any(|(_, left)| left[way]) {
                 continue;
             }
             let same = known.iter().position(|of| of.is_same(point, way, (change, self.needed)));
@@ -217,16 +222,15 @@ impl Ways {
                 known.len() - 1
             });
             let changed = &known[place];
-            for answer in point.among(among) {
-                if let Some(left) = self.left.get_mut(&answer.output)
-                    && left[way]
-                    && answer.ways[way]
+            for answer in point.among(self.among).filter(|answer| answer.ways[way]) {
+                if let Ok(at) = left.binary_search_by_key(&answer.output, |(output, _)| *output)
+                    && left[at].1[way]
                 {
-                    left[way] = point.is_explained(answer, way, changed);
+                    left[at].1[way] = point.is_explained(answer, way, changed);
                 }
             }
         }
-        self.left.values().all(|left| self.distinct.iter().any(|way| left[*way]))
+        left.iter().all(|(_, left)| self.distinct.iter().any(|way| left[*way]))
     }
 }
 

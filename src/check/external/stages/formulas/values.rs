@@ -1,6 +1,7 @@
 //! The values of formulas at a sample.
 
 use super::tree::{Name, Op, Tree};
+use crate::check::candidate::CAREFUL;
 use crate::number::{Real, RunningError};
 use nalgebra::Vector3;
 
@@ -53,6 +54,18 @@ impl Value {
 
     pub(super) fn is_nan(self) -> bool {
         matches!(self, Number(number) if number.value.is_nan())
+    }
+
+    /// Whether both differ by more than rounding, or are of different kinds.
+    pub(super) fn differs(self, other: Self) -> bool {
+        let is_near = |one: RunningError, other: RunningError| {
+            one == other || (one.value - other.value).abs() <= CAREFUL * (one.bound + other.bound)
+        };
+        match (self, other) {
+            (Number(one), Number(other)) => !is_near(one, other),
+            (Vector(one), Vector(other)) => (0..3).any(|axis| !is_near(one[axis], other[axis])),
+            _ => true,
+        }
     }
 
     fn negative(self) -> Self {
