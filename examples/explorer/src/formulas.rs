@@ -1,6 +1,7 @@
 //! The formulas of the closed form, with a name for each term that can be made faulty.
 
 use beamgap::linearization::{Quantity, Varied};
+use beamgap::number::Label;
 use std::sync::OnceLock;
 
 const TEXT: &str = include_str!("formulas.txt");
@@ -38,6 +39,8 @@ pub struct Term {
     pub number: usize,
     /// Its name in the closed form.
     pub name: &'static str,
+    /// The same as a label.
+    pub label: Label,
     /// Whether its value is a vector, and which of the values of this name it is; nothing if it is a matrix.
     pub value: Option<(bool, usize)>,
     /// What is written for it.
@@ -108,7 +111,8 @@ fn of_term(text: &'static str, number: usize) -> Term {
         "m" => None,
         _ => Some(value.strip_prefix('v').map_or_else(|| (false, of(value)), |number| (true, of(number)))),
     };
-    Term { number, name, value, latex }
+    let label = Label::read(name).unwrap_or_else(|| panic!("{text:?} has no formula"));
+    Term { number, name, label, value, latex }
 }
 
 fn of_result(text: &str) -> Option<(Quantity, usize)> {

@@ -7,28 +7,25 @@ use crate::state::State;
 use beamgap::check::ByTerm;
 use beamgap::linearization::Quantity;
 use beamgap::nalgebra::Vector3;
-use beamgap::number::{Label, Which};
+use beamgap::number::{Formula as of, Label};
 
 /// Values of a closed form by name.
 struct Values<'a>(&'a ByTerm);
 
 impl Values<'_> {
     /// The values of a term. It is looked for in the list, because few of the terms are visible.
-    fn get(&self, name: &str) -> impl Iterator<Item = f64> {
-        let (name, which) =
-            name.strip_suffix(" (bar)").map_or((name, Which::Beam), |name| (name, Which::Bar));
-        let is_it = move |label: &Label| label.which == which && label.name == name;
-        self.0.terms.iter().filter(move |(label, _)| is_it(label)).map(|(_, value)| *value)
+    fn get(&self, label: Label) -> impl Iterator<Item = f64> {
+        self.0.terms.iter().filter(move |(of, _)| *of == label).map(|(_, value)| *value)
     }
 
     /// The value of a term, in words.
-    fn of_term(&self, name: &str, (is_vector, which): (bool, usize)) -> Option<String> {
+    fn of_term(&self, label: Label, (is_vector, which): (bool, usize)) -> Option<String> {
         if is_vector {
-            let mut values = self.get(name).skip(3 * which);
+            let mut values = self.get(label).skip(3 * which);
             let [x, y, z] = [values.next()?, values.next()?, values.next()?];
             Some(vector(&Vector3::new(x, y, z)))
         } else {
-            self.get(name).nth(which).map(number)
+            self.get(label).nth(which).map(number)
         }
     }
 
@@ -49,10 +46,13 @@ pub(super) fn write(frame: &mut Frame, state: &State, found: Option<&[ByTerm; 2]
     let right = found.map(|[_, right]| Values(right));
     // Without a fault both are the same.
     let faulty = found.filter(|_| state.fault.is_some()).map(|[faulty, _]| Values(faulty));
-    let has = |name: &str| right.as_ref().is_some_and(|values| values.get(name).next().is_some());
-    let (normal, cross) = (has("|d|: n.d"), has("D: c.c"));
-    let (held, bar_held) = (has("xi_bar, xi held: R_bar / a_bar"), has("xi, xi_bar held: R / a"));
-    let solved = right.is_none() || has("xi: a_bar R");
+    let has = |formula, term| {
+        let label = Label::of_beam(formula, term);
+        right.as_ref().is_some_and(|values| values.get(label).next().is_some())
+    };
+    let (normal, cross) = (has(of::D, "n.d"), has(of::Det, "c.c"));
+    let (held, bar_held) = (has(of::XiBarAlone, "R_bar / a_bar"), has(of::XiAlone, "R / a"));
+    let solved = right.is_none() || has(of::Xi, "a_bar R");
     let holds = |when: char| match when {
         'L' => !normal,
         'N' => normal,
@@ -104,7 +104,7 @@ fn write_formula(
     };
     for term in formula.terms() {
         if let Some(value) = term.value {
-            write(format!("term{}", term.number), &|values| values.of_term(term.name, value));
+            write(format!("term{}", term.number), &|values| values.of_term(term.label, value));
         }
     }
     if let Some(result) = formula.result {

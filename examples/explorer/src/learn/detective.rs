@@ -95,7 +95,7 @@ impl Detective {
         };
         let z = 0.3 + self.bend.clamp(-0.5, 0.5);
         let beam_above = beam(
-            [-1.15, -0.1, 0.3, 0.0, 0.1, z, 1.15, -0.1, 0.3],
+            [-1.15, -0.1, 0.3, 0.0, -0.1, z, 1.15, -0.1, 0.3],
             [0.2, -0.3, 0.1, 0.1, 0.4, -0.2, -0.3, 0.2, 0.3],
             [-0.1, 0.2, 0.3, 0.2, -0.3, 0.1, 0.3, 0.1, -0.2],
         );
@@ -116,11 +116,11 @@ impl Scene for Detective {
     fn drag(&mut self, handle: &str, to: [f64; 2]) {
         if handle == "bend" {
             let camera = camera();
-            let [_, zero] = camera.at(&Vector3::new(0.0, 0.1, 0.3));
-            let [_, one] = camera.at(&Vector3::new(0.0, 0.1, 1.3));
+            let [_, zero] = camera.at(&Vector3::new(0.0, -0.1, 0.3));
+            let [_, one] = camera.at(&Vector3::new(0.0, -0.1, 1.3));
             let bend = (to[1] - zero) / (one - zero);
             // A straight beam is easily found.
-            self.bend = if bend.abs() < 0.03 { 0.0 } else { rounded(bend.clamp(-0.5, 0.5)) };
+            self.bend = if bend.abs() < 0.06 { 0.0 } else { rounded(bend.clamp(-0.5, 0.5)) };
             self.rests = false;
         }
     }

@@ -116,13 +116,16 @@ impl Scene for Lines {
         frame.text("dxi_bar", if is_singular { none() } else { number(xi_bar) });
         // The first variation of d does not use the system.
         let d = first.delta.u_hat.dot(&first.d) / first.d.norm();
-        frame.number("dd", d);
+        let is_at_rest = r.abs().max(r_bar.abs()) < 1e-12;
+        frame.text("dd", if is_singular && !is_at_rest { none() } else { number(d) });
         let [cos, sin] = self.turn;
         frame.text("angle", format!("{:.1}°", (sin / cos.abs().max(1e-12)).atan().abs().to_degrees()));
         frame.text(
             "says",
-            if is_singular {
-                "The lines are parallel. No pair of variations fulfils both equations: D is zero."
+            if is_singular && is_at_rest {
+                "D is zero, and both lines are one: every pair on it fulfils both equations."
+            } else if is_singular {
+                "D is zero, and the lines are parallel: no pair fulfils both equations. The distance has a kink."
             } else if is_inside(xi) && is_inside(xi_bar) {
                 "The lines cross in one point. It is the pair of variations."
             } else {

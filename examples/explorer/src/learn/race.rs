@@ -4,7 +4,7 @@ use super::camera::Camera;
 use super::{Scene, rounded};
 use crate::frame::{Frame, line, number};
 use beamgap::curve::{Curve, Hermite};
-use beamgap::number::{Label, Which};
+use beamgap::number::{Formula, Label};
 use beamgap::pair::DofVector;
 use beamgap::teaching::{Equilibrium, Problem, Tangent};
 use serde::{Deserialize, Serialize};
@@ -14,6 +14,8 @@ use std::cell::RefCell;
 const PLOT: [f64; 4] = [52.0, 344.0, 16.0, 270.0];
 const SHOWN: u8 = 30;
 const POWERS: [f64; 2] = [-13.0, 2.0];
+/// The maximum number of iterations: a slow method is told from one that is ruined.
+const ITERATIONS: usize = 100;
 /// The pieces of a drawn beam.
 const PIECES: u32 = 24;
 
@@ -36,15 +38,15 @@ impl Default for Race {
 
 /// The tangents, by the names of their buttons.
 fn tangent(name: &str) -> Option<Tangent> {
-    let term = |name, factor| Tangent::Term(Label { name, which: Which::Beam }, factor);
     Some(match name {
         "exact" => Tangent::Exact,
         "no_curvature" => Tangent::NoCurvature,
         "frozen" => Tangent::FrozenProjection,
         "sign_b" => Tangent::WrongSign,
-        "sign_right" => term("xi: b R_bar", -1.0),
-        "no_normal" => term("H_d: G'nn'G", 0.0),
-        "sign_curvature" => term("a: d.t,xi", -1.0),
+        "sign_right" => Tangent::Term(Label::of_beam(Formula::Xi, "b R_bar"), -1.0),
+        "sign_a" => Tangent::Term(Label::of_beam(Formula::HessianD, "a gg'"), -1.0),
+        "no_normal" => Tangent::Term(Label::of_beam(Formula::HessianD, "G'nn'G"), 0.0),
+        "sign_curvature" => Tangent::Term(Label::of_beam(Formula::A, "d.t,xi"), -1.0),
         _ => return None,
     })
 }
@@ -61,7 +63,7 @@ struct Run {
 impl Run {
     fn new(name: &str, push: f64) -> Option<Self> {
         let tangent = tangent(name)?;
-        let problem = Problem { push, ..Problem::default() };
+        let problem = Problem { push, iterations: ITERATIONS, ..Problem::default() };
         let mut q = problem.start();
         for _ in 1..problem.steps {
             q = problem.step(q, Tangent::Exact).q;

@@ -20,12 +20,17 @@ pub(super) struct Slide {
 
 impl Default for Slide {
     fn default() -> Self {
-        Self { end: [0.26, 0.1, 0.34] }
+        Self { end: in_picture(camera().at(&Vector3::new(0.26, 0.1, 0.34))) }
     }
 }
 
 fn camera() -> Camera {
     Camera::usual(112.0, [168.0, 178.0])
+}
+
+/// The displacement in the plane of the picture that is drawn from the origin to here.
+fn in_picture(to: [f64; 2]) -> [f64; 3] {
+    camera().in_plane(to).map(rounded).into()
 }
 
 /// The dofs, and the direction in which the beam turns about its first end.
@@ -43,7 +48,7 @@ impl Scene for Slide {
             let [x, y] = camera.at(&geometry(&above(), 1.0).x);
             let [across, down] = [(to[0] - x).clamp(-70.0, 45.0), (to[1] - y).clamp(-80.0, 60.0)];
             let origin = camera.at(&Vector3::zeros());
-            self.end = camera.in_plane([origin[0] + across, origin[1] + down]).map(rounded).into();
+            self.end = in_picture([origin[0] + across, origin[1] + down]);
         }
     }
 
