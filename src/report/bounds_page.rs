@@ -35,8 +35,8 @@ impl Bounds {
             Block::text(
                 "The overestimation factor is the bound over the true error, at least 1 if the bound holds. The check does \
                  not detect a fault below the tolerance, the sum of both bounds. The true error is the difference from the \
-                 closed form in double-double, at the closest point refined there. *Kernel*: all its functions, with \
-                 the beams' own numbers of dofs. *Contact element*: residual (first) and tangent (second). *First*: delta \
+                 closed form in double-double, at the closest point refined there. *Kernel*: all its functions. \
+                 *Contact element*: residual (first) and tangent (second), also at d = 0. *First*: delta \
                  and Delta; *second*: Delta-delta. The scale of a number is the sum of the absolute values of its terms.",
             ),
             table(["side", "order"], &all),

@@ -199,7 +199,10 @@ impl Counts {
 
 #[cfg(test)]
 mod tests {
-    use super::{Case, Counted, Counts, RunningError};
+    use super::{
+        Case, Comparison, Counted, Counts, DoubleDouble, EvaluationPoint, RunningError, Search,
+        closest_points,
+    };
 
     /// Both triangles of a Hessian and both blocks between the beams round differently: in these cases by more than the
     /// bound of those that `Derivatives` stores.
@@ -212,6 +215,32 @@ mod tests {
             counted.add(&Case::draw(seed, number));
             assert!(counted.violations.is_empty(), "{seed}, {number}: {:?}", counted.violations);
         }
+    }
+
+    /// Inside of both beams a second element is measured, where the centroids cross.
+    #[test]
+    fn contact_elements_are_measured_where_the_distance_is_zero() {
+        let (mut inside, mut with_distance, mut without) = (0, 0, 0);
+        for number in 0..33 {
+            let case = Case::draw(7, number);
+            let [beam, bar] = case.beams();
+            for point in closest_points(beam, bar, &Search::default()).map(|found| found.minima).unwrap() {
+                let Ok(evaluation) = EvaluationPoint::new([beam, bar], &case.contact, &point) else {
+                    continue;
+                };
+                let Some(precise) = evaluation.precise() else { continue };
+                let numbers = evaluation.precise_element(&evaluation.chord(), &precise);
+                let is_crossing = |of: &&(Comparison, DoubleDouble)| of.0.against.ends_with("d = 0");
+                let crossing = numbers.iter().filter(is_crossing).count();
+                inside += usize::from(point.is_interior());
+                with_distance += usize::from(numbers.len() > crossing);
+                without += usize::from(crossing > 0);
+            }
+        }
+        assert!(
+            with_distance > inside && 10 * without > 9 * inside,
+            "{with_distance}, {without} of {inside}"
+        );
     }
 
     #[test]

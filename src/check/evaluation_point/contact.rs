@@ -54,40 +54,57 @@ impl EvaluationPoint<'_> {
         if let Some((element, comparisons)) = self.drawn_element(&self.points(), chord) {
             each(self, &element, comparisons);
         }
-        let _ = self.of_crossing(each);
+        let _ = self.at_crossing(|crossing, points| {
+            let (element, comparisons) = crossing.meaningful_element(points, &crossing.chord())?;
+            each(crossing, &element, comparisons);
+            Some(())
+        });
     }
 
-    /// The comparisons of the pair, each with its number in double-double, from the quantities `precise`.
+    /// The comparisons of the same elements, each with its number in double-double. `precise` are the quantities of the pair in
+    /// double-double.
     pub(in crate::check) fn precise_element(
         &self,
         chord: &[Varied<RunningError2>],
         precise: &[Varied<DoubleDouble>],
     ) -> Vec<(Comparison, DoubleDouble)> {
-        let Some((element, comparisons)) = self.drawn_element(&self.points(), chord) else {
-            return Vec::new();
+        let with_numbers = |point: &EvaluationPoint<'_>,
+                            (element, comparisons): (ElementAt, Vec<Comparison>),
+                            precise: &[_]| {
+            let numbers = point.numbers(&element, precise)?;
+            Some(comparisons.into_iter().zip(numbers.into_iter().cycle()).collect::<Vec<_>>())
         };
-        let Some(numbers) = self.numbers(&element, precise) else { return Vec::new() };
-        comparisons.into_iter().zip(numbers.into_iter().cycle()).collect()
+        let own = self.drawn_element(&self.points(), chord);
+        let own = own.and_then(|drawn| with_numbers(self, drawn, precise));
+        let crossing = self.at_crossing(|crossing, points| {
+            let drawn = crossing.meaningful_element(points, &crossing.chord())?;
+            with_numbers(crossing, drawn, &crossing.precise()?)
+        });
+        own.into_iter().chain(crossing).flatten().collect()
     }
 
-    /// The element where the centroids cross: d = 0 up to rounding. There only the signed distance has derivatives.
+    /// Calls `of` with the pair whose bar beam is moved until the centroids cross, d = 0 up to rounding, and with the contact
+    /// points before. There only the signed distance has derivatives.
     ///
-    /// None if d is not small after the move, because some dof is very large, or if rounding hides the numbers.
-    fn of_crossing(&self, each: &mut OfElement<'_>) -> Option<()> {
+    /// None if the point is not inside both beams, or if d is not small after the move, because some dof is very large.
+    fn at_crossing<R>(&self, of: impl FnOnce(&EvaluationPoint<'_>, &Points<f64>) -> Option<R>) -> Option<R> {
         if !self.point.is_interior() {
             return None;
         }
         let (points, [beam, bar]) = (self.points(), self.beams);
         let bar = bar.translated(&points.d)?;
         let crossing = EvaluationPoint::regular([beam, &*bar], self.contact, &self.point).ok()?;
-        if !crossing.is_moved_from(&points) {
-            return None;
-        }
-        let (element, comparisons) = crossing.drawn_element(&points, &crossing.chord())?;
-        if comparisons.iter().all(Comparison::is_meaningful) {
-            each(&crossing, &element, comparisons);
-        }
-        Some(())
+        if crossing.is_moved_from(&points) { of(&crossing, &points) } else { None }
+    }
+
+    /// The element for the centroids that were moved from these contact points; none if rounding hides its numbers.
+    fn meaningful_element(
+        &self,
+        drawn_for: &Points<f64>,
+        chord: &[Varied<RunningError2>],
+    ) -> Option<(ElementAt, Vec<Comparison>)> {
+        let drawn = self.drawn_element(drawn_for, chord)?;
+        drawn.1.iter().all(Comparison::is_meaningful).then_some(drawn)
     }
 
     /// Whether the bar beam was moved from these contact points until the centroids cross.
