@@ -10,6 +10,7 @@ mod dual;
 mod extension;
 #[cfg(feature = "check")]
 mod faulty;
+mod formula;
 mod hyper_dual;
 mod hyper_dual_row;
 mod lanes;
@@ -32,6 +33,7 @@ pub(crate) use faulty::{
     Bits, Change, Faulty, TermChange, counted, locate, operations, terms as recorded_terms,
     terms_with as recorded_terms_with, with_operation, with_terms,
 };
+pub use formula::Formula;
 pub use hyper_dual::HyperDual;
 pub use hyper_dual_row::HyperDualRow;
 pub use lanes::Lanes;

@@ -35,7 +35,7 @@ pub use error::{ExternalError, Place};
 pub use evaluate::{Evaluator, Formulas};
 pub(crate) use explain::explain_own;
 pub use explain::{
-    Cause, ExplainedFault, Explanation, Naming, Programs, RunnerUp, equation_of, explain, explained_faults,
+    Cause, ExplainedFault, Explanation, Naming, Programs, RunnerUp, explain, explained_faults,
 };
 pub use few_digits::{FewDigits, FewKind, Precision, few_digits};
 pub use location::{Location, locate};

@@ -90,14 +90,14 @@ impl fmt::Display for Operations {
 mod tests {
     use super::{Formula, operations_of, operations_of_curve};
     use crate::curve::Hermite;
-    use crate::number::{Label, Real, Which};
+    use crate::number::{self, Label, Real};
 
     /// The square of a length, with an unused product.
     struct Square;
 
     impl Formula for Square {
         fn numbers<T: Real>(&self, v: &[T]) -> Vec<T> {
-            let label = Label { name: "v.v", which: Which::Beam };
+            let label = Label::of_beam(number::Formula::T, "v.v");
             let _ = v[0] * v[1];
             vec![(v[0] * v[0] + v[1] * v[1]).named(label)]
         }
@@ -109,7 +109,7 @@ mod tests {
         assert_eq!((found.operations, found.undetected.len()), (4, 1));
         let text = found.to_string();
         assert!(text.starts_with("Of 4 operations, 1 are not covered:\n  1 at "), "{text}");
-        assert!(text.ends_with(", in the term `v.v`: any fault changes no number, not used"), "{text}");
+        assert!(text.ends_with(", in the term `|t|: v.v`: any fault changes no number, not used"), "{text}");
     }
 
     #[test]

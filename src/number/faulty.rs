@@ -126,13 +126,13 @@ mod tests {
     use super::{
         Change, Faulty, TermChange, counted, operations, terms, terms_with, with_operation, with_terms,
     };
-    use crate::number::{Label, Real, Which, named, orders};
+    use crate::number::{Formula, Label, Real, named, orders};
 
-    const LABEL: Label = Label { name: "ab", which: Which::Beam };
+    const LABEL: Label = Label::of_beam(Formula::D, "ab");
 
     fn formula([a, b]: [f64; 2]) -> f64 {
         let [a, b] = [a, b].map(Faulty);
-        (named("ab", a * b) + named("b", -b) / Faulty::from(4.0)).sqrt().0
+        (named(Formula::D, "ab", a * b) + named(Formula::D, "b", -b) / Faulty::from(4.0)).sqrt().0
     }
 
     #[test]
@@ -167,9 +167,9 @@ mod tests {
         let (_, other) = terms(|| formula([5.0, 7.0]));
         assert_eq!(with(TermChange::Instead(other.into())).to_bits(), 33_f64.sqrt().to_bits());
         assert_eq!(
-            with_terms(vec![(LABEL, TermChange::Orders)], || orders::<Faulty<f64>>("ab", [0, 1])),
+            with_terms(vec![(LABEL, TermChange::Orders)], || orders::<Faulty<f64>>(Formula::D, "ab", [0, 1])),
             [1, 0]
         );
-        assert_eq!(orders::<Faulty<f64>>("ab", [0, 1]), [0, 1]);
+        assert_eq!(orders::<Faulty<f64>>(Formula::D, "ab", [0, 1]), [0, 1]);
     }
 }

@@ -1,21 +1,38 @@
 //! Named terms, so that a check can inject a fault into one of them, and can explain a mismatch by one.
 
-use super::Real;
+use super::{Formula, Real};
 use nalgebra::SMatrix;
 use std::fmt;
 
-/// The name of a term.
+/// The name of a term. It is shown as `a: d.t,xi`; delta is written d, and Delta D.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Label {
-    /// Formula and term, such as `a: d.t,xi`; delta is written d, and Delta D.
-    pub name: &'static str,
+    /// The formula.
+    pub formula: Formula,
+    /// The term in it.
+    pub term: &'static str,
     /// The beam that it is used for, if the formula serves both.
     pub which: Which,
 }
 
+impl Label {
+    /// A term in the formula of the beam.
+    pub const fn of_beam(formula: Formula, term: &'static str) -> Self {
+        Self { formula, term, which: Which::Beam }
+    }
+
+    /// The term that is shown so.
+    pub fn read(name: &'static str) -> Option<Self> {
+        let (formula, term) = Formula::of_term(name)?;
+        let bar = term.strip_suffix(" (bar)");
+        let which = if bar.is_some() { Which::Bar } else { Which::Beam };
+        Some(Self { formula, term: bar.unwrap_or(term), which })
+    }
+}
+
 impl fmt::Display for Label {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)?;
+        write!(f, "{}: {}", self.formula.name(), self.term)?;
         f.write_str(if self.which == Which::Bar { " (bar)" } else { "" })
     }
 }
@@ -43,8 +60,8 @@ impl<T: Real, const R: usize, const C: usize> Term<T> for SMatrix<T, R, C> {
 
 /// A term with its name. The result is the term itself, except for scalars for fault injection.
 #[inline(always)]
-pub(crate) fn named<T, V: Term<T>>(name: &'static str, term: V) -> V {
-    Which::Beam.named(name, term)
+pub(crate) fn named<T, V: Term<T>>(formula: Formula, term: &'static str, value: V) -> V {
+    Which::Beam.named(formula, term, value)
 }
 
 /// One of the two beams.
@@ -68,13 +85,13 @@ impl fmt::Display for Which {
 impl Which {
     /// A term with its name, in the formula of this beam.
     #[inline(always)]
-    pub(crate) fn named<T, V: Term<T>>(self, name: &'static str, term: V) -> V {
-        term.with_name(Label { name, which: self })
+    pub(crate) fn named<T, V: Term<T>>(self, formula: Formula, term: &'static str, value: V) -> V {
+        value.with_name(Label { formula, term, which: self })
     }
 }
 
 /// The orders of the two Jacobians in a product, by the name of the product.
 #[inline(always)]
-pub(crate) fn orders<T: Real>(name: &'static str, orders: [usize; 2]) -> [usize; 2] {
-    T::orders(Label { name, which: Which::Beam }, orders)
+pub(crate) fn orders<T: Real>(formula: Formula, term: &'static str, orders: [usize; 2]) -> [usize; 2] {
+    T::orders(Label { formula, term, which: Which::Beam }, orders)
 }

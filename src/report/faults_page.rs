@@ -7,6 +7,7 @@ use super::number::{count, error};
 use super::page::{Block, Page};
 use crate::check::Regime;
 use crate::faults::{Check, Detection, Limit};
+use crate::number::Formula;
 use crate::variant::{Kind, Rewrite};
 use std::collections::BTreeMap;
 
@@ -94,7 +95,9 @@ impl Faults {
             let row = self.best(check).filter(|row| row.detected < row.planted)?;
             let mut formulas: BTreeMap<&str, usize> = BTreeMap::new();
             for fault in self.terms.missed_by(check, row.regime) {
-                *formulas.entry(fault.split(':').next().unwrap_or(fault)).or_default() += 1;
+                *formulas
+                    .entry(Formula::of_term(fault).map_or(fault, |(formula, _)| formula.name()))
+                    .or_default() += 1;
             }
             let mut formulas: Vec<_> = formulas.into_iter().collect();
             formulas.sort_by_key(|&(name, count)| (usize::MAX - count, name));

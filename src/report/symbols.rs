@@ -185,6 +185,7 @@ const NAMES: [(&str, &str); 3] = [
 #[cfg(test)]
 mod tests {
     use super::{MATRICES, NAMES, QUANTITIES, SYSTEM, VARIATIONS};
+    use crate::number::Label;
     use crate::variant::catalogue;
 
     /// Every name at the start of a fault is in a table, without its `d`, `D` or `Dd`, and its bars; so is every word in its
@@ -198,9 +199,8 @@ mod tests {
             .filter(|name| !name.is_empty())
             .collect();
         for fault in catalogue() {
-            let fault = fault.to_string();
-            let formula = fault.split(':').next().unwrap_or(&fault);
-            for name in formula.split([' ', ',']).filter(|name| !name.is_empty()) {
+            let Label { formula, term, .. } = fault.label;
+            for name in formula.name().split([' ', ',']).filter(|name| !name.is_empty()) {
                 let bare = name.trim_matches('|');
                 let rest = ["Dd", "D", "d", ""].map(|prefix| bare.strip_prefix(prefix));
                 let is_known = rest.into_iter().flatten().any(|rest| {
@@ -209,7 +209,6 @@ mod tests {
                 });
                 assert!(is_known, "{fault}: {name}");
             }
-            let term = fault.split([':', '=']).nth(1).unwrap_or_default();
             let is_word = |word: &&str| word.len() > 4 && word.chars().all(|c| c.is_ascii_lowercase());
             for word in term.split([' ', ',', '.', '(', ')', '\'']).filter(is_word) {
                 assert!(known.contains(&word), "{fault}: {word}");

@@ -5,7 +5,7 @@ use crate::closest_point::{ClosestPoint, Held};
 use crate::curve::{Geometry, Hermite, Jet, Shapes};
 use crate::linearization::BlockHessian;
 use crate::linearization::closed_form::{Matrices, jets};
-use crate::number::{Faulty, Label, TermChange, Which, with_terms};
+use crate::number::{Faulty, Formula, Label, TermChange, with_terms};
 use crate::pair::{DofVector, Pair};
 
 /// How the tangent of the contact force is computed. The force itself is always correct.
@@ -34,17 +34,19 @@ impl Tangent {
             Self::NoCurvature => "without d.t,xi",
             Self::FrozenProjection => "frozen projection",
             Self::WrongSign => "one wrong sign",
-            Self::Term(label, _) => label.name,
+            Self::Term(label, _) => label.term,
         }
     }
 
     /// The terms that have a factor.
     fn terms(self) -> Vec<(Label, f64)> {
-        let term = |name, factor| (Label { name, which: Which::Beam }, factor);
         match self {
             Self::Exact | Self::FrozenProjection => Vec::new(),
-            Self::NoCurvature => vec![term("a: d.t,xi", 0.0), term("a_bar: d.t_bar,xi", 0.0)],
-            Self::WrongSign => vec![term("H_d: b gg_bar'", -1.0)],
+            Self::NoCurvature => vec![
+                (Label::of_beam(Formula::A, "d.t,xi"), 0.0),
+                (Label::of_beam(Formula::ABar, "d.t_bar,xi"), 0.0),
+            ],
+            Self::WrongSign => vec![(Label::of_beam(Formula::HessianD, "b gg_bar'"), -1.0)],
             Self::Term(label, factor) => vec![(label, factor)],
         }
     }

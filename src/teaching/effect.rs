@@ -6,7 +6,7 @@ use crate::curve::{Curve, Hermite};
 use crate::equations::StandardCase;
 use crate::linearization::closed_form::{Formulation, PartialVariations, variations_in};
 use crate::linearization::{Quantities, Varied};
-use crate::number::{Faulty, Label, TermChange, Which, with_terms};
+use crate::number::{Faulty, Formula, Label, TermChange, with_terms};
 use serde::{Deserialize, Serialize};
 
 /// A fault of the self-checks: a term and the factor that it is multiplied by.
@@ -15,9 +15,9 @@ pub struct SelfCheck {
     /// The equation that contains the term.
     pub equation: u8,
     /// The term in the variations.
-    pub term: &'static str,
+    pub term: Label,
     /// The same term in the Hessian of d, if the Hessian contains it.
-    pub in_hessian: Option<&'static str>,
+    pub in_hessian: Option<Label>,
     /// The factor: 0 if the term is missing, -1 if its sign is wrong.
     pub factor: f64,
 }
@@ -43,12 +43,42 @@ pub struct Effect {
 
 /// The faults of the self-checks.
 pub const SELF_CHECKS: [SelfCheck; 6] = [
-    SelfCheck { equation: 50, term: "a: d.t,xi", in_hessian: Some("a: d.t,xi"), factor: 0.0 },
-    SelfCheck { equation: 52, term: "xi: b R_bar", in_hessian: Some("xi: b R_bar"), factor: -1.0 },
-    SelfCheck { equation: 40, term: "Dd|d|: d.turned", in_hessian: None, factor: 0.0 },
-    SelfCheck { equation: 40, term: "Dd|d|: dd Dd", in_hessian: Some("H_d: G'nn'G"), factor: 0.0 },
-    SelfCheck { equation: 42, term: "Dd|t|: Dt.dt", in_hessian: None, factor: 0.0 },
-    SelfCheck { equation: 54, term: "R2: Dd.dt", in_hessian: None, factor: 0.0 },
+    SelfCheck {
+        equation: 50,
+        term: Label::of_beam(Formula::A, "d.t,xi"),
+        in_hessian: Some(Label::of_beam(Formula::A, "d.t,xi")),
+        factor: 0.0,
+    },
+    SelfCheck {
+        equation: 52,
+        term: Label::of_beam(Formula::Xi, "b R_bar"),
+        in_hessian: Some(Label::of_beam(Formula::Xi, "b R_bar")),
+        factor: -1.0,
+    },
+    SelfCheck {
+        equation: 40,
+        term: Label::of_beam(Formula::SecondD, "d.turned"),
+        in_hessian: None,
+        factor: 0.0,
+    },
+    SelfCheck {
+        equation: 40,
+        term: Label::of_beam(Formula::SecondD, "dd Dd"),
+        in_hessian: Some(Label::of_beam(Formula::HessianD, "G'nn'G")),
+        factor: 0.0,
+    },
+    SelfCheck {
+        equation: 42,
+        term: Label::of_beam(Formula::SecondT, "Dt.dt"),
+        in_hessian: None,
+        factor: 0.0,
+    },
+    SelfCheck {
+        equation: 54,
+        term: Label::of_beam(Formula::SecondR, "Dd.dt"),
+        in_hessian: None,
+        factor: 0.0,
+    },
 ];
 
 impl SelfCheck {
@@ -63,10 +93,7 @@ impl SelfCheck {
         let exchanged = StandardCase { dq: case.linear_dq, linear_dq: case.dq, ..case };
         let exchanged = self.seconds(&exchanged, form, true)?;
         let relative = |i: usize, other: [f64; 4]| ((wrong[i] - other[i]) / right[i]).abs();
-        let run = self.in_hessian.map(|name| {
-            let label = Label { name, which: Which::Beam };
-            Problem::default().solve(Tangent::Term(label, self.factor))
-        });
+        let run = self.in_hessian.map(|label| Problem::default().solve(Tangent::Term(label, self.factor)));
         let what = if self.factor == 0.0 { "missing" } else { "of the wrong sign" };
         Ok(Effect {
             equation: self.equation,
@@ -93,10 +120,9 @@ impl SelfCheck {
         };
         let beam = partial(&q.beam, &dq.beam, &linear_dq.beam, point.xi);
         let bar = partial(&q.bar, &dq.bar, &linear_dq.bar, point.xi_bar);
-        let label = Label { name: self.term, which: Which::Beam };
         let factor = if with_fault { self.factor } else { 1.0 };
         let all: Quantities<Varied<Faulty<f64>>> =
-            with_terms(vec![(label, TermChange::Times(factor))], || {
+            with_terms(vec![(self.term, TermChange::Times(factor))], || {
                 let at = (Faulty(point.xi), Faulty(point.xi_bar));
                 variations_in(form, &beam, &bar, at, &pair.contact)
             });

@@ -34,7 +34,7 @@ fn the_catalogue_has_every_kind_of_fault_of_every_formula() {
     // A missing term is a fault for every term. The exception is the root of a square that is missing.
     let terms: BTreeSet<_> = faults.iter().map(|fault| fault.label).collect();
     assert_eq!(kinds[&Kind::Dropped], terms.len());
-    let formulas: BTreeSet<_> = terms.iter().map(|label| label.name.split(':').next().unwrap()).collect();
+    let formulas: BTreeSet<_> = terms.iter().map(|label| label.formula.name()).collect();
     for formula in
         ["a", "a_bar", "b", "D", "R", "R_bar", "R2", "xi", "Dd x", "Dd t", "Dd|d|", "Ddg_T", "H_d", "C"]
     {

@@ -8,7 +8,7 @@ use crate::check::{
     Regime, Selection, TestBeam, Verdict,
 };
 use crate::linearization::{COMPONENTS, Varied};
-use crate::number::{Label, Which};
+use crate::number::{Formula, Label};
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, Family};
 use crate::variant::{Fault, Kind, SCALARS, Variant};
@@ -125,7 +125,7 @@ fn differences_decide_what_ad_cannot() {
 
 #[test]
 fn a_fault_is_a_mismatch_and_the_differences_are_asked() {
-    let fault = Fault { label: Label { name: "Dd d: Dd x", which: Which::Beam }, kind: Kind::Dropped };
+    let fault = Fault { label: Label::of_beam(Formula::SecondDVector, "Dd x"), kind: Kind::Dropped };
     let config = CheckConfig { variant: Variant::Faulty(vec![fault]), oracles: Oracles::Ad };
     let mismatch = (0..9).flat_map(|number| compare(&config, &Case::draw(7, number)));
     let mut mismatches = mismatch.filter(|(_, verdict)| matches!(verdict, Verdict::Mismatch(_))).peekable();

@@ -5,10 +5,9 @@ use crate::cli::count::count as counted;
 use crate::cli::exit::Exit;
 use crate::cli::outcome::{Entry, Outcome, Source, State, Verdict};
 use beamgap::check::Regime;
-use beamgap::check::external::equation_of;
 use beamgap::closest_point::SearchFault;
-use beamgap::equations::named;
 use beamgap::faults::{Check, Gate, OneSided, Operations, SearchFaults};
+use beamgap::number::Formula;
 use beamgap::report::Faults;
 use beamgap::variant::catalogue;
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,18 +15,18 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The outcome of a record, with one entry for each formula of the closed form, and one for each code in whose single
 /// operations faults were injected.
 pub(super) fn outcome(record: &Faults) -> Outcome {
-    let mut formulas: BTreeMap<String, usize> = BTreeMap::new();
+    let mut formulas: BTreeMap<Formula, usize> = BTreeMap::new();
     for fault in catalogue() {
-        *formulas.entry(formula(&fault.to_string()).to_owned()).or_default() += 1;
+        *formulas.entry(fault.label.formula).or_default() += 1;
     }
     let ours = record.terms.detections.iter().filter(|of| matches!(of.check, Check::Gate | Check::Exact));
     let missed: Vec<_> = ours
         .flat_map(|of| record.terms.missed_by(of.check, of.regime).map(move |fault| (of, fault)))
         .collect();
-    let of_formulas = formulas.into_iter().map(|(name, count)| {
+    let of_formulas = formulas.into_iter().map(|(formula, count)| {
         let missed: BTreeSet<_> = missed
             .iter()
-            .filter(|(_, fault)| formula(fault) == name)
+            .filter(|(_, fault)| Formula::of_term(fault).is_some_and(|(of, _)| of == formula))
             .map(|(of, fault)| {
                 format!("{fault} ({}, {})", of.check.name(), of.regime.map_or("-", Regime::name))
             })
@@ -38,8 +37,9 @@ pub(super) fn outcome(record: &Faults) -> Outcome {
             _ if count == 1 => "the only fault is detected".to_owned(),
             _ => format!("all {count} faults are detected"),
         };
-        let number = number_of(&name);
-        Entry { group: "formula".into(), name, state, message, source: Source::of_equation(number) }
+        let number = formula.equations().first().copied();
+        let (group, name) = ("formula".into(), formula.name().to_owned());
+        Entry { group, name, state, message, source: Source::of_equation(number) }
     });
     let of_operations = record.operations.iter().map(of_operations);
     let of_search = record.search.iter().map(of_search);
@@ -112,14 +112,4 @@ fn of_gate(of: &Gate) -> Entry {
     let source = Some(Source { file: "src/check/compare.rs".to_owned(), line: 1 });
     let state = State::of(of.terms as u64, u64::from(!of.holds()));
     Entry { group: "gate".into(), name: of.regime.name().to_owned(), state, message, source }
-}
-
-/// The formula that contains a fault: its name up to the colon.
-fn formula(fault: &str) -> &str {
-    fault.split(':').next().unwrap_or(fault)
-}
-
-/// The number of the equation of a formula.
-fn number_of(formula: &str) -> Option<u8> {
-    named(&equation_of(&format!("{formula}: "))?.replace("eq. ", "Eq. ")).first().copied()
 }

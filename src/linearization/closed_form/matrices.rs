@@ -7,7 +7,7 @@ use super::{Formulation, Points, Projection};
 use crate::closest_point::Held;
 use crate::curve::{DofDerivatives, Jet};
 use crate::linearization::{Derivatives, Linearization};
-use crate::number::{Real, Which, named};
+use crate::number::{Formula, Real, Which, named};
 use crate::pair::{Contact, DofVector};
 use nalgebra::Vector3;
 
@@ -59,14 +59,14 @@ where
         // Eq. (50), (52): g = p r + q r̄ with r = −(Gᵀt + A₁ᵀd), r̄ = −(Gᵀt̄ + B₁ᵀd), and ḡ by the other row: with the row's
         // m = p t + q t̄ it is −[Gᵀm + p A₁ᵀd + q B₁ᵀd]
         let (a, b) = (&jet.dofs, &jet_bar.dofs);
-        let turned = named("grad R: A1'd", a.gradient(1, &points.d));
-        let turned_bar = named("grad R_bar: B1'd", b.gradient(1, &points.d));
+        let turned = named(Formula::GradR, "A1'd", a.gradient(1, &points.d));
+        let turned_bar = named(Formula::GradRBar, "B1'd", b.gradient(1, &points.d));
         let inverse = projection.inverse();
         let [g, g_bar] = [0, 1].map(|i| {
             let ([p, q], m) = (inverse[i], matrices.mean(i, inverse[i]));
             DofVector {
-                beam: -named("grad xi: A0'm", a.gradient(0, &m)) - turned * p,
-                bar: named("grad xi: B0'm", b.gradient(0, &m)) - turned_bar * q,
+                beam: -named(Formula::GradXi, "A0'm", a.gradient(0, &m)) - turned * p,
+                bar: named(Formula::GradXi, "B0'm", b.gradient(0, &m)) - turned_bar * q,
             }
         });
         (matrices.g, matrices.g_bar) = (g, g_bar);
@@ -113,9 +113,9 @@ where
         let Jet { geometry, dofs: a } = self.jet;
         let gradient = |k, w: &Vector3<T>| DofVector::of_beam(a.gradient(k, w));
         let (inverse, w) = write_length(Which::Beam, geometry, gradient, xi, to);
-        add_product(&mut to.hessian.beam, named("H_t: A1'A1", inverse), (a, 1), (a, 1));
+        add_product(&mut to.hessian.beam, named(Formula::HessianT, "A1'A1", inverse), (a, 1), (a, 1));
         if !U::LINEAR {
-            to.hessian.beam += named("H_t: K,xi(t)", a.hessian(1, &w));
+            to.hessian.beam += named(Formula::HessianT, "K,xi(t)", a.hessian(1, &w));
         }
     }
 
@@ -125,9 +125,9 @@ where
         let Jet { geometry, dofs: b } = self.jet_bar;
         let gradient = |k, w: &Vector3<T>| DofVector::of_bar(b.gradient(k, w));
         let (inverse, w) = write_length(Which::Bar, geometry, gradient, xi_bar, to);
-        add_product(&mut to.hessian.bar, named("H_t_bar: B1'B1", inverse), (b, 1), (b, 1));
+        add_product(&mut to.hessian.bar, named(Formula::HessianTBar, "B1'B1", inverse), (b, 1), (b, 1));
         if !V::LINEAR {
-            to.hessian.bar += named("H_t_bar: K_bar,xi(t_bar)", b.hessian(1, &w));
+            to.hessian.bar += named(Formula::HessianTBar, "K_bar,xi(t_bar)", b.hessian(1, &w));
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::Formulation;
 use crate::closest_point::Held;
 use crate::curve::Geometry;
-use crate::number::{Real, named};
+use crate::number::{Formula, Real, named};
 use nalgebra::Vector3;
 
 /// The geometry from which the entries of the matrix are computed.
@@ -50,12 +50,14 @@ impl<T: Real> CrossProducts<T> {
         let c = points.cross();
         let (e, e_bar) = (d.dot(&x.t_xi), d.dot(&y.t_xi));
         // D = −c·c + (d·t,ξ) ā + (d·t̄,ξ̄) t·t with c = t × t̄
-        let det = -named("D: c.c", c.dot(&c))
-            + named("D: d.t,xi a_bar", e * (e_bar - y.t.dot(&y.t)))
-            + named("D: d.t_bar,xi t.t", e_bar * x.t.dot(&x.t));
+        let det = -named(Formula::Det, "c.c", c.dot(&c))
+            + named(Formula::Det, "d.t,xi a_bar", e * (e_bar - y.t.dot(&y.t)))
+            + named(Formula::Det, "d.t_bar,xi t.t", e_bar * x.t.dot(&x.t));
         // D u = t̄ × c − (d·t̄,ξ̄) t   D ū = t × c − (d·t,ξ) t̄
-        let u = named("u: t_bar x c", y.t.cross(&c)) - named("u: d.t_bar,xi t", x.t * e_bar);
-        let u_bar = named("u_bar: t x c", x.t.cross(&c)) - named("u_bar: d.t,xi t_bar", y.t * e);
+        let u =
+            named(Formula::U, "t_bar x c", y.t.cross(&c)) - named(Formula::U, "d.t_bar,xi t", x.t * e_bar);
+        let u_bar =
+            named(Formula::UBar, "t x c", x.t.cross(&c)) - named(Formula::UBar, "d.t,xi t_bar", y.t * e);
         Self { det, u: [u / det, u_bar / det] }
     }
 }
@@ -99,10 +101,10 @@ impl<T: Real> Projection<T> {
         let Points { beam: Geometry { t, t_xi, .. }, bar: y, d } = points;
         let (t_bar, t_bar_xi) = (&y.t, &y.t_xi);
         // Eq. (50), (51): a = t·t + d·t,ξ   b = t·t̄   ā = −t̄·t̄ + d·t̄,ξ̄
-        let a = named("a: t.t", t.dot(t)) + named("a: d.t,xi", d.dot(t_xi));
-        let b = named("b: t.t_bar", t.dot(t_bar));
-        let a_bar =
-            -named("a_bar: t_bar.t_bar", t_bar.dot(t_bar)) + named("a_bar: d.t_bar,xi", d.dot(t_bar_xi));
+        let a = named(Formula::A, "t.t", t.dot(t)) + named(Formula::A, "d.t,xi", d.dot(t_xi));
+        let b = named(Formula::B, "t.t_bar", t.dot(t_bar));
+        let a_bar = -named(Formula::ABar, "t_bar.t_bar", t_bar.dot(t_bar))
+            + named(Formula::ABar, "d.t_bar,xi", d.dot(t_bar_xi));
         let cross_products = form.uses_cross_products().then(|| CrossProducts::new(points));
         Self { a, b, a_bar, held: form.held, cross_products }
     }
@@ -126,17 +128,18 @@ impl<T: Real> Projection<T> {
             (false, false) => {
                 // Eq. (52): D = a ā + b²
                 let det = cross_products.map_or_else(
-                    || named("D: a a_bar", a * a_bar) + named("D: b b", b * b),
+                    || named(Formula::Det, "a a_bar", a * a_bar) + named(Formula::Det, "b b", b * b),
                     |cross_products| cross_products.det,
                 );
                 // Eq. (52), (59): δξ = (ā R + b R̄)/D   δξ̄ = (−b R + a R̄)/D
-                let xi = named("xi: a_bar R", a_bar * r) + named("xi: b R_bar", b * r_bar);
-                let xi_bar = -named("xi_bar: b R", b * r) + named("xi_bar: a R_bar", a * r_bar);
+                let xi = named(Formula::Xi, "a_bar R", a_bar * r) + named(Formula::Xi, "b R_bar", b * r_bar);
+                let xi_bar =
+                    -named(Formula::XiBar, "b R", b * r) + named(Formula::XiBar, "a R_bar", a * r_bar);
                 (xi / det, xi_bar / det)
             }
             // One parameter is held at an end, so only the other row remains: R̄ = ā δξ̄ or R = a δξ.
-            (true, false) => (zero, named("xi_bar, xi held: R_bar / a_bar", r_bar / a_bar)),
-            (false, true) => (named("xi, xi_bar held: R / a", r / a), zero),
+            (true, false) => (zero, named(Formula::XiBarAlone, "R_bar / a_bar", r_bar / a_bar)),
+            (false, true) => (named(Formula::XiAlone, "R / a", r / a), zero),
             (true, true) => (zero, zero),
         }
     }

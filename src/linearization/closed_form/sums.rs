@@ -2,7 +2,7 @@
 
 use crate::curve::{DofDerivatives, Geometry};
 use crate::linearization::Derivatives;
-use crate::number::{Real, Which};
+use crate::number::{Formula, Real, Which};
 use crate::pair::DofVector;
 use nalgebra::{SMatrix, Vector3};
 
@@ -54,17 +54,17 @@ pub(super) fn write_length<T: Real, const N: usize, const M: usize>(
     let (inverse, half, g) = (T::one() / *value, T::from(0.5), &xi.gradient);
     let w = t * inverse;
     // ∇t = J_tᵀw
-    let first = of.named("grad t: w.t,xi g", w.dot(t_xi));
-    *gradient = a_transposed(1, &of.named("grad t: A1'w", w)).plus(first, g);
+    let first = of.named(Formula::GradT, "w.t,xi g", w.dot(t_xi));
+    *gradient = a_transposed(1, &of.named(Formula::GradT, "A1'w", w)).plus(first, g);
     // H_t = (w·t,ξ) H_ξ + S_t(w) + (J_tᵀJ_t − ∇t∇tᵀ)/t with J_tᵀJ_t = A₁ᵀA₁ + sym(g, A₁ᵀt,ξ) + (t,ξ·t,ξ) ggᵀ
     let squares = half
-        * (of.named("H_t: w.t,xixi gg'", w.dot(t_xixi))
-            + of.named("H_t: t,xi.t,xi gg'", t_xi.dot(t_xi)) * inverse);
-    let with_g = a_transposed(2, &of.named("H_t: A2'w g'", w))
-        .plus(inverse, &a_transposed(1, &of.named("H_t: A1't,xi g'", *t_xi)))
+        * (of.named(Formula::HessianT, "w.t,xixi gg'", w.dot(t_xixi))
+            + of.named(Formula::HessianT, "t,xi.t,xi gg'", t_xi.dot(t_xi)) * inverse);
+    let with_g = a_transposed(2, &of.named(Formula::HessianT, "A2'w g'", w))
+        .plus(inverse, &a_transposed(1, &of.named(Formula::HessianT, "A1't,xi g'", *t_xi)))
         .plus(squares, g);
-    let with_gradient = gradient.times(-of.named("H_t: grad t grad t'", half * inverse));
-    let first = of.named("H_t: w.t,xi H_xi", w.dot(t_xi));
+    let with_gradient = gradient.times(-of.named(Formula::HessianT, "grad t grad t'", half * inverse));
+    let first = of.named(Formula::HessianT, "w.t,xi H_xi", w.dot(t_xi));
     hessian.set_sum(&[(first, &xi.hessian)], &[[g, &with_g], [gradient, &with_gradient]]);
     (inverse, w)
 }
@@ -83,11 +83,14 @@ pub(super) fn write_slip<T: Real, const N: usize, const M: usize>(
     to.value = t.value * slip;
     to.gradient = t
         .gradient
-        .times(of.named("grad g_T: slip grad t", slip))
-        .plus(of.named("grad g_T: t g", t.value), &xi.gradient);
-    let with_g = xi.gradient.times(of.named("H_g_T: grad t g'", T::one()));
+        .times(of.named(Formula::GradGT, "slip grad t", slip))
+        .plus(of.named(Formula::GradGT, "t g", t.value), &xi.gradient);
+    let with_g = xi.gradient.times(of.named(Formula::HessianGT, "grad t g'", T::one()));
     to.hessian.set_sum(
-        &[(of.named("H_g_T: slip H_t", slip), &t.hessian), (of.named("H_g_T: t H_xi", t.value), &xi.hessian)],
+        &[
+            (of.named(Formula::HessianGT, "slip H_t", slip), &t.hessian),
+            (of.named(Formula::HessianGT, "t H_xi", t.value), &xi.hessian),
+        ],
         &[[&t.gradient, &with_g]],
     );
 }

@@ -5,7 +5,7 @@ use super::paper::{self, FirstOrder, SecondOrderOfBeam};
 use super::{Formulation, PartialVariations, Points, Projection};
 use crate::closest_point::Held;
 use crate::linearization::{Quantities, Varied};
-use crate::number::{Real, Which, named};
+use crate::number::{Formula, Real, Which, named};
 use crate::pair::Contact;
 use nalgebra::Vector3;
 
@@ -42,7 +42,7 @@ pub fn variations_in<T: Real>(
 ) -> Quantities<Varied<T>> {
     let (x, y) = (&beam.geometry, &bar.geometry);
     // Eq. (5), (8): d = x_C − x̄_C
-    let d = named("d: x", x.x) - named("d: x_bar", y.x);
+    let d = named(Formula::DVector, "x", x.x) - named(Formula::DVector, "x_bar", y.x);
 
     let projection = Projection::in_formulation(&Points { beam: *x, bar: *y, d }, form);
     let beams = [beam, bar];
@@ -59,7 +59,8 @@ pub fn variations_in<T: Real>(
     let t = length(Which::Beam, &x.t, [&delta.beam.t, &linear.beam.t, &second.t]);
     let t_bar = length(Which::Bar, &y.t, [&delta.bar.t, &linear.bar.t, &second_bar.t]);
     // Eq. (11), (18), (19): g_N = d − (r + r̄)
-    let radii = named("g_N: r", T::from(contact.radius)) + named("g_N: r_bar", T::from(contact.radius_bar));
+    let radii = named(Formula::GN, "r", T::from(contact.radius))
+        + named(Formula::GN, "r_bar", T::from(contact.radius_bar));
 
     let xi = Varied { value: xi, delta: delta.beam.xi, linear: linear.beam.xi, second: second.xi };
     let xi_bar = Varied { value: xi_bar, delta: delta.bar.xi, linear: linear.bar.xi, second: second_bar.xi };
@@ -88,7 +89,7 @@ fn by_length<T: Real>(
     d: &Vector3<T>,
 ) -> Varied<T> {
     // Eq. (4): d = ‖d‖
-    let value = named("|d|: d.d", d.dot(d)).sqrt();
+    let value = named(Formula::D, "d.d", d.dot(d)).sqrt();
 
     let first = [delta, linear].map(|of| paper::delta_distance(d, value, &of.u_hat));
     let second = paper::second_distance(beams, [delta, linear], d, value, first);
@@ -106,9 +107,9 @@ fn along_normal<T: Real>(
 ) -> Varied<T> {
     let [t, t_bar] = beams.map(|beam| &beam.geometry.t);
     // n = ± c/|c| with c = t × t̄
-    let c = named("n: t x t_bar", t.cross(t_bar));
+    let c = named(Formula::Normal, "t x t_bar", t.cross(t_bar));
     let n = unit_normal(&(c * sign));
-    let value = named("|d|: n.d", n.dot(d));
+    let value = named(Formula::D, "n.d", n.dot(d));
     let [delta, linear] = firsts.map(|of| paper::delta_distance_along_normal(&n, &of.u_hat));
     let delta_n = firsts.map(|of| paper::delta_normal(beams, [&c, &n], of));
     let second = paper::second_distance_along_normal(&n, value, seconds, delta_n);

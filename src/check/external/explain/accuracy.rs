@@ -95,12 +95,12 @@ pub fn explained_faults(programs: Programs) -> Vec<ExplainedFault> {
 /// Pairs of faults of different terms. In every other pair both terms belong to the same formula.
 fn drawn_pairs(catalogue: &[Fault], seed: u64, count: usize) -> Vec<Vec<Fault>> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let formula = |fault: &Fault| fault.label.name.split(": ").next().unwrap_or_default();
     let mut pairs = Vec::new();
     while pairs.len() < count {
         let one = catalogue[random.random_range(0..catalogue.len())];
-        let is_second =
-            |two: &&Fault| two.label != one.label && (pairs.len() % 2 == 0 || formula(two) == formula(&one));
+        let is_second = |two: &&Fault| {
+            two.label != one.label && (pairs.len() % 2 == 0 || two.label.formula == one.label.formula)
+        };
         let seconds: Vec<_> = catalogue.iter().filter(is_second).collect();
         if !seconds.is_empty() {
             let mut pair = vec![one, *seconds[random.random_range(0..seconds.len())]];

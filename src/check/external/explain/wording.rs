@@ -1,18 +1,13 @@
 //! The words of terms and faults.
 
-use super::equation::equation;
 use crate::number::{Label, Which};
 use crate::variant::{Fault, Kind};
 
 /// A term of the closed form.
 fn of_label(label: &Label) -> String {
-    let (formula, term) = label.name.split_once(": ").unwrap_or(("", label.name));
-    let of = if label.which == Which::Bar { ", for the bar beam" } else { "" };
-    let formula = match formula {
-        "" => String::new(),
-        formula => format!(" of {formula}"),
-    };
-    format!("the term {term}{formula}{of}, {},", equation(label))
+    let Label { formula, term, which } = label;
+    let of = if *which == Which::Bar { ", for the bar beam" } else { "" };
+    format!("the term {term} of {}{of}, {},", formula.name(), formula.equation())
 }
 
 /// A fault of the catalogue.

@@ -1,7 +1,7 @@
 //! The lengths of the tangents and the slips, with their variations.
 
 use crate::linearization::Varied;
-use crate::number::{Real, Which};
+use crate::number::{Formula, Real, Which};
 use nalgebra::Vector3;
 
 /// t = |t|.
@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 #[doc(alias = "Eq. (9)")]
 pub fn length<T: Real>(which: Which, t: &Vector3<T>) -> T {
     // Eq. (9): t = ‖t‖
-    which.named("|t|: t.t", t.dot(t)).sqrt()
+    which.named(Formula::T, "t.t", t.dot(t)).sqrt()
 }
 
 /// δt, of the length, from δt of the vector.
@@ -18,7 +18,7 @@ pub fn length<T: Real>(which: Which, t: &Vector3<T>) -> T {
 #[doc(alias = "Eq. (41)")]
 pub fn delta_length<T: Real>(which: Which, t: &Vector3<T>, length: T, delta_t: &Vector3<T>) -> T {
     // Eq. (33), (41): δt = t·δt/t
-    which.named("d|t|: t.dt", t.dot(delta_t)) / length
+    which.named(Formula::DeltaT, "t.dt", t.dot(delta_t)) / length
 }
 
 /// Δδt, of the length, from its first variations `first` along delta and Delta, and from those of the vector.
@@ -34,8 +34,9 @@ pub fn second_length<T: Real>(
     [delta_t, linear_t, second_t]: [&Vector3<T>; 3],
 ) -> T {
     // Eq. (35), (42), (58) corrected: Δδt = (t·Δδt + Δt·δt − δt Δt)/t, where the last term has lengths
-    (which.named("Dd|t|: t.Ddt", t.dot(second_t)) + which.named("Dd|t|: Dt.dt", linear_t.dot(delta_t))
-        - which.named("Dd|t|: dt Dt", first[0] * first[1]))
+    (which.named(Formula::SecondT, "t.Ddt", t.dot(second_t))
+        + which.named(Formula::SecondT, "Dt.dt", linear_t.dot(delta_t))
+        - which.named(Formula::SecondT, "dt Dt", first[0] * first[1]))
         / length
 }
 
@@ -45,7 +46,7 @@ pub fn second_length<T: Real>(
 #[doc(alias = "Eq. (15)")]
 pub fn slip<T: Real>(which: Which, t: T, slip: T) -> T {
     // Eq. (14), (15): g_T = t (ξ_C − ξ_C₀)
-    which.named("g_T: t slip", t * slip)
+    which.named(Formula::GT, "t slip", t * slip)
 }
 
 /// δg_T.
@@ -53,7 +54,8 @@ pub fn slip<T: Real>(which: Which, t: T, slip: T) -> T {
 #[doc(alias = "Eq. (20)")]
 pub fn delta_slip<T: Real>(which: Which, t: T, slip: T, [delta_t, delta_xi]: [T; 2]) -> T {
     // Eq. (20): δg_T = δt (ξ_C − ξ_C₀) + t δξ_C
-    which.named("dg_T: dt slip", delta_t * slip) + which.named("dg_T: t dxi", t * delta_xi)
+    which.named(Formula::DeltaGT, "dt slip", delta_t * slip)
+        + which.named(Formula::DeltaGT, "t dxi", t * delta_xi)
 }
 
 /// Δδg_T.
@@ -61,8 +63,8 @@ pub fn delta_slip<T: Real>(which: Which, t: T, slip: T, [delta_t, delta_xi]: [T;
 #[doc(alias = "Eq. (21)")]
 pub fn second_slip<T: Real>(which: Which, t: &Varied<T>, slip: T, xi: &Varied<T>) -> T {
     // Eq. (21): Δδg_T = Δδt (ξ_C − ξ_C₀) + δt Δξ_C + Δt δξ_C + t Δδξ_C
-    which.named("Ddg_T: Ddt slip", t.second * slip)
-        + which.named("Ddg_T: dt Dxi", t.delta * xi.linear)
-        + which.named("Ddg_T: Dt dxi", t.linear * xi.delta)
-        + which.named("Ddg_T: t Ddxi", t.value * xi.second)
+    which.named(Formula::SecondGT, "Ddt slip", t.second * slip)
+        + which.named(Formula::SecondGT, "dt Dxi", t.delta * xi.linear)
+        + which.named(Formula::SecondGT, "Dt dxi", t.linear * xi.delta)
+        + which.named(Formula::SecondGT, "t Ddxi", t.value * xi.second)
 }

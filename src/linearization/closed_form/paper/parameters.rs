@@ -2,7 +2,7 @@
 
 use super::FirstOrder;
 use crate::linearization::closed_form::{PartialVariations, Projection};
-use crate::number::{Real, named};
+use crate::number::{Formula, Real, named};
 use crate::source_fault::source_fault;
 use nalgebra::Vector3;
 
@@ -22,17 +22,20 @@ pub fn delta_xi<T: Real>(
     projection: &Projection<T>,
 ) -> (T, T) {
     // Eq. (44), (50): R_δ = −δᵤû·t − δᵤu,ξ·d   R̄_δ = −δᵤû·t̄ − δᵤū,ξ̄·d   Eq. (49) corrected in its second row
-    let r = -named("R: du,xi.d", u[1].dot(d));
-    let r_bar = -named("R_bar: du_bar,xi.d", u_bar[1].dot(d));
+    let r = -named(Formula::R, "du,xi.d", u[1].dot(d));
+    let r_bar = -named(Formula::RBar, "du_bar,xi.d", u_bar[1].dot(d));
     let Some(cross_products) = projection.cross_products else {
-        let r = r - named("R: du_hat.t", u_hat.dot(&beam.geometry.t));
-        let r_bar = r_bar - named("R_bar: du_hat.t_bar", u_hat.dot(&bar.geometry.t));
+        let r = r - named(Formula::R, "du_hat.t", u_hat.dot(&beam.geometry.t));
+        let r_bar = r_bar - named(Formula::RBar, "du_hat.t_bar", u_hat.dot(&bar.geometry.t));
         return projection.solve(r, r_bar);
     };
     // δᵤû in the solution, in cross products: the terms δᵤû·t and δᵤû·t̄ cancel at small angles.
     let (xi, xi_bar) = projection.solve(r, r_bar);
     let [along, along_bar] = cross_products.u.map(|u| u.dot(u_hat));
-    (xi + named("dxi: u.du_hat", along), xi_bar + named("dxi_bar: u_bar.du_hat", along_bar))
+    (
+        xi + named(Formula::DeltaXi, "u.du_hat", along),
+        xi_bar + named(Formula::DeltaXiBar, "u_bar.du_hat", along_bar),
+    )
 }
 
 /// (Δδξ, Δδξ̄), from the first variations along delta and Delta, and from the parts of Δδx and Δδt without Δδξ.
@@ -50,22 +53,27 @@ pub fn second_xi<T: Real>(
 ) -> (T, T) {
     // Eq. (47), (53), (54): the part of Δδd and Δδt without Δδξ goes to the right-hand side, which the paper does not
     // give: R_Δδ = −(δd·Δt + Δd·δt) − t·(rest of Δδd) − d·(rest of Δδt), barred likewise
-    let rest_d = named("R2: rest of Dd x", *rest_x) - named("R2: rest of Dd x_bar", *rest_x_bar);
+    let rest_d = named(Formula::SecondR, "rest of Dd x", *rest_x)
+        - named(Formula::SecondR, "rest of Dd x_bar", *rest_x_bar);
     let exchanged = linear.d.dot(&delta.beam.t);
     let exchanged = source_fault!("sign-in-53": -exchanged, exchanged);
-    let r = -(named("R2: dd.Dt", delta.d.dot(&linear.beam.t)) + named("R2: Dd.dt", exchanged))
-        - named("R2: d.rest", d.dot(rest_t));
-    let r_bar = -(named("R2_bar: dd.Dt_bar", delta.d.dot(&linear.bar.t))
-        + named("R2_bar: Dd.dt_bar", linear.d.dot(&delta.bar.t)))
-        - named("R2_bar: d.rest", d.dot(rest_t_bar));
+    let r = -(named(Formula::SecondR, "dd.Dt", delta.d.dot(&linear.beam.t))
+        + named(Formula::SecondR, "Dd.dt", exchanged))
+        - named(Formula::SecondR, "d.rest", d.dot(rest_t));
+    let r_bar = -(named(Formula::SecondRBar, "dd.Dt_bar", delta.d.dot(&linear.bar.t))
+        + named(Formula::SecondRBar, "Dd.dt_bar", linear.d.dot(&delta.bar.t)))
+        - named(Formula::SecondRBar, "d.rest", d.dot(rest_t_bar));
     // Eq. (55), (59); its twin Eq. (56) lacks a bar
     let Some(cross_products) = projection.cross_products else {
-        let r = r - named("R2: t.rest", rest_d.dot(&beam.geometry.t));
-        let r_bar = r_bar - named("R2_bar: t_bar.rest", rest_d.dot(&bar.geometry.t));
+        let r = r - named(Formula::SecondR, "t.rest", rest_d.dot(&beam.geometry.t));
+        let r_bar = r_bar - named(Formula::SecondRBar, "t_bar.rest", rest_d.dot(&bar.geometry.t));
         return projection.solve(r, r_bar);
     };
     // The rest of Δδd in the solution, in cross products.
     let (xi, xi_bar) = projection.solve(r, r_bar);
     let [along, along_bar] = cross_products.u.map(|u| u.dot(&rest_d));
-    (xi + named("Ddxi: u.rest", along), xi_bar + named("Ddxi_bar: u_bar.rest", along_bar))
+    (
+        xi + named(Formula::SecondXi, "u.rest", along),
+        xi_bar + named(Formula::SecondXiBar, "u_bar.rest", along_bar),
+    )
 }

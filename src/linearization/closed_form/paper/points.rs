@@ -2,7 +2,7 @@
 
 use super::FirstOrderOfBeam;
 use crate::linearization::closed_form::PartialVariations;
-use crate::number::{Real, Which, named};
+use crate::number::{Formula, Real, Which, named};
 use nalgebra::Vector3;
 
 /// δᵤû, the variation of d at fixed parameters.
@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 #[doc(alias = "Eq. (37)")]
 pub fn delta_u_hat<T: Real>(u: &Vector3<T>, u_bar: &Vector3<T>) -> Vector3<T> {
     // Eq. (37): δᵤû = δᵤu_C − δᵤū_C
-    named("u_hat: du", *u) - named("u_hat: du_bar", *u_bar)
+    named(Formula::UHat, "du", *u) - named(Formula::UHat, "du_bar", *u_bar)
 }
 
 /// δx_C.
@@ -24,7 +24,7 @@ pub fn delta_x<T: Real>(
     dxi: T,
 ) -> Vector3<T> {
     // Eq. (24), (31): δx_C = t δξ + δᵤu_C
-    which.named("dx: t dxi", beam.geometry.t * dxi) + which.named("dx: du", u[0])
+    which.named(Formula::DeltaX, "t dxi", beam.geometry.t * dxi) + which.named(Formula::DeltaX, "du", u[0])
 }
 
 /// δt, of the vector.
@@ -38,7 +38,8 @@ pub fn delta_t<T: Real>(
     dxi: T,
 ) -> Vector3<T> {
     // Eq. (28), (31), (32): δt = t,ξ δξ + δᵤu_C,ξ   ((32) prints a stray −δξ̄ in δt̄)
-    which.named("dt: t,xi dxi", beam.geometry.t_xi * dxi) + which.named("dt: du,xi", u[1])
+    which.named(Formula::DeltaTVector, "t,xi dxi", beam.geometry.t_xi * dxi)
+        + which.named(Formula::DeltaTVector, "du,xi", u[1])
 }
 
 /// δd, of the vector.
@@ -46,7 +47,7 @@ pub fn delta_t<T: Real>(
 #[doc(alias = "Eq. (32)")]
 pub fn delta_d<T: Real>(dx: &Vector3<T>, dx_bar: &Vector3<T>) -> Vector3<T> {
     // Eq. (32): δd = δx_C − δx̄_C
-    named("dd: dx", *dx) - named("dd: dx_bar", *dx_bar)
+    named(Formula::DeltaDVector, "dx", *dx) - named(Formula::DeltaDVector, "dx_bar", *dx_bar)
 }
 
 /// Δδx_C without t Δδξ, from the first variations along delta and Delta.
@@ -59,10 +60,10 @@ pub fn second_x_rest<T: Real>(
     [delta, linear]: [&FirstOrderOfBeam<T>; 2],
 ) -> Vector3<T> {
     // Eq. (26), (27), (31): Δδx_C = t,ξ δξΔξ + t Δδξ + δξ Δᵤu_C,ξ + δᵤu_C,ξ Δξ + Δᵤδᵤu_C
-    which.named("Dd x: t,xi dxi Dxi", beam.geometry.t_xi * (delta.xi * linear.xi))
-        + which.named("Dd x: dxi Du,xi", linear.u[1] * delta.xi)
-        + which.named("Dd x: du,xi Dxi", delta.u[1] * linear.xi)
-        + which.named("Dd x: Ddu", beam.second_u[0])
+    which.named(Formula::SecondX, "t,xi dxi Dxi", beam.geometry.t_xi * (delta.xi * linear.xi))
+        + which.named(Formula::SecondX, "dxi Du,xi", linear.u[1] * delta.xi)
+        + which.named(Formula::SecondX, "du,xi Dxi", delta.u[1] * linear.xi)
+        + which.named(Formula::SecondX, "Ddu", beam.second_u[0])
 }
 
 /// Δδt, of the vector, without t,ξ Δδξ, from the first variations along delta and Delta.
@@ -76,10 +77,10 @@ pub fn second_t_rest<T: Real>(
 ) -> Vector3<T> {
     // Eq. (30), (31), (32): Δδt = t,ξξ δξΔξ + t,ξ Δδξ + δξ Δᵤu_C,ξξ + δᵤu_C,ξξ Δξ + Δᵤδᵤu_C,ξ
     // ((32) prints t̄,ξ̄ for t̄,ξ̄ξ̄ in the barred twin)
-    which.named("Dd t: t,xixi dxi Dxi", beam.geometry.t_xixi * (delta.xi * linear.xi))
-        + which.named("Dd t: dxi Du,xixi", linear.u[2] * delta.xi)
-        + which.named("Dd t: du,xixi Dxi", delta.u[2] * linear.xi)
-        + which.named("Dd t: Ddu,xi", beam.second_u[1])
+    which.named(Formula::SecondTVector, "t,xixi dxi Dxi", beam.geometry.t_xixi * (delta.xi * linear.xi))
+        + which.named(Formula::SecondTVector, "dxi Du,xixi", linear.u[2] * delta.xi)
+        + which.named(Formula::SecondTVector, "du,xixi Dxi", delta.u[2] * linear.xi)
+        + which.named(Formula::SecondTVector, "Ddu,xi", beam.second_u[1])
 }
 
 /// Δδx_C from its rest and Δδξ.
@@ -91,7 +92,8 @@ pub fn second_x<T: Real>(
     rest: Vector3<T>,
     second_xi: T,
 ) -> Vector3<T> {
-    which.named("Dd x: t Ddxi", beam.geometry.t * second_xi) + which.named("Dd x: rest", rest)
+    which.named(Formula::SecondX, "t Ddxi", beam.geometry.t * second_xi)
+        + which.named(Formula::SecondX, "rest", rest)
 }
 
 /// Δδt, of the vector, from its rest and Δδξ.
@@ -103,12 +105,14 @@ pub fn second_t<T: Real>(
     rest: Vector3<T>,
     second_xi: T,
 ) -> Vector3<T> {
-    which.named("Dd t: t,xi Ddxi", beam.geometry.t_xi * second_xi) + which.named("Dd t: rest", rest)
+    which.named(Formula::SecondTVector, "t,xi Ddxi", beam.geometry.t_xi * second_xi)
+        + which.named(Formula::SecondTVector, "rest", rest)
 }
 
 /// Δδd, of the vector.
 #[inline]
 #[doc(alias = "Eq. (32)")]
 pub fn second_d<T: Real>(second_x: &Vector3<T>, second_x_bar: &Vector3<T>) -> Vector3<T> {
-    named("Dd d: Dd x", *second_x) - named("Dd d: Dd x_bar", *second_x_bar)
+    named(Formula::SecondDVector, "Dd x", *second_x)
+        - named(Formula::SecondDVector, "Dd x_bar", *second_x_bar)
 }
