@@ -18,6 +18,7 @@ mod error;
 #[cfg_attr(not(feature = "check"), path = "closest_point/faultless.rs")]
 mod fault;
 mod found;
+mod held;
 mod nearest;
 mod newton;
 mod point;
@@ -34,8 +35,9 @@ pub use fault::SearchFault;
 #[cfg(feature = "check")]
 pub(crate) use fault::{is_injected, with_search_fault};
 pub use found::{ClosestPoints, Statistics, Unresolved};
+pub use held::Held;
 pub use newton::refine;
-pub use point::{ClosestPoint, Degeneracy, End, Held, Kind, Side};
+pub use point::{ClosestPoint, Degeneracy, End, Kind, Side};
 pub use squared_distance::SquaredDistance;
 
 use crate::curve::{Curve, Geometry};

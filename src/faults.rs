@@ -18,6 +18,7 @@ mod run;
 mod sampled;
 mod search;
 mod sides;
+mod steps;
 mod test_points;
 
 pub use check::Check;

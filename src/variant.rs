@@ -14,9 +14,10 @@ mod point;
 mod read;
 mod rewrite;
 mod rewrites;
+mod rewritten;
 
 pub use catalogue::{catalogue, catalogue_in_parts, with_faults};
-pub(crate) use catalogue::{classes, terms};
+pub(crate) use catalogue::{classes, labels, terms};
 pub use fault::{Fault, Kind, UnknownFault};
 pub use rewrite::Rewrite;
 
@@ -34,9 +35,6 @@ use crate::number::{Bits, Change, Faulty, Label, Real, with_operation};
 use crate::pair::{Contact, DofVector};
 use crate::test_beam::PaddedBeam;
 use planted::{Planted, mistaken};
-
-/// The distance of the parameters of a stale point from the current ones.
-const LAG: f64 = 1.0 / 128.0;
 
 /// The number of scalar quantities that have matrices.
 pub(crate) const SCALARS: usize = 7;
@@ -253,9 +251,4 @@ pub(crate) fn contracted<T: Real, const D: usize>(
     let linear_dq = DofVector { beam: *linear_dq, bar: *linear_dq_bar };
     [&all.d, &all.t, &all.t_bar, &all.xi, &all.xi_bar, &all.g_t, &all.g_t_bar]
         .map(|e| [e.gradient.along(&dq), e.gradient.along(&linear_dq), e.hessian.along(&dq, &linear_dq)])
-}
-
-/// The parameters of the step before.
-pub(crate) fn before<T: Real>((xi, xi_bar): (T, T)) -> (T, T) {
-    (xi - T::from(LAG), xi_bar - T::from(LAG))
 }

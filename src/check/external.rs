@@ -4,6 +4,7 @@
 //! [`Vector`]s are written for another program ([`VectorWriter`]). It answers some of the quantities that they allow
 //! ([`Answers`]).
 
+mod answered;
 mod answers;
 mod compare;
 mod conventions;

@@ -14,9 +14,8 @@ use super::diagnosis::Finding;
 use super::regime::Regime;
 use super::verdict::{Inconclusive, Verdict};
 use crate::curve::Curve;
-use crate::test_beam::Drawn;
-use nalgebra::{SVector, Vector3};
-use pair::Pair;
+use nalgebra::Vector3;
+use pair::{Pair, varied};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -25,8 +24,6 @@ use std::fmt;
 
 pub use jet::{JetFinding, jet};
 
-/// The relative variation of the dofs of a beam, over the largest of them.
-const SPREAD: f64 = 0.02;
 /// The number of points of a jet that are compared for each given beam.
 const JETS: u64 = 16;
 /// The number of findings that are written out.
@@ -188,14 +185,6 @@ fn stream(number: u64) -> ChaCha8Rng {
     let mut rng = ChaCha8Rng::seed_from_u64(0x5eed);
     rng.set_stream(number);
     rng
-}
-
-/// A beam with its dofs varied a little, and two directions.
-fn varied<C: Clone, const N: usize>(curve: &C, beam: &[f64; N], rng: &mut ChaCha8Rng) -> Drawn<C, N> {
-    let largest = beam.iter().fold(0.0_f64, |largest, q| largest.max(q.abs()));
-    let mut random = |size: f64| SVector::<f64, N>::from_fn(|_, _| size * rng.random_range(-1.0..1.0));
-    let q = SVector::from(*beam) + random(SPREAD * largest);
-    Drawn { curve: curve.clone(), q, dq: random(largest), linear_dq: random(largest), points: Vec::new() }
 }
 
 #[cfg(test)]

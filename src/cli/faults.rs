@@ -3,18 +3,16 @@
 mod entries;
 
 use super::arguments::{regimes, seed, work_with};
-use super::count::count as counted;
 use super::exit::Exit;
 use super::output::{OutputOptions, to_stdout};
 use super::progress::Progress;
 use super::terminal;
 use beamgap::check::Regime;
-use beamgap::closest_point::SearchFault;
 use beamgap::faults::{
     all_operations, element_faults, gate, inject, limits, one_sided, sampled, search_faults,
 };
 use beamgap::report::{self, Environment, Faults, Record};
-use beamgap::variant::{Rewrite, catalogue_in_parts};
+use beamgap::variant::catalogue_in_parts;
 use clap::{Args, value_parser};
 use entries::outcome;
 use std::fmt::Write;
@@ -126,47 +124,10 @@ pub(super) fn record(seed: u64, named: &[Regime], command: &str) -> Faults {
     .judged()
 }
 
-fn words(record: &Faults) -> String {
-    let faults = record.terms.faults();
-    if !record.holds {
-        return "NOT DETECTED: the check misses a fault, rejects an equivalent formula or the\n\
-                search, does not cover an operation, does not compare everything, or a part of\n\
-                this run is missing."
-            .into();
-    }
-    let rewrites = Rewrite::ALL.len();
-    let mut of_terms = format!(
-        "DETECTED: all {faults} faults of terms; none of {rewrites} equivalent formulas is rejected."
-    );
-    if !record.search.is_empty() {
-        let _ = write!(
-            of_terms,
-            "\nAll {} of the search are detected.",
-            counted(SearchFault::ALL.len(), "fault")
-        );
-    }
-    if let Some(of) = record.elements.first() {
-        let _ =
-            write!(of_terms, "\nAll {} of the contact element are detected.", counted(of.planted, "fault"));
-    }
-    if let Some(of) = &record.one_sided {
-        let count = counted(of.detected, "fault");
-        let _ = write!(of_terms, "\nAll {count} on one side of a symmetry only are detected.");
-    }
-    if !record.gate.is_empty() {
-        of_terms += "\nThe gate compares everything, within narrow tolerances.";
-    }
-    let count: usize = record.operations.iter().map(|row| row.faults).sum();
-    if count == 0 {
-        return of_terms;
-    }
-    let count = counted(count, "fault");
-    format!("{of_terms}\nOf {count} of single operations, each is detected or has a reason.")
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Exit, Faults, Record, outcome, terminal, words};
+    use super::entries::words;
+    use super::{Exit, Faults, Record, outcome, terminal};
     use crate::cli::formats::{junit, sarif};
     use beamgap::faults::Check;
     use std::path::Path;

@@ -5,8 +5,8 @@ use super::count::count;
 use super::exit::Exit;
 use super::output::OutputOptions;
 use super::progress::Progress;
-use super::proof;
-use beamgap::prove::{Proof, prove};
+use super::proof::{self, Proved};
+use beamgap::prove::prove;
 use beamgap::test_beam::Family;
 use clap::{Args, value_parser};
 use std::io::Write;
@@ -35,15 +35,6 @@ pub(crate) struct Prove {
     #[arg(long, value_name = "N")]
     #[arg(value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-}
-
-/// The request and the result.
-pub(super) struct Proved {
-    pub(super) plant: Vec<String>,
-    pub(super) seed: u64,
-    pub(super) families: Vec<Family>,
-    pub(super) draws: u64,
-    pub(super) proof: Proof,
 }
 
 impl Prove {

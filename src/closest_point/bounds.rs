@@ -1,7 +1,7 @@
 //! Bounds on the gradient of the squared distance over a box of parameters, from Taylor's theorem at its centre.
 
 use super::SquaredDistance;
-use super::point::SINGULAR;
+use super::held::SINGULAR;
 use super::tree::Node;
 
 /// A margin for rounding, relative to the half-widths of a box.

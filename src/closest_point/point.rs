@@ -1,14 +1,8 @@
 //! One closest (or otherwise stationary) point: its parameters, its kind and its conditioning.
 
 use super::SquaredDistance;
+use super::held::{Held, WEAK};
 use crate::number::Which;
-
-/// Scaled eigenvalues below this are rounding: the point is singular.
-pub(super) const SINGULAR: f64 = 1.4e-14;
-/// Tangents shorter than this, relative to the change of the tangent along the beam, have no length.
-pub(super) const STANDSTILL: f64 = 9e-13;
-/// Scaled multipliers below this are zero: the end is weakly held.
-pub(super) const WEAK: f64 = 9e-13;
 
 /// From this scaled eigenvalue on, the gradients of the parameters keep most of their digits.
 const CLEAR: f64 = 1e-3;
@@ -79,15 +73,6 @@ pub enum Side {
     Lower,
     /// xi = 1.
     Upper,
-}
-
-/// Which parameters are held at an end, and hence do not vary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Held {
-    /// xi is held.
-    pub xi: bool,
-    /// xi_bar is held.
-    pub xi_bar: bool,
 }
 
 /// The reasons why the derivatives at a point are unreliable.

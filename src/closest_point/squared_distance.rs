@@ -2,8 +2,7 @@
 
 mod step;
 
-use super::Held;
-use super::point::{SINGULAR, STANDSTILL, WEAK};
+use super::held::{Held, SINGULAR, STANDSTILL, WEAK};
 use crate::curve::Geometry;
 use nalgebra::{Vector2, Vector3};
 

@@ -17,6 +17,7 @@ use place::Place;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+pub use reason::Lost;
 use reason::reason;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -65,32 +66,6 @@ pub struct Undetected {
     pub reason: Option<String>,
     /// The number of operations.
     pub operations: usize,
-}
-
-/// Why no output depends on an operation. Marking the result of the operation determines it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Lost {
-    /// Nothing uses it.
-    Unused,
-    /// It is multiplied by zero.
-    TimesZero,
-    /// It enters the outputs, but cancels.
-    Cancels,
-}
-
-impl Lost {
-    /// Marks the result of an operation, and searches for the mark in the outputs.
-    fn of(operation: usize, run: impl FnOnce() -> Vec<u64>) -> Self {
-        let (numbers, times_zero) = Traced::run(|| with_operation(operation, Change::Marked, run));
-        if numbers.into_iter().any(Traced::is_marked) {
-            Self::Cancels
-        } else if times_zero {
-            Self::TimesZero
-        } else {
-            Self::Unused
-        }
-    }
 }
 
 /// The faults of an operation that need no other run.

@@ -1,6 +1,6 @@
 //! The closest points of fault injection, chosen so that no term vanishes at all of them.
 
-use super::differences::Steps;
+use super::steps::Steps;
 use crate::check::{
     Case, Closed, Comparison, EvaluationPoint, References, Regime, Selection, Verdict, judged,
 };

@@ -19,6 +19,7 @@ use kernel::WithSlips;
 
 #[doc = include_str!("closed_form/derivation.md")]
 pub mod derivation {}
+mod contact_points;
 pub mod formulation;
 #[cfg_attr(
     not(target_arch = "x86_64"),
@@ -32,10 +33,11 @@ mod projection;
 mod sums;
 pub mod variations;
 
+pub use contact_points::Points;
 pub use formulation::Formulation;
 pub use matrices::{Matrices, VectorQuantity};
 pub use partial_variations::PartialVariations;
-pub use projection::{Points, Projection};
+pub use projection::Projection;
 pub use variations::{variations, variations_in};
 
 impl<A: Curve<N>, B: Curve<M>, const N: usize, const M: usize> Pair<A, B, N, M> {

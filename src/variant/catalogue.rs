@@ -98,7 +98,7 @@ fn points() -> &'static [Point] {
 }
 
 /// The names of all terms: those of the variations, then those of the matrices alone.
-fn labels() -> Vec<Label> {
+pub(crate) fn labels() -> Vec<Label> {
     let [varied, expanded] = terms();
     varied.iter().chain(expanded.iter().filter(|label| !varied.contains(label))).copied().collect()
 }

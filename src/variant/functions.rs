@@ -8,6 +8,7 @@
 
 mod expansion;
 mod linearized;
+mod returned;
 mod routes;
 mod tabulated;
 mod typed;
@@ -18,25 +19,9 @@ use crate::test_beam::PaddedBeam;
 use linearized::{batches, layouts, linearized};
 use tabulated::{Beam, TabulatedBeams};
 
+pub(crate) use returned::Returned;
 pub(crate) use routes::routes;
 pub(crate) use typed::of_curves;
-
-/// Components of the quantities, each with value, first variations and second variation, as far as they are computed.
-pub(crate) type Answers = Vec<(usize, [Option<f64>; 4])>;
-
-/// What a public function returns.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Returned {
-    /// The function, with what it is compiled for.
-    pub(crate) function: &'static str,
-    pub(crate) answers: Answers,
-}
-
-impl Returned {
-    fn new(function: &'static str, answers: Answers) -> Self {
-        Self { function, answers }
-    }
-}
 
 /// The functions for each pair of numbers of dofs.
 macro_rules! for_dofs {

@@ -1,6 +1,5 @@
 //! Faults injected into terms: a factor, or the value that the term has in a run with other operands.
 
-use super::before;
 use super::fault::Kind;
 use crate::number::{Label, Real, TermChange, recorded_terms, recorded_terms_with, with_terms};
 use crate::pair::Contact;
@@ -29,6 +28,9 @@ impl Step {
         }
     }
 }
+
+/// The distance of the parameters of a stale point from the current ones.
+const LAG: f64 = 1.0 / 128.0;
 
 /// The change of a term.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,4 +106,9 @@ fn changes<R>(faults: &[(Label, Planted)], run: impl Fn(Option<Kind>) -> R) -> V
         }
     }
     changes
+}
+
+/// The parameters of the step before.
+pub(crate) fn before<T: Real>((xi, xi_bar): (T, T)) -> (T, T) {
+    (xi - T::from(LAG), xi_bar - T::from(LAG))
 }

@@ -1,6 +1,6 @@
 //! The bounds and the true errors at each closest point, counted.
 
-use super::{Bounds, Measured, Points, Side, Violation};
+use super::record::{Bounds, Measured, Points, Side, Violation};
 use crate::check::distribution::Distribution;
 use crate::check::draw::Case;
 use crate::check::evaluation_point::EvaluationPoint;

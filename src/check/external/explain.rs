@@ -15,6 +15,7 @@ mod accuracy;
 mod answered_case;
 mod datum;
 mod element;
+mod element_search;
 mod fit;
 mod hypothesis;
 mod known;

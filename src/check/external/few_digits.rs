@@ -2,7 +2,6 @@
 
 use super::answers::Answers;
 use super::compare::{CaseFound, Demands, Judged, Judgement, compare_answers, half_unit};
-use super::report::Report;
 use super::vectors::Vector;
 use crate::check::Answer;
 use std::collections::BTreeMap;
@@ -155,14 +154,17 @@ impl Precision {
     }
 }
 
-/// The digits of the wrong answers, if they are few.
-pub fn few_digits(report: &Report, demands: &Demands) -> Option<FewDigits> {
+/// The digits of these wrong answers, if they are few. `precision` is that of all answers.
+pub fn few_digits(
+    cases: &[(Vector, Answers)],
+    precision: &Precision,
+    demands: &Demands,
+) -> Option<FewDigits> {
     if demands.digits.is_some() {
         return None;
     }
-    let cases = &report.kept;
     let (digits, kind) = Precision::of(cases.iter().flat_map(|(_, answers)| numbers(answers))).kind()?;
-    let of_all = report.precision.kind();
+    let of_all = precision.kind();
     let is_all = of_all.as_ref().is_some_and(|(most, all)| {
         std::mem::discriminant(all) == std::mem::discriminant(&kind) && *most <= digits
     });
@@ -185,7 +187,7 @@ pub fn few_digits(report: &Report, demands: &Demands) -> Option<FewDigits> {
         Err(_) => false,
     };
     // Not all wrong cases are kept.
-    let is_near = is_fixed || report.precision.worst <= half_unit(digits);
+    let is_near = is_fixed || precision.worst <= half_unit(digits);
     Some(FewDigits { digits, kind, is_all, agree: is_near && cases.iter().all(is_right) })
 }
 

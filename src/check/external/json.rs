@@ -5,46 +5,13 @@
 //! Therefore this reader exists. It reads plain JSON as serde_json does, which a test asserts.
 
 mod reader;
+mod value;
 
 use super::number;
 use reader::Reader;
 use std::borrow::Cow;
-
-/// A value and its first column.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Node<'a> {
-    pub(super) value: Value<'a>,
-    /// The column from 1, in bytes.
-    pub(super) column: usize,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Value<'a> {
-    Null,
-    Bool(bool),
-    /// A number, and the word from which it was read.
-    Number(f64, &'a str),
-    /// A list of numbers alone. null stands for a value that is not a number. Numbers may be written as strings.
-    Numbers(Vec<f64>),
-    Text(Cow<'a, str>),
-    List(Vec<Node<'a>>),
-    Object(Vec<(Cow<'a, str>, Node<'a>)>),
-}
-
-/// What was expected, and the column.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct JsonError {
-    pub(super) column: usize,
-    pub(super) expected: String,
-}
-
-impl JsonError {
-    pub(super) fn at(column: usize, expected: impl Into<String>) -> Self {
-        Self { column, expected: expected.into() }
-    }
-}
-
-type Read<T> = Result<T, JsonError>;
+use value::Read;
+pub(super) use value::{JsonError, Node, Value};
 
 impl<'a> Node<'a> {
     /// Reads a line that contains one value.

@@ -1,6 +1,5 @@
 //! What a program answers, if it does not answer everything: stated in the head of its answers.
 
-use super::answers::Answers;
 use super::conventions::STATE_AND_FORCES;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
@@ -9,10 +8,10 @@ use std::collections::BTreeSet;
 /// A part of a quantity: order, quantity, and the name of the order; or a part of a contact element with its own name.
 pub type PartKey = (Order, Quantity, &'static str);
 
-const RESIDUAL: PartKey = (Order::First, Quantity::GN, "residual");
-const TANGENT: PartKey = (Order::Second, Quantity::GN, "tangent");
+pub(super) const RESIDUAL: PartKey = (Order::First, Quantity::GN, "residual");
+pub(super) const TANGENT: PartKey = (Order::Second, Quantity::GN, "tangent");
 /// State and forces of a contact element.
-const FORCES: [PartKey; 4] = {
+pub(super) const FORCES: [PartKey; 4] = {
     let [state, f_n, f, f_bar] = STATE_AND_FORCES;
     let of = Quantity::GN;
     [(Order::Value, of, state), (Order::Value, of, f_n), (Order::Value, of, f), (Order::Value, of, f_bar)]
@@ -96,7 +95,7 @@ pub(super) fn of_element() -> BTreeSet<PartKey> {
     [RESIDUAL, TANGENT].into()
 }
 
-fn of_quantity(quantity: Quantity) -> [PartKey; 3] {
+pub(super) fn of_quantity(quantity: Quantity) -> [PartKey; 3] {
     [Order::Value, Order::First, Order::Second].map(|order| (order, quantity, order.name()))
 }
 
@@ -137,28 +136,6 @@ pub(super) fn words(parts: &BTreeSet<PartKey>) -> Vec<String> {
     }
     let of_element = [RESIDUAL, TANGENT].into_iter().chain(FORCES).filter(|part| parts.contains(part));
     words.into_iter().chain(of_element.map(|(_, _, name)| name.to_owned())).collect()
-}
-
-/// The parts that answers contain. A vector is answered if all its components are.
-pub(super) fn answered(answers: &Answers) -> BTreeSet<PartKey> {
-    let of = |(order, quantity, _): &PartKey| {
-        let has = |answer: &&crate::check::Answer| {
-            let [delta, linear, second] = answer.variations;
-            answer.quantity == *quantity
-                && match order {
-                    Order::Value => answer.value.is_some(),
-                    Order::First => answer.gradient.is_some() || delta.is_some() || linear.is_some(),
-                    _ => answer.hessian.is_some() || second.is_some(),
-                }
-        };
-        let is_vector = super::answers::is_vector(*quantity);
-        answers.answers.iter().filter(has).count() >= if is_vector { 3 } else { 1 }
-    };
-    let element = [(RESIDUAL, answers.residual.is_some()), (TANGENT, answers.tangent.is_some())];
-    let forces = FORCES.into_iter().zip(answers.state_and_forces.map(|of| of.is_some()));
-    let of_element =
-        element.into_iter().chain(forces).filter_map(|(part, is_there)| is_there.then_some(part));
-    Quantity::ALL.into_iter().flat_map(of_quantity).filter(of).chain(of_element).collect()
 }
 
 #[cfg(test)]

@@ -34,6 +34,7 @@ use judgement::{Cases, Errors, Status, examined, is_wrong, judged};
 use point::Point;
 use rayon::prelude::*;
 use sample::{Along, Sample, samples};
+pub(super) use sentences::Reading;
 use sentences::{of_curves, of_status, result_words};
 use std::cell::{LazyCell, OnceCell};
 
@@ -84,17 +85,6 @@ impl Traced {
             self.beyond.extend(readings.first().cloned());
         }
     }
-}
-
-/// One or two errors that explain the numbers.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Reading {
-    /// The name of each error.
-    pub(super) names: Vec<String>,
-    /// What is wrong, as a sentence without its full stop.
-    pub(super) words: String,
-    /// The factor of a term less one.
-    pub(super) coefficient: Option<f64>,
 }
 
 /// The number of equations in which pairs of errors are looked for.

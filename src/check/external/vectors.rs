@@ -8,6 +8,7 @@
 
 mod draw;
 mod element;
+mod entries;
 mod read;
 mod steps;
 mod write;

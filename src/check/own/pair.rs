@@ -1,7 +1,6 @@
 //! A beam on the user's curve, with a partner that crosses it as the regime requires.
 
 use super::placed::Placed;
-use super::varied;
 use crate::check::candidate::{contact_in_words, list};
 use crate::check::draw::orthonormal;
 use crate::check::regime::{Draw, Regime};
@@ -11,11 +10,14 @@ use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::test_beam::{AnyBeam, Drawn, Family, Target};
 use crate::variant::{Returned, of_curves};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, SVector, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use std::fmt::Debug;
 use std::sync::Arc;
+
+/// The relative variation of the dofs of a beam, over the largest of them.
+const SPREAD: f64 = 0.02;
 
 /// Two beams.
 pub(super) struct Pair {
@@ -203,4 +205,16 @@ where
 {
     let Drawn { curve, q, dq, linear_dq, points } = beam;
     Box::new(Drawn { curve: Placed { curve, turn, shift: Vector3::zeros() }, q, dq, linear_dq, points })
+}
+
+/// A beam with its dofs varied a little, and two directions.
+pub(super) fn varied<C: Clone, const N: usize>(
+    curve: &C,
+    beam: &[f64; N],
+    rng: &mut ChaCha8Rng,
+) -> Drawn<C, N> {
+    let largest = beam.iter().fold(0.0_f64, |largest, q| largest.max(q.abs()));
+    let mut random = |size: f64| SVector::<f64, N>::from_fn(|_, _| size * rng.random_range(-1.0..1.0));
+    let q = SVector::from(*beam) + random(SPREAD * largest);
+    Drawn { curve: curve.clone(), q, dq: random(largest), linear_dq: random(largest), points: Vec::new() }
 }

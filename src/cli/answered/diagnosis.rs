@@ -51,7 +51,7 @@ impl Diagnosed {
         if judged.is_rounding {
             return Self { is_rounding: true, ..Self::default() };
         }
-        let few_digits = few_digits(report, demands);
+        let few_digits = few_digits(&report.kept, &report.precision, demands);
         if few_digits.as_ref().is_some_and(FewDigits::settles) {
             return Self { few_digits, ..Self::default() };
         }

@@ -1,6 +1,6 @@
 //! Options from variables of the environment.
 
-use super::{COMMANDS, Settings, expected, option_of, options_of, taken};
+use super::options::{COMMANDS, Settings, expected, option_of, options_of, taken};
 use anyhow::{Context, anyhow, bail};
 use clap::{ArgAction, Command};
 use std::ffi::OsString;

@@ -1,6 +1,5 @@
 //! The entries of fault injection, for the formats of programs.
 
-use super::words;
 use crate::cli::count::count as counted;
 use crate::cli::exit::Exit;
 use crate::cli::outcome::{Entry, Outcome, Source, State, Verdict};
@@ -9,8 +8,9 @@ use beamgap::closest_point::SearchFault;
 use beamgap::faults::{Check, Gate, OneSided, Operations, SearchFaults};
 use beamgap::number::Formula;
 use beamgap::report::Faults;
-use beamgap::variant::catalogue;
+use beamgap::variant::{Rewrite, catalogue};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
 
 /// The outcome of a record, with one entry for each formula of the closed form, and one for each code in whose single
 /// operations faults were injected.
@@ -112,4 +112,42 @@ fn of_gate(of: &Gate) -> Entry {
     let source = Some(Source { file: "src/check/compare.rs".to_owned(), line: 1 });
     let state = State::of(of.terms as u64, u64::from(!of.holds()));
     Entry { group: "gate".into(), name: of.regime.name().to_owned(), state, message, source }
+}
+
+pub(super) fn words(record: &Faults) -> String {
+    let faults = record.terms.faults();
+    if !record.holds {
+        return "NOT DETECTED: the check misses a fault, rejects an equivalent formula or the\n\
+                search, does not cover an operation, does not compare everything, or a part of\n\
+                this run is missing."
+            .into();
+    }
+    let rewrites = Rewrite::ALL.len();
+    let mut of_terms = format!(
+        "DETECTED: all {faults} faults of terms; none of {rewrites} equivalent formulas is rejected."
+    );
+    if !record.search.is_empty() {
+        let _ = write!(
+            of_terms,
+            "\nAll {} of the search are detected.",
+            counted(SearchFault::ALL.len(), "fault")
+        );
+    }
+    if let Some(of) = record.elements.first() {
+        let _ =
+            write!(of_terms, "\nAll {} of the contact element are detected.", counted(of.planted, "fault"));
+    }
+    if let Some(of) = &record.one_sided {
+        let count = counted(of.detected, "fault");
+        let _ = write!(of_terms, "\nAll {count} on one side of a symmetry only are detected.");
+    }
+    if !record.gate.is_empty() {
+        of_terms += "\nThe gate compares everything, within narrow tolerances.";
+    }
+    let count: usize = record.operations.iter().map(|row| row.faults).sum();
+    if count == 0 {
+        return of_terms;
+    }
+    let count = counted(count, "fault");
+    format!("{of_terms}\nOf {count} of single operations, each is detected or has a reason.")
 }

@@ -1,6 +1,7 @@
 //! Tests of tangents of zero length, of the ends of the parameters, and of equal points.
 
-use super::{ClosestPoint, Held, STANDSTILL, Side, SquaredDistance};
+use super::{ClosestPoint, Held, Side, SquaredDistance};
+use crate::closest_point::held::STANDSTILL;
 use crate::curve::Geometry;
 
 #[test]

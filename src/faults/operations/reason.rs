@@ -1,6 +1,33 @@
-//! Reasons why some operations do not affect any output.
+//! Why some operations do not affect any output, and the reasons that are known.
 
-use super::Lost;
+use crate::number::{Change, Traced, with_operation};
+use serde::{Deserialize, Serialize};
+
+/// Why no output depends on an operation. Marking the result of the operation determines it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Lost {
+    /// Nothing uses it.
+    Unused,
+    /// It is multiplied by zero.
+    TimesZero,
+    /// It enters the outputs, but cancels.
+    Cancels,
+}
+
+impl Lost {
+    /// Marks the result of an operation, and searches for the mark in the outputs.
+    pub(super) fn of(operation: usize, run: impl FnOnce() -> Vec<u64>) -> Self {
+        let (numbers, times_zero) = Traced::run(|| with_operation(operation, Change::Marked, run));
+        if numbers.into_iter().any(Traced::is_marked) {
+            Self::Cancels
+        } else if times_zero {
+            Self::TimesZero
+        } else {
+            Self::Unused
+        }
+    }
+}
 
 /// Operations that may be lost, and the reason.
 struct Reason {

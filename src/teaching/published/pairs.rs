@@ -1,6 +1,5 @@
 //! Random pairs of bent Hermite beams in contact.
 
-use super::DOFS;
 use crate::closest_point::{ClosestPoint, Held, Kind};
 #[cfg(test)]
 use crate::contact::Contribution;
@@ -8,6 +7,7 @@ use crate::contact::{Decision, Element, History, Law, Parameters, Slips, State, 
 use crate::curve::{Curve, DofDerivatives, Geometry, Hermite, Jet};
 use crate::linearization::closed_form::jets;
 use crate::pair::{Contact, DofVector, Pair};
+use crate::teaching::DOFS;
 use crate::teaching::terms::{Components, Terms};
 use nalgebra::{SMatrix, SVector, Vector3};
 use rand::RngExt;

@@ -1,7 +1,7 @@
 //! The functions that write gradients and Hessians, at the numbers of dofs that the beams have.
 
+use super::returned::{Answers, Returned};
 use super::tabulated::{AtPoint, Image, TabulatedBeams};
-use super::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::closed_form::kernel::{DistanceAlone, Gradient, WithoutSlips, write_d_batch};
 use crate::linearization::closed_form::{Formulation, Points, jets};

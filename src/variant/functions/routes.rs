@@ -2,7 +2,7 @@
 
 use super::expansion::Expansion;
 use super::linearized::{D, every_scalar, read, unwritten, without_slips};
-use super::{Answers, Returned};
+use super::returned::{Answers, Returned};
 use crate::closest_point::ClosestPoint;
 use crate::linearization::ad::{
     Route, chord, expand_by_orders, expand_by_rows, expand_by_sweep, expand_by_vector_dual,

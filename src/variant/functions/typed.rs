@@ -1,7 +1,7 @@
 //! The functions of a pair of given curves.
 
-use super::Returned;
 use super::linearized::{every_scalar, nowhere};
+use super::returned::Returned;
 use super::routes::each;
 use crate::closest_point::ClosestPoint;
 use crate::curve::Curve;

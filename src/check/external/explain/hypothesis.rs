@@ -6,7 +6,7 @@ use crate::check::evaluation_point::Structure;
 use crate::check::external::conventions::{Conventions, ENERGY};
 use crate::check::verdict::Order;
 use crate::linearization::{COMPONENTS, Quantity, Varied};
-use crate::variant::Variant;
+use crate::variant::{Fault, Kind, Variant, labels};
 
 /// The change in the closed form.
 #[derive(Clone, Debug, PartialEq)]
@@ -135,4 +135,13 @@ impl Change {
             Self::BeamsExchanged => "beam and bar beam are exchanged".into(),
         }
     }
+}
+
+/// Every fault of every term.
+pub(super) fn singles() -> Vec<Fault> {
+    labels().into_iter().flat_map(|label| Kind::ALL.map(|kind| Fault { label, kind })).collect()
+}
+
+pub(super) fn of_faults(faults: &[Fault]) -> Change {
+    Change::Variant(Variant::Faulty(faults.to_vec()))
 }

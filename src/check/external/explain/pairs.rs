@@ -6,8 +6,7 @@
 use super::answered_case::{AnsweredCase, Predicted};
 use super::datum::Datum;
 use super::fit::Fit;
-use super::hypothesis::Change;
-use super::search::{of_faults, singles};
+use super::hypothesis::{Change, of_faults, singles};
 use crate::check::verdict::Order;
 use crate::variant::{Fault, Variant};
 use rayon::prelude::*;

@@ -3,16 +3,15 @@
 
 use super::answered_case::{AnsweredCase, Known, Predicted};
 use super::datum::Datum;
-use super::element::elements;
+use super::element_search::elements;
 use super::fit::{Fit, limit, near, race};
-use super::hypothesis::Change;
+use super::hypothesis::{Change, of_faults, singles};
 use super::pairs::pairs;
 use crate::check::evaluation_point::Structure;
 use crate::check::external::conventions::ENERGY;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
-use crate::number::Label;
-use crate::variant::{Fault, Kind, Variant, terms};
+use crate::variant::{Fault, Variant};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -22,21 +21,6 @@ pub(super) const KEPT: usize = 16;
 const FEW: usize = 3;
 /// The mean of the squares up to which only rounding remains.
 const LIKELY: f64 = 2.0;
-
-/// The names of all terms, in the order of evaluation.
-pub(super) fn labels() -> Vec<Label> {
-    let [varied, expanded] = terms();
-    varied.iter().chain(expanded.iter().filter(|label| !varied.contains(label))).copied().collect()
-}
-
-/// Every fault of every term.
-pub(super) fn singles() -> Vec<Fault> {
-    labels().into_iter().flat_map(|label| Kind::ALL.map(|kind| Fault { label, kind })).collect()
-}
-
-pub(super) fn of_faults(faults: &[Fault]) -> Change {
-    Change::Variant(Variant::Faulty(faults.to_vec()))
-}
 
 /// The predictions at a case that every search uses.
 pub(super) fn memo(case: &AnsweredCase) -> Known {

@@ -1,6 +1,6 @@
 //! The grammar of JSON, with numbers in any notation.
 
-use super::{JsonError, Node, Read, Value};
+use super::value::{JsonError, Node, Read, Value};
 use crate::check::external::no_dof::NULL;
 use crate::check::external::number;
 use std::borrow::Cow;

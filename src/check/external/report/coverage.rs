@@ -1,5 +1,6 @@
 //! What a program answered, of what it was asked.
 
+use crate::check::external::answered::answered;
 use crate::check::external::answers::Answers;
 use crate::check::external::only::{self, Only, PartKey};
 use crate::check::external::vectors::Vector;
@@ -35,7 +36,7 @@ impl Coverage {
             self.required = only::of_element();
         }
         self.cases += 1;
-        for part in only::answered(answers) {
+        for part in answered(answers) {
             *self.parts.entry(part).or_default() += 1;
         }
         if self.last.as_ref().is_none_or(|(last, _)| *last < line) {

@@ -4,6 +4,7 @@
 //! this step of a program is right, whatever was wrong before.
 
 mod distance;
+mod equation;
 mod system;
 mod variations;
 
@@ -13,72 +14,10 @@ use super::terms::{
 use crate::linearization::Quantity;
 use Quantity::{D, DVector, GN, GT, GTBar, T, TBar, TBarVector, TVector, X, XBar, Xi, XiBar};
 use distance::{general, normal, printed, symmetric};
+use equation::XI;
+pub(super) use equation::{At, Equation, Zero};
 use system::{held, r_first, r_second, system};
 use variations::{d, delta_d, delta_t, delta_x, of, second, second_d, t};
-
-/// An equation, or a system of equations.
-#[derive(Clone, Debug)]
-pub(super) struct Equation {
-    /// The results that it defines.
-    pub(super) results: Vec<(Quantity, Part)>,
-    /// The number of the equation in the paper.
-    pub(super) number: &'static str,
-    /// At which closest points it is valid.
-    pub(super) at: At,
-    /// The forms in which programs may use it. Each is a list of sums that are zero.
-    pub(super) forms: Vec<Vec<Zero>>,
-}
-
-/// A sum that is zero.
-#[derive(Clone, Debug)]
-pub(super) struct Zero {
-    pub(super) terms: Terms,
-    /// Other sums that programs add by mistake, each with its words.
-    pub(super) extras: Vec<(String, Terms)>,
-    /// The number of its equation, if it is not that of the others.
-    pub(super) number: Option<&'static str>,
-    /// What is wrong if this sum is zero, which it is not in a right program.
-    pub(super) is_wrong_form: Option<&'static str>,
-    /// Whether single terms are looked at, or only groups of them.
-    pub(super) is_elementary: bool,
-}
-
-impl Zero {
-    pub(super) fn of(terms: Terms) -> Self {
-        Self { terms, extras: Vec::new(), number: None, is_wrong_form: None, is_elementary: true }
-    }
-}
-
-/// The closest points at which an equation is valid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum At {
-    All,
-    /// Both parameters are free.
-    Free,
-    /// Some parameter is held.
-    SomeHeld,
-    /// This parameter is held.
-    Held(Beam),
-    /// This parameter is free.
-    FreeOf(Beam),
-    /// Only this parameter is free.
-    Alone(Beam),
-}
-
-impl At {
-    pub(super) fn holds(self, held: [bool; 2]) -> bool {
-        match self {
-            Self::All => true,
-            Self::Free => held == [false; 2],
-            Self::SomeHeld => held != [false; 2],
-            Self::Held(beam) => held[beam],
-            Self::FreeOf(beam) => !held[beam],
-            Self::Alone(beam) => !held[beam] && held[1 - beam],
-        }
-    }
-}
-
-const XI: [Quantity; 2] = [Xi, XiBar];
 
 const LENGTH: [Quantity; 2] = [T, TBar];
 

@@ -15,6 +15,8 @@ mod inputs;
 mod list;
 mod matrices;
 mod names;
+mod of_entries;
+mod outputs;
 mod pairs;
 mod parser;
 mod point;

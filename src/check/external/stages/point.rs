@@ -1,7 +1,7 @@
 //! The values of terms at a sample.
 
 use super::sample::Sample;
-use super::terms::{Beam, Earlier, Factor, Number, Reading, Term, Vector};
+use super::terms::{Beam, Earlier, Factor, Number, Reading, Term, Vector, place};
 use crate::linearization::Quantity;
 use crate::number::{Real, RunningError};
 use nalgebra::Vector3;
@@ -12,20 +12,6 @@ const fn exact(value: f64) -> RunningError {
 
 /// The number of vectors in the table of a point, without those with moved components.
 const VECTORS: usize = 29;
-
-/// The place of a vector in the table.
-pub(super) fn place(of: Vector) -> Option<usize> {
-    Some(match of {
-        Vector::D => 0,
-        Vector::X(beam) => 1 + beam,
-        Vector::T(beam, order) => 3 + 3 * beam + order,
-        Vector::U(side, beam, order) => 9 + 6 * side + 3 * beam + order,
-        Vector::Mixed(beam, order) => 21 + 2 * beam + order,
-        Vector::Axis(axis) => 25 + axis,
-        Vector::Cross => 28,
-        Vector::Permuted(..) => return None,
-    })
-}
 
 /// A sample with its vectors and their scalar products.
 #[derive(Clone, Debug)]

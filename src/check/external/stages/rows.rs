@@ -1,6 +1,7 @@
 //! Possible errors of an equation: each changes some of its terms.
 
 mod replaced;
+mod row;
 mod substitutes;
 
 use super::equations::Zero;
@@ -8,27 +9,8 @@ use super::terms::{Factor, Number, Part, Reach, Tag, Term, Terms};
 use super::words::words;
 use crate::linearization::Quantity;
 use replaced::replaced;
-
-/// A possible error: the sum that a program with it adds to the equation.
-#[derive(Clone, Debug)]
-pub(super) struct Row {
-    pub(super) what: What,
-    pub(super) terms: Terms,
-}
-
-/// What is wrong.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum What {
-    /// These terms have another factor.
-    Factor(String),
-    /// Something is wrong in these terms, as the words say.
-    Replaced {
-        /// The terms.
-        of: String,
-        /// What is wrong in them.
-        words: String,
-    },
-}
+use row::Group;
+pub(super) use row::{Row, What};
 
 /// All possible errors of a form of an equation.
 pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
@@ -53,15 +35,6 @@ pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
     }
     rows.retain(|row| !row.terms.is_empty());
     rows
-}
-
-/// Some terms of an equation.
-#[derive(Clone)]
-struct Group {
-    name: String,
-    terms: Terms,
-    /// The factors of each that the name is on.
-    reach: Vec<Reach>,
 }
 
 /// All tags of an equation.

@@ -21,6 +21,7 @@ pub(super) use numbers::Element;
 use numbers::{element, own_numbers};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+pub(super) use shapes::Node;
 use shapes::{nodes, widen};
 
 /// The number of pairs of directions of each case.
@@ -66,17 +67,6 @@ pub(super) struct Sample {
     pub(super) inputs: Inputs,
     /// The control vectors of both beams with their shape functions, if the curves have these.
     pub(super) nodes: [Vec<Node>; 2],
-}
-
-/// A control vector with its shape function.
-#[derive(Clone, Debug)]
-pub(super) struct Node {
-    /// The control vector and its variations in both directions.
-    pub(super) vectors: [Vector3<f64>; 3],
-    /// The shape function and its derivatives.
-    pub(super) shape: [f64; 4],
-    /// Its coefficients, if it is a cubic.
-    pub(super) coefficients: Option<[f64; 4]>,
 }
 
 /// The samples of a case; none if it has no closest point or its answers cannot be read.

@@ -1,12 +1,22 @@
 //! What was found of an equation, in sentences.
 
-use super::Reading;
 use super::condition::condition;
 use super::equations::{Equation, RESIDUAL, TANGENT};
 use super::judgement::{Cases, Status};
 use super::point::Point;
 use super::rows::{Row, What};
 use super::search::is_common;
+
+/// One or two errors that explain the numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::check::external) struct Reading {
+    /// The name of each error.
+    pub(in crate::check::external) names: Vec<String>,
+    /// What is wrong, as a sentence without its full stop.
+    pub(in crate::check::external) words: String,
+    /// The factor of a term less one.
+    pub(in crate::check::external) coefficient: Option<f64>,
+}
 
 /// The results of an equation, such as the first order of xi and xi_bar.
 pub(super) fn result_words(equation: &Equation) -> String {

@@ -1,6 +1,5 @@
 //! Sums of products: the terms of an equation, and their values.
 
-use super::point::place;
 use crate::linearization::Quantity;
 
 /// A direction: delta or Delta.
@@ -199,4 +198,18 @@ pub(super) enum Earlier {
 pub(super) struct Reading<'a> {
     pub(super) results: &'a [(Quantity, Part)],
     pub(super) earlier: Earlier,
+}
+
+/// The place of a vector in the table.
+pub(super) fn place(of: Vector) -> Option<usize> {
+    Some(match of {
+        Vector::D => 0,
+        Vector::X(beam) => 1 + beam,
+        Vector::T(beam, order) => 3 + 3 * beam + order,
+        Vector::U(side, beam, order) => 9 + 6 * side + 3 * beam + order,
+        Vector::Mixed(beam, order) => 21 + 2 * beam + order,
+        Vector::Axis(axis) => 25 + axis,
+        Vector::Cross => 28,
+        Vector::Permuted(..) => return None,
+    })
 }

@@ -1,6 +1,6 @@
 //! The contact element of a case from JSON.
 
-use super::read::{Entries, Read, find, finite, known, missing};
+use super::entries::{Entries, Read, find, finite, known, missing};
 use super::steps::StepDofs;
 use crate::check::ElementData;
 use crate::check::external::json::{JsonError, Node, Value};

@@ -1,6 +1,8 @@
 //! Cases from lines of JSON.
 
 use super::element::element;
+pub(in crate::check::external) use super::entries::find;
+use super::entries::{Read, finite, known, missing};
 use super::{VECTORS, Vector};
 use crate::check::CaseData;
 use crate::check::external::error::ExternalError;
@@ -9,11 +11,7 @@ use crate::check::external::lines::Lines;
 use crate::check::external::recent::Recent;
 use crate::pair::Contact;
 use crate::test_beam::{Family, TestBeam};
-use std::borrow::Cow;
 use std::io::BufRead;
-
-pub(super) type Read<T> = Result<T, JsonError>;
-pub(in crate::check::external) type Entries<'a, 'b> = &'b [(Cow<'a, str>, Node<'a>)];
 
 /// Reads a file of cases, line by line.
 #[derive(Debug)]
@@ -125,28 +123,6 @@ pub(in crate::check::external) fn id(node: &Node) -> Read<String> {
         Value::Number(_, word) => Ok((*word).to_owned()),
         _ => node.text("id").map(ToOwned::to_owned),
     }
-}
-
-pub(in crate::check::external) fn find<'a, 'b>(entries: Entries<'a, 'b>, name: &str) -> Option<&'b Node<'a>> {
-    entries.iter().find(|(known, _)| known == name).map(|(_, node)| node)
-}
-
-pub(super) fn missing(name: &str) -> String {
-    format!("{name} expected, found none")
-}
-
-pub(super) fn known(entries: Entries, names: &[&str]) -> Read<()> {
-    let unknown = entries.iter().find(|(name, _)| !names.contains(&name.as_ref()));
-    unknown.map_or(Ok(()), |(name, node)| {
-        let expected = names.join(", ");
-        Err(JsonError::at(node.column, format!("{name}: no such entry, expected {expected}")))
-    })
-}
-
-pub(super) fn finite(node: &Node, what: &str) -> Read<f64> {
-    let number = node.number(what)?;
-    let wrong = || JsonError::at(node.column, format!("{what}: a finite number expected, found {number}"));
-    number.is_finite().then_some(number).ok_or_else(wrong)
 }
 
 fn beam(node: &Node, name: &str) -> Read<TestBeam> {

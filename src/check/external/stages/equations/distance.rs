@@ -1,6 +1,6 @@
 //! The forms of the second variation of d, eq. (39) and (40).
 
-use super::XI;
+use super::equation::XI;
 use super::system::{a, b};
 use super::variations::{d, delta_d, delta_t, mixed, of, second_d, t, u_hat};
 use crate::check::external::stages::terms::{

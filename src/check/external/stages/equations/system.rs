@@ -1,7 +1,7 @@
 //! The system of xi and xi_bar, eq. (50) to (59), and its solution.
 
+use super::equation::{At, Equation, XI, Zero};
 use super::variations::{d, delta_d, delta_t, of, second, second_d, t};
-use super::{At, Equation, XI, Zero};
 use crate::check::external::stages::terms::{
     Beam, Part, Side, Terms, Vector, dot, minus, numbers, product, scaled, tag, tagged, vector,
 };

@@ -1,6 +1,6 @@
 //! The vectors of the equations: variations of points and tangents.
 
-use super::XI;
+use super::equation::XI;
 use crate::check::external::stages::terms::{
     Beam, Number, Part, Side, Sum, Terms, Vector, all_tagged, dot, minus, tagged, times, vector,
 };

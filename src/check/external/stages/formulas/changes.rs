@@ -2,9 +2,9 @@
 
 use super::edits::{Edit, What, edits};
 use super::entries::Entries;
-use super::list::{FORMULAS, Formula, Formulas, WAYS};
-use super::names::Set;
-use super::point::RESULTS;
+use super::list::{FORMULAS, Formula, Formulas};
+use super::names::{Set, WAYS};
+use super::outputs::RESULTS;
 use super::tree::{Name, Op, Tree};
 use rayon::prelude::*;
 use std::collections::HashMap;

@@ -1,8 +1,6 @@
 //! Entries of gradients and Hessians that are wrong: those of a beam, of a pair of beams, along an axis.
 
-use super::changes::Change;
-use super::list::{FORMULAS, Formulas};
-use super::point::RESULTS;
+use super::list::FORMULAS;
 use super::tree::Name;
 use super::values::Value;
 use crate::number::RunningError;
@@ -27,14 +25,14 @@ const BLOCKS: [Dofs; 7] = [
 ];
 
 /// Blocks of a gradient or Hessian by their places in [`BLOCKS`], in words.
-const OF_GRADIENTS: [(&[usize], &str); 5] = [
+pub(super) const OF_GRADIENTS: [(&[usize], &str); 5] = [
     (&[0], "the entries of the dofs of the beam"),
     (&[3], "the entries of the dofs of the bar beam"),
     (&[4], "the entries of the dofs along x"),
     (&[5], "the entries of the dofs along y"),
     (&[6], "the entries of the dofs along z"),
 ];
-const OF_HESSIANS: [(&[usize], &str); 10] = [
+pub(super) const OF_HESSIANS: [(&[usize], &str); 10] = [
     (&[0], "the block of the beam"),
     (&[3], "the block of the bar beam"),
     (&[1], "the block of the beam's rows and the bar beam's columns"),
@@ -48,18 +46,17 @@ const OF_HESSIANS: [(&[usize], &str); 10] = [
 ];
 
 /// What is wrong with them.
-const FACTORS: [(f64, &str); 4] = [(-1.0, "the wrong sign"), (0.0, "missing"), (2.0, "twice"), (0.5, "half")];
-/// The cost of such a change.
-const COST: u32 = 3;
+pub(super) const FACTORS: [(f64, &str); 4] =
+    [(-1.0, "the wrong sign"), (0.0, "missing"), (2.0, "twice"), (0.5, "half")];
 
 /// Wrong entries of the gradient or Hessian of a result.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entries {
-    name: Name,
+    pub(super) name: Name,
     /// The same along Delta.
-    linear: Option<Name>,
-    blocks: &'static [usize],
-    factor: f64,
+    pub(super) linear: Option<Name>,
+    pub(super) blocks: &'static [usize],
+    pub(super) factor: f64,
 }
 
 impl Entries {
@@ -99,31 +96,4 @@ pub(super) fn inputs_of_parts(inputs: &[Value]) -> Vec<Vec<Value>> {
         of
     };
     BLOCKS.into_iter().map(part).collect()
-}
-
-impl Formulas {
-    /// Factors on entries of each result that is a gradient or a Hessian.
-    pub(super) fn of_entries(&self) -> Vec<Change> {
-        let mut found = Vec::new();
-        let results = RESULTS.iter().copied().chain(["R", "K", "R_p", "K_p"].map(|name| self.name(name)));
-        for name in results {
-            let blocks: &[(&[usize], &str)] = match self.kinds[name].varies {
-                [true, false] => &OF_GRADIENTS,
-                [true, true] => &OF_HESSIANS,
-                _ => continue,
-            };
-            for (blocks, of_blocks) in blocks.iter().copied() {
-                for (factor, words) in FACTORS {
-                    let of = self.names.0[name].trim_end_matches("_p");
-                    let words = format!("in {of} {of_blocks}: {words}");
-                    for is_stored in [true, false] {
-                        let linear = self.linear.get(&name).copied();
-                        let entries = Some(Entries { name, linear, blocks, factor });
-                        found.push(Change { entries, is_stored, cost: COST, ..Change::of(words.clone()) });
-                    }
-                }
-            }
-        }
-        found
-    }
 }

@@ -1,8 +1,8 @@
 //! The values of all formulas, right and with a change.
 
 use super::changes::Change;
-use super::list::{FORMULAS, Formulas, Step};
-use super::names::{Relations, Set};
+use super::list::{FORMULAS, Formulas};
+use super::names::{Relations, Set, Step};
 use super::point::Point;
 use super::tree::{Name, Tree};
 use super::values::{Value, Values, value};

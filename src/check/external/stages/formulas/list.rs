@@ -1,6 +1,6 @@
 //! The list of formulas, and the order of its evaluation.
 
-use super::names::{Relations, Set};
+use super::names::{Relations, Set, Step, WAYS};
 use super::parser::Parser;
 use super::tree::{Name, Names, Op, Tree};
 use std::collections::HashMap;
@@ -8,8 +8,7 @@ use std::sync::LazyLock;
 
 /// The formulas of the geometry and of a contact element in which errors are looked for, one a line.
 pub const LIST_OF_FORMULAS: &str = include_str!("list.txt");
-/// The number of ways in which all formulas are written.
-pub(super) const WAYS: usize = 9;
+
 /// The way that is right for straight beams alone.
 pub(super) const STRAIGHT: usize = 3;
 /// The way in which the elastic slip of the last step is a vector. It is tried if the tangents of that step are known.
@@ -67,13 +66,6 @@ impl Formula {
     }
 }
 
-/// A step of the evaluation.
-pub(super) struct Step {
-    pub(super) name: Name,
-    pub(super) tree: Tree,
-    pub(super) uses: Vec<Name>,
-}
-
 pub(super) struct Formulas {
     pub(super) names: Names,
     pub(super) all: Vec<Formula>,
@@ -127,7 +119,8 @@ impl Formulas {
             .collect();
         list.ways = std::array::from_fn(|way| list.steps(way));
         assert!(list.names.0.len() <= Set::NAMES, "{} names", list.names.0.len());
-        list.relations = std::array::from_fn(|way| Relations::new(&list, way));
+        let (ways, names) = (&list.ways, list.names.0.len());
+        list.relations = std::array::from_fn(|way| Relations::new(ways, names, way));
         list
     }
 

@@ -1,7 +1,9 @@
 //! Sets of names, and what follows from a name.
 
-use super::list::{Formulas, WAYS};
-use super::tree::Name;
+use super::tree::{Name, Tree};
+
+/// The number of ways in which all formulas are written.
+pub(super) const WAYS: usize = 9;
 
 /// A set of names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,6 +57,13 @@ impl FromIterator<Name> for Set {
     }
 }
 
+/// A step of the evaluation.
+pub(super) struct Step {
+    pub(super) name: Name,
+    pub(super) tree: Tree,
+    pub(super) uses: Vec<Name>,
+}
+
 /// How names depend on each other in one way of writing.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Relations {
@@ -67,9 +76,10 @@ pub(super) struct Relations {
 }
 
 impl Relations {
-    pub(super) fn new(list: &Formulas, way: usize) -> Self {
-        let steps = &list.ways[way];
-        let mut uses = vec![Set::default(); list.names.0.len()];
+    /// `all` are the steps of all ways.
+    pub(super) fn new(all: &[Vec<Step>; WAYS], names: usize, way: usize) -> Self {
+        let steps = &all[way];
+        let mut uses = vec![Set::default(); names];
         let mut follows: Vec<Set> = (0..uses.len()).map(|name| Set::from_iter([name])).collect();
         for step in steps {
             uses[step.name] = step.uses.iter().copied().collect();
@@ -79,7 +89,7 @@ impl Relations {
             step.uses.iter().for_each(|name| follows[*name] = follows[*name].or(of_step));
         }
         let differ = |other: usize| {
-            let pairs = steps.iter().zip(&list.ways[other]);
+            let pairs = steps.iter().zip(&all[other]);
             pairs.filter(|(one, other)| one.tree != other.tree).map(|(one, _)| one.name).collect()
         };
         Self { uses, follows, differ: std::array::from_fn(differ) }

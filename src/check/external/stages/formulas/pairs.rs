@@ -3,8 +3,7 @@
 use super::changes::{CHANGES, Change, FACTORS};
 use super::list::FORMULAS;
 use super::names::Set;
-use super::point::{Point, points};
-use super::search::probes;
+use super::point::{Point, points, probes};
 use super::values::Values;
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;

@@ -1,17 +1,17 @@
 //! A sample with the values of all formulas, and the answers of the program.
 
 use super::entries::inputs_of_parts;
-use super::evaluation::Changed;
-use super::list::{FORMULAS, WAYS};
-use super::names::Set;
+use super::list::FORMULAS;
+use super::names::{Set, WAYS};
+use super::outputs::{Output, RESULTS, names};
 use super::tree::Name;
 use super::values::{Value, Values};
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;
 use crate::linearization::Quantity;
 use crate::number::RunningError;
-use std::collections::BTreeMap;
-use std::sync::{LazyLock, OnceLock};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 /// The rounding of an explanation over the difference that it explains.
 const CLEAR: f64 = 1e-2;
@@ -19,19 +19,6 @@ const CLEAR: f64 = 1e-2;
 const COARSER: f64 = 1e3;
 /// The rounding of an explanation over the largest answer of its kind.
 const FINE: f64 = 1e-9;
-
-/// A result of the formulas: a number, or a component of a vector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Output {
-    pub(super) name: Name,
-    axis: Option<usize>,
-}
-
-impl Output {
-    pub(super) fn of(self, values: &(impl Values + ?Sized)) -> RunningError {
-        values.at(self.name).component(self.axis)
-    }
-}
 
 /// A number of the program.
 #[derive(Clone, Copy, Debug)]
@@ -104,7 +91,7 @@ impl Point<'_> {
     }
 
     /// Whether the changed formulas yield this answer. Rounding must not explain much more than before.
-    pub(super) fn is_explained(&self, answer: &Answer, way: usize, changed: &Changed) -> bool {
+    pub(super) fn is_explained(&self, answer: &Answer, way: usize, changed: &impl Values) -> bool {
         let (before, allowed_before) = answer.difference(&self.values[way][..]);
         let (difference, allowed) = answer.difference(changed);
         let coarse = (COARSER * allowed_before).max(FINE * answer.size);
@@ -178,33 +165,6 @@ fn point(
     }
 }
 
-/// The names of a quantity: value, delta, Delta, Delta-delta. The parameters are inputs.
-pub(super) fn names(quantity: Quantity) -> [Option<&'static str>; 4] {
-    let [value, rest @ ..] = match quantity {
-        Quantity::X => ["x", "dx", "Dx", "H_x"],
-        Quantity::XBar => ["x_bar", "dx_bar", "Dx_bar", "H_x_bar"],
-        Quantity::DVector => ["d", "dd", "Dd", "H_d"],
-        Quantity::TVector => ["t", "dt", "Dt", "H_t"],
-        Quantity::TBarVector => ["t_bar", "dt_bar", "Dt_bar", "H_t_bar"],
-        Quantity::D => ["|d|", "d|d|", "D|d|", "Dd|d|"],
-        Quantity::T => ["|t|", "d|t|", "D|t|", "Dd|t|"],
-        Quantity::TBar => ["|t_bar|", "d|t_bar|", "D|t_bar|", "Dd|t_bar|"],
-        Quantity::Xi => ["", "dxi", "Dxi", "Ddxi"],
-        Quantity::XiBar => ["", "dxi_bar", "Dxi_bar", "Ddxi_bar"],
-        Quantity::GN => ["g_N", "dg_N", "Dg_N", "Ddg_N"],
-        Quantity::GT => ["g_T", "dg_T", "Dg_T", "Ddg_T"],
-        Quantity::GTBar => ["g_T_bar", "dg_T_bar", "Dg_T_bar", "Ddg_T_bar"],
-    };
-    let [delta, linear, second] = rest.map(Some);
-    [Some(value).filter(|name| !name.is_empty()), delta, linear, second]
-}
-
-/// The names of all results of the geometry.
-pub(super) static RESULTS: LazyLock<Vec<Name>> = LazyLock::new(|| {
-    let of = |quantity: Quantity| names(quantity).into_iter().flatten().map(|name| FORMULAS.name(name));
-    Quantity::ALL.into_iter().flat_map(of).collect()
-});
-
 /// The numbers of the program by the results that they are.
 fn numbers(sample: &Sample) -> Vec<(Output, RunningError)> {
     let mut numbers = Vec::new();
@@ -226,4 +186,14 @@ fn numbers(sample: &Sample) -> Vec<(Output, RunningError)> {
             .extend(of.into_iter().filter_map(|(name, number)| Some(scalar((FORMULAS.name(name), number?)))));
     }
     numbers
+}
+
+/// The clearest samples at which one of these answers is wrong: one of each case in turn.
+pub(super) fn probes<'a>(points: &'a [Point<'a>], among: Set, count: usize) -> Vec<&'a Point<'a>> {
+    let mut wrong: Vec<&Point> = points.iter().filter(|point| point.is_wrong(among)).collect();
+    wrong.sort_by(|one, other| other.clearness(among).total_cmp(&one.clearness(among)));
+    let mut cases = BTreeSet::new();
+    wrong.retain(|point| cases.insert(point.sample.case));
+    wrong.truncate(count);
+    wrong
 }

@@ -2,7 +2,7 @@
 
 use super::changes::{Change, FACTORS, scaled};
 use super::list::{Formula, Formulas, STRAIGHT};
-use super::point::RESULTS;
+use super::outputs::RESULTS;
 use super::tree::{Name, Op, Tree};
 
 impl Formulas {

@@ -2,9 +2,10 @@
 
 use super::changes::{CHANGES, Change};
 use super::evaluation::Changed;
-use super::list::{FORMULAS, WAYS, WITH_START};
-use super::names::Set;
-use super::point::{Output, Point, RESULTS, points};
+use super::list::{FORMULAS, WITH_START};
+use super::names::{Set, WAYS};
+use super::outputs::{Output, RESULTS};
+use super::point::{Point, points, probes};
 use super::tree::Name;
 use super::{matrices, pairs};
 use crate::check::external::stages::point::Point as StagePoint;
@@ -232,14 +233,4 @@ impl Ways {
         }
         left.iter().all(|(_, left)| self.distinct.iter().any(|way| left[*way]))
     }
-}
-
-/// The clearest samples at which one of these answers is wrong: one of each case in turn.
-pub(super) fn probes<'a>(points: &'a [Point<'a>], among: Set, count: usize) -> Vec<&'a Point<'a>> {
-    let mut wrong: Vec<&Point> = points.iter().filter(|point| point.is_wrong(among)).collect();
-    wrong.sort_by(|one, other| other.clearness(among).total_cmp(&one.clearness(among)));
-    let mut cases = BTreeSet::new();
-    wrong.retain(|point| cases.insert(point.sample.case));
-    wrong.truncate(count);
-    wrong
 }

@@ -1,7 +1,8 @@
 use super::changes::{CHANGES, Change};
-use super::list::{FORMULAS, STRAIGHT, WAYS};
-use super::names::Set;
-use super::point::{Point, RESULTS, names, points};
+use super::list::{FORMULAS, STRAIGHT};
+use super::names::{Set, WAYS};
+use super::outputs::{RESULTS, names};
+use super::point::{Point, points};
 use super::values::Values;
 use super::{found, of_all};
 use crate::check::Regime;

@@ -1,7 +1,7 @@
 //! Terms in which something else stands in the place of a factor.
 
+use super::row::{Group, Row, What};
 use super::substitutes::{substitutes, substitutes_of};
-use super::{Group, Row, What};
 use crate::check::external::stages::terms::{Factor, Number, Reach, Term, Terms, Vector, scaled};
 use crate::check::external::stages::words::{number_words, vector_words};
 use crate::linearization::Quantity;

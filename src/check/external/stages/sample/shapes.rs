@@ -1,10 +1,20 @@
 //! Sums of shape functions times control vectors.
 
-use super::Node;
 use crate::curve::Geometry;
 use crate::linearization::closed_form::PartialVariations;
 use crate::test_beam::{AnyBeam, RunningError2};
 use nalgebra::Vector3;
+
+/// A control vector with its shape function.
+#[derive(Clone, Debug)]
+pub(in crate::check::external::stages) struct Node {
+    /// The control vector and its variations in both directions.
+    pub(in crate::check::external::stages) vectors: [Vector3<f64>; 3],
+    /// The shape function and its derivatives.
+    pub(in crate::check::external::stages) shape: [f64; 4],
+    /// Its coefficients, if it is a cubic.
+    pub(in crate::check::external::stages) coefficients: Option<[f64; 4]>,
+}
 
 /// Adds the rounding of sums of shape functions times control vectors, along both directions too.
 pub(super) fn widen(
