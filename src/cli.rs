@@ -30,6 +30,7 @@ mod panics;
 mod progress;
 mod proof;
 mod prove;
+mod proved;
 mod report;
 mod searched;
 mod shell;

@@ -12,6 +12,7 @@ mod counts;
 mod roofline;
 mod rounds;
 mod scenario;
+mod timed;
 
 use beamgap::report::Environment;
 use beamgap_benchmark::{Verdict, Verdicts, criterion_directory, publish, write_rounds};

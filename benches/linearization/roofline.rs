@@ -1,7 +1,7 @@
 //! Two kernels that measure the peak rates of a core: of its arithmetic and of its stores.
 
-use crate::rounds::Timed;
 use crate::scenario::Runner;
+use crate::timed::Timed;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::{Level, Simd, f64x4, prelude::*, x86::Avx2};
 use std::hint::black_box;

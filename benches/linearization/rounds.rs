@@ -1,9 +1,10 @@
 //! Interleaved rounds of a method and of its references.
 
 use crate::roofline::{multiply_adds_by, roofline};
-use crate::scenario::{Runner, Scenario};
+use crate::scenario::Scenario;
+use crate::timed::Timed;
 use beamgap_benchmark::{CLOSED_FORM, Rounds};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The number of rounds with the roofline, and with one thread.
 const MANY: usize = 101;
@@ -43,36 +44,4 @@ pub(crate) fn rounds(scenario: &Scenario, group: &[Scenario]) -> Vec<Rounds> {
 
 fn in_rounds<const K: usize>(rounds: usize, mut methods: [Timed; K]) -> Vec<[f64; K]> {
     (0..rounds).map(|_| methods.each_mut().map(Timed::round)).collect()
-}
-
-/// A run with a known amount of work, repeated several times in a round.
-pub(crate) struct Timed {
-    run: Runner,
-    amount: usize,
-    runs: u32,
-}
-
-impl Timed {
-    /// Chooses the number of runs so that they fill a round.
-    pub(crate) fn new(run: Runner, amount: usize, round: Duration) -> Self {
-        let mut timed = Self { run, amount, runs: 1 };
-        while timed.elapsed() < round {
-            timed.runs *= 2;
-        }
-        timed
-    }
-
-    fn elapsed(&mut self) -> Duration {
-        let start = Instant::now();
-        for _ in 0..self.runs {
-            (self.run)();
-        }
-        start.elapsed()
-    }
-
-    /// The time of a unit of work in nanoseconds.
-    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-    fn round(&mut self) -> f64 {
-        self.elapsed().as_nanos() as f64 / f64::from(self.runs) / self.amount as f64
-    }
 }

@@ -5,6 +5,7 @@ use super::count::count;
 use super::exit::Exit;
 use super::json;
 use super::outcome::{Entry as OutcomeEntry, Outcome, Source, State, Verdict};
+use super::proved::Proved;
 use beamgap::check::Order;
 use beamgap::linearization::Quantity;
 use beamgap::number::PrimeField;
@@ -19,15 +20,6 @@ const SHOWN: usize = 5;
 
 /// The formulas of the contact element.
 const ELEMENT: &str = "src/contact/closed_form/assemble.rs";
-
-/// The request and the result.
-pub(super) struct Proved {
-    pub(super) plant: Vec<String>,
-    pub(super) seed: u64,
-    pub(super) families: Vec<Family>,
-    pub(super) draws: u64,
-    pub(super) proof: Proof,
-}
 
 /// The outcome of a proof, with one entry for each layer of each quantity.
 pub(super) fn outcome(proof: &Proof) -> Outcome {

@@ -63,7 +63,7 @@ static std::vector<double> shapes(int nodes, int order, double s) {
         return {(-3 + 3 * s * s) / 4, (-1 - F(102, -1) * 2 * s + 3 * s * s) / 4, (3 - 3 * s * s) / 4,
                 (-1 + 2 * s + 3 * s * s) / 4};
     case 2:
-        return {F(103, 2) * 1.5 * s, -0.5 + 1.5 * s, -1.5 * s, F(104, -1) * 0.5 + 1.5 * s};
+        return {F(181, 1.25) * F(103, 2) * 1.5 * s, -0.5 + 1.5 * s, -1.5 * s, F(104, -1) * 0.5 + 1.5 * s};
     default:
         return {1.5, 1.5, F(105, -1) * -1.5, 1.5};
     }
@@ -107,7 +107,7 @@ struct Element {
         } else if (held[1] && !held[0]) {
             xi = E(114, r / a, (a_bar * r + b * r_bar) / D);
         } else if (!held[0] && !held[1]) {
-            xi = (E(115, a_bar, a) * r + F(116, -1) * b * r_bar) / (second ? E(117, D, 1.0) : D);
+            xi = (E(182, E(115, a_bar, a), -a) * r + F(184, 0) * F(116, -1) * b * r_bar) / (second ? E(117, D, 1.0) : D);
             xi_bar = (F(118, -1) * -b * r + a * E(119, r_bar, second ? r : r_bar)) / D;
         }
     }
@@ -133,7 +133,7 @@ static void element(const Pair *of, Answers *to) {
     e.a_bar = -F(128, -1) * dot(t_bar, t_bar) + F(129, -1) * curved_bar;
     e.D = e.a * e.a_bar + F(130, -1) * e.b * e.b;
     const double a = e.a, b = e.b, a_bar = e.a_bar;
-    const Matrix r = -(tmul(G, t) + F(131, 0) * F(132, -1) * tmul(A1, d));
+    const Matrix r = -(tmul(E(183, G, B1), t) + F(131, 0) * F(132, -1) * tmul(A1, d));
     const Matrix r_bar = -(tmul(G, E(133, t_bar, t)) + F(134, -1) * tmul(E(135, B1, A1), d));
     Matrix g(size, 1), g_bar(size, 1);
     e.solve(r, r_bar, false, g, g_bar);

@@ -185,21 +185,28 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
             return Some(Traced { causes, is_of_formulas: true, ..traced });
         }
     }
-    let mut with_pairs = 0;
+    let (mut with_pairs, mut is_pinned) = (0, false);
     for ((e, cases), mut found) in all_wrong.iter().zip(of_one_error.clone()) {
         let (equation, mut words_of_triangle) = (&equations[*e], "");
         let in_entries = || {
             let is_matrix = has_arrays && equation.results.iter().all(|(_, part)| *part == 3);
-            entries.iter().filter(|_| is_matrix).find_map(|(along, samples)| {
+            let of_triangle = |(along, samples): &(Along, OnceCell<Vec<Sample>>)| {
                 let points: Vec<Point> = samples.get_or_init(|| of(*along)).iter().map(Point::new).collect();
                 let cases = judged(equation, &points);
                 let mut found = examined(of_equation(*e), &points, &cases, false);
                 if !is_known(&found) && found.iter().any(|of| matches!(of, Status::Explained(_))) {
                     found = examined(of_equation(*e), &points, &cases, true);
                 }
-                let words = if *along == Along::Lower { "below" } else { "above" };
-                is_known(&found).then_some((found, words))
-            })
+                let says = |of: &Status| of_status(equation, of, &points, &cases, "");
+                let says: Vec<_> = found.iter().flat_map(says).map(|reading| reading.names).collect();
+                is_known(&found).then_some((found, says))
+            };
+            let both = if is_matrix { entries.each_ref().map(of_triangle) } else { [None, None] };
+            match both {
+                [Some((found, lower)), Some((_, upper))] if lower == upper => Some((found, "")),
+                [Some((found, _)), _] => Some((found, "below")),
+                [None, upper] => upper.map(|(found, _)| (found, "above")),
+            }
         };
         if !is_known(&found) {
             if let Some(in_entries) = in_entries() {
@@ -213,7 +220,12 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
             .iter()
             .map(|status| of_status(equation, status, &points, cases, words_of_triangle))
             .collect();
+        is_pinned |= *e == wrong[0] && found.iter().any(|of| matches!(of, Status::Varies(_)));
         traced.add(&found, readings, *e == wrong[0]);
+    }
+    // What follows from a number that is not named is not told as an error of its own.
+    if is_pinned {
+        traced.beyond.clear();
     }
     Some(traced)
 }
@@ -236,7 +248,7 @@ fn of_entries([lower, upper]: &[&[Sample]; 2]) -> Vec<Reading> {
 }
 
 fn is_known(found: &[Status]) -> bool {
-    !found.iter().any(|status| matches!(status, Status::Unknown))
+    !found.iter().any(|status| matches!(status, Status::Unknown | Status::Varies(_)))
 }
 
 #[cfg(test)]

@@ -219,3 +219,25 @@ fn a_term_of_the_gap_is_named_from_residual_and_tangent_alone() {
     let words = names(&found(1.0).unwrap()).join("; ");
     assert!(words.contains("in Dd|d|, eq. (40), the term d|d| D|d| is missing"), "{words}");
 }
+
+/// A gap without a radius changes at which cases the beams touch, and the force. It is named from residual and tangent alone.
+#[test]
+fn a_radius_that_is_missing_in_the_gap_is_named_from_residual_and_tangent_alone() {
+    let all = vectors(&drawing(&[Family::Hermite], &[Regime::Generic, Regime::NearEnd], 16));
+    let text = changed(&answers(&Evaluator { penalty: Some(1e3), ..Evaluator::default() }, &all), |line| {
+        let Some(vector) = all.iter().find(|vector| line["id"] == vector.id.as_str()) else { return };
+        let gap = line["g_N"]["value"].as_f64().unwrap() + vector.case.contact.radius_bar;
+        let [gradient, hessian] = ["gradient", "hessian"].map(|part| numbers(line, "d", part));
+        let stiffness = if gap < 0.0 { 1e3 } else { 0.0 };
+        let residual: Vec<f64> = gradient.iter().map(|x| stiffness * gap * x).collect();
+        let product = |k: usize| gradient[k / gradient.len()] * gradient[k % gradient.len()];
+        let tangent = hessian.iter().enumerate().map(|(k, h)| stiffness * (product(k) + gap * h));
+        let tangent: Vec<f64> = tangent.collect();
+        *line = serde_json::json!({ "id": line["id"], "residual": residual, "tangent": tangent });
+    });
+    let conventions = *AnswerReader::new(text.as_bytes(), "answers").unwrap().conventions();
+    let report = verified(&all, &text, None).unwrap();
+    let found = explain(&report.kept, &report.right, &Demands { conventions, digits: None }).unwrap();
+    let words = names(&found).join("; ");
+    assert!(words.contains("r_bar is missing"), "{words}");
+}

@@ -5,6 +5,7 @@
 //! element. An error is one change of a formula: a sign, a factor, a name. It explains the answers if the list with this change
 //! yields all of them, to rounding. A program may write each formula in its own way, so the list has several.
 
+mod axes;
 mod changes;
 mod derivative;
 mod edits;

@@ -34,6 +34,8 @@ pub(super) enum Status {
     WrongForm(&'static str),
     /// An error explains the numbers.
     Explained(Cause),
+    /// One of these terms explains them with a factor that differs from case to case.
+    Varies(Vec<String>),
     /// No error does.
     Unknown,
 }
@@ -50,6 +52,7 @@ impl Status {
                     + 2 * u32::from(cause.earlier == Earlier::Exact)
                     + u32::from(!is_of_factors(&cause.readings[0]))
             }
+            Self::Varies(_) => UNKNOWN - 1,
             Self::Unknown => UNKNOWN,
         }
     }
@@ -57,6 +60,8 @@ impl Status {
 
 /// The least cost of an equation that is wrong: one error explains one sum, at all cases.
 const LEAST: u32 = 1;
+/// The maximum number of terms of which one has a factor that differs from case to case.
+const VARYING: usize = 4;
 /// The cost of a sum that is not explained.
 const UNKNOWN: u32 = 100;
 
@@ -174,9 +179,37 @@ impl Examination<'_> {
             }
         }
         // Pairs of errors are looked for with the numbers of the program, and among single terms alone.
-        let is_tried = with_pairs && zero.is_elementary;
+        if !with_pairs {
+            return Status::Unknown;
+        }
         let cause = || self.cause((zero, table), Earlier::Own, self.right.is_empty(), true);
-        is_tried.then(cause).flatten().map_or(Status::Unknown, Status::Explained)
+        let found = zero.is_elementary.then(cause).flatten().map(Status::Explained);
+        found.unwrap_or_else(|| self.varying((zero, table)))
+    }
+
+    /// The fewest terms that have another factor in each case. A value does not vary with the directions, so it is a multiple
+    /// of any term.
+    fn varying(&self, (zero, table): (&Zero, &OnceLock<Vec<Row>>)) -> Status {
+        if self.equation.results.iter().any(|(_, part)| *part == 0) {
+            return Status::Unknown;
+        }
+        let mut system = System::new(self.equation, zero, self.points, Earlier::Own);
+        system.retain(|case| self.wrong.contains(&case));
+        let table = table.get_or_init(|| rows(zero, &self.equation.results));
+        let found = system.varying(table).into_iter().map(|k| &table[k]);
+        let factors: Vec<_> = found
+            .filter_map(|row| match &row.what {
+                What::Factor(name) => Some((row.terms.len(), name)),
+                What::Replaced { .. } => None,
+            })
+            .collect();
+        let fewest = factors.iter().map(|(terms, _)| *terms).min();
+        let names: Vec<_> = factors
+            .into_iter()
+            .filter(|(terms, _)| Some(*terms) == fewest)
+            .map(|(_, name)| name.clone())
+            .collect();
+        if (1..=VARYING).contains(&names.len()) { Status::Varies(names) } else { Status::Unknown }
     }
 
     /// The errors that explain the residuals of a sum, at all cases or where the equation is wrong.

@@ -54,15 +54,19 @@ fn groups(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Group> {
             groups.push(group);
         }
     };
-    for tag in tags(form) {
+    let of_tag = |tag: Tag| {
         let reach = |term: &Term| {
             let of_tag = term.tags.iter().filter(|(of, _)| *of == tag);
             of_tag.map(|(_, reach)| *reach).reduce(|one, other| one | other)
         };
         let found = form.terms.iter().filter_map(|term| Some((term.clone(), reach(term)?)));
         let (terms, reach) = found.unzip();
-        add_group(Group { name: tag.into(), terms, reach });
-    }
+        Group { name: tag.into(), terms, reach }
+    };
+    // Of two names of the same terms, that of the whole terms is meant.
+    let is_whole = |of: &Group| of.terms.iter().zip(&of.reach).all(|(term, reach)| *reach == all_of(term));
+    let (whole, others): (Vec<_>, Vec<_>) = tags(form).into_iter().map(of_tag).partition(is_whole);
+    whole.into_iter().chain(others).for_each(&mut add_group);
     let mut add = |name: String, terms: Terms| {
         let reach = vec![Reach::MAX; terms.len()];
         add_group(Group { name, terms, reach });
@@ -83,6 +87,11 @@ fn groups(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Group> {
     }
     groups.sort_by_key(|group| group.terms.len());
     groups
+}
+
+/// The reach of a name that is on all factors of a term.
+fn all_of(term: &Term) -> Reach {
+    (1 << (2 * term.factors.len())) - 1
 }
 
 /// A part that occurs in both factors of a product, with another factor.

@@ -221,8 +221,10 @@ impl Point {
         }
         let has_data = inputs.decided.is_some();
         let element = element(answers, [&dq[0], &dq[1]], demands, is_closed, has_data);
-        if let Some(stiffness) = element.as_ref().and_then(|of| of.stiffness) {
-            inputs.add_penalty(stiffness);
+        if element.as_ref().is_some_and(|of| of.stiffness.is_some())
+            && let Some(penalty) = demands.conventions.penalty
+        {
+            inputs.add_penalty(penalty, is_closed);
         }
         let sharp = |v: Vector3<RunningError2>| v.map(|n| RunningError { value: n.value, bound: n.bound[0] });
         let geometry = partial.each_ref().map(|of: &PartialVariations<RunningError2>| {

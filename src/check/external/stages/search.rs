@@ -6,7 +6,7 @@ use super::rows::Row;
 use super::terms::{Earlier, Reading, Term};
 use crate::number::RunningError;
 use rayon::prelude::*;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// The residual of a sum at the samples.
 pub(super) struct System<'a> {
@@ -15,6 +15,10 @@ pub(super) struct System<'a> {
     terms: &'a [Term],
     reading: Reading<'a>,
 }
+
+/// The cases, and the samples in each, that a row with a factor of its own in each case must explain.
+const CLEAR_CASES: usize = 3;
+const CLEAR_SAMPLES: usize = 4;
 
 pub(super) fn is_zero(of: &RunningError) -> bool {
     of.value.abs() <= of.bound || of.value.is_nan()
@@ -100,6 +104,45 @@ impl<'a> System<'a> {
             self.is_explained(&[(row, factor)]).then(|| vec![(k, factor)])
         };
         rows.par_iter().enumerate().filter_map(explains).collect()
+    }
+
+    /// The rows that alone leave only rounding in each case, with a factor of its own in each.
+    pub(super) fn varying(&self, rows: &[Row]) -> Vec<usize> {
+        let mut of_cases: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (i, point) in self.points.iter().enumerate() {
+            of_cases.entry(point.sample.case).or_default().push(i);
+        }
+        let explains = |(k, row): (usize, &Row)| {
+            let clear: Option<Vec<bool>> = of_cases.values().map(|of| self.is_multiple(row, of)).collect();
+            (clear?.into_iter().filter(|is_clear| *is_clear).count() >= CLEAR_CASES).then_some(k)
+        };
+        rows.par_iter().enumerate().filter_map(explains).collect()
+    }
+
+    /// Whether the residuals of a case are clearly a multiple of a row; nothing if they are not.
+    fn is_multiple(&self, row: &Row, of_case: &[usize]) -> Option<bool> {
+        let clearness = |i: &usize| self.residuals[*i].value.abs() / self.residuals[*i].bound;
+        let first = of_case.iter().copied().max_by(|a, b| clearness(a).total_cmp(&clearness(b)))?;
+        let (residual, column) = (self.residuals[first], self.column(row, first)?);
+        if is_zero(&residual) {
+            return Some(false);
+        }
+        if is_zero(&column) {
+            return None;
+        }
+        let factor = -residual.value / column.value;
+        let doubt = residual.bound / residual.value.abs() + column.bound / column.value.abs();
+        let mut clear = 0;
+        for &i in of_case {
+            let (residual, column) = (self.residuals[i], self.column(row, i)?);
+            let left = residual.value + factor * column.value;
+            let allowed = residual.bound + factor.abs() * (column.bound + doubt * column.value.abs());
+            if left.abs() > 2.0 * allowed {
+                return None;
+            }
+            clear += usize::from(residual.value.abs() > 1e3 * residual.bound);
+        }
+        Some(clear >= CLEAR_SAMPLES)
     }
 
     fn factor(&self, row: &Row, probes: &[usize]) -> Option<f64> {

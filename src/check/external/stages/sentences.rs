@@ -58,6 +58,21 @@ pub(super) fn of_status(
                 coefficient: None,
             }]
         }
+        Status::Varies(terms) => {
+            let one = if terms.len() > 1 { "one of the terms" } else { "the term" };
+            let what = format!("{one} {}", terms.join(" or "));
+            let factor = "a factor that differs from case to case";
+            let of = if equation.number.is_empty() {
+                String::new()
+            } else {
+                format!(", eq. {},", equation.number)
+            };
+            vec![Reading {
+                words: format!("in {subject} {what}{of} has {factor}{triangle}"),
+                names: vec![format!("{what} has {factor}")],
+                coefficient: None,
+            }]
+        }
         Status::Explained(cause) => {
             let scope = if cause.everywhere { String::new() } else { scope(points, wrong, right) };
             let reading = |errors: &Vec<(Row, f64)>| {

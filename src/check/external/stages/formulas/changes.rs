@@ -149,6 +149,8 @@ impl Formulas {
             let mut found = Vec::new();
             let what = match edit.what {
                 What::Other(name) => What::Other(self.twin(name)),
+                What::Negative(name) => What::Negative(self.twin(name)),
+                What::Difference(name) => What::Difference(self.twin(name)),
                 what => what,
             };
             let same = twin.zip(same.get(&(what, &*edit.path)).copied());

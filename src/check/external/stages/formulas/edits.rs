@@ -1,5 +1,6 @@
 //! The errors that a formula can have: one change of its tree.
 
+use super::axes::axes;
 use super::list::FORMULAS;
 use super::tree::{Name, Op, Tree};
 
@@ -43,6 +44,10 @@ pub(super) enum What {
     NoRoot,
     /// Another name.
     Other(Name),
+    /// Another name with the opposite sign, as in programs that use the symmetric matrix.
+    Negative(Name),
+    /// A name in the place of a difference of two, or the difference in the place of a name.
+    Difference(Name),
     /// The length of a variation in the place of the variation of a length.
     Length,
     /// The product of the first variations in the place of the second.
@@ -59,6 +64,8 @@ impl What {
             Self::Squared(_)
             | Self::Inverted(_)
             | Self::Axes(_)
+            | Self::Negative(_)
+            | Self::Difference(_)
             | Self::Exchanged
             | Self::Forgotten
             | Self::Length
@@ -181,33 +188,59 @@ impl Edits<'_> {
                     add(What::Other(name), Tree::name(name), words);
                 }
             }
-            Op::Name(name) => {
-                let axes = if FORMULAS.kinds[*name].is_vector { axes() } else { Vec::new() };
-                for (k, (axes, words)) in axes.into_iter().enumerate() {
-                    let words = format!("{words} of {}{}", FORMULAS.names.0[*name], place.words(tree));
-                    add(What::Axes(k), Tree::new(Op::Axes(axes), vec![tree.clone()]), words);
-                }
-                let old = &FORMULAS.names.0[*name];
-                let of_others = [
-                    (What::Length, FORMULAS.length_of_variation(*name)),
-                    (What::Product, FORMULAS.product_of_variations(*name)),
-                ];
-                for (what, new) in of_others.into_iter().filter_map(|(what, new)| Some((what, new?))) {
-                    let words = format!("{} stands in the place of {old}{}", text(&new), place.words(tree));
-                    add(what, new, words);
-                }
-                for other in (self.others)(*name) {
-                    let [new, old] = [other, *name].map(|of| &FORMULAS.names.0[of]);
-                    add(
-                        What::Other(other),
-                        Tree::name(other),
-                        format!("{new} stands in the place of {old}{}", place.words(tree)),
-                    );
+            Op::Name(name) => self.add_of_name(*name, tree, place),
+            Op::Sum(_) => {
+                if let Some(first) = FORMULAS.first_of_difference(tree) {
+                    for other in (self.others)(first) {
+                        let [new, old] = [&Tree::name(other), tree].map(text);
+                        let words = format!("{new} stands in the place of {old}{}", place.words(tree));
+                        add(What::Difference(other), Tree::name(other), words);
+                    }
                 }
             }
             _ => {}
         }
         self.add_of_branches(tree, place);
+    }
+
+    /// What may stand in the place of a name.
+    fn add_of_name(&mut self, name: Name, tree: &Tree, place: &Place) {
+        let others = (self.others)(name);
+        let mut add = |what: What, new: Tree, words: String| {
+            let (path, old) = (place.path.clone(), tree.clone());
+            self.found.push(Edit { path, what, old, new, words, cost: what.cost() });
+        };
+        let axes = if FORMULAS.kinds[name].is_vector { axes() } else { Vec::new() };
+        for (k, (axes, words)) in axes.into_iter().enumerate() {
+            let words = format!("{words} of {}{}", FORMULAS.names.0[name], place.words(tree));
+            add(What::Axes(k), Tree::new(Op::Axes(axes), vec![tree.clone()]), words);
+        }
+        let old = &FORMULAS.names.0[name];
+        let of_others = [
+            (What::Length, FORMULAS.length_of_variation(name)),
+            (What::Product, FORMULAS.product_of_variations(name)),
+        ];
+        for (what, new) in of_others.into_iter().filter_map(|(what, new)| Some((what, new?))) {
+            let words = format!("{} stands in the place of {old}{}", text(&new), place.words(tree));
+            add(what, new, words);
+        }
+        for other in FORMULAS.of_opposite_sign(name) {
+            let new = Tree::sum(vec![(true, Tree::name(other))]);
+            let words = format!("{} stands in the place of {old}{}", text(&new), place.words(tree));
+            add(What::Negative(other), new, words);
+        }
+        if let Some(new) = FORMULAS.difference_of(name) {
+            let words = format!("{} stands in the place of {old}{}", text(&new), place.words(tree));
+            add(What::Difference(name), new, words);
+        }
+        for other in others {
+            let [new, old] = [other, name].map(|of| &FORMULAS.names.0[of]);
+            add(
+                What::Other(other),
+                Tree::name(other),
+                format!("{new} stands in the place of {old}{}", place.words(tree)),
+            );
+        }
     }
 
     fn add_of_branches(&mut self, tree: &Tree, place: &Place) {
@@ -245,32 +278,6 @@ fn of_factors(tree: &Tree, divides: &[bool], in_term: &str) -> Vec<(What, Tree, 
             let words = format!("the term {} is {verb} by {}", text(tree), text(factor));
             found.push((What::Inverted(i), Tree::product(inverted), words));
         }
-    }
-    found
-}
-
-/// The components of a vector as programs confuse them, in words.
-pub(super) fn axes() -> Vec<([(usize, f64); 3], String)> {
-    const NAMES: [&str; 3] = ["x", "y", "z"];
-    let right = [0, 1, 2].map(|axis| (axis, 1.0));
-    let mut found = Vec::new();
-    for (axis, name) in NAMES.into_iter().enumerate() {
-        let with = |component: (usize, f64)| {
-            let mut axes = right;
-            axes[axis] = component;
-            axes
-        };
-        found.push((with((axis, -1.0)), format!("the sign is wrong in the component {name}")));
-        found.push((with((axis, 0.0)), format!("the component {name} is left out")));
-        for other in (0..3).filter(|other| *other != axis) {
-            let words = format!("the component {} stands in the place of {name}", NAMES[other]);
-            found.push((with((other, 1.0)), words));
-        }
-    }
-    for order in [[1, 2, 0], [2, 0, 1], [2, 1, 0], [1, 0, 2], [0, 2, 1]] {
-        let words =
-            format!("the order {} is taken of the components", order.map(|axis| NAMES[axis]).join(", "));
-        found.push((order.map(|axis| (axis, 1.0)), words));
     }
     found
 }

@@ -7,6 +7,7 @@ use crate::check::candidate::CAREFUL;
 use crate::check::element::ElementAt;
 use crate::check::external::answers::Answers;
 use crate::check::external::compare::{Demands, half_unit};
+use crate::check::external::conventions::Penalty;
 use crate::contact::{Law, Piece, State, Work};
 use crate::linearization::closed_form::PartialVariations;
 use crate::number::RunningError;
@@ -85,9 +86,11 @@ impl Inputs {
         self.values[FORMULAS.name(name)] = value;
     }
 
-    /// The penalty stiffness of an element without friction, or zero at an open gap.
-    pub(in crate::check::external::stages) fn add_penalty(&mut self, stiffness: f64) {
-        self.set("penalty", stiffness.into());
+    /// The penalty of an element without friction. A gap that is closed only within rounding is taken as the exact one is.
+    pub(in crate::check::external::stages) fn add_penalty(&mut self, penalty: Penalty, is_closed: bool) {
+        self.set("penalty", penalty.stiffness.into());
+        self.set("always", penalty.always.into());
+        self.known.push((FORMULAS.name("pushes"), Value::from(penalty.always || is_closed)));
     }
 
     /// Adds the data of an element; leaves the inputs as they are if the point does not define it.

@@ -29,7 +29,8 @@ const MIXED: &str = "Ddu Ddu_bar Ddu,xi Ddu_bar,xi";
 const NUMBERS: &str = "xi xi_bar xi_0 xi_bar_0 r r_bar xi_n xi_bar_n e_n e_bar_n c_n eps_N g_0 lambda eps_T mu \
      penalty";
 /// Inputs that are conditions.
-const CONDITIONS: &str = "both_free free_xi free_xi_bar has_n has_slips held_changes lpqp paper was_free";
+const CONDITIONS: &str =
+    "both_free free_xi free_xi_bar has_n has_slips held_changes lpqp paper was_free always";
 
 pub(super) static FORMULAS: LazyLock<Formulas> = LazyLock::new(Formulas::new);
 

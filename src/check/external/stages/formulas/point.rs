@@ -105,7 +105,7 @@ pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
     let answered = numbers.iter().flatten().map(|(output, _)| output.name);
     // Programs of the geometry alone have no numbers of a contact element.
     let of_geometry = FORMULAS.needed(RESULTS.iter().copied().collect()).or((0..FORMULAS.inputs).collect());
-    let is_of_geometry = Set::from_iter(answered).without(of_geometry).is_empty();
+    let is_of_geometry = answered.collect::<Set>().without(of_geometry).is_empty();
     let needed = if is_of_geometry { of_geometry } else { (0..FORMULAS.names.0.len()).collect() };
     let same = FORMULAS.same_ways(needed);
     let mut points: Vec<Point> =

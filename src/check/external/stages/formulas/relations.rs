@@ -1,9 +1,18 @@
 //! Formulas that belong to each other: those of both beams, and those of both directions.
 
-use super::list::{Formula, Formulas};
+use super::list::{Formula, Formulas, Kind};
 use super::tree::{Name, Op, Tree};
 use super::values::Value;
 use std::collections::HashMap;
+
+/// Entries and right-hand sides of the system for the parameters that are confused with a change of sign.
+const SYSTEM: [&[&str]; 5] = [
+    &["a", "b", "a_bar"],
+    &["i11", "i12", "i22"],
+    &["dp", "dp_bar"],
+    &["Ddp", "Ddp_bar"],
+    &["da", "db", "db_bar", "da_bar"],
+];
 
 impl Formulas {
     /// The formula with delta and Delta exchanged; nothing if a name of it does not exist so.
@@ -63,6 +72,38 @@ impl Formulas {
     pub(super) fn second_formula(&self, formula: &Formula) -> Option<&Formula> {
         let name = self.names.find(&format!("D{}", self.names.0[formula.name]))?;
         self.all.iter().find(|of| of.name == name)
+    }
+
+    /// Names of the system that differ from this one in sign in the symmetric form: a is -a_bar of the other beam.
+    pub(super) fn of_opposite_sign(&self, name: Name) -> Vec<Name> {
+        let back = self.linear.iter().find(|(_, linear)| **linear == name).map(|(along, _)| *along);
+        let text = &*self.names.0[back.unwrap_or(name)];
+        let group = SYSTEM.iter().find(|group| group.contains(&text));
+        let others = group.into_iter().flat_map(|group| *group).filter(|other| **other != text);
+        let named = others.filter_map(|other| self.names.find(other));
+        named.map(|other| if back.is_some() { self.linear[&other] } else { other }).collect()
+    }
+
+    /// The difference of both displacements for a variation of one beam, along the same direction.
+    pub(super) fn difference_of(&self, name: Name) -> Option<Tree> {
+        let [delta, delta_bar] = ["du", "du_bar"].map(|name| self.name(name));
+        let is_of = |varies: [bool; 2]| self.kinds[name] == Kind { varies, ..self.kinds[delta] };
+        let along = |of: Name| if is_of([true, false]) { of } else { self.linear[&of] };
+        let is_one = is_of([true, false]) || is_of([false, true]);
+        let is_vector_of_curve = self.names.0[name].contains('u');
+        (is_one && is_vector_of_curve)
+            .then(|| Tree::sum(vec![(false, Tree::name(along(delta))), (true, Tree::name(along(delta_bar)))]))
+    }
+
+    /// The first name of the difference of two variations of a vector.
+    pub(super) fn first_of_difference(&self, tree: &Tree) -> Option<Name> {
+        let is_difference = matches!(&tree.op, Op::Sum(minus) if minus[..] == [false, true]);
+        match tree.of.iter().map(|of| &of.op).collect::<Vec<_>>()[..] {
+            [Op::Name(first), Op::Name(second)] if is_difference && self.twin(*first) == *second => {
+                Some(*first)
+            }
+            _ => None,
+        }
     }
 
     /// The length of the variation of a vector, for the variation of its length.
