@@ -31,7 +31,7 @@ fn the_wrong_term_is_named() {
             "in the second order of d the term Dxi du of the beam, eq. (40), has the wrong sign",
         ),
         ("H_d: b gg_bar' = doubled", "in the second order of d the term b, eq. (40), counts twice"),
-        ("R2: t.rest = halved", "in the second order of xi and xi_bar the term Ddd, eq. (55), is halved"),
+        ("R2: t.rest = halved", "in the second order of xi and xi_bar the term t.Ddd, eq. (55), is halved"),
     ] {
         assert_eq!(cause(&all, &[fault], None), words);
     }
@@ -101,7 +101,7 @@ fn gradients_and_hessians_of_few_digits_tell_terms_apart() {
         found.causes.into_iter().map(|cause| cause.name).collect::<Vec<_>>()
     };
     // For straight beams a is t.t.
-    let alike = ["the term t.t of a has the wrong sign", "the term a has the wrong sign"];
+    let alike = ["the term t.t of a has the wrong sign", "the term a dxi Dxi has the wrong sign"];
     assert_eq!(arrays("H_d: a gg' = sign"), alike);
     assert_eq!(arrays("H_d: A0'A0 = doubled"), ["the term du.Du counts twice"]);
 }

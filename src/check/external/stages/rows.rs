@@ -63,8 +63,11 @@ fn groups(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Group> {
         let (terms, reach) = found.unzip();
         Group { name: tag.into(), terms, reach }
     };
-    // Of two names of the same terms, that of the whole terms is meant.
-    let is_whole = |of: &Group| of.terms.iter().zip(&of.reach).all(|(term, reach)| *reach == all_of(term));
+    // Of two names of the same terms, that of the whole terms is meant, but not one of both of two terms.
+    let is_whole = |of: &Group| {
+        let is_all = of.terms.iter().zip(&of.reach).all(|(term, reach)| *reach == all_of(term));
+        is_all && !of.name.starts_with("both ")
+    };
     let (whole, others): (Vec<_>, Vec<_>) = tags(form).into_iter().map(of_tag).partition(is_whole);
     whole.into_iter().chain(others).for_each(&mut add_group);
     let mut add = |name: String, terms: Terms| {

@@ -171,22 +171,29 @@ struct Ways {
     left: Left,
 }
 
+/// A result, and which parameters are held: a program may have formulas of their own for the ends.
+type Answered = (Output, [bool; 2]);
+
 /// The ways that are left for each result.
-type Left = Vec<(Output, [bool; WAYS])>;
+type Left = Vec<(Answered, [bool; WAYS])>;
 
 impl Ways {
     fn of(points: &[Point], among: Set) -> Self {
         let mut lost: BTreeMap<Output, [usize; WAYS]> = BTreeMap::new();
-        for answer in points.iter().flat_map(|point| point.among(among)) {
+        let mut all: BTreeSet<Answered> = BTreeSet::new();
+        for (point, answer) in points.iter().flat_map(|point| point.among(among).map(move |of| (point, of))) {
             let of = lost.entry(answer.output).or_default();
             (0..WAYS).for_each(|way| of[way] += usize::from(!answer.ways[way]));
+            all.insert((answer.output, point.sample.held));
         }
         let start = FORMULAS.name("tau_n");
         let has_start = points.iter().any(|point| !point.values[0][start].is_zero());
         let is_left =
             |way: usize, lost: usize| LOST * lost <= points.len() && (way != WITH_START || has_start);
-        let left =
-            lost.into_iter().map(|(of, lost)| (of, std::array::from_fn(|way| is_left(way, lost[way]))));
+        let left = all.into_iter().map(|answered| {
+            let lost = &lost[&answered.0];
+            (answered, std::array::from_fn(|way| is_left(way, lost[way])))
+        });
         let needed = FORMULAS.needed(among);
         Self { among, needed, distinct: FORMULAS.distinct_ways(needed), left: left.collect() }
     }
@@ -224,7 +231,8 @@ impl Ways {
             });
             let changed = &known[place];
             for answer in point.among(self.among).filter(|answer| answer.ways[way]) {
-                if let Ok(at) = left.binary_search_by_key(&answer.output, |(output, _)| *output)
+                let answered = (answer.output, point.sample.held);
+                if let Ok(at) = left.binary_search_by_key(&answered, |(of, _)| *of)
                     && left[at].1[way]
                 {
                     left[at].1[way] = point.is_explained(answer, way, changed);

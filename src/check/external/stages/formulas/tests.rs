@@ -101,8 +101,9 @@ fn a_change_is_the_same_in_ways_that_are_said_to_be_the_same() {
                 for name in affected {
                     let [one, other] = [in_first.at(name).number(), in_other.at(name).number()];
                     let allowed = CAREFUL * (one.bound + other.bound);
-                    let is_near =
-                        (one.value - other.value).abs() <= allowed || one.value.is_nan() || allowed.is_nan();
+                    let is_same = one.value.to_bits() == other.value.to_bits()
+                        || (one.value - other.value).abs() <= allowed;
+                    let is_near = is_same || one.value.is_nan() || allowed.is_nan();
                     assert!(
                         is_near,
                         "{}: {}, way {way}: {one:?}, {other:?}",
