@@ -101,7 +101,7 @@ fn the_lines_become_parallel_as_the_beams_do() {
     assert!(text(&at_rest, "says").contains("every pair"));
 }
 
-/// The sliding is 0.3 to 0.8 of the motion of the material if the beam tilts.
+/// The sliding is 0.2 to 0.8 of the motion of the material if the beam tilts.
 #[test]
 fn a_tilt_slides_the_contact_point() {
     let size = |frame: &Value, name: &str| {
@@ -115,7 +115,7 @@ fn a_tilt_slides_the_contact_point() {
     for up in [-40.0, 20.0, 40.0] {
         let tilted = frame_at("slide", "end", [x, y - up]);
         let ratio = size(&tilted, "t_dxi") / size(&tilted, "du");
-        assert!((0.3..0.8).contains(&ratio), "{up}: {ratio}");
+        assert!((0.2..0.8).contains(&ratio), "{up}: {ratio}");
     }
 }
 
