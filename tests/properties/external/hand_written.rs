@@ -220,6 +220,24 @@ fn a_term_of_the_gap_is_named_from_residual_and_tangent_alone() {
     assert!(words.contains("in Dd|d|, eq. (40), the term d|d| D|d| is missing"), "{words}");
 }
 
+/// A number that is wrong by another factor in each case is no term that is missing or doubled. Its term is told.
+#[test]
+fn a_term_with_a_factor_of_its_own_in_each_case_is_told() {
+    let all = vectors(&drawing(&[Family::Hermite], &[Regime::Generic], 8));
+    let text = changed(&answers(&Evaluator::default(), &all), |line| {
+        let Some(xi) = line["xi"]["value"].as_f64() else { return };
+        let wrong: Vec<f64> = numbers(line, "xi", "gradient").iter().map(|x| (1.5 + 0.3 * xi) * x).collect();
+        *line = serde_json::json!({
+            "id": line["id"], "xi": { "gradient": wrong }, "xi_bar": { "gradient": line["xi_bar"]["gradient"] },
+        });
+    });
+    let report = verified(&all, &text, None).unwrap();
+    let found = explain(&report.kept, &report.right, &Demands::default()).unwrap();
+    let words = names(&found).join("; ");
+    assert!(words.ends_with("has a factor that differs from case to case"), "{words}");
+    assert!(found.beyond.is_empty(), "{found:?}");
+}
+
 /// A gap without a radius changes at which cases the beams touch, and the force. It is named from residual and tangent alone.
 #[test]
 fn a_radius_that_is_missing_in_the_gap_is_named_from_residual_and_tangent_alone() {
