@@ -59,17 +59,19 @@ pub(super) fn of_status(
             }]
         }
         Status::Varies(terms) => {
-            let one = if terms.len() > 1 { "one of the terms" } else { "the term" };
-            let what = format!("{one} {}", terms.join(" or "));
-            let factor = "a factor that differs from case to case";
+            // Other terms with the same variations have the same effect, so none is called wrong.
+            let what = format!(
+                "the residual is the term {} times a factor that differs from case to case",
+                terms.join(" or ")
+            );
             let of = if equation.number.is_empty() {
                 String::new()
             } else {
                 format!(", eq. {},", equation.number)
             };
             vec![Reading {
-                words: format!("in {subject} {what}{of} has {factor}{triangle}"),
-                names: vec![format!("{what} has {factor}")],
+                words: format!("in {subject}{of} {what}{triangle}"),
+                names: vec![what],
                 coefficient: None,
             }]
         }
