@@ -3,7 +3,7 @@
 //! `cargo run --release --example beam_problems -- crossed`, `crossed-friction`, `crossing` or `dragged`
 //!
 //! Each line is a step: the state of the contact, F_N, the length of the residual at each iterate, and the order of convergence
-//! from the last three increments of which rounding allows it. After that the problem is solved with single terms of the tangent
+//! from the last three increments in double-double. After that the problem is solved with single terms of the tangent
 //! of the contact left out. The residual is always exact.
 
 use beamgap::teaching::chains::Problem;
@@ -21,10 +21,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     println!("step  state          F_N            |F_T|/F_N  order  residuals");
     let (steps, u) = problem.solve(Tangent::EXACT)?;
-    for (i, step) in steps.iter().enumerate() {
+    let orders = problem.orders()?;
+    for (i, (step, order)) in steps.iter().zip(orders).enumerate() {
         let values = &step.outcome.values;
         let ratio = if values.f_n > 0.0 { values.traction.norm() / values.f_n } else { 0.0 };
-        let order = problem.order(step).map_or_else(|| "-".to_owned(), |p| format!("{p:.2}"));
+        let order = order.map_or_else(|| "-".to_owned(), |p| format!("{p:.2}"));
         let residuals: Vec<String> = step.residuals.iter().map(|r| format!("{r:.1e}")).collect();
         println!(
             "{:4}  {:13}  {:<13.6e}  {ratio:9.4}  {order:>5}  {}",

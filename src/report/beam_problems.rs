@@ -1,9 +1,9 @@
 //! The record of the beam problems, `beamgap-beam-problems/1`.
 
-use super::newton::{Iterations, NEAR};
+use super::newton::Iterations;
 use super::{Environment, Record, ReportError};
 use crate::contact::State;
-use crate::teaching::chains::{self, Chain, Problem, order_of_all};
+use crate::teaching::chains::{self, Chain, Problem};
 use crate::teaching::terms::{Tangent, Term};
 use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
@@ -33,7 +33,7 @@ pub struct BeamProblem {
     pub beam_is_above: bool,
     /// The steps with the exact tangent.
     pub steps: Vec<BeamStep>,
-    /// The order of convergence over all steps, if there are many.
+    /// The least order of convergence of a step.
     pub order: Option<f64>,
     /// The displacement of the tip of the beam, lengths, if it is free.
     pub tip: Option<[f64; 3]>,
@@ -56,7 +56,7 @@ pub struct BeamStep {
     pub friction: f64,
     /// The elements of both beams in contact.
     pub owner: [usize; 2],
-    /// The order of convergence, if rounding allows it.
+    /// The order of convergence, if there are enough iterations.
     pub order: Option<f64>,
     /// The length of the residual of each iterate, a force.
     pub residuals: Vec<f64>,
@@ -89,9 +89,6 @@ impl Record for BeamProblems {
         &self.schema
     }
 }
-
-/// From this number of steps on, the order over all of them is measured.
-const MANY: usize = 20;
 
 /// The name of the tangent that lacks nothing.
 pub(super) const NOTHING: &str = "nothing";
@@ -130,6 +127,7 @@ impl BeamProblem {
         if steps.iter().any(|step| !step.converged) {
             return Err(unsolved(format!("no convergence in step {}", steps.len())));
         }
+        let orders = problem.orders().map_err(|error| unsolved(error.to_string()))?;
         let open = steps.iter().take_while(|step| step.outcome.state == State::Open).count();
         let tangents = || {
             let left_out =
@@ -162,8 +160,8 @@ impl BeamProblem {
             mu: problem.model.parameters.mu,
             beam_is_above: steps.last().is_some_and(|step| step.outcome.values.normal.z > 0.0),
             stiffness: beam.material.axial / beam.material.bending,
-            order: order_of_all(&steps, NEAR, problem.rounding).filter(|_| steps.len() >= MANY),
-            steps: steps.iter().map(|step| BeamStep::new(problem, step)).collect(),
+            order: orders.iter().copied().flatten().min_by(f64::total_cmp),
+            steps: steps.iter().zip(orders).map(|(step, order)| BeamStep::new(step, order)).collect(),
             tip: is_free.then_some(tip),
             runs,
             convergence,
@@ -173,14 +171,14 @@ impl BeamProblem {
 }
 
 impl BeamStep {
-    fn new(problem: &Problem, step: &chains::Step) -> Self {
+    fn new(step: &chains::Step, order: Option<f64>) -> Self {
         let values = &step.outcome.values;
         Self {
             state: format!("{:?}", step.outcome.state).to_lowercase(),
             f_n: values.f_n,
             friction: if values.f_n > 0.0 { values.traction.norm() / values.f_n } else { 0.0 },
             owner: step.place.owner,
-            order: problem.order(step),
+            order,
             residuals: step.residuals.clone(),
         }
     }

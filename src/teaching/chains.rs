@@ -8,6 +8,7 @@ mod chain;
 mod convergence;
 mod dragged;
 mod model;
+mod precise;
 mod problem;
 mod rod;
 mod search;
@@ -15,7 +16,7 @@ mod search;
 mod tests;
 
 pub use chain::Chain;
-pub use convergence::{order, order_of_all, quadratic_factor};
+pub use convergence::{order, quadratic_factor};
 pub use model::{Model, ModelError, State, Step};
 pub use problem::Problem;
 pub use rod::{Density, Gauss, density};

@@ -2,6 +2,7 @@
 
 use super::rod::{Gauss, element};
 use crate::curve::{Curve, Geometry, Hermite};
+use crate::number::Real;
 use crate::teaching::{DOFS, Material};
 use nalgebra::{DMatrix, DVector, SVector, Vector3};
 
@@ -49,7 +50,7 @@ impl Chain {
     }
 
     /// The dofs of an element.
-    pub fn element(&self, u: &DVector<f64>, element: usize) -> SVector<f64, DOFS> {
+    pub fn element<T: Real>(&self, u: &DVector<T>, element: usize) -> SVector<T, DOFS> {
         u.fixed_rows::<DOFS>(self.node(element)).into_owned()
     }
 
@@ -69,7 +70,7 @@ impl Chain {
     }
 
     /// Adds the elastic forces and their tangent.
-    pub(super) fn add(&self, u: &DVector<f64>, residual: &mut DVector<f64>, tangent: &mut DMatrix<f64>) {
+    pub(super) fn add<T: Real>(&self, u: &DVector<T>, residual: &mut DVector<T>, tangent: &mut DMatrix<T>) {
         let length = self.element_length();
         for i in 0..self.elements {
             let (r, k) = element(&self.element(u, i), length, &self.material, self.rule);

@@ -1,18 +1,22 @@
-//! How fast Newton's method converges, from the norms of its increments.
+//! How fast Newton's method converges.
 //!
-//! Norms of increments tell more than those of residuals: in thin beams bending by δ strains the axis by δ², and the residual is
-//! large by this part in one iterate and not in the next.
+//! In a straight thin beam two effects alternate: bending by b strains the axis by b², and a strain s changes the bending of the next
+//! iterate by b s. So ln b and ln s follow the matrix [[1, 1], [2, 0]] with the eigenvalues 2 and -1. The first is the order. The
+//! second makes the norms alternately larger and smaller than C e², by a constant factor.
 
 use super::Step;
 
-/// The order of convergence, ln(d₃/d₂)/ln(d₂/d₁), of a sequence of norms.
+/// Norms below this multiple of the last one are rounding.
+const ROUNDING: f64 = 100.0;
+
+/// The order of convergence, ln(e₄/e₂)/ln(e₃/e₁), of norms the last of which is rounding.
 ///
-/// It is measured from the last three norms of which rounding allows it: convergence of order two would leave the third of
-/// them above `rounding`. There may be no such norms.
-pub fn order(norms: &[f64], rounding: f64) -> Option<f64> {
-    let allows = |d: &&[f64]| d[1] < d[0] && d[1] * (d[1] / d[0]).powi(2) > rounding;
-    let d = norms.windows(3).rev().find(allows)?;
-    Some((d[2].max(rounding) / d[1]).ln() / (d[1] / d[0]).ln())
+/// It is measured from the last four norms above rounding. A factor by which they alternate has no effect on it. There may
+/// be no such norms.
+pub fn order(norms: &[f64]) -> Option<f64> {
+    let rounding = ROUNDING * norms.last()?;
+    let of = norms.windows(4).rev().find(|e| e[2] < e[0] && e[3] < e[1] && e[3] > rounding)?;
+    Some((of[3] / of[1]).ln() / (of[2] / of[0]).ln())
 }
 
 /// The increments of each pair of successive iterates in all steps, from the first below `from` to the last above `rounding`.
@@ -29,27 +33,19 @@ pub fn quadratic_factor(steps: &[Step], from: f64, rounding: f64) -> f64 {
     pairs(steps, from, rounding).map(|d| d[1] / (d[0] * d[0])).fold(0.0, f64::max)
 }
 
-/// The order of convergence over all steps: the slope of ln d₂ over ln d₁ by least squares.
-///
-/// The order of a single step varies: the factor of d₁² is another one in each direction.
-pub fn order_of_all(steps: &[Step], from: f64, rounding: f64) -> Option<f64> {
-    let points: Vec<[f64; 2]> = pairs(steps, from, rounding).map(|d| d.map(f64::ln)).collect();
-    let count = points.iter().map(|_| 1.0).sum::<f64>();
-    let mean = [0, 1].map(|i| points.iter().map(|p| p[i]).sum::<f64>() / count);
-    let moment = |i: usize| points.iter().map(|p| (p[0] - mean[0]) * (p[i] - mean[i])).sum::<f64>();
-    (points.len() > 2).then(|| moment(1) / moment(0))
-}
-
 #[cfg(test)]
 mod tests {
     use super::order;
 
     #[test]
     fn order_is_that_of_the_last_norms_above_rounding() {
-        let found = |norms: &[f64]| order(norms, 1e-13).map(|order| (order * 100.0).round() / 100.0);
-        assert_eq!(found(&[1.0, 1e-2, 1e-4, 1e-8, 1e-16]), Some(2.0));
-        assert_eq!(found(&[1e-1, 1e-2, 1e-3]), Some(1.0));
-        assert_eq!(found(&[1e-1, 1e-8, 1e-16]), None);
-        assert_eq!(found(&[1e-1, 2e-1, 1e-1]), None);
+        let found = |norms: &[f64]| order(norms).map(|order| (order * 100.0).round() / 100.0);
+        assert_eq!(found(&[1e-1, 1e-2, 1e-4, 1e-8, 1e-16, 3e-29]), Some(2.0));
+        // Alternately 10 times larger and smaller.
+        assert_eq!(found(&[1e-1, 1e-1, 1e-5, 1e-7, 1e-17, 3e-29]), Some(2.0));
+        assert_eq!(found(&[1e-1, 1e-2, 1e-3, 1e-4, 1e-9]), Some(1.0));
+        assert_eq!(found(&[1e-1, 1e-2, 1e-4, 1e-8]), None);
+        assert_eq!(found(&[1e-28, 2e-28, 1e-28, 1e-28, 2e-28]), None);
+        assert_eq!(found(&[]), None);
     }
 }

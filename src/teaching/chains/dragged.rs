@@ -51,6 +51,6 @@ impl Problem {
         for (x, steps) in [(0.02, 5), (0.1, 18), (-0.02, 6), (-0.1, 3)] {
             moves.extend(std::iter::repeat_n(carry(x, 0.0), steps));
         }
-        Self { model, moves, rounding: 1e-12, stride: 1 }
+        Self { model, moves, rounding: 1e-12 }
     }
 }

@@ -5,6 +5,7 @@ use super::search::{self, Owner, Place};
 use crate::closest_point::ProjectionError;
 use crate::contact::{self, ContactError, Contribution, Element, History, Outcome, Parameters};
 use crate::linearization::closed_form::jets;
+use crate::number::Real;
 use crate::teaching::DOFS;
 use crate::teaching::terms::{Components, Tangent, Terms};
 use nalgebra::{DMatrix, DVector};
@@ -105,7 +106,8 @@ impl Model {
         let (mut residual, mut matrix, ..) = self.system(state, &u, Tangent::EXACT)?;
         let mut step: Option<Step> = None;
         for iteration in 0..=self.iterations {
-            self.solve(&residual, &matrix, &mut increment).ok_or(ModelError::Singular { iteration })?;
+            self.solve((&residual, &matrix), &mut increment, solved)
+                .ok_or(ModelError::Singular { iteration })?;
             u += &increment;
             let moved = self.largest_displacement(&increment);
             increment.fill(0.0);
@@ -145,15 +147,26 @@ impl Model {
         let history = search::carried(&self.chains, &converged.u, history, from, place.owner);
         let mut to = Contribution::zeros();
         let outcome = self.contact(u, &place, &history, tangent, &mut to)?;
-        let at: [usize; 2] = [0, 1].map(|k| self.chains[k].node(place.owner[k]));
+        self.add_contact(&to, place.owner, &mut residual, &mut matrix);
+        Ok((residual, matrix, place, outcome))
+    }
+
+    /// Adds residual and tangent of the contact of two elements.
+    pub(super) fn add_contact<T: Real>(
+        &self,
+        of: &Contribution<T, DOFS, DOFS>,
+        owner: Owner,
+        residual: &mut DVector<T>,
+        tangent: &mut DMatrix<T>,
+    ) {
+        let at: [usize; 2] = [0, 1].map(|k| self.chains[k].node(owner[k]));
         let dof = |i: usize| if i < DOFS { at[0] + i } else { at[1] + i - DOFS };
         for i in 0..2 * DOFS {
-            residual[dof(i)] += to.residual.entry(i);
+            residual[dof(i)] += of.residual.entry(i);
             for j in 0..2 * DOFS {
-                matrix[(dof(i), dof(j))] += to.tangent.entry(i, j);
+                tangent[(dof(i), dof(j))] += of.tangent.entry(i, j);
             }
         }
-        Ok((residual, matrix, place, outcome))
     }
 
     /// Residual and tangent of the contact.
@@ -176,20 +189,14 @@ impl Model {
         }
         let at = (place.point.xi, place.point.xi_bar);
         let (jet, jet_bar) = jets(&pair, &q, at);
-        // A step begins on the cone after a slip, up to rounding, and goes on slipping as a rule.
-        let slips_on = outcome.state == contact::State::Stick
-            && history.slips.is_some_and(|slips| slips.is_slipping)
-            && outcome.values.yield_ratio > -ON_CONE;
+        let decision = element.decide(&q, &place.point, history)?;
+        let slips_on = slips_on(&outcome, history);
+        let decision = if slips_on { decision.in_state(contact::State::Slip, at)? } else { decision };
         if slips_on {
-            let slipping = element.decide(&q, &place.point, history)?.in_state(contact::State::Slip, at)?;
-            contact::closed_form::write(&slipping, (&jet, &jet_bar), at, to);
+            contact::closed_form::write(&decision, (&jet, &jet_bar), at, to);
         }
         if tangent == Tangent::EXACT {
             return Ok(outcome);
-        }
-        let mut decision = element.decide(&q, &place.point, history)?;
-        if slips_on {
-            decision = decision.in_state(contact::State::Slip, at)?;
         }
         let terms = Terms::new(&decision, (&jet, &jet_bar), at, tangent.components);
         let matrix = match tangent.left_out {
@@ -213,24 +220,23 @@ impl Model {
         Ok(outcome)
     }
 
-    /// Solves for the free increments; those of given dofs are input.
-    fn solve(
+    /// Solves for the free increments; those of given dofs are input. `solution` is that of a matrix and a right side.
+    pub(super) fn solve<T: Real>(
         &self,
-        residual: &DVector<f64>,
-        tangent: &DMatrix<f64>,
-        increment: &mut DVector<f64>,
+        (residual, tangent): (&DVector<T>, &DMatrix<T>),
+        increment: &mut DVector<T>,
+        solution: impl FnOnce(DMatrix<T>, DVector<T>) -> Option<DVector<T>>,
     ) -> Option<()> {
         let free = self.free_dofs();
         let right = self.free(&-(residual + tangent * &*increment));
         let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| tangent[(free[i], free[j])]);
-        let solution = matrix.lu().solve(&right).filter(|x| x.iter().all(|x| x.is_finite()))?;
-        for (&dof, &by) in free.iter().zip(&solution) {
+        for (&dof, &by) in free.iter().zip(&solution(matrix, right)?) {
             increment[dof] = by;
         }
         Some(())
     }
 
-    fn largest_displacement(&self, increment: &DVector<f64>) -> f64 {
+    pub(super) fn largest_displacement(&self, increment: &DVector<f64>) -> f64 {
         let nodes = self.chains.iter().flat_map(|chain| (0..=chain.elements).map(|node| chain.node(node)));
         nodes.map(|node| increment.fixed_rows::<3>(node).norm()).fold(0.0, f64::max)
     }
@@ -240,8 +246,20 @@ impl Model {
         (0..all).filter(|dof| !self.given.contains(dof)).collect()
     }
 
-    fn free(&self, all: &DVector<f64>) -> DVector<f64> {
+    pub(super) fn free<T: Real>(&self, all: &DVector<T>) -> DVector<T> {
         let free = self.free_dofs();
         DVector::from_fn(free.len(), |i, _| all[free[i]])
     }
+}
+
+/// The finite solution of a linear system.
+fn solved(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
+    matrix.lu().solve(&right).filter(|x| x.iter().all(|x| x.is_finite()))
+}
+
+/// Whether a contact that sticks by rounding slips: a step begins on the cone after a slip, and goes on slipping as a rule.
+pub(super) fn slips_on(outcome: &Outcome, history: &History) -> bool {
+    outcome.state == contact::State::Stick
+        && history.slips.is_some_and(|slips| slips.is_slipping)
+        && outcome.values.yield_ratio > -ON_CONE
 }

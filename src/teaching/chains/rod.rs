@@ -14,6 +14,7 @@
 //! exact Kirchhoff rods", 2015, doi:10.1016/j.cma.2015.02.029 (the model without torsion).
 
 use crate::curve::{Curve, DofDerivatives, Hermite};
+use crate::number::Real;
 use crate::teaching::{DOFS, Material};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
@@ -47,33 +48,35 @@ impl Gauss {
 
 /// The energy of a unit of length: w, and its derivatives over (a, b).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Density {
+pub struct Density<T> {
     /// w, a force.
-    pub value: f64,
+    pub value: T,
     /// w,a (a force) and w,b (a moment).
-    pub gradient: [Vector3<f64>; 2],
+    pub gradient: [Vector3<T>; 2],
     /// The second derivatives, in blocks.
-    pub hessian: [[Matrix3<f64>; 2]; 2],
+    pub hessian: [[Matrix3<T>; 2]; 2],
 }
 
 /// The energy of a unit of length at a = dx/ds and b = d²x/ds².
-pub fn density(a: &Vector3<f64>, b: &Vector3<f64>, material: &Material) -> Density {
+pub fn density<T: Real>(a: &Vector3<T>, b: &Vector3<T>, material: &Material) -> Density<T> {
+    let number = T::from;
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
     let (length, one) = (aa.sqrt(), Matrix3::identity());
-    let (strain, tau) = (length - 1.0, a / length);
+    let (strain, tau) = (length - T::one(), a / length);
     // c = |a × b|²
-    let c = a.cross(b).norm_squared();
-    let (c_a, c_b) = ((a * bb - b * ab) * 2.0, (b * aa - a * ab) * 2.0);
-    let c_aa = (one * bb - b * b.transpose()) * 2.0;
-    let c_ab = a * b.transpose() * 4.0 - b * a.transpose() * 2.0 - one * (2.0 * ab);
-    let c_bb = (one * aa - a * a.transpose()) * 2.0;
+    let across = a.cross(b);
+    let c = across.dot(&across);
+    let (c_a, c_b) = ((a * bb - b * ab) * number(2.0), (b * aa - a * ab) * number(2.0));
+    let c_aa = (one * bb - b * b.transpose()) * number(2.0);
+    let c_ab = a * b.transpose() * number(4.0) - b * a.transpose() * number(2.0) - one * (number(2.0) * ab);
+    let c_bb = (one * aa - a * a.transpose()) * number(2.0);
     // p = |a|⁻⁴
-    let p = 1.0 / (aa * aa);
-    let p_a = a * (-4.0 * p / aa);
-    let p_aa = one * (-4.0 * p / aa) + a * a.transpose() * (24.0 * p / (aa * aa));
+    let p = T::one() / (aa * aa);
+    let p_a = a * (number(-4.0) * p / aa);
+    let p_aa = one * (number(-4.0) * p / aa) + a * a.transpose() * (number(24.0) * p / (aa * aa));
 
-    let (axial, bending) = (material.axial, 0.5 * material.bending);
-    let value = 0.5 * axial * strain * strain + bending * c * p;
+    let (axial, bending) = (number(material.axial), number(0.5 * material.bending));
+    let value = number(0.5) * axial * strain * strain + bending * c * p;
     let gradient = [tau * (axial * strain) + (c_a * p + p_a * c) * bending, c_b * (bending * p)];
     let across = one - tau * tau.transpose();
     let stretch = (tau * tau.transpose() + across * (strain / length)) * axial;
@@ -84,22 +87,22 @@ pub fn density(a: &Vector3<f64>, b: &Vector3<f64>, material: &Material) -> Densi
 }
 
 /// Residual and tangent of an element with this length in the reference, over points and tangents dx/ds of both nodes.
-pub(super) fn element(
-    q: &SVector<f64, DOFS>,
+pub(super) fn element<T: Real>(
+    q: &SVector<T, DOFS>,
     length: f64,
     material: &Material,
     rule: Gauss,
-) -> (SVector<f64, DOFS>, SMatrix<f64, DOFS, DOFS>) {
+) -> (SVector<T, DOFS>, SMatrix<T, DOFS, DOFS>) {
     let (mut residual, mut tangent) = (SVector::zeros(), SMatrix::zeros());
-    let half = 0.5 * length;
+    let half = T::from(0.5 * length);
     for (xi, weight) in rule.points() {
-        let jet = Hermite::scaled_by(length).jet(q, xi);
+        let jet = Hermite::scaled_by(length).jet(q, T::from(xi));
         let (a, b) = (jet.geometry.t / half, jet.geometry.t_xi / (half * half));
-        let of: [SMatrix<f64, 3, DOFS>; 2] =
+        let of: [SMatrix<T, 3, DOFS>; 2] =
             [jet.dofs.jacobian(1) / half, jet.dofs.jacobian(2) / (half * half)];
         let Density { gradient, hessian, .. } = density(&a, &b, material);
         for ((row, gradient), hessian) in of.iter().zip(&gradient).zip(&hessian) {
-            let rows = row.transpose() * (weight * half);
+            let rows = row.transpose() * (T::from(weight) * half);
             residual += rows * gradient;
             for (column, hessian) in of.iter().zip(hessian) {
                 tangent += rows * hessian * column;

@@ -4,6 +4,7 @@ use super::Chain;
 use crate::closest_point::{ClosestPoint, Held, ProjectionError};
 use crate::contact::History;
 use crate::curve::Hermite;
+use crate::number::Real;
 use crate::pair::{Contact, DofVector, Pair};
 use crate::teaching::DOFS;
 use nalgebra::{DVector, Vector3};
@@ -29,7 +30,7 @@ pub(super) fn pair(chains: &[Chain; 2]) -> Pair<Hermite, Hermite, DOFS, DOFS> {
 }
 
 /// The dofs of two elements.
-pub(super) fn dofs(chains: &[Chain; 2], u: &DVector<f64>, owner: Owner) -> DofVector<f64, DOFS, DOFS> {
+pub(super) fn dofs<T: Real>(chains: &[Chain; 2], u: &DVector<T>, owner: Owner) -> DofVector<T, DOFS, DOFS> {
     DofVector { beam: chains[0].element(u, owner[0]), bar: chains[1].element(u, owner[1]) }
 }
 
