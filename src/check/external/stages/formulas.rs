@@ -27,6 +27,7 @@ mod search;
 mod tree;
 mod values;
 mod whole;
+mod words;
 
 #[cfg(test)]
 mod tests;

@@ -6,9 +6,10 @@ use super::list::{FORMULAS, Formula, Formulas};
 use super::names::{Set, WAYS};
 use super::outputs::RESULTS;
 use super::tree::{Name, Op, Tree};
+use super::words::{IN_DERIVATIVES, OfEdit, Words};
 use rayon::prelude::*;
 use std::collections::HashMap;
-use std::sync::{LazyLock, OnceLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 /// A change of the self.
 #[derive(Clone, Debug)]
@@ -19,7 +20,7 @@ pub(super) struct Change {
     pub(super) is_of_derivatives: bool,
     /// Whether later formulas use the right values.
     pub(super) is_stored: bool,
-    pub(super) words: String,
+    pub(super) words: Words,
     /// The simplest has the smallest.
     pub(super) cost: u32,
     /// The ways in which the formulas are written so, but for the change.
@@ -29,10 +30,15 @@ pub(super) struct Change {
 }
 
 impl Change {
-    pub(super) fn of(words: String) -> Self {
-        let ways = [true; WAYS];
+    pub(super) fn of(words: impl Into<Words>) -> Self {
+        let (ways, words) = ([true; WAYS], words.into());
         let new = Vec::new();
         Self { new, is_of_derivatives: false, is_stored: false, words, cost: 0, ways, entries: None }
+    }
+
+    /// What is wrong, as a sentence without its full stop.
+    pub(super) fn words(&self) -> String {
+        self.words.text()
     }
 
     /// The names in the other formulas.
@@ -154,7 +160,7 @@ impl Formulas {
                 what => what,
             };
             let same = twin.zip(same.get(&(what, &*edit.path)).copied());
-            self.add_changes((formula, way), &edit, same, &mut found);
+            self.add_changes((formula, way), &Arc::new(edit), same, &mut found);
             for change in &mut found {
                 change.ways = ways;
             }
@@ -168,7 +174,7 @@ impl Formulas {
     fn add_changes(
         &self,
         (formula, way): (&Formula, usize),
-        edit: &Edit,
+        edit: &Arc<Edit>,
         same: Option<(&Formula, &Edit)>,
         found: &mut Vec<Change>,
     ) {
@@ -222,52 +228,37 @@ impl Formulas {
         &self,
         way: usize,
         changed: &[(&Formula, &Tree)],
-        edit: &Edit,
-        scope: &str,
+        edit: &Arc<Edit>,
+        scope: &'static str,
         found: &mut Vec<Change>,
     ) {
         let mut new = Vec::new();
         for (formula, tree) in changed {
             self.put(formula, tree, &mut new);
         }
-        let names: Vec<_> = changed.iter().map(|(of, _)| self.words_of(of)).collect();
         let cost = edit.cost + u32::from(changed.len() > 1 || !scope.is_empty());
-        // What is wrong with the whole formula is told of its result.
-        let of_equation = match changed[0].0.equation {
-            "" => String::new(),
-            number => format!(", eq. ({number}),"),
-        };
-        let (subject, verb) = match edit.words.strip_prefix("it ") {
-            Some(verb) if names.len() > 1 => (format!("each of {}", names.join(" and ")), verb),
-            Some(verb) => (names.concat(), verb),
-            None => (format!("in {}", names.join(" and ")), &*edit.words),
-        };
-        let subject = format!("{subject}{of_equation}");
-        let words = format!("{subject} {verb}{scope}");
-        let mut add_with = |others: Option<Vec<(&Formula, Tree)>>, scope: &str| {
+        let formulas = [Some(changed[0].0.name), changed.get(1).map(|(twin, _)| twin.name)];
+        let words = OfEdit { edit: Arc::clone(edit), formulas, scope, form: "" };
+        let mut add_with = |others: Option<Vec<(&Formula, Tree)>>, form: &'static str| {
             let Some(others) = others else { return };
             let mut new = new.clone();
             for (formula, tree) in &others {
                 self.put(formula, tree, &mut new);
             }
-            found.push(Change { new, cost: cost + 1, ..Change::of(format!("{words}, {scope}")) });
+            found.push(Change { new, cost: cost + 1, ..Change::of(words.in_form(form)) });
         };
         let derivatives = changed.iter().map(|(formula, tree)| self.derivative(formula, tree)).collect();
-        add_with(derivatives, "and in its derivative");
+        add_with(derivatives, ", and in its derivative");
         // One function of a program may solve for both orders.
         let seconds = changed.iter().map(|(formula, tree)| self.second_of(formula, tree, way)).collect();
-        add_with(seconds, "in both orders");
+        add_with(seconds, ", in both orders");
         let kind = self.kinds[changed[0].0.name];
         if kind.varies == [false; 2] && !kind.is_condition {
-            let words = format!(
-                "in the derivatives, {}",
-                words.strip_prefix("in ").map_or_else(|| words.clone(), |of| format!("for {of}"))
-            );
-            let new = new.clone();
+            let (new, words) = (new.clone(), words.in_form(IN_DERIVATIVES));
             found.push(Change { new, cost: cost + 2, is_of_derivatives: true, ..Change::of(words) });
         }
         if changed.iter().all(|(formula, _)| RESULTS.contains(&formula.name)) {
-            let (new, words) = (new.clone(), format!("{words}, where it is answered alone"));
+            let (new, words) = (new.clone(), words.in_form(", where it is answered alone"));
             found.push(Change { new, is_stored: true, cost: cost + 2, ..Change::of(words) });
         }
         found.push(Change { new, cost, ..Change::of(words) });

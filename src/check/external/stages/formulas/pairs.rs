@@ -70,12 +70,13 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
         .filter(|(_, effects)| effects.iter().any(|of| of.value.abs() > of.bound))
         .collect();
     let of_factor = |(change, at_probes): &(&Change, Vec<RunningError>)| {
-        let (subject, scope) = change.words.split_once(MISSING)?;
         factor(at_probes, &wanted_at)?;
+        let words = change.words();
+        let (subject, scope) = words.split_once(MISSING)?;
         let at: Vec<_> =
             points.iter().filter_map(|point| Some((effect(point, change), wanted(point)?))).collect();
         let (of, wanted): (Vec<_>, Vec<_>) = at.into_iter().unzip();
-        let words = format!("{subject}is multiplied by {}{scope}", short(factor(&of, &wanted)?));
+        let words = format!("{subject}is multiplied by {}{scope}", short(factor(&of, &wanted)?)).into();
         Some(Change { words, cost: change.cost + 1, ..(*change).clone() })
     };
     // The formula that is next to the answers is meant.
@@ -107,14 +108,15 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
     };
     let pair = (0..effects.len()).into_par_iter().find_map_first(|i| of_first(i).map(|k| [i, k]))?;
     let [one, other] = pair.map(|i| effects[i].0);
-    let words = format!("{} and {}", one.words, other.words);
+    let words = format!("{} and {}", one.words(), other.words()).into();
     Some(Change { words, cost: one.cost + other.cost, ..one.clone() })
 }
 
 /// What a change is about, without what is wrong with it.
-fn term(change: &Change) -> &str {
-    let words = &*change.words;
-    FACTORS.iter().find_map(|(_, wrong, _)| Some(words.split_once(wrong)?.0)).unwrap_or(words)
+fn term(change: &Change) -> String {
+    let words = change.words();
+    let subject = FACTORS.iter().find_map(|(_, wrong, _)| Some(words.split_once(wrong)?.0.to_owned()));
+    subject.unwrap_or(words)
 }
 
 /// A factor with six digits at most.

@@ -119,8 +119,8 @@ fn yields(change: &Change, points: &[Point], among: Set) -> bool {
 }
 
 fn readings(changes: Vec<Change>) -> Vec<Reading> {
-    let reading = |of: Change| Reading { names: vec![of.words.clone()], words: of.words, coefficient: None };
-    changes.into_iter().map(reading).collect()
+    let reading = |words: String| Reading { names: vec![words.clone()], words, coefficient: None };
+    changes.iter().map(Change::words).map(reading).collect()
 }
 
 /// The simplest changes that explain these answers.
@@ -132,25 +132,26 @@ fn explained(points: &[Point], among: Set, before: Set) -> Vec<Change> {
     if probes.is_empty() {
         return Vec::new();
     }
-    // Most changes are seen to be others at the first result that is wrong.
-    let is_first = |name: &Name| probes.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
-    let first: Set = among.names().find(is_first).into_iter().collect();
+    // Most changes are seen to be others at one result that is wrong: that which follows from the fewest names.
+    let is_wrong = |name: &Name| probes.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
+    let names_before = |name: &Name| FORMULAS.needed(Set::from_iter([*name])).names().count();
+    let first: Set = among.names().filter(is_wrong).min_by_key(names_before).into_iter().collect();
     let [of_first, of_all] = [first, among].map(|among| Ways::of(points, among));
     let explains = |change: &&Change| {
-        change.names().and(before).is_empty()
+        (before.is_empty() || change.names().and(before).is_empty())
             && of_first.yield_answers(change, probes.iter().copied())
             && of_all.yield_answers(change, probes.iter().copied().chain(points))
             // A name without a value is no part of this program.
             && change.uses().without(points[0].needed).is_empty()
     };
-    let tried = CHANGES.of(of_all.needed).into_par_iter();
+    let tried = CHANGES.of(of_first.needed).into_par_iter();
     let mut found: Vec<Change> = tried.filter(explains).cloned().collect();
     let least = found.iter().map(|change| change.cost).min();
     found.retain(|change| Some(change.cost) == least);
     // The formula that is next to the answers is meant.
     found.sort_by_key(|change| Reverse(change.new.iter().map(|(name, _)| *name).max()));
     let mut told = BTreeSet::new();
-    found.retain(|change| told.insert(change.words.clone()));
+    found.retain(|change| told.insert(change.words()));
     // Of many, those of the last formula are as good as the others.
     if found.len() > TOLD {
         let last = |change: &Change| change.new.iter().map(|(name, _)| *name).max();

@@ -63,7 +63,7 @@ fn a_formula_says_which_names_its_changes_may_give_another_formula() {
     let count = all_changes().len();
     for (names, changes) in CHANGES.of_each_formula() {
         for change in changes {
-            assert!(change.names().without(names).is_empty(), "{}", change.words);
+            assert!(change.names().without(names).is_empty(), "{}", change.words());
         }
     }
     let of_gap = CHANGES.of(FORMULAS.needed([FORMULAS.name("g_N")].into_iter().collect())).len();
@@ -107,7 +107,8 @@ fn a_change_is_the_same_in_ways_that_are_said_to_be_the_same() {
                     assert!(
                         is_near,
                         "{}: {}, way {way}: {one:?}, {other:?}",
-                        change.words, FORMULAS.names.0[name]
+                        change.words(),
+                        FORMULAS.names.0[name]
                     );
                 }
             }
@@ -181,10 +182,10 @@ fn a_wrong_geometry_is_explained() {
                 let changed = point.changed(0, change, FORMULAS.needed(among));
                 point.among(among).any(|answer| !point.is_explained(answer, 0, &changed))
             });
-            assert!(is_hidden, "not explained: {}", change.words);
+            assert!(is_hidden, "not explained: {}", change.words());
             hidden += 1;
         }
-        known += usize::from(causes.iter().any(|cause| cause.words == change.words));
+        known += usize::from(causes.iter().any(|cause| cause.words == change.words()));
     }
     assert!(seen >= 20 && 2 * known >= seen, "{known} of {seen} are told with the same words");
     assert!(hidden <= 1, "{hidden} of {seen} are hidden by rounding");
@@ -208,8 +209,8 @@ fn answers_with_a_change_are_explained() {
         }
         seen += 1;
         let causes = found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
-        assert!(!causes.is_empty(), "not explained: {}", change.words);
-        known += usize::from(causes.iter().any(|cause| cause.words == change.words));
+        assert!(!causes.is_empty(), "not explained: {}", change.words());
+        known += usize::from(causes.iter().any(|cause| cause.words == change.words()));
     }
     assert!(seen >= 8 && 2 * known >= seen, "{known} of {seen} are told with the same words");
 }
@@ -222,7 +223,7 @@ fn a_term_with_a_factor_and_uncoupled_friction_are_told() {
         let causes = found(answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
         causes.into_iter().map(|cause| cause.words).collect()
     };
-    let change = |words: &str| all_changes().iter().find(|change| change.words == words).unwrap();
+    let change = |words: &str| all_changes().iter().find(|change| change.words() == words).unwrap();
     for term in ["the term k dgap Dgap", "the part of friction"] {
         let missing = change(&format!("in the tangent {term} is missing"));
         let with_factor = |sample: &Sample| {
@@ -271,7 +272,7 @@ fn no_cause_of_a_later_answer_contradicts_an_earlier_one() {
 fn a_change_that_spoils_right_answers_is_not_told() {
     let samples: Vec<Sample> = right_answers(&Family::ALL).into_iter().step_by(2).collect();
     let words = "in dxi, eq. (52), the term dp/a has the wrong sign";
-    let change = all_changes().iter().find(|change| change.words == words).unwrap();
+    let change = all_changes().iter().find(|change| change.words() == words).unwrap();
     let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, change)).collect();
     let causes = found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
     let told: Vec<&str> = causes.iter().map(|cause| &*cause.words).collect();
