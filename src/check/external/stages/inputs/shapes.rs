@@ -62,9 +62,11 @@ impl Shape {
         equations.iter().flat_map(of_equation).collect()
     }
 
-    /// By how much the derivative is wrong at a case, for each beam, if that explains these equations.
-    fn solved(&self, equations: &[&Equation], samples: &[&Sample]) -> Option<[f64; 2]> {
+    /// By how much the derivative is wrong at a case, for each beam, if that explains these equations. Nothing for a beam
+    /// whose derivative has no effect there.
+    fn solved(&self, equations: &[&Equation], samples: &[&Sample]) -> Option<[Option<f64>; 2]> {
         let mut by = [0.0; 2];
+        let mut effects = [0.0; 2];
         let first = self.residuals(equations, samples, by);
         let weights: Vec<f64> = first.iter().map(|r| 1.0 / (r.value.abs() + 1e3 * r.bound)).collect();
         let weighted = |by: [f64; 2]| {
@@ -82,6 +84,7 @@ impl Shape {
             if here.is_empty() || !here.iter().chain(&slopes).all(|number| number.is_finite()) {
                 return None;
             }
+            effects = [0, 1].map(|beam| slopes.column(beam).amax());
             let step = slopes.svd(true, true).solve(&here, 1e-9).ok()?;
             if !step.iter().all(|s| s.is_finite() && s.abs() < 1e3) {
                 return None;
@@ -95,6 +98,8 @@ impl Shape {
         let is_small = |(left, first): (&RunningError, &RunningError)| {
             left.value.abs() <= 4.0 * left.bound + LEFT * first.value.abs()
         };
+        let has_effect = |beam: Beam| effects[beam] > LEFT * effects[0].max(effects[1]);
+        let by = [0, 1].map(|beam| Some(by[beam]).filter(|_| has_effect(beam)));
         left.iter().zip(&first).all(is_small).then_some(by)
     }
 
@@ -114,7 +119,8 @@ impl Shape {
             tried += 1;
             if let Some(by) = self.solved(equations, &here) {
                 solved += 1;
-                errors.extend(self.beams.iter().map(|&beam| (here[0].xi[beam].value, by[beam])));
+                errors
+                    .extend(self.beams.iter().filter_map(|&beam| Some((here[0].xi[beam].value, by[beam]?))));
             } else if tried >= 3 && solved == 0 {
                 return None;
             }
