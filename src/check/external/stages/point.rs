@@ -1,7 +1,7 @@
 //! The values of terms at a sample.
 
 use super::sample::Sample;
-use super::terms::{Beam, Earlier, Factor, Number, Reading, Term, Vector, place};
+use super::terms::{Beam, Earlier, Factor, Number, Part, Reading, Side, Term, Vector, place};
 use crate::linearization::Quantity;
 use crate::number::{Real, RunningError};
 use nalgebra::Vector3;
@@ -76,20 +76,56 @@ impl<'a> Point<'a> {
             Number::Of(quantity, part) => {
                 let at = quantity.component();
                 let own = sample.own[at][part];
-                if reading.results.contains(&(quantity, part)) {
-                    own?
-                } else if reading.earlier == Earlier::Own {
-                    own.unwrap_or(sample.exact[at][part])
-                } else {
-                    sample.exact[at][part]
+                match own {
+                    _ if reading.results.contains(&(quantity, part)) => own?,
+                    Some(own) if reading.earlier == Earlier::Own => own,
+                    None if reading.earlier == Earlier::Own => {
+                        self.following(quantity, part, reading).unwrap_or(sample.exact[at][part])
+                    }
+                    _ => sample.exact[at][part],
                 }
             }
             Number::Component(quantity, axis, part) => sample.own[quantity.component() + axis][part]?,
             Number::Length(of) => self.dot(of, of).sqrt(),
+            Number::End(beam) => sample.exact[beam_of(beam).component()][0],
             Number::Radius(beam) => exact([sample.contact.radius, sample.contact.radius_bar][beam]),
             Number::Moved(beam, of) => self.number(Number::Of(beam_of(beam), 0), reading)? - reference(of),
             Number::Stiffness => exact(sample.element.as_ref()?.stiffness?),
             Number::Element(k) => sample.element.as_ref()?.numbers[k]?,
+        })
+    }
+
+    /// A length that is not answered, as it follows from the numbers of the program before it: it may have another point, or
+    /// other vectors.
+    fn following(&self, quantity: Quantity, part: Part, reading: &Reading) -> Option<RunningError> {
+        let (beam, xi) = match quantity {
+            Quantity::D if part == 0 => return Some(self.dot(Vector::D, Vector::D).sqrt()),
+            Quantity::T => (0, Quantity::Xi),
+            Quantity::TBar => (1, Quantity::XiBar),
+            _ => return None,
+        };
+        let along = |part: Part| self.number(Number::Of(xi, part), reading);
+        let [t, bend, third] = [0, 1, 2].map(|k| self.vector(Vector::T(beam, k)));
+        let length = t.dot(&t).sqrt();
+        let turned = |side: Side| {
+            let by = along(1 + side)?;
+            Some(self.vector(Vector::U(side, beam, 1)) + bend * by)
+        };
+        Some(match part {
+            0 => length,
+            1 | 2 => t.dot(&turned(part - 1)?) / length,
+            _ => {
+                let [dt, linear_dt] = [turned(0)?, turned(1)?];
+                let [by, linear_by] = [along(1)?, along(2)?];
+                let [u, linear_u] = [0, 1].map(|side| self.vector(Vector::U(side, beam, 2)));
+                let second = self.vector(Vector::Mixed(beam, 1))
+                    + linear_u * by
+                    + u * linear_by
+                    + third * (by * linear_by)
+                    + bend * along(3)?;
+                let lengths = t.dot(&dt) / length * (t.dot(&linear_dt) / length);
+                (dt.dot(&linear_dt) - lengths + t.dot(&second)) / length
+            }
         })
     }
 

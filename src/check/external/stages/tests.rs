@@ -8,6 +8,7 @@ use crate::check::Regime;
 use crate::check::external::answers::Answers;
 use crate::check::external::vectors::Vector;
 use crate::check::external::{AnswerReader, Demands, Drawing, Evaluator};
+use crate::linearization::Quantity;
 use crate::test_beam::Family;
 use crate::variant::scalar_of;
 
@@ -41,6 +42,19 @@ fn right_answers_satisfy_all_equations() {
         let (cases, demands) = right_answers(digits);
         assert_eq!(traced(&cases.iter().collect::<Vec<_>>(), &demands), None, "{digits:?} digits");
     }
+}
+
+/// Lengths that are not answered follow from the numbers before them.
+#[test]
+fn right_answers_without_lengths_satisfy_all_equations() {
+    let (mut cases, demands) = right_answers(None);
+    let is_length = |of: Quantity| matches!(of, Quantity::D | Quantity::T | Quantity::TBar);
+    for (_, answers) in &mut cases {
+        let count = answers.answers.len();
+        answers.answers.retain(|answer| !is_length(answer.quantity));
+        assert!(answers.answers.is_empty() || answers.answers.len() + 3 == count);
+    }
+    assert_eq!(traced(&cases.iter().collect::<Vec<_>>(), &demands), None);
 }
 
 /// Each form by itself, in both directions, also of single entries. A form other than the first may be valid only where
