@@ -41,10 +41,11 @@ impl Change {
         self.words.text()
     }
 
-    /// The names in the other formulas.
-    pub(super) fn uses(&self) -> Set {
+    /// The names in the other formulas of some results.
+    pub(super) fn uses(&self, of: Set) -> Set {
         let mut used = Set::default();
-        self.new.iter().for_each(|(_, tree)| tree.each_name(&mut |name| used.add(name)));
+        let new = self.new.iter().filter(|(name, _)| of.has(*name));
+        new.for_each(|(_, tree)| tree.each_name(&mut |name| used.add(name)));
         used
     }
 

@@ -94,7 +94,7 @@ impl Point<'_> {
         let known = &self.sample.inputs.known;
         let right = &self.values[way][..];
         let new = change.names();
-        let used = new.or(change.uses());
+        let used = new.or(change.uses(new));
         let places = vec![None; right.len()];
         let mut values = Changed { way, right, affected: Set::default(), used, places, others: Vec::new() };
         if change.is_stored {

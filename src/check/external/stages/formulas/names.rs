@@ -3,7 +3,7 @@
 use super::tree::{Name, Tree};
 
 /// The number of ways in which all formulas are written.
-pub(super) const WAYS: usize = 9;
+pub(super) const WAYS: usize = 10;
 
 /// A set of names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

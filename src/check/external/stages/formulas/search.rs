@@ -13,6 +13,7 @@ use crate::check::external::stages::sample::{Along, Sample};
 use crate::check::external::stages::sentences::scope;
 use crate::check::external::stages::{Reading, Traced};
 use rayon::prelude::*;
+use std::cell::OnceCell;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -83,23 +84,29 @@ pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Read
 fn of_stages(
     samples: &[Sample],
     entries: &dyn Fn(Along) -> Vec<Sample>,
-    names: &dyn Fn(&[&str]) -> Set,
+    names_of: &dyn Fn(&[&str]) -> Set,
 ) -> Vec<Vec<Reading>> {
     let mut given = Set::default();
     let mut stages = Vec::new();
     let (mut known, mut wrong): (Vec<Change>, Set) = (Vec::new(), Set::default());
-    for (stage, _) in STAGES {
-        let names = names(stage);
+    for (place, (stage, _)) in STAGES.iter().enumerate() {
+        let names = names_of(stage);
         let both = [given, Set::default()].map(|given| points(samples, given));
         let is_wrong = both.iter().all(|points| points.iter().any(|point| point.is_wrong(names)));
         let follows = |change: &Change| both.iter().any(|points| yields(change, points, names));
         if is_wrong && !known.iter().any(follows) {
             let before = FORMULAS.needed(wrong);
-            let found = |points: &Vec<Point>| explained(points, names, before);
+            let right = OnceCell::new();
+            let right = || right.get_or_init(|| right_stages(samples, place, names_of));
+            let found = |points: &Vec<Point>| {
+                let mut found = explained(points, names, before);
+                found.retain(|change| right().iter().all(|(points, names)| yields(change, points, *names)));
+                found
+            };
             let found = both.iter().map(found).find(|found| !found.is_empty());
-            let of_matrix = || matrices::reading(samples, entries).filter(|_| stage == ["K"]);
+            let of_matrix = || matrices::reading(samples, entries).filter(|_| *stage == ["K"]);
             // Two effects add up where the answer is a sum.
-            let is_sum = (stage == ["R"] || stage == ["K"]) && wrong.is_empty();
+            let is_sum = (*stage == ["R"] || *stage == ["K"]) && wrong.is_empty();
             let of_two = || if is_sum { readings(pairs::found(samples, names, given)) } else { Vec::new() };
             stages.push(match &found {
                 Some(found) => readings(found.clone()),
@@ -113,9 +120,33 @@ fn of_stages(
     stages
 }
 
+/// The other stages whose answers are right, with their samples: of a later stage they follow from the answers of this one.
+/// A change that would spoil them is not the error.
+fn right_stages<'a>(
+    samples: &'a [Sample],
+    place: usize,
+    names_of: &dyn Fn(&[&str]) -> Set,
+) -> Vec<(Vec<Point<'a>>, Set)> {
+    let through = STAGES[..=place].iter().map(|(stage, _)| names_of(stage)).fold(Set::default(), Set::or);
+    let of_stage = |(i, (stage, _)): (usize, &(&[&str], &str))| {
+        let names = names_of(stage);
+        let points = points(samples, if i < place { Set::default() } else { through });
+        let is_right = i != place && !points.iter().any(|point| point.is_wrong(names));
+        is_right.then_some((points, names))
+    };
+    STAGES.iter().enumerate().filter_map(of_stage).collect()
+}
+
 /// Whether a change yields all these answers.
 fn yields(change: &Change, points: &[Point], among: Set) -> bool {
-    Ways::of(points, among).yield_answers(change, points.iter())
+    let ways = Ways::of(points, among);
+    // A change of something else leaves right answers as they are.
+    let has_effect = ways.are_needed(change);
+    if has_effect {
+        ways.yield_answers(change, points.iter())
+    } else {
+        !points.iter().any(|of| of.is_wrong(among))
+    }
 }
 
 fn readings(changes: Vec<Change>) -> Vec<Reading> {
@@ -142,7 +173,7 @@ fn explained(points: &[Point], among: Set, before: Set) -> Vec<Change> {
             && of_first.yield_answers(change, probes.iter().copied())
             && of_all.yield_answers(change, probes.iter().copied().chain(points))
             // A name without a value is no part of this program.
-            && change.uses().without(points[0].needed).is_empty()
+            && change.uses(points[0].needed).without(points[0].needed).is_empty()
     };
     let tried = CHANGES.of(of_first.needed).into_par_iter();
     let mut found: Vec<Change> = tried.filter(explains).cloned().collect();

@@ -119,11 +119,16 @@ fn a_change_is_the_same_in_ways_that_are_said_to_be_the_same() {
 
 /// The sample with the answers of the changed formulas.
 fn answered(sample: &Sample, change: &Change) -> Sample {
+    answered_in(0, sample, change)
+}
+
+/// The same in a way of writing.
+fn answered_in(way: usize, sample: &Sample, change: &Change) -> Sample {
     let mut sample = sample.clone();
     let own = sample.clone();
     let of = points(std::slice::from_ref(&own), Set::default());
     let (Some(element), [point]) = (&mut sample.element, &of[..]) else { return sample };
-    let values = point.changed(0, change, (0..FORMULAS.names.0.len()).collect());
+    let values = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
     let number = |name: &str| {
         let RunningError { value, .. } = values.at(FORMULAS.name(name)).number();
         RunningError { value, bound: f64::EPSILON * value.abs() }
@@ -136,11 +141,11 @@ fn answered(sample: &Sample, change: &Change) -> Sample {
 }
 
 /// The sample with the geometry of the changed formulas, and without its element.
-fn with_geometry(sample: &Sample, change: &Change) -> Sample {
+fn with_geometry(way: usize, sample: &Sample, change: &Change) -> Sample {
     let mut own = Sample { element: None, ..sample.clone() };
     own.inputs.forces.clear();
     let [point] = &points(std::slice::from_ref(&own), Set::default())[..] else { unreachable!() };
-    let values = point.changed(0, change, (0..FORMULAS.names.0.len()).collect());
+    let values = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
     let mut sample = own.clone();
     let mut outputs = point.answers.iter().map(|answer| answer.output);
     for (component, numbers) in sample.own.iter_mut().enumerate() {
@@ -159,12 +164,13 @@ fn a_wrong_geometry_is_explained() {
     let samples: Vec<Sample> = right_answers(&[Family::Hermite]).into_iter().step_by(2).collect();
     let (mut seen, mut known, mut hidden) = (0, 0, 0);
     let of_geometry = FORMULAS.needed(RESULTS.iter().copied().collect()).or((0..FORMULAS.inputs).collect());
-    let is_of_geometry = |change: &Change| change.uses().or(change.names()).without(of_geometry).is_empty();
+    let is_of_geometry =
+        |change: &Change| change.uses(change.names()).or(change.names()).without(of_geometry).is_empty();
     let tried = || all_changes().iter().filter(|change| change.ways[0] && is_of_geometry(change));
     let of_entries = tried().filter(|change| change.entries.is_some()).step_by(80);
     let stored = tried().filter(|change| change.is_stored && change.entries.is_none()).step_by(900);
     for change in tried().step_by(4000).chain(of_entries).chain(stored) {
-        let answered: Vec<Sample> = samples.iter().map(|sample| with_geometry(sample, change)).collect();
+        let answered: Vec<Sample> = samples.iter().map(|sample| with_geometry(0, sample, change)).collect();
         let wrong = points(&answered, Set::default())
             .iter()
             .filter(|point| point.is_wrong(RESULTS.iter().copied().collect()))
@@ -277,4 +283,31 @@ fn a_change_that_spoils_right_answers_is_not_told() {
     let causes = found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
     let told: Vec<&str> = causes.iter().map(|cause| &*cause.words).collect();
     assert_eq!(told, [words]);
+}
+
+/// Errors of programs that differentiate the quotients (52), the system (51), or the normal.
+#[test]
+fn errors_of_differentiated_quotients_systems_and_normals_are_told() {
+    let samples: Vec<Sample> = right_answers(&[Family::Hermite]);
+    let change = |words: &str| all_changes().iter().find(|change| change.words() == words).unwrap();
+    for (way, words) in [
+        (8, "in ddet, eq. (52), the term a da_bar_all is missing"),
+        (8, "in Ddxi, eq. (59), the term Da_bar_all dp is missing"),
+        (6, "in Ddp_bar, eq. (55), the term Da_bar_all dxi_bar has the wrong sign"),
+        (4, "in Ddp, eq. (55), the term t.t_bar,xi dxi_bar Dxi_bar is missing"),
+    ] {
+        let with = |sample| with_geometry(way, sample, change(words));
+        let causes = of_all(&samples.iter().map(with).collect::<Vec<_>>());
+        assert!(causes.iter().any(|cause| cause.words == words), "{words}: {causes:?}");
+    }
+    for words in [
+        "in dnormal the term cross(t, dt_bar) has the wrong sign",
+        "in dn the term n n.(side dnormal) is missing",
+        "in Ddp_bar, eq. (55), t stands in the place of t_bar in t_bar.Ddx",
+    ] {
+        let with = |sample| answered_in(9, sample, change(words));
+        let causes = found(&samples.iter().map(with).collect::<Vec<_>>(), &|_| Vec::new());
+        let causes = causes.map_or_else(Vec::new, |traced| traced.causes);
+        assert!(causes.iter().any(|cause| cause.words == words), "{words}: {causes:?}");
+    }
 }
