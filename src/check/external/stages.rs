@@ -28,7 +28,7 @@ mod words;
 use super::answers::Answers;
 use super::compare::Demands;
 use super::vectors::Vector;
-use equations::{CLOSEST_POINT, equations};
+use equations::{At, CLOSEST_POINT, equations};
 pub use formulas::LIST_OF_FORMULAS;
 use judgement::{Cases, Errors, Status, examined, is_wrong, judged};
 use point::Point;
@@ -157,6 +157,10 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         ),
         ..Traced::default()
     };
+    if first.number == CLOSEST_POINT && matches!(first.at, At::Held(_)) {
+        traced.causes = vec![sentences::of_end(first)];
+        return Some(traced);
+    }
     if wrong.iter().all(|e| equations[*e].number == CLOSEST_POINT) {
         traced.place = "all equations but those of the closest point are satisfied".into();
         traced.causes = vec![sentences::of_closest_point(&points, of_first, others)];

@@ -74,6 +74,16 @@ fn a_missing_division_is_named() {
 }
 
 #[test]
+fn a_held_parameter_that_is_moved_is_named() {
+    let found = explained(None, |line| {
+        if line["xi_bar"]["value"].as_f64().is_some_and(|xi_bar| xi_bar.abs() == 1.0) {
+            line["xi_bar"]["value"] = 0.9.into();
+        }
+    });
+    assert!(names(&found)[0].starts_with("xi_bar is held at an end of its beam"), "{found:?}");
+}
+
+#[test]
 fn a_product_without_its_transpose_is_named() {
     for digits in [None, Some(6)] {
         // H_d has b(g g_bar' + g_bar g')/d.

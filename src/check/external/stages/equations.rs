@@ -45,6 +45,8 @@ impl List {
     /// d and g_N, eq. (1) and (11).
     fn values(&mut self) {
         for (beam, xi) in XI.into_iter().enumerate() {
+            let at_end = [numbers(1.0, &[of(xi, 0)]), numbers(-1.0, &[Number::End(beam)])].concat();
+            self.add(&[(xi, 0)], CLOSEST_POINT, At::Held(beam), vec![vec![Zero::of(at_end)]]);
             let zero = Zero::of(dot(&d(), &t(beam)));
             self.add(&[(xi, 0)], CLOSEST_POINT, At::FreeOf(beam), vec![vec![zero]]);
         }

@@ -195,7 +195,7 @@ impl Examination<'_> {
         }
         let mut system = System::new(self.equation, zero, self.points, Earlier::Own);
         system.retain(|case| self.wrong.contains(&case));
-        let table = table.get_or_init(|| rows(zero, &self.equation.results));
+        let table = table.get_or_init(|| rows(zero, self.equation));
         let found = system.varying(table).into_iter().map(|k| &table[k]);
         let factors: Vec<_> = found
             .filter_map(|row| match &row.what {
@@ -228,7 +228,7 @@ impl Examination<'_> {
             system.retain(|case| self.wrong.contains(&case));
         }
         let results = &self.equation.results;
-        let table = table.get_or_init(|| rows(zero, results));
+        let table = table.get_or_init(|| rows(zero, self.equation));
         let found = if in_pairs { system.pairs(table) } else { system.singles(table) };
         let says_something = |errors: &Vec<(&Row, f64)>| {
             errors.iter().all(|error| is_plausible(*error)) && leaves_a_result(zero, results, errors)

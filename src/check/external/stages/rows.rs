@@ -4,7 +4,7 @@ mod replaced;
 mod row;
 mod substitutes;
 
-use super::equations::Zero;
+use super::equations::{Equation, Zero};
 use super::terms::{Factor, Number, Part, Reach, Tag, Term, Terms};
 use super::words::words;
 use crate::linearization::Quantity;
@@ -13,7 +13,7 @@ use row::Group;
 pub(super) use row::{Row, What};
 
 /// All possible errors of a form of an equation.
-pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
+pub(super) fn rows(form: &Zero, Equation { results, at, .. }: &Equation) -> Vec<Row> {
     let mut rows = Vec::new();
     for (words, terms) in &form.extras {
         rows.push(Row {
@@ -33,7 +33,14 @@ pub(super) fn rows(form: &Zero, results: &[(Quantity, Part)]) -> Vec<Row> {
     for group in &groups {
         replaced(group, &mut rows);
     }
-    rows.retain(|row| !row.terms.is_empty());
+    // A variation that is zero in the place of another one says no more than that this one is missing.
+    let is_zero = |factor: &Factor| match factor {
+        Factor::Number(Number::Of(of, 1..)) => at.other_is_held() == Some(*of),
+        _ => false,
+    };
+    let has_zero = |term: &&Term| term.factors.iter().any(is_zero);
+    let is_new = |term: &&Term| !form.terms.iter().any(|known| known.factors == term.factors);
+    rows.retain(|row| !row.terms.is_empty() && !row.terms.iter().filter(is_new).any(|term| has_zero(&term)));
     rows
 }
 

@@ -149,6 +149,16 @@ pub(super) fn of_closest_point(points: &[Point], wrong: &[usize], right: &[usize
     Reading { names: vec![name], words, coefficient: None }
 }
 
+/// A parameter that is held at an end is somewhere else.
+pub(super) fn of_end(equation: &Equation) -> Reading {
+    let name = equation.results[0].0.name();
+    let words = format!(
+        "{name} is held at an end of its beam, and the answer is another parameter: look at what the iteration does with a \
+         held parameter"
+    );
+    Reading { names: vec![words.clone()], words, coefficient: None }
+}
+
 /// An error of the curves.
 pub(super) fn of_curves(words: &str) -> Reading {
     Reading {

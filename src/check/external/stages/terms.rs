@@ -47,6 +47,8 @@ pub(super) enum Number {
     Length(Vector),
     /// A radius.
     Radius(Beam),
+    /// The parameter of the end at which it is held.
+    End(Beam),
     /// The parameter of a beam less the reference parameter of a beam.
     Moved(Beam, Beam),
     /// The penalty stiffness, or zero at an open gap.

@@ -28,6 +28,7 @@ pub(super) fn number_words(of: Number) -> String {
         }
         Number::Length(v) => format!("|{}|", vector_words(v)),
         Number::Radius(beam) => ["r", "r_bar"][beam].into(),
+        Number::End(_) => "the end".into(),
         Number::Moved(b, c) => format!("{} - {}", ["xi", "xi_bar"][b], ["xi_0", "xi_bar_0"][c]),
         Number::Stiffness => "k".into(),
         Number::Element(k) => ["R", "R", "K"][k].into(),

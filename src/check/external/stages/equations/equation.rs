@@ -53,6 +53,11 @@ pub(in crate::check::external::stages) enum At {
 }
 
 impl At {
+    /// The other parameter, if only one is free: its variations are zero.
+    pub(in crate::check::external::stages) fn other_is_held(self) -> Option<Quantity> {
+        if let Self::Alone(beam) = self { Some(XI[1 - beam]) } else { None }
+    }
+
     pub(in crate::check::external::stages) fn holds(self, held: [bool; 2]) -> bool {
         match self {
             Self::All => true,
