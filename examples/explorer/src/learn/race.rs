@@ -12,14 +12,17 @@ use std::cell::RefCell;
 
 /// The frame of the plot, the iterations that it shows, and its powers of ten.
 const PLOT: [f64; 4] = [52.0, 344.0, 16.0, 270.0];
-const SHOWN: u8 = 30;
+const SHOWN: [usize; 3] = [30, 100, ITERATIONS];
 const POWERS: [f64; 2] = [-13.0, 2.0];
 /// The maximum number of iterations: a slow method is told from one that is ruined.
-const ITERATIONS: usize = 100;
+const ITERATIONS: usize = 300;
 /// The pieces of a drawn beam.
 const PIECES: u32 = 24;
 
 type Q = DofVector<f64, 12, 12>;
+
+/// The squarings of a matrix that give its spectral radius.
+const SQUARINGS: u8 = 12;
 
 /// The tangent, how far the beams are pushed, and the iteration that is shown.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,6 +61,8 @@ struct Run {
     push: f64,
     found: Equilibrium,
     states: Vec<Q>,
+    /// The spectral radius at the solution of the exact tangent.
+    radius: Option<f64>,
 }
 
 impl Run {
@@ -71,13 +76,23 @@ impl Run {
         let found = problem.step(q, tangent);
         // The states between, each by one iteration from the state before.
         q.bar[2] -= push / 8.0;
-        let one = Problem { push: 0.0, iterations: 1, ..problem };
+        let one = Problem { push: 0.0, iterations: 1, ..problem.clone() };
         let mut states = vec![q];
         for _ in 0..found.iterations() {
             q = one.step(q, tangent).q;
             states.push(q);
         }
-        Some(Self { tangent: name.to_owned(), push, found, states })
+        let solution = if tangent == Tangent::Exact { found.q } else { problem.solve(Tangent::Exact).q };
+        let radius = spectral_radius(&problem, &solution, tangent);
+        Some(Self { tangent: name.to_owned(), push, found, states, radius })
+    }
+
+    /// The factor of the residual in one iteration, in the mean of the second half of the run.
+    fn factor(&self) -> Option<f64> {
+        let all = &self.found.iterates;
+        let (half, last) = (all.get(all.len() / 2)?, all.last()?);
+        let count = count(all.len() - 1 - all.len() / 2);
+        (count > 1.0).then(|| (last.residual / half.residual).powf(1.0 / count))
     }
 
     /// The run, computed once for each tangent and push.
@@ -112,8 +127,37 @@ impl Run {
     }
 }
 
-fn across(iteration: f64) -> f64 {
-    PLOT[0] + (PLOT[1] - PLOT[0]) * iteration / f64::from(SHOWN)
+/// The largest absolute value of the eigenvalues of B^-1 (B - A), where A is the exact tangent and B is this one.
+///
+/// It is the limit of the n-th root of the size of the n-th power.
+fn spectral_radius(problem: &Problem, q: &Q, tangent: Tangent) -> Option<f64> {
+    let pair = problem.pair();
+    let point = *pair.closest_points(q).ok()?.interior().ok()?;
+    let [exact, wrong] = [Tangent::Exact, tangent].map(|of| problem.system(&pair, q, &point, of).1);
+    let mut power = wrong.lu().solve(&(wrong - exact))?;
+    let (mut log, mut exponent) = (0.0, 1.0);
+    for _ in 0..SQUARINGS {
+        let size = power.norm();
+        if size < 1e-200 {
+            return Some(0.0);
+        }
+        log += size.ln() / exponent;
+        power /= size;
+        power *= power;
+        exponent *= 2.0;
+    }
+    Some((log + power.norm().ln() / exponent).exp())
+}
+
+/// The last iteration of the plot: all iterations of both runs are in it.
+fn last(exact: &Run, wrong: &Run) -> usize {
+    let count = exact.found.iterations().max(wrong.found.iterations());
+    SHOWN.into_iter().find(|shown| count <= *shown).unwrap_or(ITERATIONS)
+}
+
+/// The pixels between two iterations.
+fn way(last: usize) -> f64 {
+    (PLOT[1] - PLOT[0]) / count(last)
 }
 
 fn up(residual: f64) -> f64 {
@@ -125,12 +169,24 @@ fn count(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
+impl Race {
+    /// The runs with the exact tangent and with the chosen one.
+    fn runs(&self) -> Result<[Run; 2], String> {
+        let push = if self.push.is_finite() { self.push.clamp(0.1, 1.2) } else { 0.8 };
+        let exact = Run::cached("exact", push).ok_or("no run")?;
+        let wrong = Run::cached(&self.tangent, push).ok_or("no tangent has this name")?;
+        Ok([exact, wrong])
+    }
+}
+
 impl Scene for Race {
     fn drag(&mut self, handle: &str, to: [f64; 2]) {
         if handle == "iteration" {
-            let iteration = (to[0] - PLOT[0]) / (PLOT[1] - PLOT[0]) * f64::from(SHOWN);
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 30")]
-            let iteration = iteration.round().clamp(0.0, f64::from(SHOWN)) as usize;
+            let Ok([exact, wrong]) = self.runs() else { return };
+            let last = last(&exact, &wrong);
+            let iteration = ((to[0] - PLOT[0]) / way(last)).round();
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 300")]
+            let iteration = iteration.clamp(0.0, count(last)) as usize;
             self.iteration = iteration;
         }
     }
@@ -138,6 +194,7 @@ impl Scene for Race {
     fn choose(&mut self, name: &str, value: &str) {
         match name {
             "tangent" if tangent(value).is_some() => value.clone_into(&mut self.tangent),
+            "iteration" => self.iteration = value.parse().unwrap_or(self.iteration),
             "push" => {
                 if let Ok(push) = value.parse::<f64>() {
                     self.push = rounded(push.clamp(0.1, 1.2));
@@ -148,25 +205,22 @@ impl Scene for Race {
     }
 
     fn frame(&self) -> Result<Frame, String> {
-        let push = if self.push.is_finite() { self.push.clamp(0.1, 1.2) } else { 0.8 };
-        let exact = Run::cached("exact", push).ok_or("no run")?;
-        let wrong = Run::cached(&self.tangent, push).ok_or("no tangent has this name")?;
+        let [exact, wrong] = self.runs()?;
+        let last = last(&exact, &wrong);
+        let across = |iteration: usize| PLOT[0] + way(last) * count(iteration);
         let mut frame = Frame::default();
         for (curve, dots, run) in [("exact", "exact_dots", &exact), ("wrong", "wrong_dots", &wrong)] {
             let residuals = run.found.iterates.iter().map(|iterate| iterate.residual);
-            let places: Vec<[f64; 2]> = residuals
-                .enumerate()
-                .take(usize::from(SHOWN) + 1)
-                .map(|(i, residual)| [across(count(i)), up(residual)])
-                .collect();
+            let places: Vec<[f64; 2]> =
+                residuals.enumerate().map(|(i, residual)| [across(i), up(residual)]).collect();
             // A dot is a line of length zero with round ends.
             let data: String = places.iter().map(|&place| line([place, place])).collect();
             frame.line(curve, places);
             frame.paths.insert(dots.into(), data);
         }
-        let shown = self.iteration.min(usize::from(SHOWN));
-        frame.place("iteration", [across(count(shown)), PLOT[3]]);
-        frame.line("here", [[across(count(shown)), PLOT[2]], [across(count(shown)), PLOT[3]]]);
+        let shown = self.iteration.min(last);
+        frame.place("iteration", [across(shown), PLOT[3]]);
+        frame.line("here", [[across(shown), PLOT[2]], [across(shown), PLOT[3]]]);
         let camera = Camera::new([-0.2, 1.0, -1.1], 96.0, [170.0, 175.0]);
         for (run, names) in [(&exact, ["exact_beam", "exact_bar"]), (&wrong, ["wrong_beam", "wrong_bar"])] {
             let q = &run.states[shown.min(run.states.len().saturating_sub(1))];
@@ -193,15 +247,30 @@ impl Scene for Race {
         frame.text("wrong_residual", residual(&wrong));
         frame.text("exact_words", exact.words());
         frame.text("wrong_words", wrong.words());
+        let count = wrong.found.iterations().to_string();
+        frame.text("wrong_count", if wrong.found.converged() { count } else { "stops".to_owned() });
         frame.text("shown", shown.to_string());
-        frame.number("push", push);
-        let gap = wrong.found.iterates.get(shown).or(wrong.found.iterates.last());
-        frame.text("gap", gap.map_or_else(|| "–".to_owned(), |iterate| number(iterate.gap)));
+        frame.text("push", exact.push.to_string());
+        for (name, run) in [("gap_exact", &exact), ("gap", &wrong)] {
+            let gap = run.found.iterates.get(shown).or(run.found.iterates.last());
+            frame.text(name, gap.map_or_else(|| "–".to_owned(), |iterate| number(iterate.gap)));
+        }
+        let factor = |factor: Option<f64>| factor.map_or_else(|| "–".to_owned(), two_decimals);
+        frame.text("radius", factor(wrong.radius));
+        frame.text("factor", factor(wrong.factor()));
+        frame.text("last", last.to_string());
+        frame.controls.insert("iteration_max".into(), last.to_string());
+        frame.controls.insert("iteration_way".into(), way(last).to_string());
         frame.controls.insert("iteration".into(), shown.to_string());
-        frame.controls.insert("push".into(), push.to_string());
+        frame.controls.insert("push".into(), exact.push.to_string());
         frame.controls.insert("tangent".into(), self.tangent.clone());
         Ok(frame)
     }
+}
+
+/// A factor with two decimals.
+fn two_decimals(x: f64) -> String {
+    if x.is_finite() { format!("{x:.2}") } else { "–".to_owned() }
 }
 
 /// A residual as a power of ten.
