@@ -72,7 +72,7 @@ fn with_values(prose: &str) -> Result<String, Box<dyn Error>> {
                 let words = escaped(&error.explanation);
                 write!(
                     out,
-                    "<span data-shown=\"explain{i}\" hidden> The program, asked to explain its own answers, says: {words}.</span>"
+                    "<span data-shown=\"explain{i}\" hidden> The program <code>beamgap check</code> names as the likely cause: {words}.</span>"
                 )?;
             }
         } else {

@@ -186,17 +186,19 @@ impl Detective {
                 frame.text(format!("cell{row}{check}"), says);
             }
         }
-        let first = verdict.as_ref().and_then(first_wrong);
-        let asked_ad = self.asked[1] || self.asked[2];
+        let by_ad = [self.asked[1], self.asked[2]];
+        let first = verdict.as_ref().and_then(|verdict| first_wrong(verdict, by_ad));
         frame.text(
             "first",
-            match (asked_ad, first) {
-                (false, _) => "Run automatic differentiation to see the first wrong number.".to_owned(),
-                (true, _) if !self.rests => "The checks run when the handle rests.".to_owned(),
-                (true, None) => {
-                    "Nothing is wrong here: the term is zero for these beams. Bend the beam.".to_owned()
+            match (by_ad, first) {
+                ([false, false], _) => "Run automatic differentiation to see the first wrong number.".to_owned(),
+                _ if !self.rests => "The checks run when the handle rests.".to_owned(),
+                ([true, true], None) => {
+                    "Automatic differentiation finds no wrong number. The wrong term may be zero for these beams."
+                        .to_owned()
                 }
-                (true, Some((words, closed, other))) => {
+                (_, None) => "This check finds no wrong number. Run the other one, too.".to_owned(),
+                (_, Some((words, closed, other))) => {
                     format!("The first wrong number is {words}: {closed} instead of {other}.")
                 }
             },
@@ -252,20 +254,27 @@ fn verdict(case: &CaseData, variant: Variant) -> Option<Verdict> {
     Some(verdict)
 }
 
-/// The first wrong number, in the order of evaluation: its name, its value and the right one.
-fn first_wrong(verdict: &Verdict) -> Option<(String, String, String)> {
+/// The first wrong number of first or second order by AD, in the order of evaluation: its name, its value and the right one.
+fn first_wrong(verdict: &Verdict, by_ad: [bool; 2]) -> Option<(String, String, String)> {
     let Verdict::Mismatch(entries) = verdict else { return None };
     let rank = |entry: &Comparison| {
         let order = Order::ALL.into_iter().position(|order| order == entry.order);
         let quantity = [Quantity::Xi, Quantity::XiBar].contains(&entry.quantity);
         (order, !quantity)
     };
-    let wrong = entries.iter().filter(|entry| entry.is_wrong() && is_ad(entry));
+    let wrong = entries.iter().filter(|entry| {
+        let is_run = (by_ad[0] && is_of(1, entry)) || (by_ad[1] && is_of(2, entry));
+        entry.is_wrong() && is_run
+    });
     let first = wrong.min_by_key(|entry| rank(entry))?;
     let part = Varied::<f64>::PARTS.iter().position(|part| *part == first.part)?;
     let letters = ["", "δ", "Δ", "Δδ"][part];
     let name = format!("{letters}{}", quantity(first.quantity));
-    Some((name, number(first.closed), number(first.other)))
+    let [mut closed, mut other] = [first.closed, first.other].map(number);
+    if closed == other {
+        [closed, other] = [first.closed, first.other].map(|x| format!("{x:.6}").replace('-', "−"));
+    }
+    Some((name, closed, other))
 }
 
 fn quantity(quantity: Quantity) -> &'static str {
