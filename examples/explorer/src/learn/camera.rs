@@ -30,9 +30,12 @@ impl Camera {
         [self.origin[0] + self.scale * self.right.dot(x), self.origin[1] - self.scale * self.up.dot(x)]
     }
 
-    /// The point of the picture's plane through the origin that is drawn here.
-    pub(super) fn in_plane(&self, [x, y]: [f64; 2]) -> Vector3<f64> {
-        (self.right * (x - self.origin[0]) + self.up * (self.origin[1] - y)) / self.scale
+    /// The point of the vertical plane y = 0 that is drawn here.
+    pub(super) fn upright(&self, [x, y]: [f64; 2]) -> Vector3<f64> {
+        let (u, v) = ((x - self.origin[0]) / self.scale, (self.origin[1] - y) / self.scale);
+        // right has no z component.
+        let x = u / self.right.x;
+        Vector3::new(x, 0.0, (v - self.up.x * x) / self.up.z)
     }
 
     /// The point of the horizontal plane at this height that is drawn here.

@@ -9,7 +9,7 @@ use beamgap::nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 /// How much larger the second picture is.
-const LARGER: f64 = 3.4;
+const LARGER: f64 = 4.5;
 
 /// The displacement of the second end of the beam.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -20,17 +20,12 @@ pub(super) struct Slide {
 
 impl Default for Slide {
     fn default() -> Self {
-        Self { end: in_picture(camera().at(&Vector3::new(0.26, 0.1, 0.34))) }
+        Self { end: [0.0, 0.0, 0.3] }
     }
 }
 
 fn camera() -> Camera {
     Camera::usual(112.0, [168.0, 178.0])
-}
-
-/// The displacement in the plane of the picture that is drawn from the origin to here.
-fn in_picture(to: [f64; 2]) -> [f64; 3] {
-    camera().in_plane(to).map(rounded).into()
 }
 
 /// The dofs, and the direction in which the beam turns about its first end.
@@ -46,9 +41,21 @@ impl Scene for Slide {
         if handle == "end" {
             let camera = camera();
             let [x, y] = camera.at(&geometry(&above(), 1.0).x);
-            let [across, down] = [(to[0] - x).clamp(-70.0, 45.0), (to[1] - y).clamp(-80.0, 60.0)];
+            let [across, down] = [(to[0] - x).clamp(-60.0, 35.0), (to[1] - y).clamp(-35.0, 35.0)];
             let origin = camera.at(&Vector3::zeros());
-            self.end = in_picture([origin[0] + across, origin[1] + down]);
+            let end = camera.upright([origin[0] + across, origin[1] + down]);
+            // A motion that is nearly vertical is vertical.
+            let x = if end.x.abs() < 0.02 { 0.0 } else { end.x };
+            self.end = [x, 0.0, end.z].map(rounded);
+        }
+    }
+
+    fn choose(&mut self, name: &str, value: &str) {
+        let Ok(value) = value.parse::<f64>() else { return };
+        match name {
+            "x" => self.end[0] = rounded(value.clamp(-1.0, 1.0)),
+            "z" => self.end[2] = rounded(value.clamp(-1.0, 1.0)),
+            _ => {}
         }
     }
 
@@ -66,14 +73,26 @@ impl Scene for Slide {
         let mut frame = Frame::default();
         let camera = camera();
         let close = Camera::usual(camera.scale * LARGER, [0.0, 0.0]);
-        let [u, v] = close.at(&(x.x + (material + along) * 0.5));
-        let close = Camera::usual(camera.scale * LARGER, [180.0 - u, 160.0 - v]);
+        // The contact point before the motion keeps its place.
+        let [u, v] = close.at(&x.x);
+        let close = Camera::usual(camera.scale * LARGER, [180.0 - u, 120.0 - v]);
         for (camera, names) in [
             (
                 camera,
                 [
-                    "beam", "bar", "varied", "material", "along", "total", "d", "now", "then", "fibre",
-                    "again", "now_bar",
+                    "beam",
+                    "bar",
+                    "varied",
+                    "material",
+                    "along",
+                    "total",
+                    "d",
+                    "now",
+                    "then",
+                    "fibre",
+                    "again",
+                    "now_bar",
+                    "again_bar",
                 ],
             ),
             (
@@ -91,6 +110,7 @@ impl Scene for Slide {
                     "close_fibre",
                     "close_again",
                     "close_now_bar",
+                    "close_again_bar",
                 ],
             ),
         ] {
@@ -105,11 +125,9 @@ impl Scene for Slide {
             frame.place(names[7], at(&x.x));
             frame.place(names[8], at(&(x.x + material + along)));
             frame.place(names[9], at(&geometry(&varied.beam, point.xi).x));
-            match &again {
-                Some(again) => frame.place(names[10], at(&geometry(&varied.beam, again.xi).x)),
-                None => frame.hide(names[10]),
-            }
+            frame.place_if(names[10], again.map(|again| at(&geometry(&varied.beam, again.xi).x)));
             frame.place(names[11], at(&y.x));
+            frame.place_if(names[12], again.map(|again| at(&geometry(&q.bar, again.xi_bar).x)));
         }
         frame.place("end", camera.at(&geometry(&varied.beam, 1.0).x));
         let [from, to] = [&q.beam, &varied.beam].map(|q| camera.at(&geometry(q, 1.0).x));
@@ -118,6 +136,9 @@ impl Scene for Slide {
         frame.text("dx", vector(&(material + along)));
         frame.text("t_dxi", vector(&along));
         frame.text("du", vector(&material));
+        frame.text("larger", LARGER.to_string());
+        let ratio = along.norm() / material.norm();
+        frame.text("ratio", if ratio.is_finite() { format!("{ratio:.2}") } else { "–".to_owned() });
         frame.number("dxi", first.delta.beam.xi);
         frame.number("dxi_bar", first.delta.bar.xi);
         frame.number("xi", point.xi);
