@@ -24,7 +24,7 @@ pub(super) struct Lines {
 
 impl Default for Lines {
     fn default() -> Self {
-        Self { turn: [0.5, 0.866], lift: 0.5 }
+        Self { turn: [0.5, 0.866], lift: -0.3 }
     }
 }
 
@@ -77,16 +77,12 @@ impl Scene for Lines {
         beams(&mut frame, &q, &dq);
 
         // The lines a δξ − b δξ̄ = R and b δξ + ā δξ̄ = R̄.
-        for (name, letter, [u, v], r) in
-            [("row", "row_letter", [a, -b], r), ("row_bar", "row_bar_letter", [b, a_bar], r_bar)]
-        {
+        for (name, [u, v], r) in [("row", [a, -b], r), ("row_bar", [b, a_bar], r_bar)] {
             let size = (u * u + v * v).sqrt().max(1e-9);
             let foot = [u * r / (size * size), v * r / (size * size)];
             let along = [-v / size, u / size];
             let at = |s: f64| plane([foot[0] + s * along[0], foot[1] + s * along[1]]);
             frame.line(name, [at(-4.0), at(4.0)]);
-            let side = if name == "row" { 0.86 } else { -0.86 } * if along[1] < 0.0 { -1.0 } else { 1.0 };
-            frame.place(letter, at(side).map(|x| x + 8.0));
         }
         // For beams of equal length, D of parallel ones is zero but for rounding.
         let is_singular = det.abs() < 1e-6;
@@ -104,8 +100,7 @@ impl Scene for Lines {
             }
         }
         let again = nearest(&q, (0.0, 0.0)).and_then(|point| followed(&q, &dq, 1.0, &point));
-        let solved = again.filter(|point| is_inside(point.xi) && is_inside(point.xi_bar));
-        frame.place_if("solved", solved.map(|point| plane([point.xi, point.xi_bar])));
+        frame.place_if("solved", again.map(|point| plane([point.xi, point.xi_bar])));
 
         for (name, x) in [("a", a), ("b_minus", -b), ("b", b), ("a_bar", a_bar), ("R", r), ("R_bar", r_bar)] {
             frame.number(name, if x.abs() < 1e-12 { 0.0 } else { x });
@@ -117,7 +112,26 @@ impl Scene for Lines {
         // The first variation of d does not use the system.
         let d = first.delta.u_hat.dot(&first.d) / first.d.norm();
         let is_at_rest = r.abs().max(r_bar.abs()) < 1e-12;
-        frame.text("dd", if is_singular && !is_at_rest { none() } else { number(d) });
+        let has_dd = !is_singular || is_at_rest;
+        let dd = if has_dd { number(d) } else { none() };
+        frame.text(
+            "dd_says",
+            if has_dd {
+                format!("δd is {dd}, and it does not need the two equations.")
+            } else {
+                "δd does not exist.".to_owned()
+            },
+        );
+        frame.text("dd", dd);
+        let is_at_end = again.is_none() && !is_singular;
+        frame.text(
+            "ends",
+            if is_at_end {
+                "After the tilt the closest points are at an end of a beam, so no ring is drawn."
+            } else {
+                ""
+            },
+        );
         let [cos, sin] = self.turn;
         frame.text("angle", format!("{:.1}°", (sin / cos.abs().max(1e-12)).atan().abs().to_degrees()));
         frame.text(
