@@ -18,6 +18,10 @@ const MU: f64 = 0.4;
 /// The plane of the forces: its middle, and the pixels per unit of force.
 const MIDDLE: [f64; 2] = [180.0, 178.0];
 const UNIT: f64 = 300.0;
+/// The part of mu F_N within which a trial force is on the edge: a state keeps its slips with four decimals.
+const EDGE: f64 = 2e-3;
+/// Where the coordinate x is drawn.
+const X_AXIS: [f64; 2] = [16.0, 296.0];
 /// The vertices of the drawn circle.
 const VERTICES: u8 = 48;
 
@@ -50,7 +54,7 @@ fn shift([x, y]: [f64; 2]) -> Dofs {
 
 impl Friction {
     /// The contact, with the beam where it is.
-    fn contact(&self) -> Result<(Both, ClosestPoint, Outcome, [f64; 2]), String> {
+    fn contact(&self) -> Result<(Both, ClosestPoint, Outcome, f64), String> {
         let start = Both { beam: beam([0.0; 2]), bar: below() };
         let first = nearest(&start, (0.0, 0.0)).ok_or("the beams have no closest point")?;
         let moved = self.moved.map(|x| x.clamp(-0.5, 0.5));
@@ -66,8 +70,20 @@ impl Friction {
         let element = Element::new(&pair, &parameters).map_err(|error| error.to_string())?;
         let mut to = Contribution::zeros();
         let outcome = element.evaluate(&q, &point, &history, &mut to).map_err(|error| error.to_string())?;
-        Ok((q, point, outcome, [first.xi, first.xi_bar]))
+        Ok((q, point, outcome, asymmetry(&to)))
     }
+}
+
+/// The largest difference of two mirrored entries of the tangent, over the largest entry.
+fn asymmetry(to: &Contribution<f64, 9, 9>) -> f64 {
+    let entries = (0..18).flat_map(|i| (0..18).map(move |j| (i, j)));
+    let [mut largest, mut difference] = [0.0_f64; 2];
+    for (i, j) in entries {
+        let entry = to.tangent.entry(i, j);
+        largest = largest.max(entry.abs());
+        difference = difference.max((entry - to.tangent.entry(j, i)).abs());
+    }
+    difference / largest
 }
 
 impl Scene for Friction {
@@ -76,12 +92,16 @@ impl Scene for Friction {
             let camera = camera();
             let x = geometry(&beam([0.0; 2]), 1.0).x;
             let moved = camera.on_level(to, x.z) - x;
-            self.moved = [moved.x.clamp(-0.3, 0.3), moved.y.clamp(-0.3, 0.3)].map(rounded);
+            self.moved = [moved.x.clamp(-0.2, 0.2), moved.y.clamp(-0.2, 0.2)].map(rounded);
         }
     }
 
-    fn choose(&mut self, name: &str, _value: &str) {
+    fn choose(&mut self, name: &str, value: &str) {
         match name {
+            "x" | "y" => {
+                let moved = value.parse::<f64>().unwrap_or(0.0).clamp(-0.2, 0.2);
+                self.moved[usize::from(name == "y")] = rounded(moved);
+            }
             "accept" => {
                 if let Ok((.., outcome, _)) = self.contact() {
                     let next = outcome.next.slips;
@@ -95,7 +115,7 @@ impl Scene for Friction {
     }
 
     fn frame(&self) -> Result<Frame, String> {
-        let (q, point, outcome, _) = self.contact()?;
+        let (q, point, outcome, asymmetry) = self.contact()?;
         let mut frame = Frame::default();
         let camera = camera();
         for (name, q) in [("beam", &q.beam), ("bar", &q.bar)] {
@@ -109,6 +129,11 @@ impl Scene for Friction {
         let values = outcome.values;
         frame.place("contact", camera.at(&middle));
         frame.arrow("force", camera.at(&middle), camera.at(&(middle + values.traction * 1.6)));
+
+        let [from, to] = [Vector3::zeros(), Vector3::x() * 0.35].map(|x| camera.at(&x));
+        let to = [X_AXIS[0] + to[0] - from[0], X_AXIS[1] + to[1] - from[1]];
+        frame.arrow("x_axis", X_AXIS, to);
+        frame.place("x_letter", [to[0] + 6.0, to[1] + 5.0]);
 
         // The trial force is the force without the return to the cone.
         let returned = values.traction;
@@ -134,9 +159,15 @@ impl Scene for Friction {
         frame.number("trial_size", sizes[1]);
         frame.number("T", sizes[2]);
         frame.number("Phi", sizes[1] - sizes[0]);
+        frame.number("asymmetry", asymmetry);
+        frame.number("g_N", values.g_n);
+        frame.number("g_T", values.g_t);
         frame.text(
             "state",
             match outcome.state {
+                State::Stick | State::Slip if (sizes[1] - sizes[0]).abs() < EDGE * sizes[0] => {
+                    "The trial force is on the edge of the cone."
+                }
                 State::Stick => "The contact sticks: the trial force is inside the cone.",
                 State::Slip => {
                     "The contact slips: the trial force is outside the cone and returns to its edge."
