@@ -2,7 +2,7 @@
 
 use super::pair::{Both, Dofs, First, above, below, followed, geometry, nearest};
 use super::{Scene, rounded};
-use crate::frame::{Frame, number};
+use crate::frame::{Frame, line, number};
 use beamgap::closest_point::{ClosestPoint, Held};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
@@ -13,6 +13,9 @@ const PLOT: [f64; 4] = [48.0, 344.0, 20.0, 270.0];
 const PIECES: u32 = 32;
 /// The shown range of the parameters, in multiples of their variation.
 const RANGE: f64 = 1.6;
+
+/// The distances that are written at the axis.
+const LEVELS: [(&str, f64); 3] = [("level0", 0.4), ("level1", 0.5), ("level2", 0.6)];
 
 /// The amplitude of the motion, from -1 to 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -86,6 +89,13 @@ impl Scene for Envelope {
         };
 
         let mut frame = Frame::default();
+        let mut levels = String::new();
+        for (name, level) in LEVELS {
+            levels += &line([[PLOT[0], up(level)], [PLOT[1], up(level)]]);
+            frame.place(name, [PLOT[0] - 5.0, up(level) + 5.0]);
+            frame.text(name, format!("{level:.2}"));
+        }
+        frame.paths.insert("levels".into(), levels);
         // Left: the valley's floor along the variation of the parameters, before the step and after it.
         frame.line("floor", curve(&|x| Some(distance(&moved, along(RANGE * x)))));
         frame.line("floor_before", curve(&|x| Some(distance(&q, along(RANGE * x)))));
@@ -133,5 +143,22 @@ impl Scene for Envelope {
         frame.number("predicted_apart", 0.5 * step * step * curvature);
         frame.controls.insert("step".into(), format!("{step:.2}"));
         Ok(frame)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{First, Held, motion, nearest};
+
+    /// With frozen parameters d Hess d is GᵀG - ∇d ∇dᵀ, where G is the matrix of the displacement between the points.
+    #[test]
+    fn the_first_part_has_the_terms_that_the_page_of_the_scenes_states() {
+        let (q, dq) = motion();
+        let point = nearest(&q, (0.0, 0.0)).unwrap();
+        let at = (point.xi, point.xi_bar);
+        let first = First::new(&q, &dq, at, Held::default());
+        let held = first.seconds(at, Held { xi: true, xi_bar: true });
+        let stated = first.delta.u_hat.norm_squared() - held.d.delta * held.d.delta;
+        assert!((stated - held.d.second * point.distance).abs() < 1e-12, "{stated}");
     }
 }

@@ -63,15 +63,17 @@ impl Scene for Normal {
         frame.arrow("d", on_bar, on_beam);
         frame.place("d_letter", middle(on_bar, on_beam, [-24.0, 6.0]));
         let n = here.d / here.distance.max(1e-9);
-        for (names, x, towards) in
-            [(["t", "t_letter", "angle"], &x, -n), (["t_bar", "t_bar_letter", "angle_bar"], &y, n)]
-        {
+        // The letters of both tangents are on different sides of them.
+        for (names, x, towards, below) in [
+            (["t", "t_letter", "angle"], &x, -n, -8.0),
+            (["t_bar", "t_bar_letter", "angle_bar"], &y, n, 16.0),
+        ] {
             let unit = x.t / x.t.norm();
             let [from, tip] = [x.x, x.x + unit * TANGENT].map(|x| camera.at(&x));
             frame.arrow(names[0], from, tip);
             frame.place(
                 names[1],
-                middle(from, tip, [0.6 * (tip[0] - from[0]) + 4.0, 0.6 * (tip[1] - from[1])]),
+                middle(from, tip, [0.6 * (tip[0] - from[0]) + 4.0, 0.6 * (tip[1] - from[1]) + below]),
             );
             let corners: [Vector3<f64>; 3] =
                 [x.x + unit * MARK, x.x + (unit + towards) * MARK, x.x + towards * MARK];
