@@ -3,17 +3,25 @@
 const KEYS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 /** Away from the eye and towards it, in units of length. */
 const DEPTHS = { PageUp: 0.03, PageDown: -0.03 };
-/** The way of a handle for one key, in units of the picture. */
+/** The way of a handle and of a slider for one key, in units of the picture. */
 const WAY = 6;
+const SLIDER_WAY = 10;
+/** The ends of a slider, beyond every picture. */
+const ENDS = { Home: -10000, End: 10000 };
+/** Shift makes the way of a key larger, Ctrl or Alt smaller. */
+const factor = (event) => (event.shiftKey ? 4 : event.ctrlKey || event.altKey ? 0.1 : 1);
 
 function listen(scene, handle) {
   const svg = handle.ownerSVGElement;
   const name = handle.dataset.handle;
   const isSlider = handle.getAttribute("role") === "slider";
   let grip = null;
+  if (!isSlider) handle.setAttribute("aria-roledescription", "movable point");
+  if (at("keys")) handle.setAttribute("aria-describedby", "keys");
   // Parts of a picture do not obey touch-action in every browser: without this the page scrolls.
   handle.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
   handle.addEventListener("pointerdown", (event) => {
+    scene.plays = false;
     handle.setPointerCapture(event.pointerId);
     const scale = svg.viewBox.baseVal.width / svg.getBoundingClientRect().width;
     grip = { x: event.clientX, y: event.clientY, scale, place: scene.places[name] };
@@ -33,16 +41,24 @@ function listen(scene, handle) {
     const depth = DEPTHS[event.key];
     if (depth && !isSlider) {
       event.preventDefault();
-      schedule(scene, { push: { handle: name, by: depth * (event.shiftKey ? 4 : 1) } });
+      schedule(scene, { push: { handle: name, by: depth * factor(event) } });
+      return;
+    }
+    const place = scene.places[name];
+    if (isSlider && event.key in ENDS) {
+      event.preventDefault();
+      schedule(scene, { drag: { handle: name, to: [ENDS[event.key], place[1]] } });
       return;
     }
     const key = KEYS[event.key];
     if (!key) return;
     event.preventDefault();
-    const way = (event.shiftKey ? 4 : 1) * (isSlider ? 10 : WAY);
+    scene.plays = false;
+    // A slider of whole numbers has no smaller way than from one to the next.
+    const whole = Number(handle.dataset.way ?? 0);
+    const way = Math.max(whole, factor(event) * (whole || (isSlider ? SLIDER_WAY : WAY)));
     // Up is more on a slider.
     const [right, down] = isSlider ? [key[0] - key[1], 0] : key;
-    const place = scene.places[name];
     schedule(scene, { drag: { handle: name, to: [place[0] + way * right, place[1] + way * down] } });
   });
 }
@@ -58,7 +74,10 @@ function listenToControls(scene) {
         if (element.checkValidity()) schedule(scene, { choose: { name, value: element.value } });
       });
     } else {
-      element.addEventListener("click", () => act(scene, { choose: { name, value: element.dataset.to } }));
+      element.addEventListener("click", () => {
+        scene.plays = false;
+        act(scene, { choose: { name, value: element.dataset.to } });
+      });
     }
   }
 }
