@@ -3,7 +3,7 @@
 //
 // node firefox.mjs REPORTS EXPLORER [SCREENSHOTS]; EXPLORER is the program `beamgap-explorer`. puppeteer-core is looked for in
 // NODE_PATH.
-import { agrees, drawn, stateOf } from "./frames.mjs";
+import { agrees, drawn, landed, stateOf } from "./frames.mjs";
 import { createRequire } from "node:module";
 import { existsSync } from "node:fs";
 import assert from "node:assert/strict";
@@ -51,6 +51,17 @@ for (const [name, scenes] of Object.entries(PAGES)) {
       }
     }
     assert.ok(moved >= scenes.length);
+    for (const scene of name === "learn.html" ? scenes : []) {
+      await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
+      await page.click(`nav a[href="#${scene}"]`);
+      await landed(page, scene, width);
+    }
+    if (name === "learn.html") {
+      await page.goto("about:blank");
+      await page.goto(`file://${path.resolve(reports, name)}#friction`);
+      await page.waitForSelector("html[data-ready]");
+      await landed(page, "friction", width);
+    }
     if (pictures) await page.screenshot({ path: `${pictures}/firefox-${name}-${width}.png` });
     assert.deepEqual(errors, [], name);
     await page.close();

@@ -48,3 +48,20 @@ export async function agrees(page, scene, explorer) {
   }
   return { state, frame };
 }
+
+/** Fails unless a link to a section has scrolled it to the top of the window, or the page to its end. */
+export async function landed(page, id, width) {
+  const [top, rest] = await page.evaluate((id) => new Promise((done) => {
+    let [last, still] = [-1, 0];
+    const look = () => {
+      // At rest for some frames: the way there may be smooth.
+      still = scrollY === last ? still + 1 : 0;
+      last = scrollY;
+      if (still < 20) return requestAnimationFrame(look);
+      const { scrollHeight, clientHeight } = document.documentElement;
+      done([document.getElementById(id).getBoundingClientRect().top, scrollHeight - clientHeight - scrollY]);
+    };
+    look();
+  }), id);
+  assert.ok((top > -2 && top < 20) || (rest < 2 && top > -2 && top < 900), `the link to ${id} lands ${top} px above it at ${width} px`);
+}

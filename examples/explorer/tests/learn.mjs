@@ -2,7 +2,7 @@
 // shows is compared with the frame that the library computes natively for the same state.
 //
 // node learn.mjs REPORTS EXPLORER [SCREENSHOTS]; EXPLORER is the program `beamgap-explorer`.
-import { WIDTHS, agrees, browser, drawn, frames, looks, middle, opened, speed, stateOf, touched } from "./shared.mjs";
+import { WIDTHS, agrees, browser, drawn, frames, landed, looks, middle, opened, speed, stateOf, touched } from "./shared.mjs";
 import assert from "node:assert/strict";
 
 const [reports, explorer, pictures] = process.argv.slice(2);
@@ -71,10 +71,12 @@ async function controls() {
       const lit = await page.locator(`#${scene} .lit`).count();
       const parts = await page.locator(`#${scene} [data-part~="${name}"]`).count();
       assert.equal(lit, parts, `${scene}: ${name}`);
+      assert.ok(parts > 0, `${scene}: ${name} lights nothing`);
     }
     await page.mouse.move(0, 0);
     assert.equal(await page.locator(".lighting").count(), 0);
   }
+  await sliders(page);
   for (const range of await page.locator("input[type=range]").all()) {
     await range.focus();
     await page.keyboard.press("ArrowLeft");
@@ -86,6 +88,16 @@ async function controls() {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 60, y + 40, { steps: 3 });
+  await page.mouse.up();
+  // A reader who grips the handle ends the walk.
+  await page.click("button.play");
+  const [gx, gy] = await middle(page, walker);
+  await page.mouse.move(gx, gy);
+  await page.mouse.down();
+  await drawn(page);
+  const gripped = await stateOf(page, "valley");
+  await page.waitForTimeout(300);
+  assert.deepEqual(await stateOf(page, "valley"), gripped, "the walk goes on while the handle is gripped");
   await page.mouse.up();
   await page.click("button.play");
   await page.waitForTimeout(3000);
@@ -99,6 +111,49 @@ async function controls() {
   }
   assert.equal(await page.locator('#detective [data-choose="suspect"][aria-pressed="true"]').count(), 1);
   await close();
+}
+
+/** Home and End go to the ends of a slider, Ctrl and Alt make a step smaller, Shift larger. */
+async function sliders(page) {
+  await page.click('#race [data-to="sign_b"]');
+  for (const slider of await page.locator("[role=slider]").all()) {
+    const now = async (name) => Number(await slider.getAttribute(`aria-value${name}`));
+    await slider.focus();
+    for (const [key, end] of [["Home", "min"], ["End", "max"]]) {
+      await page.keyboard.press(key);
+      await drawn(page);
+      assert.equal(await now("now"), await now(end), key);
+    }
+  }
+  const place = (name) => page.evaluate((name) => document.getElementById("normal").scene.places[name][0], name);
+  const way = async (key) => {
+    const before = await place("both");
+    await page.locator('[data-handle="both"]').focus();
+    await page.keyboard.press(key);
+    await drawn(page);
+    return Math.abs((await place("both")) - before);
+  };
+  const [usual, fine, also, wide] = [await way("ArrowLeft"), await way("Control+ArrowLeft"), await way("Alt+ArrowLeft"), await way("Shift+ArrowRight")];
+  assert.ok(fine > 0 && fine < 0.2 * usual && also > 0 && also < 0.2 * usual && wide > 3 * usual, `${usual}, ${fine}, ${also}, ${wide}`);
+}
+
+/** Every link of the contents lands on its scene, also when the page opens at it. */
+async function links() {
+  for (const width of [1280, 400]) {
+    const viewport = { width, height: 900 };
+    const { page, close } = await openedPage({ viewport });
+    for (const scene of SCENES) {
+      await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
+      await page.click(`nav a[href="#${scene}"]`);
+      await landed(page, scene, width);
+    }
+    await close();
+    for (const scene of ["lines", "friction"]) {
+      const { page, close } = await openedPage({ viewport, fragment: `#${scene}` });
+      await landed(page, scene, width);
+      await close();
+    }
+  }
 }
 
 /** The map is seen: without it the screen is lighter. */
@@ -144,9 +199,10 @@ try {
   console.log("learn.html: every handle moves by mouse and keys, and the page shows the library's numbers");
   await touch();
   await controls();
+  await links();
   await still();
   await shades();
-  console.log("learn.html: touch, buttons, terms and the walk work");
+  console.log("learn.html: touch, buttons, terms, sliders, links and the walk work");
   await looks(reports, "learn.html", { pictures, characters: 15000 });
   await speed(reports, "learn.html", SCENES);
 } finally {

@@ -17,7 +17,7 @@ export const browser = await chromium.launch({ executablePath, args });
  * time depends on the machine, so it is shown and no test. */
 const WANTED = 8;
 export const WIDTHS = [400, 800, 1280];
-export { agrees, drawn, frames, stateOf } from "./frames.mjs";
+export { agrees, drawn, frames, landed, stateOf } from "./frames.mjs";
 
 /** A page of the reports, in which no error may occur and which may ask for no other file. */
 export async function opened(reports, name, options = {}) {
