@@ -279,6 +279,12 @@ fn the_detective_tells_only_what_was_run() {
     assert!(first(&[("check", "1")]).starts_with("This check finds no wrong number"));
     assert!(first(&[("check", "2")]).starts_with("The first wrong number is Δδξ"));
     assert!(first(&[("next", ""), ("check", "1")]).starts_with("The first wrong number is δξ"));
+    // The first wrong number has the wrong term in its formula.
+    for (case, number) in ["Δδξ", "δξ", "Δδt", "δξ", "Δδg_T", "δξ"].into_iter().enumerate() {
+        let mut settings = vec![("next", ""); case];
+        settings.extend([("check", "1"), ("check", "2")]);
+        assert!(first(&settings).starts_with(&format!("The first wrong number is {number}:")), "{case}");
+    }
     // A beam that hides the error: nothing is said of the term.
     let mut state = chosen("detective", &[("next", ""), ("check", "1"), ("check", "2")])["state"].clone();
     state["bend"] = json!(0.0);

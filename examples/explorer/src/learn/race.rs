@@ -4,6 +4,7 @@ use super::camera::Camera;
 use super::{Scene, rounded};
 use crate::frame::{Frame, line, number};
 use beamgap::curve::{Curve, Hermite};
+use beamgap::nalgebra::SMatrix;
 use beamgap::number::{Formula, Label};
 use beamgap::pair::DofVector;
 use beamgap::teaching::{Equilibrium, Problem, Tangent};
@@ -134,19 +135,26 @@ fn spectral_radius(problem: &Problem, q: &Q, tangent: Tangent) -> Option<f64> {
     let pair = problem.pair();
     let point = *pair.closest_points(q).ok()?.interior().ok()?;
     let [exact, wrong] = [Tangent::Exact, tangent].map(|of| problem.system(&pair, q, &point, of).1);
-    let mut power = wrong.lu().solve(&(wrong - exact))?;
-    let (mut log, mut exponent) = (0.0, 1.0);
+    let solver = wrong.lu();
+    let mut power = wrong - exact;
+    for mut column in power.column_iter_mut() {
+        let solution = solver.solve(&column.clone_owned())?;
+        column.copy_from(&solution);
+    }
+    let (mut radius, mut exponent) = (1.0, 1.0);
     for _ in 0..SQUARINGS {
         let size = power.norm();
         if size < 1e-200 {
             return Some(0.0);
         }
-        log += size.ln() / exponent;
+        radius *= size.powf(exponent);
         power /= size;
-        power *= power;
-        exponent *= 2.0;
+        // A loop is much smaller in the module than the product of the matrices.
+        let square = |i: usize, j: usize| (0..12).map(|k| power[(i, k)] * power[(k, j)]).sum();
+        power = SMatrix::from_fn(square);
+        exponent *= 0.5;
     }
-    Some((log + power.norm().ln() / exponent).exp())
+    Some(radius * power.norm().powf(exponent))
 }
 
 /// The last iteration of the plot: all iterations of both runs are in it.
