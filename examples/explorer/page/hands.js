@@ -3,11 +3,8 @@
 const KEYS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 /** Away from the eye and towards it, in units of length. */
 const DEPTHS = { PageUp: 0.03, PageDown: -0.03 };
-/** The way of a handle and of a slider for one key, in units of the picture. */
+/** The way of a handle for one key, in units of the picture. */
 const WAY = 6;
-const SLIDER_WAY = 10;
-/** The ends of a slider, beyond every picture. */
-const ENDS = { Home: -10000, End: 10000 };
 /** Shift makes the way of a key larger, Ctrl or Alt smaller. */
 const factor = (event) => (event.shiftKey ? 4 : event.ctrlKey || event.altKey ? 0.1 : 1);
 
@@ -16,12 +13,9 @@ function listen(scene, handle) {
   const name = handle.dataset.handle;
   const isSlider = handle.getAttribute("role") === "slider";
   let grip = null;
-  if (!isSlider) handle.setAttribute("aria-roledescription", "movable point");
-  if (at("keys")) handle.setAttribute("aria-describedby", "keys");
   // Parts of a picture do not obey touch-action in every browser: without this the page scrolls.
   handle.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
   handle.addEventListener("pointerdown", (event) => {
-    scene.plays = false;
     handle.setPointerCapture(event.pointerId);
     const scale = svg.viewBox.baseVal.width / svg.getBoundingClientRect().width;
     grip = { x: event.clientX, y: event.clientY, scale, place: scene.places[name] };
@@ -44,21 +38,13 @@ function listen(scene, handle) {
       schedule(scene, { push: { handle: name, by: depth * factor(event) } });
       return;
     }
-    const place = scene.places[name];
-    if (isSlider && event.key in ENDS) {
-      event.preventDefault();
-      schedule(scene, { drag: { handle: name, to: [ENDS[event.key], place[1]] } });
-      return;
-    }
     const key = KEYS[event.key];
     if (!key) return;
     event.preventDefault();
-    scene.plays = false;
-    // A slider of whole numbers has no smaller way than from one to the next.
-    const whole = Number(handle.dataset.way ?? 0);
-    const way = Math.max(whole, factor(event) * (whole || (isSlider ? SLIDER_WAY : WAY)));
-    // Up is more on a slider.
+    // A slider has its own way, and up is more on it.
+    const way = Math.max(factor(event) * (handle.dataset.way ?? WAY), handle.dataset.least ?? 0);
     const [right, down] = isSlider ? [key[0] - key[1], 0] : key;
+    const place = scene.places[name];
     schedule(scene, { drag: { handle: name, to: [place[0] + way * right, place[1] + way * down] } });
   });
 }
@@ -74,10 +60,7 @@ function listenToControls(scene) {
         if (element.checkValidity()) schedule(scene, { choose: { name, value: element.value } });
       });
     } else {
-      element.addEventListener("click", () => {
-        scene.plays = false;
-        act(scene, { choose: { name, value: element.dataset.to } });
-      });
+      element.addEventListener("click", () => act(scene, { choose: { name, value: element.dataset.to } }));
     }
   }
 }

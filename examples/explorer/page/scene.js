@@ -105,12 +105,6 @@ function shade(canvas, letters) {
 function control(scene, name, value) {
   if (scene.last.control.get(name) === value) return;
   scene.last.control.set(name, value);
-  // The end of a slider, and the way between two of its values.
-  const [, slider, of] = /^(.*)_(max|way)$/.exec(name) ?? [];
-  for (const element of scene.controls.get(slider) ?? []) {
-    if (of === "max") element.setAttribute("aria-valuemax", value);
-    else element.dataset.way = value;
-  }
   for (const element of scene.controls.get(name) ?? []) {
     if (element.dataset.handle) element.setAttribute("aria-valuenow", value);
     else if (element.type === "radio") element.checked = element.value === value;
@@ -142,8 +136,5 @@ function schedule(scene, action) {
     if ("turns" in scene.section.dataset) actInTurns(scene, next);
     else act(scene, next);
   });
-  if ("rest" in scene.section.dataset) {
-    clearTimeout(scene.rest);
-    scene.rest = setTimeout(() => act(scene, { choose: { name: "rest", value: "" } }), 180);
-  }
+  scene.moved?.();
 }

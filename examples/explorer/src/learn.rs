@@ -15,6 +15,8 @@ mod slide;
 mod valley;
 
 pub use detective::{Hidden, hidden};
+pub use friction::asymmetry;
+pub use race::spectral_radius;
 
 use crate::frame::Frame;
 use crate::state::State;

@@ -6,7 +6,7 @@
 use crate::assets::{script, style};
 use crate::math::mathml;
 use crate::{compose, escaped};
-use beamgap_explorer::{Frame, SCENES, hidden, learn, opening};
+use beamgap_explorer::{Frame, SCENES, asymmetry, hidden, learn, opening, spectral_radius};
 use serde_json::{Value, json};
 use std::error::Error;
 use std::fmt::Write;
@@ -83,8 +83,16 @@ fn with_values(prose: &str) -> Result<String, Box<dyn Error>> {
     Ok(out + rest)
 }
 
-/// A value of a scene after its controls are set.
+/// A value of a scene after its controls are set, or a number that no scene shows: `radius TANGENT PUSH` or `asymmetry X Y`.
 fn value(command: &str) -> Result<String, Box<dyn Error>> {
+    match command.split(' ').collect::<Vec<_>>()[..] {
+        ["radius", tangent, push] => {
+            let radius = spectral_radius(tangent, push.parse()?);
+            return Ok(format!("{:.2}", radius.ok_or_else(|| format!("{command:?} has no value"))?));
+        }
+        ["asymmetry", x, y] => return Ok(format!("{:.3}", asymmetry([x.parse()?, y.parse()?])?)),
+        _ => {}
+    }
     let mut words = command.split(' ');
     let (Some(scene), Some(settings), Some(key)) = (words.next(), words.next(), words.next()) else {
         return Err(format!("{command:?} is no scene with controls and a value").into());

@@ -34,6 +34,6 @@ pub use answer::{Answer, answer};
 pub use equations::{EquationCells, cells};
 pub use formulas::{Formula, Piece, Term, formulas};
 pub use frame::Frame;
-pub use learn::{Hidden, SCENES, hidden, learn, opening};
+pub use learn::{Hidden, SCENES, asymmetry, hidden, learn, opening, spectral_radius};
 pub use presets::preset;
 pub use state::{BeamState, ContactState, Dragged, Shown, State, ViewState};

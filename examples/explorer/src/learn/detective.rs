@@ -2,8 +2,8 @@
 
 use super::camera::Camera;
 use super::{Scene, rounded};
-use crate::frame::{Frame, number};
-use crate::html::Outcome;
+use crate::frame::Frame;
+use crate::html::{Outcome, number};
 use crate::numbers::{is_ad, outcome};
 use crate::state::BeamState;
 use beamgap::check::{CaseData, CheckConfig, Comparison, Oracles, Order, Verdict, likely_cause};
@@ -191,13 +191,11 @@ impl Detective {
         frame.text(
             "first",
             match (by_ad, first) {
-                ([false, false], _) => "Run automatic differentiation to see the first wrong number.".to_owned(),
-                _ if !self.rests => "The checks run when the handle rests.".to_owned(),
-                ([true, true], None) => {
-                    "Automatic differentiation finds no wrong number. The wrong term may be zero for these beams."
-                        .to_owned()
+                ([false, false], _) => {
+                    "Run automatic differentiation to see the first wrong number.".to_owned()
                 }
-                (_, None) => "This check finds no wrong number. Run the other one, too.".to_owned(),
+                _ if !self.rests => "The checks run when the handle rests.".to_owned(),
+                (_, None) => "No number is wrong in the columns of AD that were run.".to_owned(),
                 (_, Some((words, closed, other))) => {
                     format!("The first wrong number is {words}: {closed} instead of {other}.")
                 }
@@ -270,10 +268,7 @@ fn first_wrong(verdict: &Verdict, by_ad: [bool; 2]) -> Option<(String, String, S
     let part = Varied::<f64>::PARTS.iter().position(|part| *part == first.part)?;
     let letters = ["", "δ", "Δ", "Δδ"][part];
     let name = format!("{letters}{}", quantity(first.quantity));
-    let [mut closed, mut other] = [first.closed, first.other].map(number);
-    if closed == other {
-        [closed, other] = [first.closed, first.other].map(|x| format!("{x:.6}").replace('-', "−"));
-    }
+    let [closed, other] = [first.closed, first.other].map(number);
     Some((name, closed, other))
 }
 

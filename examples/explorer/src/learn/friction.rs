@@ -20,8 +20,6 @@ const MIDDLE: [f64; 2] = [180.0, 178.0];
 const UNIT: f64 = 300.0;
 /// The part of mu F_N within which a trial force is on the edge: a state keeps its slips with four decimals.
 const EDGE: f64 = 2e-3;
-/// Where the coordinate x is drawn.
-const X_AXIS: [f64; 2] = [16.0, 296.0];
 /// The vertices of the drawn circle.
 const VERTICES: u8 = 48;
 
@@ -54,7 +52,7 @@ fn shift([x, y]: [f64; 2]) -> Dofs {
 
 impl Friction {
     /// The contact, with the beam where it is.
-    fn contact(&self) -> Result<(Both, ClosestPoint, Outcome, f64), String> {
+    fn contact(&self) -> Result<(Both, ClosestPoint, Outcome, Contribution<f64, 9, 9>), String> {
         let start = Both { beam: beam([0.0; 2]), bar: below() };
         let first = nearest(&start, (0.0, 0.0)).ok_or("the beams have no closest point")?;
         let moved = self.moved.map(|x| x.clamp(-0.5, 0.5));
@@ -70,20 +68,24 @@ impl Friction {
         let element = Element::new(&pair, &parameters).map_err(|error| error.to_string())?;
         let mut to = Contribution::zeros();
         let outcome = element.evaluate(&q, &point, &history, &mut to).map_err(|error| error.to_string())?;
-        Ok((q, point, outcome, asymmetry(&to)))
+        Ok((q, point, outcome, to))
     }
 }
 
-/// The largest difference of two mirrored entries of the tangent, over the largest entry.
-fn asymmetry(to: &Contribution<f64, 9, 9>) -> f64 {
-    let entries = (0..18).flat_map(|i| (0..18).map(move |j| (i, j)));
+/// The largest difference of two mirrored entries of the tangent after the first shift, over the largest entry. The page states it,
+/// and its module does not contain it.
+///
+/// # Errors
+/// If there is no contact.
+pub fn asymmetry(moved: [f64; 2]) -> Result<f64, String> {
+    let (.., to) = Friction { moved, accepted: None }.contact()?;
     let [mut largest, mut difference] = [0.0_f64; 2];
-    for (i, j) in entries {
+    for (i, j) in (0..18).flat_map(|i| (0..18).map(move |j| (i, j))) {
         let entry = to.tangent.entry(i, j);
         largest = largest.max(entry.abs());
         difference = difference.max((entry - to.tangent.entry(j, i)).abs());
     }
-    difference / largest
+    Ok(difference / largest)
 }
 
 impl Scene for Friction {
@@ -96,12 +98,8 @@ impl Scene for Friction {
         }
     }
 
-    fn choose(&mut self, name: &str, value: &str) {
+    fn choose(&mut self, name: &str, _value: &str) {
         match name {
-            "x" | "y" => {
-                let moved = value.parse::<f64>().unwrap_or(0.0).clamp(-0.2, 0.2);
-                self.moved[usize::from(name == "y")] = rounded(moved);
-            }
             "accept" => {
                 if let Ok((.., outcome, _)) = self.contact() {
                     let next = outcome.next.slips;
@@ -115,7 +113,7 @@ impl Scene for Friction {
     }
 
     fn frame(&self) -> Result<Frame, String> {
-        let (q, point, outcome, asymmetry) = self.contact()?;
+        let (q, point, outcome, _) = self.contact()?;
         let mut frame = Frame::default();
         let camera = camera();
         for (name, q) in [("beam", &q.beam), ("bar", &q.bar)] {
@@ -129,11 +127,6 @@ impl Scene for Friction {
         let values = outcome.values;
         frame.place("contact", camera.at(&middle));
         frame.arrow("force", camera.at(&middle), camera.at(&(middle + values.traction * 1.6)));
-
-        let [from, to] = [Vector3::zeros(), Vector3::x() * 0.35].map(|x| camera.at(&x));
-        let to = [X_AXIS[0] + to[0] - from[0], X_AXIS[1] + to[1] - from[1]];
-        frame.arrow("x_axis", X_AXIS, to);
-        frame.place("x_letter", [to[0] + 6.0, to[1] + 5.0]);
 
         // The trial force is the force without the return to the cone.
         let returned = values.traction;
@@ -159,7 +152,6 @@ impl Scene for Friction {
         frame.number("trial_size", sizes[1]);
         frame.number("T", sizes[2]);
         frame.number("Phi", sizes[1] - sizes[0]);
-        frame.number("asymmetry", asymmetry);
         frame.number("g_N", values.g_n);
         frame.number("g_T", values.g_t);
         frame.text(

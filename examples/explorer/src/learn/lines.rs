@@ -113,25 +113,9 @@ impl Scene for Lines {
         let d = first.delta.u_hat.dot(&first.d) / first.d.norm();
         let is_at_rest = r.abs().max(r_bar.abs()) < 1e-12;
         let has_dd = !is_singular || is_at_rest;
-        let dd = if has_dd { number(d) } else { none() };
-        frame.text(
-            "dd_says",
-            if has_dd {
-                format!("δd is {dd}, and it does not need the two equations.")
-            } else {
-                "δd does not exist.".to_owned()
-            },
-        );
-        frame.text("dd", dd);
-        let is_at_end = again.is_none() && !is_singular;
-        frame.text(
-            "ends",
-            if is_at_end {
-                "After the tilt the closest points are at an end of a beam, so no ring is drawn."
-            } else {
-                ""
-            },
-        );
+        frame.text("dd", if has_dd { number(d) } else { none() });
+        frame.shown.insert("has_dd".into(), has_dd);
+        frame.shown.insert("ends".into(), again.is_none() && !is_singular);
         let [cos, sin] = self.turn;
         frame.text("angle", format!("{:.1}°", (sin / cos.abs().max(1e-12)).atan().abs().to_degrees()));
         frame.text(

@@ -4,7 +4,6 @@ use super::camera::Camera;
 use super::{Scene, rounded};
 use crate::frame::{Frame, line, number};
 use beamgap::curve::{Curve, Hermite};
-use beamgap::nalgebra::SMatrix;
 use beamgap::number::{Formula, Label};
 use beamgap::pair::DofVector;
 use beamgap::teaching::{Equilibrium, Problem, Tangent};
@@ -62,8 +61,6 @@ struct Run {
     push: f64,
     found: Equilibrium,
     states: Vec<Q>,
-    /// The spectral radius at the solution of the exact tangent.
-    radius: Option<f64>,
 }
 
 impl Run {
@@ -83,17 +80,15 @@ impl Run {
             q = one.step(q, tangent).q;
             states.push(q);
         }
-        let solution = if tangent == Tangent::Exact { found.q } else { problem.solve(Tangent::Exact).q };
-        let radius = spectral_radius(&problem, &solution, tangent);
-        Some(Self { tangent: name.to_owned(), push, found, states, radius })
+        Some(Self { tangent: name.to_owned(), push, found, states })
     }
 
-    /// The factor of the residual in one iteration, in the mean of the second half of the run.
+    /// The factor of the residual in one iteration, in the mean of the second half of a run that converges.
     fn factor(&self) -> Option<f64> {
         let all = &self.found.iterates;
         let (half, last) = (all.get(all.len() / 2)?, all.last()?);
         let count = count(all.len() - 1 - all.len() / 2);
-        (count > 1.0).then(|| (last.residual / half.residual).powf(1.0 / count))
+        (count > 1.0 && self.found.converged()).then(|| (last.residual / half.residual).powf(1.0 / count))
     }
 
     /// The run, computed once for each tangent and push.
@@ -128,19 +123,18 @@ impl Run {
     }
 }
 
-/// The largest absolute value of the eigenvalues of B^-1 (B - A), where A is the exact tangent and B is this one.
+/// The largest absolute value of the eigenvalues of B^-1 (B - A) at the solution with this push, where A is the exact tangent and
+/// B is the tangent with this name. The page states it, and its module does not contain it.
 ///
 /// It is the limit of the n-th root of the size of the n-th power.
-fn spectral_radius(problem: &Problem, q: &Q, tangent: Tangent) -> Option<f64> {
+pub fn spectral_radius(name: &str, push: f64) -> Option<f64> {
+    let problem = Problem { push, ..Problem::default() };
+    let q = problem.solve(Tangent::Exact).q;
     let pair = problem.pair();
-    let point = *pair.closest_points(q).ok()?.interior().ok()?;
-    let [exact, wrong] = [Tangent::Exact, tangent].map(|of| problem.system(&pair, q, &point, of).1);
-    let solver = wrong.lu();
-    let mut power = wrong - exact;
-    for mut column in power.column_iter_mut() {
-        let solution = solver.solve(&column.clone_owned())?;
-        column.copy_from(&solution);
-    }
+    let point = *pair.closest_points(&q).ok()?.interior().ok()?;
+    let system = |of: Tangent| problem.system(&pair, &q, &point, of).1;
+    let (exact, wrong) = (system(Tangent::Exact), system(tangent(name)?));
+    let mut power = wrong.lu().solve(&(wrong - exact))?;
     let (mut radius, mut exponent) = (1.0, 1.0);
     for _ in 0..SQUARINGS {
         let size = power.norm();
@@ -149,9 +143,7 @@ fn spectral_radius(problem: &Problem, q: &Q, tangent: Tangent) -> Option<f64> {
         }
         radius *= size.powf(exponent);
         power /= size;
-        // A loop is much smaller in the module than the product of the matrices.
-        let square = |i: usize, j: usize| (0..12).map(|k| power[(i, k)] * power[(k, j)]).sum();
-        power = SMatrix::from_fn(square);
+        power *= power;
         exponent *= 0.5;
     }
     Some(radius * power.norm().powf(exponent))
@@ -263,9 +255,7 @@ impl Scene for Race {
             let gap = run.found.iterates.get(shown).or(run.found.iterates.last());
             frame.text(name, gap.map_or_else(|| "–".to_owned(), |iterate| number(iterate.gap)));
         }
-        let factor = |factor: Option<f64>| factor.map_or_else(|| "–".to_owned(), two_decimals);
-        frame.text("radius", factor(wrong.radius));
-        frame.text("factor", factor(wrong.factor()));
+        frame.text("factor", wrong.factor().map_or_else(|| "–".to_owned(), |factor| format!("{factor:.2}")));
         frame.text("last", last.to_string());
         frame.controls.insert("iteration_max".into(), last.to_string());
         frame.controls.insert("iteration_way".into(), way(last).to_string());
@@ -274,11 +264,6 @@ impl Scene for Race {
         frame.controls.insert("tangent".into(), self.tangent.clone());
         Ok(frame)
     }
-}
-
-/// A factor with two decimals.
-fn two_decimals(x: f64) -> String {
-    if x.is_finite() { format!("{x:.2}") } else { "–".to_owned() }
 }
 
 /// A residual as a power of ten.

@@ -50,13 +50,8 @@ impl Scene for Slide {
         }
     }
 
-    fn choose(&mut self, name: &str, value: &str) {
-        let Ok(value) = value.parse::<f64>() else { return };
-        match name {
-            "x" => self.end[0] = rounded(value.clamp(-1.0, 1.0)),
-            "z" => self.end[2] = rounded(value.clamp(-1.0, 1.0)),
-            _ => {}
-        }
+    fn choose(&mut self, _name: &str, value: &str) {
+        self.end = if value == "along" { [0.2, 0.0, 0.0] } else { [0.0, 0.0, 0.3] };
     }
 
     fn frame(&self) -> Result<Frame, String> {
@@ -136,7 +131,6 @@ impl Scene for Slide {
         frame.text("dx", vector(&(material + along)));
         frame.text("t_dxi", vector(&along));
         frame.text("du", vector(&material));
-        frame.text("larger", LARGER.to_string());
         let ratio = along.norm() / material.norm();
         frame.text("ratio", if ratio.is_finite() { format!("{ratio:.2}") } else { "–".to_owned() });
         frame.number("dxi", first.delta.beam.xi);

@@ -218,9 +218,8 @@ impl Scene for Valley {
         frame.number("xi", at[0]);
         frame.number("xi_bar", at[1]);
         frame.text("found", words(&found));
-        let minimum = found.minima.first().map(|point| point.distance);
-        let in_trough = found.unresolved.iter().map(|region| region.point.distance);
-        let smallest = in_trough.chain(minimum).reduce(f64::min);
+        let in_trough = found.unresolved.first().map(|region| &region.point);
+        let smallest = in_trough.or(found.minima.first()).map(|point| point.distance);
         frame.text("smallest", smallest.map_or_else(|| "none".to_owned(), number));
         let situation = serde_json::to_value(self.situation).map_err(|error| error.to_string())?;
         frame.controls.insert("situation".into(), situation.as_str().unwrap_or_default().to_owned());
