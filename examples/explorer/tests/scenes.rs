@@ -193,7 +193,7 @@ fn a_wrong_tangent_costs_iterations_or_ruins_the_method() {
                 assert!(is_ruined || gap == exact, "{tangent} {push}: {gap} and {exact}");
             }
         }
-        assert_eq!(run("exact", push).2, 0.0, "{push}");
+        assert!(run("exact", push).2 < 1e-9, "{push}");
     }
 }
 
