@@ -90,9 +90,11 @@ async function controls() {
   await page.mouse.move(x + 60, y + 40, { steps: 3 });
   await page.mouse.up();
   // A reader who grips the handle ends the walk.
+  await page.evaluate(() => { document.getElementById("valley").scene.state.at = [0.98, -0.98]; });
   await page.click("button.play");
-  const [gx, gy] = await middle(page, walker);
-  await page.mouse.move(gx, gy);
+  await drawn(page);
+  const { x: left, y: top, width, height } = await walker.boundingBox();
+  await page.mouse.move(left + width / 2, top + height / 2);
   await page.mouse.down();
   await drawn(page);
   const gripped = await stateOf(page, "valley");
@@ -102,6 +104,7 @@ async function controls() {
   await page.click("button.play");
   await page.waitForTimeout(3000);
   const walked = await shows(page, "valley");
+  assert.ok(Math.hypot(walked.at[0] - gripped.at[0], walked.at[1] - gripped.at[1]) > 0.1, "the walk was at its end before the grip");
   const [bottom] = frames(explorer, [["valley", walked]]);
   assert.ok(Math.abs(Number(bottom.values.F_xi.replace("−", "-"))) < 0.01, "the walk ends at a minimum");
   // A right answer is explained.

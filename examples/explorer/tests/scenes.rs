@@ -355,6 +355,11 @@ fn friction_sticks_and_then_slips() {
     let back =
         frame("friction", &accepted["state"], &json!({ "drag": { "handle": "move", "to": [x + 20.0, y] } }));
     assert!(text(&back, "state").contains("sticks"), "{back}");
+    // Farther back the force along the beam has changed its sign, and the contact still sticks.
+    let farther =
+        frame("friction", &accepted["state"], &json!({ "drag": { "handle": "move", "to": [x + 10.0, y] } }));
+    assert!(text(&farther, "state").contains("sticks"), "{farther}");
+    assert!(number(&accepted, "F") * number(&farther, "F") < 0.0, "{farther}");
 }
 
 /// The tangent of friction is nearly symmetric in stick, and not in slip.
