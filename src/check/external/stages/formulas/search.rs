@@ -262,13 +262,26 @@ impl Ways {
                 known.len() - 1
             });
             let changed = &known[place];
+            let mut others = Set::default();
             for answer in point.among(self.among).filter(|answer| answer.ways[way]) {
                 let answered = (answer.output, point.sample.held);
                 if let Ok(at) = left.binary_search_by_key(&answered, |(of, _)| *of)
                     && left[at].1[way]
                 {
                     left[at].1[way] = point.is_explained(answer, way, changed);
+                    if !left[at].1[way] {
+                        others.add(answer.output.name);
+                    }
                 }
+            }
+            // What follows from another number than the one that is answered is not that of this program.
+            let follows = &FORMULAS.relations[way].follows;
+            let after = others.names().fold(Set::default(), |after, name| after.or(follows[name]));
+            for (_, left) in left
+                .iter_mut()
+                .filter(|((output, held), _)| *held == point.sample.held && after.has(output.name))
+            {
+                left[way] = false;
             }
         }
         left.iter().all(|(_, left)| self.distinct.iter().any(|way| left[*way]))
