@@ -121,7 +121,7 @@ fn the_lines_become_parallel_as_the_beams_do() {
     assert!(text(&at_rest, "says").contains("every pair"));
 }
 
-/// If the end moves vertically, the sliding is 0.38 of the motion of the material; if it moves along the beam, 0.78, backwards.
+/// If the end moves vertically, the sliding is 0.38 of the motion of the material; if it moves along x, 0.78, backwards.
 #[test]
 fn a_motion_of_the_end_slides_the_contact_point() {
     let entries = |frame: &Value, name: &str| {
@@ -232,12 +232,14 @@ fn differences_displace_the_beams_as_often_as_the_text_says() {
         corners.lines().find(|line| line.contains("let (pp, pm, mp, mm)")).unwrap().matches("at(").count();
     let displaced = steps.split(',').count() * signs;
     let text = include_str!("../page/learn/detective.html");
-    assert!(text.contains(&format!("it displaces the beams {displaced} times")), "{displaced}");
+    let least = displaced + differences.matches("base.radius(").count();
+    let words = format!("at least {least} displaced positions: {displaced} for the difference");
+    assert!(text.contains(&words), "{words}");
     assert_eq!((signs, steps.split(',').count()), (4, 3));
     assert!(text.contains("four combinations of signs for each of three steps"));
     // Each measurement of a radius displaces the beams at least once.
     assert_eq!(differences.matches("base.radius(").count(), 2);
-    assert!(text.contains("At least two more displacements"));
+    assert!(text.contains("and 2 or more to choose the steps"));
 }
 
 fn tables(settings: &[(&str, &str)], bend: Option<f64>) -> Vec<String> {
