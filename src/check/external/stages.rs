@@ -28,7 +28,7 @@ mod words;
 use super::answers::Answers;
 use super::compare::Demands;
 use super::vectors::Vector;
-use equations::{At, CLOSEST_POINT, equations};
+use equations::{At, CLOSEST_POINT, Equation, equations};
 pub use formulas::LIST_OF_FORMULAS;
 use judgement::{Cases, Errors, Status, examined, is_wrong, judged};
 use point::Point;
@@ -157,13 +157,9 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         ),
         ..Traced::default()
     };
-    if first.number == CLOSEST_POINT && matches!(first.at, At::Held(_)) {
-        traced.causes = vec![sentences::of_end(first)];
-        return Some(traced);
-    }
-    if wrong.iter().all(|e| equations[*e].number == CLOSEST_POINT) {
-        traced.place = "all equations but those of the closest point are satisfied".into();
-        traced.causes = vec![sentences::of_closest_point(&points, of_first, others)];
+    if let Some((place, cause)) = of_closest_point(&equations, &wrong, &points, (of_first, others)) {
+        traced.place = place.unwrap_or(traced.place);
+        traced.causes = vec![cause];
         return Some(traced);
     }
     if wrong.len() > 1 {
@@ -232,6 +228,23 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         traced.beyond.clear();
     }
     Some(traced)
+}
+
+/// What is wrong with the closest point alone, and where if it is not the first equation: a held parameter that is moved, or
+/// an iteration that has not converged.
+fn of_closest_point(
+    equations: &[Equation],
+    wrong: &[usize],
+    points: &[Point],
+    (of_first, others): (&[usize], &[usize]),
+) -> Option<(Option<String>, Reading)> {
+    let first = &equations[wrong[0]];
+    if first.number == CLOSEST_POINT && matches!(first.at, At::Held(_)) {
+        return Some((None, sentences::of_end(first)));
+    }
+    let is_alone = wrong.iter().all(|e| equations[*e].number == CLOSEST_POINT);
+    let place = "all equations but those of the closest point are satisfied";
+    is_alone.then(|| (Some(place.into()), sentences::of_closest_point(points, of_first, others)))
 }
 
 /// One change that explains the entries below and above the diagonal, as of a direction that is used twice, or those of one

@@ -225,12 +225,12 @@ impl Model {
         &self,
         (residual, tangent): (&DVector<T>, &DMatrix<T>),
         increment: &mut DVector<T>,
-        solution: impl FnOnce(DMatrix<T>, DVector<T>) -> Option<DVector<T>>,
+        solution: impl FnOnce(&DMatrix<T>, &DVector<T>) -> Option<DVector<T>>,
     ) -> Option<()> {
         let free = self.free_dofs();
         let right = self.free(&-(residual + tangent * &*increment));
         let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| tangent[(free[i], free[j])]);
-        for (&dof, &by) in free.iter().zip(&solution(matrix, right)?) {
+        for (&dof, &by) in free.iter().zip(&solution(&matrix, &right)?) {
             increment[dof] = by;
         }
         Some(())
@@ -253,8 +253,8 @@ impl Model {
 }
 
 /// The finite solution of a linear system.
-fn solved(matrix: DMatrix<f64>, right: DVector<f64>) -> Option<DVector<f64>> {
-    matrix.lu().solve(&right).filter(|x| x.iter().all(|x| x.is_finite()))
+fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    matrix.clone().lu().solve(right).filter(|x| x.iter().all(|x| x.is_finite()))
 }
 
 /// Whether a contact that sticks by rounding slips: a step begins on the cone after a slip, and goes on slipping as a rule.

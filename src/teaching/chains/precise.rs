@@ -108,14 +108,14 @@ fn closest_point(
 }
 
 /// The solution of a linear system.
-fn corrected(matrix: DMatrix<Number>, right: DVector<Number>) -> Option<DVector<Number>> {
+fn corrected(matrix: &DMatrix<Number>, right: &DVector<Number>) -> Option<DVector<Number>> {
     let factors = matrix.map(Number::value).lu();
     let (mut solution, mut left) = (DVector::from_element(right.len(), Number::from(0.0)), right.clone());
     for _ in 0..CORRECTIONS {
         let by = factors.solve(&left.map(Number::value))?;
         let size = by.amax();
         solution += by.map(Number::from);
-        left = &right - &matrix * &solution;
+        left = right - matrix * &solution;
         if !size.is_finite() {
             return None;
         }

@@ -58,7 +58,7 @@ pub(in crate::check::external::stages) fn found(
         is_of_formulas: true,
         ..Traced::default()
     };
-    let mut stages = vec![readings(explained(&first, all, Set::default()))];
+    let mut stages = vec![readings(&explained(&first, all, Set::default()))];
     if stages[0].is_empty() {
         stages = of_stages(samples, entries, &names);
     }
@@ -76,7 +76,7 @@ pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Read
     let names = STAGES.iter().flat_map(|(stage, _)| *stage).map(|name| FORMULAS.name(name));
     let of_penalty = ["R_p", "K_p"].map(|name| FORMULAS.name(name));
     let all = names.chain(RESULTS.iter().copied()).chain(of_penalty).collect();
-    readings(explained(&points(samples, Set::default()), all, Set::default()))
+    readings(&explained(&points(samples, Set::default()), all, Set::default()))
 }
 
 /// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones. A
@@ -107,9 +107,9 @@ fn of_stages(
             let of_matrix = || matrices::reading(samples, entries).filter(|_| *stage == ["K"]);
             // Two effects add up where the answer is a sum.
             let is_sum = (*stage == ["R"] || *stage == ["K"]) && wrong.is_empty();
-            let of_two = || if is_sum { readings(pairs::found(samples, names, given)) } else { Vec::new() };
+            let of_two = || if is_sum { readings(&pairs::found(samples, names, given)) } else { Vec::new() };
             stages.push(match &found {
-                Some(found) => readings(found.clone()),
+                Some(found) => readings(found),
                 None => of_matrix().map_or_else(of_two, |reading| vec![reading]),
             });
             known.extend(found.unwrap_or_default());
@@ -149,7 +149,7 @@ fn yields(change: &Change, points: &[Point], among: Set) -> bool {
     }
 }
 
-fn readings(changes: Vec<Change>) -> Vec<Reading> {
+fn readings(changes: &[Change]) -> Vec<Reading> {
     let reading = |words: String| Reading { names: vec![words.clone()], words, coefficient: None };
     changes.iter().map(Change::words).map(reading).collect()
 }
