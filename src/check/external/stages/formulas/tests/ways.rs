@@ -1,0 +1,43 @@
+//! Errors in ways of writing other than the first.
+
+use super::{all_changes, answered_in, right_answers, with_geometry};
+use crate::check::external::stages::formulas::changes::Change;
+use crate::check::external::stages::formulas::list::FORMULAS;
+use crate::check::external::stages::formulas::names::Set;
+use crate::check::external::stages::formulas::point::points;
+use crate::check::external::stages::formulas::search::{found, of_all};
+use crate::check::external::stages::sample::Sample;
+use crate::test_beam::Family;
+
+/// Errors of programs that differentiate the quotients (52), the system (51), or the normal. Samples at which rounding hides
+/// them, or for which the way of writing is not valid, are left out.
+#[test]
+fn errors_of_differentiated_quotients_systems_and_normals_are_told() {
+    let samples: Vec<Sample> = right_answers(&[Family::Hermite]);
+    let is_clear = |sample: &Sample, way: usize, change: &Change| {
+        let [point] = &points(std::slice::from_ref(sample), Set::default())[..] else { unreachable!() };
+        let changed = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
+        point.answers.iter().all(|answer| answer.ways[way] && point.is_explained(answer, way, &changed))
+    };
+    let of_element =
+        |samples: &[Sample]| found(samples, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
+    for (way, is_of_element, words) in [
+        (8, false, "in ddet, eq. (52), the term a da_bar_all is missing"),
+        (8, false, "in Ddxi, eq. (59), the term Da_bar_all dp is missing"),
+        (6, false, "in Ddp_bar, eq. (55), the term Da_bar_all dxi_bar has the wrong sign"),
+        (4, false, "in Ddp, eq. (55), the term t.t_bar,xi dxi_bar Dxi_bar is missing"),
+        (9, true, "in dnormal the term cross(t, dt_bar) has the wrong sign"),
+        (9, true, "in dn the term n n.(side dnormal) is missing"),
+        (9, true, "in Ddp_bar, eq. (55), t stands in the place of t_bar in t_bar.Ddx"),
+    ] {
+        let change = all_changes().iter().find(|change| change.words() == words).unwrap();
+        let with = if is_of_element { answered_in } else { with_geometry };
+        let mut answered: Vec<Sample> = samples.iter().map(|sample| with(way, sample, change)).collect();
+        // Of an element the geometry is not answered.
+        answered.iter_mut().filter(|_| is_of_element).for_each(|sample| sample.own.fill([None; 4]));
+        answered.retain(|sample| is_clear(sample, way, change));
+        assert!(2 * answered.len() > samples.len(), "{words}: {} of {}", answered.len(), samples.len());
+        let causes = if is_of_element { of_element(&answered) } else { of_all(&answered) };
+        assert!(causes.iter().any(|cause| cause.words == words), "{words}: {causes:?}");
+    }
+}
