@@ -100,7 +100,7 @@ fn closest_point(
         let (jet, jet_bar) = jets(&pair, q, (xi, xi_bar));
         let (x, x_bar) = (jet.geometry, jet_bar.geometry);
         let d = x.x - x_bar.x;
-        // Eq. (48): d·t = d·t̄ = 0, by the matrix of (50).
+        // The conditions d·t = d·t̄ = 0 of (48), by the matrix of (50).
         let (by, by_bar) = Projection::new(&x, &x_bar, near.held()).solve(-d.dot(&x.t), -d.dot(&x_bar.t));
         (xi, xi_bar) = (xi + by, xi_bar + by_bar);
     }
