@@ -3,7 +3,7 @@
 //! `cargo run --release --example beam_problems -- crossed`, `crossed-friction`, `crossing` or `dragged`
 //!
 //! Each line is a step: the state of the contact, F_N, the length of the residual at each iterate, and the order of convergence
-//! from the last three increments in double-double. After that the problem is solved with single terms of the tangent
+//! from the last four norms in double-double. After that the problem is solved with single terms of the tangent
 //! of the contact left out. The residual is always exact.
 
 use beamgap::teaching::chains::Problem;

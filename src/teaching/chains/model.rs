@@ -2,10 +2,14 @@
 
 use super::Chain;
 use super::search::{self, Owner, Place};
-use crate::closest_point::ProjectionError;
-use crate::contact::{self, ContactError, Contribution, Element, History, Outcome, Parameters};
+use crate::closest_point::{ClosestPoint, ProjectionError};
+use crate::contact::{
+    self, ContactError, Contribution, Decision, Element, History, Law, Outcome, Parameters,
+};
+use crate::curve::Hermite;
 use crate::linearization::closed_form::jets;
 use crate::number::Real;
+use crate::pair::DofVector;
 use crate::teaching::DOFS;
 use crate::teaching::terms::{Components, Tangent, Terms};
 use nalgebra::{DMatrix, DVector};
@@ -189,13 +193,12 @@ impl Model {
         }
         let at = (place.point.xi, place.point.xi_bar);
         let (jet, jet_bar) = jets(&pair, &q, at);
-        let decision = element.decide(&q, &place.point, history)?;
-        let slips_on = slips_on(&outcome, history);
-        let decision = if slips_on { decision.in_state(contact::State::Slip, at)? } else { decision };
-        if slips_on {
-            contact::closed_form::write(&decision, (&jet, &jet_bar), at, to);
+        if tangent == Tangent::EXACT && !slips_on(&outcome, history) {
+            return Ok(outcome);
         }
+        let decision = decided(&element, &q, &place.point, history, &outcome)?;
         if tangent == Tangent::EXACT {
+            contact::closed_form::write(&decision, (&jet, &jet_bar), at, to);
             return Ok(outcome);
         }
         let terms = Terms::new(&decision, (&jet, &jet_bar), at, tangent.components);
@@ -258,8 +261,23 @@ fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
 }
 
 /// Whether a contact that sticks by rounding slips: a step begins on the cone after a slip, and goes on slipping as a rule.
-pub(super) fn slips_on(outcome: &Outcome, history: &History) -> bool {
+fn slips_on(outcome: &Outcome, history: &History) -> bool {
     outcome.state == contact::State::Stick
         && history.slips.is_some_and(|slips| slips.is_slipping)
         && outcome.values.yield_ratio > -ON_CONE
+}
+
+/// The state of a contact, which slips on if it did so before.
+pub(super) fn decided<'a>(
+    element: &Element<'a, Hermite, Hermite, Law, DOFS, DOFS>,
+    q: &DofVector<f64, DOFS, DOFS>,
+    point: &ClosestPoint,
+    history: &History,
+    outcome: &Outcome,
+) -> Result<Decision<'a, Law>, ContactError> {
+    let decision = element.decide(q, point, history)?;
+    if slips_on(outcome, history) {
+        return decision.in_state(contact::State::Slip, (point.xi, point.xi_bar));
+    }
+    Ok(decision)
 }

@@ -4,7 +4,7 @@
 //! closest point, have 32 digits. A linear system is solved by the factors of `f64` and corrected until its residual is
 //! as small.
 
-use super::model::slips_on;
+use super::model::decided;
 use super::{Chain, Model, ModelError, State, search};
 use crate::closest_point::ClosestPoint;
 use crate::contact::{Contribution, Element, closed_form};
@@ -73,11 +73,7 @@ impl Model {
         if outcome.values.f_n <= self.tolerance {
             return Ok((residual, tangent));
         }
-        let mut decision = element.decide(&q, &place.point, &history)?;
-        if slips_on(&outcome, &history) {
-            let at = (place.point.xi, place.point.xi_bar);
-            decision = decision.in_state(crate::contact::State::Slip, at)?;
-        }
+        let decision = decided(&element, &q, &place.point, &history, &outcome)?;
         let q = search::dofs(&self.chains, u, place.owner);
         let at = closest_point(&self.chains, &q, &place.point);
         let (jet, jet_bar) = jets(&pair, &q, at);

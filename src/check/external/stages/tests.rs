@@ -1,5 +1,6 @@
 use super::equations::{At, equations};
 use super::point::Point;
+use super::rows::{What, rows};
 use super::sample::{Along, Sample, samples};
 use super::search::System;
 use super::terms::Earlier;
@@ -13,7 +14,7 @@ use crate::test_beam::Family;
 use crate::variant::scalar_of;
 
 /// Right answers of all families in all regimes, with so many digits.
-fn right_answers(digits: Option<u8>) -> (Vec<(Vector, Answers)>, Demands) {
+pub(super) fn right_answers(digits: Option<u8>) -> (Vec<(Vector, Answers)>, Demands) {
     let (seed, families) = (11, Family::ALL.to_vec());
     let drawing = Drawing {
         seed,
@@ -55,6 +56,53 @@ fn right_answers_without_lengths_satisfy_all_equations() {
         assert!(answers.answers.is_empty() || answers.answers.len() + 3 == count);
     }
     assert_eq!(traced(&cases.iter().collect::<Vec<_>>(), &demands), None);
+}
+
+/// The numbers of a program with another point are compared at this point.
+#[test]
+fn a_gap_at_another_point_is_right() {
+    let (mut cases, demands) = right_answers(None);
+    let mut moved = 0;
+    for (vector, answers) in &mut cases {
+        let value = |of: Quantity| answers.answers.iter().find(|answer| answer.quantity == of)?.value;
+        let at = value(Quantity::Xi).zip(value(Quantity::XiBar));
+        answers
+            .answers
+            .retain(|answer| matches!(answer.quantity, Quantity::Xi | Quantity::XiBar | Quantity::GN));
+        let Some((xi, xi_bar)) = at.filter(|(xi, xi_bar)| xi.abs() < 0.99 && xi_bar.abs() < 0.99) else {
+            answers.answers.clear();
+            continue;
+        };
+        let [beam, bar] = vector.case.beams().unwrap();
+        let contact = vector.case.contact;
+        let d = beam.geometry(xi + 1e-3).x - bar.geometry(xi_bar).x;
+        for answer in &mut answers.answers {
+            (answer.gradient, answer.hessian, answer.variations) = (None, None, [None; 3]);
+            match answer.quantity {
+                Quantity::Xi => answer.value = Some(xi + 1e-3),
+                Quantity::GN => answer.value = Some(d.norm() - contact.radius - contact.radius_bar),
+                _ => {}
+            }
+        }
+        moved += 1;
+    }
+    assert!(moved > 100, "{moved}");
+    let found = traced(&cases.iter().collect::<Vec<_>>(), &demands).unwrap();
+    assert_eq!(found.place, "all equations but those of the closest point are satisfied");
+}
+
+/// Where one parameter is held, its variations are zero, and nothing is said to be one of them by mistake.
+#[test]
+fn no_variation_of_a_held_parameter_is_taken_for_another() {
+    let count = |at: At| {
+        let all = equations(true);
+        let of_at = all.iter().filter(|equation| equation.at == at && equation.number == "(55)");
+        let rows = of_at.flat_map(|equation| rows(&equation.forms[0][0], equation));
+        let is_taken = |what: &What| matches!(what, What::Replaced { words, .. } if words == "dxi_bar stands in the place of dxi");
+        rows.filter(|row| is_taken(&row.what)).count()
+    };
+    assert!(count(At::Free) > 0);
+    assert_eq!(count(At::Alone(0)), 0);
 }
 
 /// Each form by itself, in both directions, also of single entries. A form other than the first may be valid only where

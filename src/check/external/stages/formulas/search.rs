@@ -13,9 +13,9 @@ use crate::check::external::stages::sample::{Along, Sample};
 use crate::check::external::stages::sentences::scope;
 use crate::check::external::stages::{Reading, Traced};
 use rayon::prelude::*;
-use std::cell::OnceCell;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 /// The number of samples at which all changes are tried.
 const PROBES: usize = 6;
@@ -58,7 +58,7 @@ pub(in crate::check::external::stages) fn found(
         is_of_formulas: true,
         ..Traced::default()
     };
-    let mut stages = vec![readings(&explained(&first, all, Set::default()))];
+    let mut stages = vec![readings(&explained(&first, all, Set::default(), &|_| true))];
     if stages[0].is_empty() {
         stages = of_stages(samples, entries, &names);
     }
@@ -76,7 +76,7 @@ pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Read
     let names = STAGES.iter().flat_map(|(stage, _)| *stage).map(|name| FORMULAS.name(name));
     let of_penalty = ["R_p", "K_p"].map(|name| FORMULAS.name(name));
     let all = names.chain(RESULTS.iter().copied()).chain(of_penalty).collect();
-    readings(&explained(&points(samples, Set::default()), all, Set::default()))
+    readings(&explained(&points(samples, Set::default()), all, Set::default(), &|_| true))
 }
 
 /// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones. A
@@ -84,7 +84,7 @@ pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Read
 fn of_stages(
     samples: &[Sample],
     entries: &dyn Fn(Along) -> Vec<Sample>,
-    names_of: &dyn Fn(&[&str]) -> Set,
+    names_of: &(dyn Fn(&[&str]) -> Set + Sync),
 ) -> Vec<Vec<Reading>> {
     let mut given = Set::default();
     let mut stages = Vec::new();
@@ -96,13 +96,11 @@ fn of_stages(
         let follows = |change: &Change| both.iter().any(|points| yields(change, points, names));
         if is_wrong && !known.iter().any(follows) {
             let before = FORMULAS.needed(wrong);
-            let right = OnceCell::new();
+            let right = OnceLock::new();
             let right = || right.get_or_init(|| right_stages(samples, place, names_of));
-            let found = |points: &Vec<Point>| {
-                let mut found = explained(points, names, before);
-                found.retain(|change| right().iter().all(|(points, names)| yields(change, points, *names)));
-                found
-            };
+            let keeps =
+                |change: &Change| right().iter().all(|(points, names)| yields(change, points, *names));
+            let found = |points: &Vec<Point>| explained(points, names, before, &keeps);
             let found = both.iter().map(found).find(|found| !found.is_empty());
             let of_matrix = || matrices::reading(samples, entries).filter(|_| *stage == ["K"]);
             // Two effects add up where the answer is a sum.
@@ -125,7 +123,7 @@ fn of_stages(
 fn right_stages<'a>(
     samples: &'a [Sample],
     place: usize,
-    names_of: &dyn Fn(&[&str]) -> Set,
+    names_of: &(dyn Fn(&[&str]) -> Set + Sync),
 ) -> Vec<(Vec<Point<'a>>, Set)> {
     let through = STAGES[..=place].iter().map(|(stage, _)| names_of(stage)).fold(Set::default(), Set::or);
     let of_stage = |(i, (stage, _)): (usize, &(&[&str], &str))| {
@@ -157,8 +155,13 @@ fn readings(changes: &[Change]) -> Vec<Reading> {
 /// The simplest changes that explain these answers.
 ///
 /// A program may write each formula in its own way. So each result must be that of the changed formulas in one of the ways,
-/// which is the same at all samples. The formulas `before` are not changed.
-fn explained(points: &[Point], among: Set, before: Set) -> Vec<Change> {
+/// which is the same at all samples. The formulas `before` are not changed, and a change `keeps` the answers that are right.
+fn explained(
+    points: &[Point],
+    among: Set,
+    before: Set,
+    keeps: &(dyn Fn(&Change) -> bool + Sync),
+) -> Vec<Change> {
     let probes = probes(points, among, PROBES);
     if probes.is_empty() {
         return Vec::new();
@@ -174,6 +177,7 @@ fn explained(points: &[Point], among: Set, before: Set) -> Vec<Change> {
             && of_all.yield_answers(change, probes.iter().copied().chain(points))
             // A name without a value is no part of this program.
             && change.uses(points[0].needed).without(points[0].needed).is_empty()
+            && keeps(change)
     };
     let tried = CHANGES.of(of_first.needed).into_par_iter();
     let mut found: Vec<Change> = tried.filter(explains).cloned().collect();

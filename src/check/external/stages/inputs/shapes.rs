@@ -236,3 +236,34 @@ pub(super) fn found(
     }
     Vec::new()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Equation, Of, Sample, Shape};
+    use crate::check::external::stages::equations::equations;
+    use crate::check::external::stages::sample::{Along, samples};
+    use crate::check::external::stages::tests::right_answers;
+    use nalgebra::Vector3;
+
+    /// By how much a shape function is wrong is not known where its control vector is zero.
+    #[test]
+    fn a_shape_function_without_effect_has_no_error() {
+        let (cases, demands) = right_answers(None);
+        let of =
+            |(i, (vector, answers)): (usize, &(_, _))| samples(i, vector, answers, &demands, Along::Random);
+        let all: Vec<Vec<Sample>> = cases.iter().enumerate().map(of).collect();
+        let is_tried = |of: &&Vec<Sample>| {
+            of.first()
+                .is_some_and(|sample| sample.held == [false; 2] && sample.nodes.iter().all(|of| of.len() > 1))
+        };
+        let mut here = all.iter().find(is_tried).unwrap().clone();
+        for sample in &mut here {
+            sample.nodes[0][1].vectors = [Vector3::zeros(); 3];
+        }
+        let equations = equations(true);
+        let first: Vec<&Equation> = equations.iter().filter(|equation| equation.number == "(50)").collect();
+        let shape = Shape { node: 1, order: 2, of: Of::Both, beams: &[0, 1] };
+        let [beam, bar] = shape.solved(&first, &here.iter().collect::<Vec<_>>()).unwrap();
+        assert!(beam.is_none() && bar.is_some_and(|by| by.abs() < 1e-6), "{beam:?} {bar:?}");
+    }
+}
