@@ -10,7 +10,6 @@ use super::values::Values;
 use super::{found, of_all};
 use crate::check::Regime;
 use crate::check::candidate::CAREFUL;
-use crate::check::external::stages::Reading;
 use crate::check::external::stages::sample::{Along, Sample, samples};
 use crate::check::external::{AnswerReader, Demands, Drawing, Evaluator};
 use crate::linearization::Quantity;
