@@ -57,10 +57,10 @@ static std::vector<double> shapes(int nodes, int order, double s) {
     }
     switch (order) {
     case 0:
-        return {(2 - 3 * s + s * s * s) / 4, (1 - s - s * s + s * s * s) / 4, (2 + 3 * s - s * s * s) / 4,
+        return {(2 - 3 * s + s * s * s) / 4, (1 - s - s * s + s * s * s) / 4, (2 + 3 * s - F(185, 1 / 3.) * s * s * s) / 4,
                 F(101, -1) * (-1 - s + s * s + s * s * s) / 4};
     case 1:
-        return {(-3 + 3 * s * s) / 4, (-1 - F(102, -1) * 2 * s + 3 * s * s) / 4, (3 - 3 * s * s) / 4,
+        return {(-3 + 3 * s * s) / 4, (-1 - F(102, -1) * 2 * s + 3 * E(186, s * s, s)) / 4, (3 - 3 * s * s) / 4,
                 (-1 + 2 * s + 3 * s * s) / 4};
     case 2:
         return {F(181, 1.25) * F(103, 2) * 1.5 * s, -0.5 + 1.5 * s, -1.5 * s, F(104, -1) * 0.5 + 1.5 * s};
@@ -113,8 +113,26 @@ struct Element {
     }
 };
 
-static void element(const Pair *of, Answers *to) {
-    Element e{*of};
+// Eight steps of Newton's method from the point of the case. The last one leads from the vectors of the element to its parameters.
+static void iterate(Pair &vectors, Pair &parameters) {
+    for (int k = 0; k < 8; k++) {
+        vectors = parameters;
+        const Element e{vectors};
+        const Matrix d = e.point(0, 0) - e.point(1, 0), t = e.point(0, 1), t_bar = e.point(1, 1);
+        const double f = dot(d, t), f_bar = dot(d, t_bar), b = dot(t, t_bar);
+        const double a = dot(t, t) + dot(d, e.point(0, 2)), a_bar = dot(d, e.point(1, 2)) - dot(t_bar, t_bar);
+        const bool is_free = !vectors.held[0] && !vectors.held[1];
+        const double D = is_free ? a * a_bar + b * b : a * a_bar;
+        if (!vectors.held[0]) parameters.xi[0] -= (a_bar * f + is_free * b * f_bar) / D;
+        if (!vectors.held[1]) parameters.xi[1] -= (a * f_bar - is_free * b * f) / D;
+    }
+}
+
+static void element(const Pair *given, Answers *to) {
+    Pair vectors = *given, parameters = *given;
+    if (error == 185 || error == 186) iterate(vectors, parameters);
+    const Pair *const of = &parameters;
+    Element e{vectors};
     const int size = of->size;
     const bool is_free = !of->held[0] && !of->held[1];
     const Matrix A0 = e.block(0, 0), A1 = e.block(0, 1), A2 = e.block(0, 2);

@@ -103,10 +103,7 @@ pub fn explain(
     let traced = traced(&cases.iter().chain(right).collect::<Vec<_>>(), demands);
     let is_element = cases.iter().all(|(vector, _)| vector.element.is_some());
     // The formulas of a contact element, searched as a whole, tell more than faults of single terms.
-    let is_told = |of: &Traced| {
-        let is_one = of.is_complete() && of.beyond.is_empty();
-        is_one || (is_element && (of.is_of_formulas || !of.causes.is_empty()))
-    };
+    let is_told = |of: &Traced| of.is_one() || (is_element && (of.is_of_formulas || !of.causes.is_empty()));
     match traced {
         Some(traced) if is_told(&traced) => {
             Some(Explanation { cases: traced.cases, ..Explanation::default() }.with(traced))

@@ -13,6 +13,7 @@
 //! answers.
 
 mod condition;
+mod curves;
 mod equations;
 mod formulas;
 mod inputs;
@@ -35,7 +36,7 @@ use point::Point;
 use rayon::prelude::*;
 use sample::{Along, Sample, samples};
 pub(super) use sentences::Reading;
-use sentences::{of_curves, of_status, result_words};
+use sentences::{of_curves, of_status};
 use std::cell::{LazyCell, OnceCell};
 
 /// What the equations say of the answers of a program.
@@ -76,6 +77,23 @@ impl Traced {
     /// Whether the errors explain everything.
     pub(super) fn is_complete(&self) -> bool {
         !self.causes.is_empty() && !self.leaves_some
+    }
+
+    /// Whether one error explains everything.
+    pub(super) fn is_one(&self) -> bool {
+        self.is_complete() && self.beyond.is_empty()
+    }
+
+    /// An error of the curves that explains everything, if there is one and nothing else does.
+    fn or_of_curves(self, samples: &[Sample]) -> Self {
+        if self.is_one() {
+            return self;
+        }
+        let causes: Vec<Reading> = curves::found(samples).iter().map(|words| of_curves(words)).collect();
+        if causes.is_empty() {
+            return self;
+        }
+        Self { causes, beyond: Vec::new(), leaves_some: false, is_of_formulas: false, ..self }
     }
 
     /// Adds the first of these readings, unless one of them is known.
@@ -141,22 +159,14 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
     let all_wrong: Vec<(usize, Cases)> = (0..equations.len()).into_par_iter().filter_map(judged_at).collect();
     // The formulas of a contact element follow from the geometry.
     if has_arrays && all_wrong.is_empty() {
-        return formulas::found(&samples, of);
+        return formulas::found(&samples, of).map(|traced| traced.or_of_curves(&samples));
     }
     let (first, (of_first, others)) = all_wrong.first()?;
     let first = &equations[*first];
     let wrong: Vec<usize> = all_wrong.iter().map(|(e, _)| *e).collect();
-    let mut traced = Traced {
-        cases: of_first.len() + others.len(),
-        place: format!(
-            "{} does not satisfy its equation{} at {} of {} cases",
-            result_words(first),
-            sentences::number(first),
-            of_first.len(),
-            of_first.len() + others.len()
-        ),
-        ..Traced::default()
-    };
+    let count = of_first.len() + others.len();
+    let place = sentences::of_place(first, of_first.len(), count);
+    let mut traced = Traced { cases: count, place, ..Traced::default() };
     if let Some((place, cause)) = of_closest_point(&equations, &wrong, &points, (of_first, others)) {
         traced.place = place.unwrap_or(traced.place);
         traced.causes = vec![cause];
@@ -181,8 +191,13 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         if causes.is_empty() && has_arrays {
             causes = of_entries(&entries.each_ref().map(|(along, cell)| &**cell.get_or_init(|| of(*along))));
         }
-        if !causes.is_empty() {
-            return Some(Traced { causes, is_of_formulas: true, ..traced });
+        traced = if causes.is_empty() {
+            traced.or_of_curves(&samples)
+        } else {
+            Traced { causes, is_of_formulas: true, ..traced }
+        };
+        if !traced.causes.is_empty() {
+            return Some(traced);
         }
     }
     let (mut with_pairs, mut is_pinned) = (0, false);

@@ -23,6 +23,7 @@ mod parser;
 mod point;
 mod relations;
 mod results;
+mod right;
 mod search;
 mod tree;
 mod values;
@@ -34,4 +35,5 @@ mod tests;
 
 pub(super) use inputs::Inputs;
 pub use list::LIST_OF_FORMULAS;
+pub(super) use right::{FirstWrong, Written};
 pub(super) use search::{found, of_all};

@@ -2,6 +2,7 @@
 
 mod control_vectors;
 mod parameters;
+mod polynomials;
 mod shapes;
 mod vectors;
 
@@ -15,14 +16,14 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 /// The vectors of a sample: x, t, t,xi and t,xixi by beam, and the variations by direction, beam and derivative.
-type Vectors = ([[Vector3<RunningError>; 4]; 2], [[[Vector3<RunningError>; 3]; 2]; 2]);
+pub(super) type Vectors = ([[Vector3<RunningError>; 4]; 2], [[[Vector3<RunningError>; 3]; 2]; 2]);
 
 /// A change of the vectors of a sample.
 type Change = Box<dyn Fn(&Sample, &mut Vectors) + Send + Sync>;
 
 /// A possible error of the curves.
-struct Input {
-    words: String,
+pub(super) struct Input {
+    pub(super) words: String,
     change: Change,
 }
 
@@ -31,12 +32,34 @@ impl Input {
         Self { words, change: Box::new(change) }
     }
 
-    /// The sample with the error.
-    fn point<'a>(&self, sample: &'a Sample) -> Point<'a> {
+    /// The vectors of a sample with the error.
+    pub(super) fn vectors(&self, sample: &Sample) -> Vectors {
         let mut vectors = (sample.geometry, sample.moved);
         (self.change)(sample, &mut vectors);
-        Point::with(sample, &vectors.0, &vectors.1)
+        vectors
     }
+
+    /// The sample with the error.
+    fn point<'a>(&self, sample: &'a Sample) -> Point<'a> {
+        let (geometry, moved) = self.vectors(sample);
+        Point::with(sample, &geometry, &moved)
+    }
+}
+
+/// All errors that are told by their words alone.
+fn all(samples: &[Sample]) -> Vec<Input> {
+    let all = [
+        vectors::inputs(),
+        parameters::inputs(samples),
+        control_vectors::inputs(samples),
+        shapes::inputs(samples),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// The same, and those of one derivative of a shape function.
+pub(super) fn with_single_derivatives(samples: &[Sample]) -> Vec<Input> {
+    all(samples).into_iter().chain(polynomials::inputs(samples)).collect()
 }
 
 /// The beams that an error may be in.
@@ -100,23 +123,16 @@ pub(super) fn found(equations: &[Equation], samples: &[Sample], wrong: &[usize])
     }
     let few = some(samples, &cases, 4);
     let every: Vec<&Sample> = samples.iter().collect();
-    let all: Vec<usize> = (0..equations.len()).filter(is_used).collect();
+    let others: Vec<usize> = (0..equations.len()).filter(is_used).collect();
     let holds = |input: &Input, samples: &[&Sample], which: &[usize]| {
         let points: Vec<Point> = samples.iter().map(|sample| input.point(sample)).collect();
         which.iter().all(|e| judged(&equations[*e], &points).0.is_empty())
     };
-    let tried = [
-        vectors::inputs(),
-        parameters::inputs(samples),
-        control_vectors::inputs(samples),
-        shapes::inputs(samples),
-    ];
     let is_found = |input: &Input| {
         // Most fail at the first samples.
         [2, 8].iter().all(|count| holds(input, &few[..few.len().min(*count)], &[first]))
             && holds(input, &few, &wrong)
-            && holds(input, &every, &all)
+            && holds(input, &every, &others)
     };
-    let tried: Vec<Input> = tried.into_iter().flatten().collect();
-    tried.into_par_iter().filter(is_found).map(|input| input.words).collect()
+    all(samples).into_par_iter().filter(is_found).map(|input| input.words).collect()
 }

@@ -159,6 +159,12 @@ pub(super) fn of_end(equation: &Equation) -> Reading {
     Reading { names: vec![words.clone()], words, coefficient: None }
 }
 
+/// Where an equation is wrong.
+pub(super) fn of_place(equation: &Equation, wrong: usize, all: usize) -> String {
+    let (result, number) = (result_words(equation), number(equation));
+    format!("{result} does not satisfy its equation{number} at {wrong} of {all} cases")
+}
+
 /// An error of the curves.
 pub(super) fn of_curves(words: &str) -> Reading {
     Reading {

@@ -76,6 +76,29 @@ impl Inputs {
         inputs
     }
 
+    /// Takes other curves and parameters. The vectors are x, t, t,xi and t,xixi by beam, and their variations by direction and
+    /// beam.
+    pub(in crate::check::external::stages) fn set_curves(
+        &mut self,
+        xi: [RunningError; 2],
+        geometry: &[[Vector3<RunningError>; 4]; 2],
+        moved: &[[[Vector3<RunningError>; 3]; 2]; 2],
+    ) {
+        for (beam, end) in ["", "_bar"].into_iter().enumerate() {
+            self.set(&format!("xi{end}"), Value::Number(xi[beam]));
+            for (k, (name, suffix)) in
+                [("x", ""), ("t", ""), ("t", ",xi"), ("t", ",xixi")].into_iter().enumerate()
+            {
+                self.set(&format!("{name}{end}{suffix}"), Value::Vector(geometry[beam][k]));
+            }
+            for (side, name) in ["du", "Du"].into_iter().enumerate() {
+                for (k, suffix) in ["", ",xi", ",xixi"].into_iter().enumerate() {
+                    self.set(&format!("{name}{end}{suffix}"), Value::Vector(moved[side][beam][k]));
+                }
+            }
+        }
+    }
+
     fn hold(&mut self, [xi, xi_bar]: [bool; 2]) {
         self.set("both_free", (!xi && !xi_bar).into());
         self.set("free_xi", (!xi).into());

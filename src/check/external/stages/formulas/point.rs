@@ -166,7 +166,7 @@ fn point(
 }
 
 /// The numbers of the program by the results that they are.
-fn numbers(sample: &Sample) -> Vec<(Output, RunningError)> {
+pub(super) fn numbers(sample: &Sample) -> Vec<(Output, RunningError)> {
     let mut numbers = Vec::new();
     for (component, own) in sample.own.iter().enumerate() {
         let quantity = Quantity::of_component(component);

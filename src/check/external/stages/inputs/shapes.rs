@@ -24,7 +24,7 @@ pub(super) fn polynomial(coefficients: &[f64; 4], order: usize, xi: f64) -> f64 
 }
 
 /// The coefficients of a derivative of a polynomial.
-fn derivative(coefficients: &[f64; 4], order: usize) -> [f64; 4] {
+pub(super) fn derivative(coefficients: &[f64; 4], order: usize) -> [f64; 4] {
     (0..order).fold(*coefficients, |[_, a, b, c], _| [a, 2.0 * b, 3.0 * c, 0.0])
 }
 
@@ -164,15 +164,18 @@ impl Shape {
     }
 }
 
+/// The factors of wrong terms.
+pub(super) const WRONG_FACTORS: [f64; 8] = [-1.0, 0.0, 2.0, 0.5, 3.0, 1.0 / 3.0, 1.5, 2.0 / 3.0];
+
 /// Terms of shape functions that are wrong in all derivatives.
 pub(super) fn inputs(samples: &[Sample]) -> Vec<Input> {
-    const FACTORS: [f64; 8] = [-1.0, 0.0, 2.0, 0.5, 3.0, 1.0 / 3.0, 1.5, 2.0 / 3.0];
     let mut all = Vec::new();
     for (beams, of_beams) in BEAMS {
         let nodes = samples.iter().map(|sample| &sample.nodes[beams[0]]).max_by_key(|nodes| nodes.len());
         for (k, node) in nodes.into_iter().flatten().enumerate() {
             for (power, coefficient) in node.coefficients.iter().flatten().enumerate() {
-                for by in FACTORS.map(|factor| factor - 1.0).into_iter().filter(|_| *coefficient != 0.0) {
+                for by in WRONG_FACTORS.map(|factor| factor - 1.0).into_iter().filter(|_| *coefficient != 0.0)
+                {
                     let mut wrong = [0.0; 4];
                     wrong[power] = by * coefficient;
                     let words = format!(
@@ -198,10 +201,10 @@ pub(super) fn inputs(samples: &[Sample]) -> Vec<Input> {
 }
 
 /// The terms of a cubic.
-const TERMS: [&str; 4] = ["constant", "term of xi", "term of xi^2", "term of xi^3"];
+pub(super) const TERMS: [&str; 4] = ["constant", "term of xi", "term of xi^2", "term of xi^3"];
 
 /// A factor less one, in words.
-fn factor_words(by: f64) -> String {
+pub(super) fn factor_words(by: f64) -> String {
     let known = super::FACTORS.into_iter().find(|(known, _)| (by - known).abs() < 1e-6);
     known.map_or_else(|| format!("is multiplied by {:.4}", 1.0 + by), |(_, words)| words.to_owned())
 }

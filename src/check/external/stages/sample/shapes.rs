@@ -1,7 +1,9 @@
 //! Sums of shape functions times control vectors.
 
+use super::Sample;
 use crate::curve::Geometry;
 use crate::linearization::closed_form::PartialVariations;
+use crate::number::RunningError;
 use crate::test_beam::{AnyBeam, RunningError2};
 use nalgebra::Vector3;
 
@@ -38,6 +40,44 @@ pub(super) fn widen(
     }
 }
 
+impl Sample {
+    /// Whether both curves are sums of cubics times control vectors.
+    pub(in crate::check::external::stages) fn is_cubic(&self) -> bool {
+        let of =
+            |nodes: &Vec<Node>| !nodes.is_empty() && nodes.iter().all(|node| node.coefficients.is_some());
+        self.nodes.iter().all(of)
+    }
+
+    /// The curves at other parameters, if they are cubic.
+    pub(in crate::check::external::stages) fn move_to(&mut self, xi: [f64; 2]) {
+        for (beam, xi) in xi.into_iter().enumerate() {
+            self.xi[beam].value = xi;
+            let mut sums = [[Vector3::zeros(); 4]; 3];
+            for node in &mut self.nodes[beam] {
+                let Some([n, slope, bend, third]) = node.coefficients else { continue };
+                node.shape = [
+                    n + xi * (slope + xi * (bend + xi * third)),
+                    slope + xi * (2.0 * bend + xi * 3.0 * third),
+                    2.0 * bend + 6.0 * third * xi,
+                    6.0 * third,
+                ];
+                for (of, vector) in sums.iter_mut().zip(&node.vectors) {
+                    for (sum, shape) in of.iter_mut().zip(node.shape) {
+                        *sum += vector * shape;
+                    }
+                }
+            }
+            let put = |to: &mut Vector3<RunningError>, sum: &Vector3<f64>| {
+                to.iter_mut().zip(sum).for_each(|(to, sum)| to.value = *sum);
+            };
+            let [curve, delta, linear] = &sums;
+            self.geometry[beam].iter_mut().zip(curve).for_each(|(to, sum)| put(to, sum));
+            self.moved[0][beam].iter_mut().zip(delta).for_each(|(to, sum)| put(to, sum));
+            self.moved[1][beam].iter_mut().zip(linear).for_each(|(to, sum)| put(to, sum));
+        }
+    }
+}
+
 /// The control vectors of a beam that is a sum of shape functions times control vectors.
 pub(super) fn nodes(beam: &dyn AnyBeam, xi: f64, along: [&[f64]; 2]) -> Vec<Node> {
     let [q, ..] = beam.numbers();
@@ -52,8 +92,9 @@ pub(super) fn nodes(beam: &dyn AnyBeam, xi: f64, along: [&[f64]; 2]) -> Vec<Node
         let [n, slope, bend, third] = at(0.0);
         let coefficients = [n, slope, bend / 2.0, third / 6.0];
         let shape = at(xi);
-        let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * xi + c);
-        let is_cubic = (sum - shape[0]).abs() < 1e-12 && (at(0.5)[3] - third).abs() < 1e-12;
+        let half = at(0.5);
+        let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * 0.5 + c);
+        let is_cubic = (sum - half[0]).abs() < 1e-12 && (half[3] - third).abs() < 1e-12;
         let vector = |of: &[f64]| Vector3::from_fn(|c, _| of[3 * k + c]);
         Node {
             vectors: [vector(q), vector(along[0]), vector(along[1])],

@@ -1,0 +1,129 @@
+//! Whether the formulas yield the answers of a program without a change, each result in one way of writing.
+
+use super::list::FORMULAS;
+use super::names::{Set, WAYS};
+use super::outputs::Output;
+use super::point::{numbers, points};
+use super::tree::Name;
+use super::values::Value;
+use crate::check::candidate::CAREFUL;
+use crate::check::external::stages::sample::Sample;
+use crate::number::RunningError;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+/// A result, with the names that it follows from and the ways in which these are written.
+struct Step {
+    name: Name,
+    needed: Set,
+    ways: Vec<usize>,
+}
+
+impl Step {
+    fn new(name: Name) -> Self {
+        let needed = FORMULAS.needed(Set::from_iter([name]));
+        Self { name, needed, ways: FORMULAS.distinct_ways(needed) }
+    }
+
+    /// Whether the result is right at a sample in some way of writing.
+    fn is_right(&self, sample: &Sample, answers: &[(Output, RunningError)]) -> bool {
+        self.ways.iter().any(|&way| {
+            let values = values(way, sample, self.needed);
+            let mut of_name = answers.iter().filter(|(output, _)| output.name == self.name);
+            of_name.all(|(output, number)| is_near(*number, output.of(&values[..])))
+        })
+    }
+}
+
+/// At a case, the results that follow from the fewest names: right ones, and the first that is wrong.
+pub(in crate::check::external::stages) struct FirstWrong {
+    steps: Vec<Arc<Step>>,
+    /// How far the last one is from the right one, over the rounding.
+    clearness: f64,
+    /// The sample, by its place.
+    pub(in crate::check::external::stages) place: usize,
+}
+
+impl FirstWrong {
+    /// Those of all cases at which a result is wrong, the simplest and clearest first.
+    pub(in crate::check::external::stages) fn of_cases(samples: &[Sample]) -> Vec<Self> {
+        let points = points(samples, Set::default());
+        let names: BTreeSet<Name> =
+            points.iter().flat_map(|point| &point.answers).map(|answer| answer.output.name).collect();
+        let mut steps: Vec<Arc<Step>> = names.into_iter().map(|name| Arc::new(Step::new(name))).collect();
+        steps.sort_by_key(|step| step.needed.names().count());
+        let of_sample = |place: usize| {
+            let point = &points[place];
+            let alone = |step: &Arc<Step>| Set::from_iter([step.name]);
+            let first = steps.iter().position(|step| point.is_wrong(alone(step)))?;
+            let clearness = point.clearness(alone(&steps[first]));
+            Some(Self { steps: steps[..=first].to_vec(), clearness, place })
+        };
+        let order = |one: &Self, other: &Self| {
+            one.steps.len().cmp(&other.steps.len()).then(other.clearness.total_cmp(&one.clearness))
+        };
+        let mut of_cases: BTreeMap<usize, Self> = BTreeMap::new();
+        for of in (0..samples.len()).filter_map(of_sample) {
+            let case = samples[of.place].case;
+            if of_cases.get(&case).is_none_or(|known| order(&of, known).is_lt()) {
+                of_cases.insert(case, of);
+            }
+        }
+        let mut found: Vec<Self> = of_cases.into_values().collect();
+        found.sort_by(order);
+        found
+    }
+
+    /// Whether all of them are right at a sample.
+    pub(in crate::check::external::stages) fn are_right(&self, sample: &Sample) -> bool {
+        let answers = numbers(sample);
+        self.steps.iter().all(|step| step.is_right(sample, &answers))
+    }
+}
+
+fn values(way: usize, sample: &Sample, needed: Set) -> Vec<Value> {
+    let inputs = &sample.inputs;
+    FORMULAS.values(way, &inputs.values, &inputs.known, &[], needed)
+}
+
+fn is_near(answer: RunningError, value: RunningError) -> bool {
+    (answer.value - value.value).abs() <= CAREFUL * value.bound + answer.bound
+}
+
+/// A result, and which parameters are held: a program may have formulas of their own for the ends.
+type Answered = (Output, [bool; 2]);
+
+/// The ways in which a program may have written each of its results.
+#[derive(Default)]
+pub(in crate::check::external::stages) struct Written(BTreeMap<Answered, [bool; WAYS]>);
+
+impl Written {
+    /// Whether the formulas yield all answers at these samples too. If not, nothing is learnt of them. The forms of the second
+    /// variation of d are the same at a closest point alone.
+    pub(in crate::check::external::stages) fn yields(
+        &mut self,
+        samples: &[Sample],
+        is_closest: bool,
+    ) -> bool {
+        let mut left = self.0.clone();
+        let are_right = samples.iter().all(|sample| {
+            let mut numbers = numbers(sample);
+            numbers.retain(|(output, _)| {
+                is_closest || !["Dd|d|", "Ddg_N"].contains(&&*FORMULAS.names.0[output.name])
+            });
+            let needed = FORMULAS.needed(numbers.iter().map(|(output, _)| output.name).collect());
+            for way in 0..WAYS {
+                let values = values(way, sample, needed);
+                for (output, number) in &numbers {
+                    let of = left.entry((*output, sample.held)).or_insert([true; WAYS]);
+                    of[way] &= is_near(*number, output.of(&values[..]));
+                }
+            }
+            left.values().all(|ways| ways.contains(&true))
+        });
+        if are_right {
+            self.0 = left;
+        }
+        are_right
+    }
+}
