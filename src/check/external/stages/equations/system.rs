@@ -54,7 +54,7 @@ pub(super) fn solved(beam: Beam, part: Part, [r, r_bar]: [&Terms; 2]) -> Zero {
     let determinant =
         [tag("a a_bar of D", product(&a(0), &a(1))), tag("b^2 of D", product(&b(), &b()))].concat();
     let result = numbers(1.0, &[of(XI[beam], part)]);
-    let left = tag("D", product(&determinant, &result));
+    let left = tag(["D xi", "D xi_bar"][beam], product(&determinant, &result));
     let (first, other) = if beam == 0 { (a(1), b()) } else { (scaled(-1.0, &b()), a(0)) };
     let products = [["a_bar R of xi", "b R_bar of xi"], ["-b R of xi_bar", "a R_bar of xi_bar"]][beam];
     let right = [tag(products[0], product(&first, r)), tag(products[1], product(&other, r_bar))].concat();

@@ -82,6 +82,9 @@ pub(super) const FACTORS: [(f64, &str, u32); 4] = [
 const ANSWERS: [&str; 11] =
     ["C", "C_bar", "state", "|d|", "g_N", "d|d|", "dg_N", "g_T", "g_T_bar", "dg_T", "dg_T_bar"];
 
+/// The system with unit rows for held parameters. Most programs have a formula for each end in the place of it.
+const UNIT_ROWS: [&str; 8] = ["h11", "h12", "h22", "hdet", "dh", "dh_bar", "Ddh", "Ddh_bar"];
+
 pub(super) fn scaled(name: Name, by: f64) -> Tree {
     Tree::product(vec![(false, Tree::number(by)), (false, Tree::name(name))])
 }
@@ -149,6 +152,7 @@ impl Formulas {
             return Vec::new();
         }
         let twin = twin(way).filter(|twin| twin.name > formula.name);
+        let rare = u32::from(UNIT_ROWS.contains(&&*self.names.0[formula.name]));
         let of_twin = twin.map(|twin| edits(twin.written(way), &|name| self.others(name, twin)));
         let same: HashMap<_, _> =
             of_twin.iter().flatten().rev().map(|edit| ((edit.what, &*edit.path), edit)).collect();
@@ -164,6 +168,7 @@ impl Formulas {
             self.add_changes((formula, way), &Arc::new(edit), same, &mut found);
             for change in &mut found {
                 change.ways = ways;
+                change.cost += rare;
             }
             found
         };

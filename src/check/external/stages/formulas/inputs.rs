@@ -40,27 +40,20 @@ impl Inputs {
             decided: None,
             forces: Vec::new(),
         };
-        for (of, end) in partial.iter().zip(["", "_bar"]) {
+        let vector = |v: Vector3<RunningError2>| v.map(careful);
+        let geometry = partial.each_ref().map(|of| {
             let g = &of.geometry;
-            for (name, suffix, v) in [
-                ("x", "", g.x),
-                ("t", "", g.t),
-                ("t", ",xi", g.t_xi),
-                ("t", ",xixi", g.t_xixi),
-                ("du", "", of.delta_u[0]),
-                ("du", ",xi", of.delta_u[1]),
-                ("du", ",xixi", of.delta_u[2]),
-                ("Du", "", of.linear_u[0]),
-                ("Du", ",xi", of.linear_u[1]),
-                ("Du", ",xixi", of.linear_u[2]),
-                ("Ddu", "", of.second_u[0]),
-                ("Ddu", ",xi", of.second_u[1]),
-            ] {
-                inputs.set(&format!("{name}{end}{suffix}"), Value::Vector(v.map(careful)));
+            [g.x, g.t, g.t_xi, g.t_xixi].map(vector)
+        });
+        let [delta, linear]: [fn(&PartialVariations<RunningError2>) -> _; 2] =
+            [|of| of.delta_u, |of| of.linear_u];
+        let moved = [delta, linear].map(|read| partial.each_ref().map(|of| read(of).map(vector)));
+        inputs.set_curves(xi.map(careful), &geometry, &moved);
+        for (of, names) in partial.iter().zip([["Ddu", "Ddu,xi"], ["Ddu_bar", "Ddu_bar,xi"]]) {
+            for (name, v) in names.into_iter().zip(of.second_u) {
+                inputs.set(name, Value::Vector(vector(v)));
             }
         }
-        inputs.set("xi", Value::Number(careful(xi[0])));
-        inputs.set("xi_bar", Value::Number(careful(xi[1])));
         for (name, number) in [
             ("r", contact.radius),
             ("r_bar", contact.radius_bar),

@@ -6,11 +6,14 @@ use super::values::Value;
 use std::collections::HashMap;
 
 /// Entries and right-hand sides of the system for the parameters that are confused with a change of sign.
-const SYSTEM: [&[&str]; 5] = [
+const SYSTEM: [&[&str]; 8] = [
     &["a", "b", "a_bar"],
+    &["h11", "h12", "h22"],
     &["i11", "i12", "i22"],
     &["dp", "dp_bar"],
     &["Ddp", "Ddp_bar"],
+    &["dh", "dh_bar"],
+    &["Ddh", "Ddh_bar"],
     &["da", "db", "db_bar", "da_bar"],
 ];
 

@@ -9,10 +9,11 @@ use crate::check::external::stages::formulas::search::{found, of_all};
 use crate::check::external::stages::sample::Sample;
 use crate::test_beam::Family;
 
-/// Errors of programs that differentiate the quotients (52), the system (51), or the normal. Samples at which rounding hides
+/// Errors of programs with unit rows for held parameters, or that differentiate the quotients (52), the system (51), or the
+/// normal. Samples at which rounding hides
 /// them, or for which the way of writing is not valid, are left out.
 #[test]
-fn errors_of_differentiated_quotients_systems_and_normals_are_told() {
+fn errors_in_other_ways_of_writing_are_told() {
     let samples: Vec<Sample> = right_answers(&[Family::Hermite]);
     let is_clear = |sample: &Sample, way: usize, change: &Change| {
         let [point] = &points(std::slice::from_ref(sample), Set::default())[..] else { unreachable!() };
@@ -22,6 +23,8 @@ fn errors_of_differentiated_quotients_systems_and_normals_are_told() {
     let of_element =
         |samples: &[Sample]| found(samples, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
     for (way, is_of_element, words) in [
+        (7, true, "in i11, eq. (52), h11 stands in the place of h22"),
+        (7, false, "in Ddh_bar Ddp_bar is taken whatever free_xi_bar is"),
         (8, false, "in ddet, eq. (52), the term a da_bar_all is missing"),
         (8, false, "in Ddxi, eq. (59), the term Da_bar_all dp is missing"),
         (6, false, "in Ddp_bar, eq. (55), the term Da_bar_all dxi_bar has the wrong sign"),
