@@ -59,8 +59,8 @@ pub(super) fn found(samples: &[Sample]) -> Vec<String> {
     };
     let told = |input: &Input, how: Found| {
         let at_probe = |of: &&FirstWrong| Wrong::new(input, &samples[of.place]).has_point(how, of);
-        let least = if how == Found::Given { probes.len() } else { probes.len().div_ceil(2) };
         // Most fail at the first.
+        let least = probes.len().div_ceil(2);
         let is_possible = probes.iter().filter(at_probe).take(least).count() == least;
         is_possible.then(|| explained(input, how, (samples, &cases))).flatten()
     };
@@ -88,28 +88,29 @@ fn exact(sample: &Sample) -> [f64; 2] {
     [Quantity::Xi, Quantity::XiBar].map(|of| sample.exact[of.component()][0].value)
 }
 
-/// If the error yields the answers, what is said beside it. An iteration with wrong curves may end anywhere, so half of the wrong
-/// cases are enough then. Right answers must be right with the error, too.
+/// If the error yields the answers, what is said beside it. An iteration with wrong curves may end anywhere, and rounding may hide
+/// what is wrong, so half of the wrong cases are enough. Right answers must be right with the error, too.
 fn explained(input: &Input, how: Found, (samples, wrong): (&[Sample], &BTreeSet<usize>)) -> Option<String> {
     let mut written = Written::default();
     let (mut left, mut has_converged) = (0, true);
     for of_case in samples.chunk_by(|one, other| one.case == other.case) {
+        let is_wrong = wrong.contains(&of_case[0].case);
         let mut is_right = |xi: &[f64; 2]| {
             let all: Vec<Sample> =
                 of_case.iter().map(|sample| Wrong::new(input, sample).sample_at(*xi, how)).collect();
-            written.yields(&all, how != Found::StepBefore)
+            written.yields(&all, how != Found::StepBefore, is_wrong)
         };
         let mut here = Wrong::new(input, &of_case[0]);
         match here.points(how).into_iter().find(|xi| is_right(xi)) {
             Some(xi) => has_converged &= how != Found::StepBefore || is_same(xi, here.xi()),
-            None if how == Found::Given || !wrong.contains(&of_case[0].case) => return None,
+            None if !is_wrong => return None,
             None => left += 1,
         }
     }
     let count = wrong.len();
     let of_iteration = if has_converged { "" } else { NOT_CONVERGED };
     let of_others = if left > 0 {
-        format!("; at {left} of {count} wrong cases it ends elsewhere")
+        format!("; at {left} of {count} wrong cases it does not explain the answers")
     } else {
         String::new()
     };

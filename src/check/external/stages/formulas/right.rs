@@ -12,6 +12,9 @@ use crate::number::RunningError;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+/// The rounding of a wrong result over the largest result of its kind at a case.
+const FINE: f64 = 1e-6;
+
 /// A result, with the names that it follows from and the ways in which these are written.
 struct Step {
     name: Name,
@@ -26,11 +29,11 @@ impl Step {
     }
 
     /// Whether the result is right at a sample in some way of writing.
-    fn is_right(&self, sample: &Sample, answers: &[(Output, RunningError)]) -> bool {
+    fn is_right(&self, sample: &Sample, answers: &[(Output, RunningError)], size: f64) -> bool {
         self.ways.iter().any(|&way| {
             let values = values(way, sample, self.needed);
             let mut of_name = answers.iter().filter(|(output, _)| output.name == self.name);
-            of_name.all(|(output, number)| is_near(*number, output.of(&values[..])))
+            of_name.all(|(output, number)| is_near(*number, output.of(&values[..]), size))
         })
     }
 }
@@ -40,6 +43,8 @@ pub(in crate::check::external::stages) struct FirstWrong {
     steps: Vec<Arc<Step>>,
     /// How far the last one is from the right one, over the rounding.
     clearness: f64,
+    /// The size of its answer.
+    size: f64,
     /// The sample, by its place.
     pub(in crate::check::external::stages) place: usize,
 }
@@ -57,7 +62,9 @@ impl FirstWrong {
             let alone = |step: &Arc<Step>| Set::from_iter([step.name]);
             let first = steps.iter().position(|step| point.is_wrong(alone(step)))?;
             let clearness = point.clearness(alone(&steps[first]));
-            Some(Self { steps: steps[..=first].to_vec(), clearness, place })
+            let of_first = point.among(alone(&steps[first])).map(|answer| answer.number.value.abs());
+            let size = of_first.fold(0.0, f64::max);
+            Some(Self { steps: steps[..=first].to_vec(), clearness, size, place })
         };
         let order = |one: &Self, other: &Self| {
             one.steps.len().cmp(&other.steps.len()).then(other.clearness.total_cmp(&one.clearness))
@@ -77,7 +84,9 @@ impl FirstWrong {
     /// Whether all of them are right at a sample.
     pub(in crate::check::external::stages) fn are_right(&self, sample: &Sample) -> bool {
         let answers = numbers(sample);
-        self.steps.iter().all(|step| step.is_right(sample, &answers))
+        let last = self.steps.len() - 1;
+        let size = |i: usize| if i == last { self.size } else { f64::INFINITY };
+        self.steps.iter().enumerate().all(|(i, step)| step.is_right(sample, &answers, size(i)))
     }
 }
 
@@ -86,8 +95,10 @@ fn values(way: usize, sample: &Sample, needed: Set) -> Vec<Value> {
     FORMULAS.values(way, &inputs.values, &inputs.known, &[], needed)
 }
 
-fn is_near(answer: RunningError, value: RunningError) -> bool {
-    (answer.value - value.value).abs() <= CAREFUL * value.bound + answer.bound
+/// Whether rounding explains the difference, and is small next to a size.
+fn is_near(answer: RunningError, value: RunningError, size: f64) -> bool {
+    let allowed = CAREFUL * value.bound + answer.bound;
+    (answer.value - value.value).abs() <= allowed && allowed <= FINE * size
 }
 
 /// A result, and which parameters are held: a program may have formulas of their own for the ends.
@@ -98,14 +109,20 @@ type Answered = (Output, [bool; 2]);
 pub(in crate::check::external::stages) struct Written(BTreeMap<Answered, [bool; WAYS]>);
 
 impl Written {
-    /// Whether the formulas yield all answers at these samples too. If not, nothing is learnt of them. The forms of the second
-    /// variation of d are the same at a closest point alone.
+    /// Whether the formulas yield all answers at these samples of a case too. If not, nothing is learnt of them. The forms of the
+    /// second variation of d are the same at a closest point alone. What explains wrong answers must not be rounding.
     pub(in crate::check::external::stages) fn yields(
         &mut self,
         samples: &[Sample],
         is_closest: bool,
+        is_wrong: bool,
     ) -> bool {
         let mut left = self.0.clone();
+        let mut sizes: BTreeMap<Name, f64> = BTreeMap::new();
+        for (output, number) in samples.iter().flat_map(numbers) {
+            let size = sizes.entry(output.name).or_default();
+            *size = size.max(if is_wrong { number.value.abs() } else { f64::INFINITY });
+        }
         let are_right = samples.iter().all(|sample| {
             let mut numbers = numbers(sample);
             numbers.retain(|(output, _)| {
@@ -116,7 +133,7 @@ impl Written {
                 let values = values(way, sample, needed);
                 for (output, number) in &numbers {
                     let of = left.entry((*output, sample.held)).or_insert([true; WAYS]);
-                    of[way] &= is_near(*number, output.of(&values[..]));
+                    of[way] &= is_near(*number, output.of(&values[..]), sizes[&output.name]);
                 }
             }
             left.values().all(|ways| ways.contains(&true))
