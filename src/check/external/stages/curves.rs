@@ -92,19 +92,24 @@ fn exact(sample: &Sample) -> [f64; 2] {
 /// what is wrong, so half of the wrong cases are enough. Right answers must be right with the error, too.
 fn explained(input: &Input, how: Found, (samples, wrong): (&[Sample], &BTreeSet<usize>)) -> Option<String> {
     let mut written = Written::default();
-    let (mut left, mut has_converged) = (0, true);
+    let (mut explained, mut left, mut has_converged) = (0, 0, true);
     for of_case in samples.chunk_by(|one, other| one.case == other.case) {
-        let is_wrong = wrong.contains(&of_case[0].case);
-        let mut is_right = |xi: &[f64; 2]| {
+        let mut is_right = |xi: &[f64; 2], is_strict: bool| {
             let all: Vec<Sample> =
                 of_case.iter().map(|sample| Wrong::new(input, sample).sample_at(*xi, how)).collect();
-            written.yields(&all, how != Found::StepBefore, is_wrong)
+            written.yields(&all, how != Found::StepBefore, is_strict)
         };
         let mut here = Wrong::new(input, &of_case[0]);
-        match here.points(how).into_iter().find(|xi| is_right(xi)) {
-            Some(xi) => has_converged &= how != Found::StepBefore || is_same(xi, here.xi()),
-            None if !is_wrong => return None,
-            None => left += 1,
+        let points = here.points(how);
+        let is_wrong = wrong.contains(&of_case[0].case);
+        if let Some(xi) = points.iter().find(|xi| is_wrong && is_right(xi, true)) {
+            explained += 1;
+            has_converged &= how != Found::StepBefore || is_same(*xi, here.xi());
+        } else if !points.iter().any(|xi| is_right(xi, false)) {
+            if !is_wrong {
+                return None;
+            }
+            left += 1;
         }
     }
     let count = wrong.len();
@@ -114,7 +119,7 @@ fn explained(input: &Input, how: Found, (samples, wrong): (&[Sample], &BTreeSet<
     } else {
         String::new()
     };
-    (2 * left <= count && count - left >= FEWEST).then(|| format!("{of_iteration}{of_others}"))
+    (explained >= FEWEST && 2 * explained >= count).then(|| format!("{of_iteration}{of_others}"))
 }
 
 fn is_same(one: [f64; 2], other: [f64; 2]) -> bool {

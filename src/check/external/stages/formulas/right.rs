@@ -110,18 +110,18 @@ pub(in crate::check::external::stages) struct Written(BTreeMap<Answered, [bool; 
 
 impl Written {
     /// Whether the formulas yield all answers at these samples of a case too. If not, nothing is learnt of them. The forms of the
-    /// second variation of d are the same at a closest point alone. What explains wrong answers must not be rounding.
+    /// second variation of d are the same at a closest point alone. If `is_strict`, rounding must be small.
     pub(in crate::check::external::stages) fn yields(
         &mut self,
         samples: &[Sample],
         is_closest: bool,
-        is_wrong: bool,
+        is_strict: bool,
     ) -> bool {
         let mut left = self.0.clone();
         let mut sizes: BTreeMap<Name, f64> = BTreeMap::new();
         for (output, number) in samples.iter().flat_map(numbers) {
             let size = sizes.entry(output.name).or_default();
-            *size = size.max(if is_wrong { number.value.abs() } else { f64::INFINITY });
+            *size = size.max(if is_strict { number.value.abs() } else { f64::INFINITY });
         }
         let are_right = samples.iter().all(|sample| {
             let mut numbers = numbers(sample);
