@@ -1,6 +1,6 @@
 //! All changes of the list of formulas that are tried.
 
-use super::edits::{Edit, What, edits};
+use super::edits::{Class, Edit, What, edits};
 use super::entries::Entries;
 use super::list::{FORMULAS, Formula, Formulas};
 use super::names::{Set, WAYS};
@@ -68,7 +68,17 @@ pub(super) struct Changes {
 struct OfFormula {
     /// The names that its changes may give another formula.
     names: Set,
-    changes: OnceLock<Vec<Change>>,
+    simple: OnceLock<Vec<Change>>,
+    others: OnceLock<Vec<Change>>,
+}
+
+impl OfFormula {
+    fn changes(&self, class: Class) -> &OnceLock<Vec<Change>> {
+        match class {
+            Class::Simple => &self.simple,
+            Class::Other => &self.others,
+        }
+    }
 }
 
 /// What is wrong with something by a factor.
@@ -103,29 +113,35 @@ impl Changes {
             Some(list.exchange_of(formula, twin))
         };
         others.extend(list.all.iter().filter_map(exchange));
-        let of_formula =
-            |formula| OfFormula { names: list.names_of_changes(formula), changes: OnceLock::new() };
+        let of_formula = |formula| {
+            let [simple, others] = [OnceLock::new(), OnceLock::new()];
+            OfFormula { names: list.names_of_changes(formula), simple, others }
+        };
         Self { others, of_formulas: list.all.iter().map(of_formula).collect() }
     }
 
     /// The changes of each formula that are made, with the names that they may give another formula.
     #[cfg(test)]
     pub(super) fn of_each_formula(&self) -> impl Iterator<Item = (Set, &[Change])> {
-        self.of_formulas.iter().filter_map(|of| Some((of.names, &of.changes.get()?[..])))
+        let all = self.of_formulas.iter().flat_map(|of| Class::ALL.map(|class| (of, class)));
+        all.filter_map(|(of, class)| Some((of.names, &of.changes(class).get()?[..])))
     }
 
-    /// The changes of formulas that these names follow from, and those that are not of one formula.
-    pub(super) fn of(&self, needed: Set) -> Vec<&Change> {
+    /// The changes of this class of formulas that these names follow from. Those that are not of one formula are with the
+    /// simple ones.
+    pub(super) fn of(&self, needed: Set, class: Class) -> Vec<&Change> {
         let is_needed = |i: &usize| !self.of_formulas[*i].names.and(needed).is_empty();
         let which: Vec<usize> = (0..self.of_formulas.len()).filter(is_needed).collect();
-        let missing = which.par_iter().filter(|i| self.of_formulas[**i].changes.get().is_none());
+        let of = |i: usize| self.of_formulas[i].changes(class);
+        let missing = which.par_iter().filter(|i| of(**i).get().is_none());
         // No lock is held while other threads are waited for.
-        let made: Vec<_> = missing.map(|&i| (i, FORMULAS.changes_of(&FORMULAS.all[i]))).collect();
+        let made: Vec<_> = missing.map(|&i| (i, FORMULAS.changes_of(&FORMULAS.all[i], class))).collect();
         for (i, changes) in made {
-            self.of_formulas[i].changes.get_or_init(|| changes);
+            of(i).get_or_init(|| changes);
         }
-        let of_formulas = which.into_iter().filter_map(|i| self.of_formulas[i].changes.get());
-        self.others.iter().chain(of_formulas.flatten()).collect()
+        let of_formulas = which.into_iter().filter_map(|i| of(i).get());
+        let others = if class == Class::Simple { &self.others[..] } else { &[] };
+        others.iter().chain(of_formulas.flatten()).collect()
     }
 }
 
@@ -139,12 +155,12 @@ impl Formulas {
     }
 
     /// The changes of a formula in all ways of writing.
-    fn changes_of(&self, formula: &Formula) -> Vec<Change> {
-        (0..WAYS).into_par_iter().flat_map(|way| self.changes_in(formula, way)).collect()
+    fn changes_of(&self, formula: &Formula, class: Class) -> Vec<Change> {
+        (0..WAYS).into_par_iter().flat_map(|way| self.changes_in(formula, way, class)).collect()
     }
 
     /// The changes of a formula that is written in this way, unless an earlier way is the same.
-    fn changes_in(&self, formula: &Formula, way: usize) -> Vec<Change> {
+    fn changes_in(&self, formula: &Formula, way: usize, class: Class) -> Vec<Change> {
         let twin = |way| self.twin_of(formula, way);
         let both = |way| (formula.written(way), twin(way).map(|twin| twin.written(way)));
         let ways: [bool; WAYS] = std::array::from_fn(|other| both(other) == both(way));
@@ -153,7 +169,7 @@ impl Formulas {
         }
         let twin = twin(way).filter(|twin| twin.name > formula.name);
         let rare = u32::from(UNIT_ROWS.contains(&&*self.names.0[formula.name]));
-        let of_twin = twin.map(|twin| edits(twin.written(way), &|name| self.others(name, twin)));
+        let of_twin = twin.map(|twin| edits(twin.written(way), class, &|name| self.others(name, twin)));
         let same: HashMap<_, _> =
             of_twin.iter().flatten().rev().map(|edit| ((edit.what, &*edit.path), edit)).collect();
         let of_edit = |edit: Edit| {
@@ -172,7 +188,7 @@ impl Formulas {
             }
             found
         };
-        let edits = edits(formula.written(way), &|name| self.others(name, formula));
+        let edits = edits(formula.written(way), class, &|name| self.others(name, formula));
         edits.into_par_iter().flat_map_iter(of_edit).collect()
     }
 

@@ -75,15 +75,34 @@ impl What {
     }
 }
 
-/// All changes of a formula. `others` are the names that can be taken for another one by mistake.
-pub(super) fn edits(of: &Tree, others: &dyn Fn(Name) -> Vec<Name>) -> Vec<Edit> {
+/// The errors in the order in which they are looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Class {
+    /// Signs, factors, conditions, terms that are missing.
+    Simple,
+    /// All others: those with something else in the place of a name, which are many.
+    Other,
+}
+
+impl Class {
+    pub(super) const ALL: [Self; 2] = [Self::Simple, Self::Other];
+    /// The largest cost of a simple error.
+    pub(super) const SIMPLE: u32 = 3;
+
+    fn of(cost: u32) -> Self {
+        if cost <= Self::SIMPLE { Self::Simple } else { Self::Other }
+    }
+}
+
+/// All changes of a formula of this class. `others` are the names that can be taken for another one by mistake.
+pub(super) fn edits(of: &Tree, class: Class, others: &dyn Fn(Name) -> Vec<Name>) -> Vec<Edit> {
     let mut names = Vec::new();
     of.each_name(&mut |name| names.push(name));
     let kind = FORMULAS.kind(of);
     names.retain(|name| FORMULAS.kinds[*name] == kind);
     names.sort_unstable();
     names.dedup();
-    let mut edits = Edits { others, names, found: Vec::new() };
+    let mut edits = Edits { class, others, names, found: Vec::new() };
     let whole = Place { path: vec![], is_term: true, term: of, is_whole: true };
     edits.add_of(of, &whole);
     edits.found
@@ -108,6 +127,7 @@ impl Place<'_> {
 }
 
 struct Edits<'a> {
+    class: Class,
     others: &'a dyn Fn(Name) -> Vec<Name>,
     /// The names of the formula that are of its kind.
     names: Vec<Name>,
@@ -121,8 +141,10 @@ fn text(tree: &Tree) -> String {
 impl Edits<'_> {
     fn add_of(&mut self, tree: &Tree, place: &Place) {
         let mut add = |what: What, new: Tree, words: String| {
-            let (path, old) = (place.path.clone(), tree.clone());
-            self.found.push(Edit { path, what, old, new, words, cost: what.cost() });
+            if Class::of(what.cost()) == self.class {
+                let (path, old) = (place.path.clone(), tree.clone());
+                self.found.push(Edit { path, what, old, new, words, cost: what.cost() });
+            }
         };
         // A choice between something and zero is its one term.
         let is_zero = |of: &Tree| of.op == Op::Number(0.0);
@@ -188,7 +210,7 @@ impl Edits<'_> {
                     add(What::Other(name), Tree::name(name), words);
                 }
             }
-            Op::Name(name) => self.add_of_name(*name, tree, place),
+            Op::Name(name) if self.class == Class::Other => self.add_of_name(*name, tree, place),
             Op::Sum(_) => {
                 if let Some(first) = FORMULAS.first_of_difference(tree) {
                     for other in (self.others)(first) {
@@ -203,7 +225,7 @@ impl Edits<'_> {
         self.add_of_branches(tree, place);
     }
 
-    /// What may stand in the place of a name.
+    /// What may stand in the place of a name. These are no simple errors.
     fn add_of_name(&mut self, name: Name, tree: &Tree, place: &Place) {
         let others = (self.others)(name);
         let mut add = |what: What, new: Tree, words: String| {

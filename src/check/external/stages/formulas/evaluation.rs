@@ -28,6 +28,32 @@ impl Formulas {
         values
     }
 
+    /// The same from the values in the first way. Only what may differ from them is evaluated.
+    pub(super) fn values_in(
+        &self,
+        way: usize,
+        first: &[Value],
+        known: &[(Name, Value)],
+        given: &[(Name, Value)],
+        needed: Set,
+    ) -> Vec<Value> {
+        let Relations { uses, differ, .. } = &self.relations[way];
+        let mut values = first.to_vec();
+        let mut others = Set::default();
+        for Step { name, tree, .. } in self.ways[way].iter().filter(|step| needed.has(step.name)) {
+            let is_same = !differ[0].has(*name) && uses[*name].and(others).is_empty();
+            if is_same || given.iter().any(|(of, _)| of == name) {
+                continue;
+            }
+            let value = evaluated(*name, tree, &values[..], known);
+            if value != values[*name] {
+                values[*name] = value;
+                others.add(*name);
+            }
+        }
+        values
+    }
+
     /// Whether it is a derivative, or made of derivatives; the residual is not.
     fn is_differentiated(&self, name: Name) -> bool {
         self.kinds[name].varies != [false; 2] && !self.residual.contains(&name)

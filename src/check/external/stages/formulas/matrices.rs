@@ -2,7 +2,8 @@
 
 use super::list::FORMULAS;
 use super::names::Set;
-use super::point::{Point, points};
+use super::point::numbers;
+use super::values::Value;
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::Reading;
 use crate::check::external::stages::sample::{Along, Sample};
@@ -12,16 +13,17 @@ use crate::number::RunningError;
 fn is_answered(samples: &[Sample], of: &dyn Fn(RunningError, RunningError) -> RunningError) -> bool {
     let list = &*FORMULAS;
     let tangent = list.name("K");
-    let points = points(samples, Set::default());
-    let is_right = |point: &Point| {
-        let inputs = &point.sample.inputs;
-        let Some(answer) = point.among(Set::from_iter([tangent])).next().copied() else { return true };
-        let exchanged = list.exchanged(&inputs.values);
-        let exchanged = list.values(0, &exchanged, &inputs.known, &[], point.needed);
-        let number = of(point.values[0][tangent].number(), exchanged[tangent].number());
-        (number.value - answer.number.value).abs() <= CAREFUL * number.bound + answer.number.bound
+    let needed = list.needed(Set::from_iter([tangent]));
+    let is_right = |sample: &Sample| {
+        let inputs = &sample.inputs;
+        let answer = numbers(sample).into_iter().find(|(output, _)| output.name == tangent);
+        let Some((_, answer)) = answer else { return true };
+        let of_inputs =
+            |values: &[Value]| list.values(0, values, &inputs.known, &[], needed)[tangent].number();
+        let number = of(of_inputs(&inputs.values), of_inputs(&list.exchanged(&inputs.values)));
+        (number.value - answer.value).abs() <= CAREFUL * number.bound + answer.bound
     };
-    !points.is_empty() && points.iter().all(is_right)
+    !samples.is_empty() && samples.iter().all(is_right)
 }
 
 /// What is wrong with the places of the entries.

@@ -1,20 +1,18 @@
 //! Two changes of the list that explain answers together, and a term with a factor of its own.
 
 use super::changes::{CHANGES, Change, FACTORS};
+use super::edits::Class;
 use super::list::FORMULAS;
 use super::names::Set;
-use super::point::{Point, points, probes};
+use super::point::{Point, probes};
 use super::values::Values;
 use crate::check::candidate::CAREFUL;
-use crate::check::external::stages::sample::Sample;
 use crate::number::RunningError;
 use rayon::prelude::*;
 use std::cmp::Reverse;
 
 /// The number of samples at which pairs are tried.
 const PROBES: usize = 8;
-/// The cost of a change that is one of two.
-const SIMPLE: u32 = 3;
 /// The ways of writing in which pairs are looked for.
 const WAYS: [usize; 2] = [0, 2];
 
@@ -24,8 +22,8 @@ const FACTOR: f64 = 1e-6;
 const MISSING: &str = "is missing";
 
 /// A term with a factor, or a pair whose effects on residual or tangent add up to the difference of the answers.
-pub(super) fn found(samples: &[Sample], among: Set, given: Set) -> Vec<Change> {
-    WAYS.into_iter().find_map(|way| of_way(samples, way, among, given)).into_iter().collect()
+pub(super) fn found(points: &[Point], among: Set) -> Vec<Change> {
+    WAYS.into_iter().find_map(|way| of_way(points, way, among)).into_iter().collect()
 }
 
 /// The factor of what is left out in these effects, if it is the same at all samples: the wanted effects are a multiple.
@@ -45,11 +43,11 @@ fn factor(effects: &[RunningError], wanted: &[RunningError]) -> Option<f64> {
     effects.iter().zip(wanted).all(is_multiple).then_some(1.0 - share)
 }
 
-fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Change> {
+fn of_way(points: &[Point], way: usize, among: Set) -> Option<Change> {
     let name = among.names().next()?;
-    let is_valid = |point: &Point| point.among(among).all(|answer| answer.ways[way]);
-    let points: Vec<Point> = points(samples, given).into_iter().filter(is_valid).collect();
-    let probes = probes(&points, among, PROBES);
+    let is_valid = |point: &&Point| point.among(among).all(|answer| answer.ways[way]);
+    let points: Vec<&Point> = points.iter().filter(is_valid).collect();
+    let probes = probes(points.iter().copied(), among, PROBES);
     if probes.len() < 2 {
         return None;
     }
@@ -62,8 +60,8 @@ fn of_way(samples: &[Sample], way: usize, among: Set, given: Set) -> Option<Chan
         Some(answer.number - point.values[way][name].number())
     };
     let wanted_at: Vec<RunningError> = probes.iter().filter_map(|point| wanted(point)).collect();
-    let is_simple = |change: &&Change| change.cost <= SIMPLE && change.ways[way];
-    let simple = CHANGES.of(needed).into_par_iter().filter(is_simple);
+    let is_simple = |change: &&Change| change.cost <= Class::SIMPLE && change.ways[way];
+    let simple = CHANGES.of(needed, Class::Simple).into_par_iter().filter(is_simple);
     let effects: Vec<(&Change, Vec<RunningError>)> = simple
         .map(|change| (change, probes.iter().map(|point| effect(point, change)).collect::<Vec<_>>()))
         .filter(|(_, effects)| effects.iter().all(|of| of.value.is_finite() && of.bound.is_finite()))

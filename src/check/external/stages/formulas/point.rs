@@ -10,8 +10,9 @@ use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;
 use crate::linearization::Quantity;
 use crate::number::RunningError;
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// The rounding of an explanation over the difference that it explains.
 const CLEAR: f64 = 1e-2;
@@ -42,7 +43,7 @@ impl Answer {
 pub(super) struct Point<'a> {
     pub(super) sample: &'a Sample,
     /// The values in each way of writing.
-    pub(super) values: Vec<Vec<Value>>,
+    pub(super) values: Vec<Arc<Vec<Value>>>,
     pub(super) answers: Vec<Answer>,
     /// Values that are answers.
     pub(super) given: Vec<(Name, Value)>,
@@ -108,8 +109,8 @@ pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
     let is_of_geometry = answered.collect::<Set>().without(of_geometry).is_empty();
     let needed = if is_of_geometry { of_geometry } else { (0..FORMULAS.names.0.len()).collect() };
     let same = FORMULAS.same_ways(needed);
-    let mut points: Vec<Point> =
-        samples.iter().zip(numbers).map(|of| point(of, given, (needed, same))).collect();
+    let all = samples.par_iter().zip(numbers);
+    let mut points: Vec<Point> = all.map(|of| point(of, given, (needed, same))).collect();
     let mut sizes = BTreeMap::new();
     for Answer { output, number, .. } in points.iter().flat_map(|point| &point.answers) {
         let size: &mut f64 = sizes.entry(output.name).or_default();
@@ -131,15 +132,15 @@ fn point(
     let inputs = &sample.inputs;
     let fixed = numbers.iter().filter(|(output, _)| given.has(output.name));
     let fixed: Vec<_> = fixed.map(|(output, number)| (output.name, Value::Number(*number))).collect();
-    let values = |given: &[(Name, Value)]| -> Vec<_> {
-        let mut values: Vec<Vec<Value>> = Vec::with_capacity(WAYS);
-        for way in 0..WAYS {
-            let of_way = if same[way] < way {
-                values[same[way]].clone()
+    let values = |given: &[(Name, Value)]| -> Vec<Arc<Vec<Value>>> {
+        let first = Arc::new(list.values(0, &inputs.values, &inputs.known, given, needed));
+        let mut values = vec![first];
+        for way in 1..WAYS {
+            values.push(if same[way] < way {
+                Arc::clone(&values[same[way]])
             } else {
-                list.values(way, &inputs.values, &inputs.known, given, needed)
-            };
-            values.push(of_way);
+                Arc::new(list.values_in(way, &values[0], &inputs.known, given, needed))
+            });
         }
         values
     };
@@ -189,8 +190,12 @@ pub(super) fn numbers(sample: &Sample) -> Vec<(Output, RunningError)> {
 }
 
 /// The clearest samples at which one of these answers is wrong: one of each case in turn.
-pub(super) fn probes<'a>(points: &'a [Point<'a>], among: Set, count: usize) -> Vec<&'a Point<'a>> {
-    let mut wrong: Vec<&Point> = points.iter().filter(|point| point.is_wrong(among)).collect();
+pub(super) fn probes<'a>(
+    points: impl Iterator<Item = &'a Point<'a>>,
+    among: Set,
+    count: usize,
+) -> Vec<&'a Point<'a>> {
+    let mut wrong: Vec<&Point> = points.filter(|point| point.is_wrong(among)).collect();
     wrong.sort_by(|one, other| other.clearness(among).total_cmp(&one.clearness(among)));
     let mut cases = BTreeSet::new();
     wrong.retain(|point| cases.insert(point.sample.case));

@@ -1,5 +1,6 @@
 //! Whether the formulas yield the answers of a program without a change, each result in one way of writing.
 
+use super::inputs::Inputs;
 use super::list::FORMULAS;
 use super::names::{Set, WAYS};
 use super::outputs::Output;
@@ -30,8 +31,7 @@ impl Step {
 
     /// Whether the result is right at a sample in some way of writing.
     fn is_right(&self, sample: &Sample, answers: &[(Output, RunningError)], size: f64) -> bool {
-        self.ways.iter().any(|&way| {
-            let values = values(way, sample, self.needed);
+        values(&self.ways, sample, self.needed).any(|(_, values)| {
             let mut of_name = answers.iter().filter(|(output, _)| output.name == self.name);
             of_name.all(|(output, number)| is_near(*number, output.of(&values[..]), size))
         })
@@ -90,9 +90,18 @@ impl FirstWrong {
     }
 }
 
-fn values(way: usize, sample: &Sample, needed: Set) -> Vec<Value> {
-    let inputs = &sample.inputs;
-    FORMULAS.values(way, &inputs.values, &inputs.known, &[], needed)
+/// The values in each of these ways of writing.
+fn values<'a>(
+    ways: &'a [usize],
+    sample: &'a Sample,
+    needed: Set,
+) -> impl Iterator<Item = (usize, Arc<Vec<Value>>)> + 'a {
+    let Inputs { values, known, .. } = &sample.inputs;
+    let first = Arc::new(FORMULAS.values(0, values, known, &[], needed));
+    ways.iter().map(move |&way| match way {
+        0 => (0, Arc::clone(&first)),
+        way => (way, Arc::new(FORMULAS.values_in(way, &first, known, &[], needed))),
+    })
 }
 
 /// Whether rounding explains the difference, and is small next to a size.
@@ -118,6 +127,7 @@ impl Written {
         is_strict: bool,
     ) -> bool {
         let mut left = self.0.clone();
+        let all: [usize; WAYS] = std::array::from_fn(|way| way);
         let mut sizes: BTreeMap<Name, f64> = BTreeMap::new();
         for (output, number) in samples.iter().flat_map(numbers) {
             let size = sizes.entry(output.name).or_default();
@@ -129,8 +139,7 @@ impl Written {
                 is_closest || !["Dd|d|", "Ddg_N"].contains(&&*FORMULAS.names.0[output.name])
             });
             let needed = FORMULAS.needed(numbers.iter().map(|(output, _)| output.name).collect());
-            for way in 0..WAYS {
-                let values = values(way, sample, needed);
+            for (way, values) in values(&all, sample, needed) {
                 for (output, number) in &numbers {
                     let of = left.entry((*output, sample.held)).or_insert([true; WAYS]);
                     of[way] &= is_near(*number, output.of(&values[..]), sizes[&output.name]);

@@ -1,6 +1,7 @@
 //! The change of the list that explains the answers.
 
 use super::changes::{CHANGES, Change};
+use super::edits::Class;
 use super::evaluation::Changed;
 use super::list::{FORMULAS, WITH_START};
 use super::names::{Set, WAYS};
@@ -60,7 +61,7 @@ pub(in crate::check::external::stages) fn found(
     };
     let mut stages = vec![readings(&explained(&first, all, Set::default(), &|_| true))];
     if stages[0].is_empty() {
-        stages = of_stages(samples, entries, &names);
+        stages = of_stages(samples, entries, &first, &names);
     }
     let mut stages = stages.into_iter();
     traced.causes = stages.next().unwrap_or_default();
@@ -84,6 +85,7 @@ pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Read
 fn of_stages(
     samples: &[Sample],
     entries: &dyn Fn(Along) -> Vec<Sample>,
+    first: &[Point],
     names_of: &(dyn Fn(&[&str]) -> Set + Sync),
 ) -> Vec<Vec<Reading>> {
     let mut given = Set::default();
@@ -91,21 +93,24 @@ fn of_stages(
     let (mut known, mut wrong): (Vec<Change>, Set) = (Vec::new(), Set::default());
     for (place, (stage, _)) in STAGES.iter().enumerate() {
         let names = names_of(stage);
-        let both = [given, Set::default()].map(|given| points(samples, given));
+        let is_given = first.iter().any(|point| point.among(given).next().is_some());
+        let from_given = is_given.then(|| points(samples, given));
+        let both: Vec<&[Point]> = from_given.as_deref().into_iter().chain([first]).collect();
         let is_wrong = both.iter().all(|points| points.iter().any(|point| point.is_wrong(names)));
         let follows = |change: &Change| both.iter().any(|points| yields(change, points, names));
         if is_wrong && !known.iter().any(follows) {
             let before = FORMULAS.needed(wrong);
-            let right = OnceLock::new();
-            let right = || right.get_or_init(|| right_stages(samples, place, names_of));
+            let (from_all, right) = (OnceLock::new(), OnceLock::new());
+            let from_all = || from_all.get_or_init(|| points(samples, given.or(names))).as_slice();
+            let right = || right.get_or_init(|| right_stages([first, from_all()], place, names_of));
             let keeps =
                 |change: &Change| right().iter().all(|(points, names)| yields(change, points, *names));
-            let found = |points: &Vec<Point>| explained(points, names, before, &keeps);
+            let found = |points: &&[Point]| explained(points, names, before, &keeps);
             let found = both.iter().map(found).find(|found| !found.is_empty());
             let of_matrix = || matrices::reading(samples, entries).filter(|_| *stage == ["K"]);
             // Two effects add up where the answer is a sum.
             let is_sum = (*stage == ["R"] || *stage == ["K"]) && wrong.is_empty();
-            let of_two = || if is_sum { readings(&pairs::found(samples, names, given)) } else { Vec::new() };
+            let of_two = || if is_sum { readings(&pairs::found(both[0], names)) } else { Vec::new() };
             stages.push(match &found {
                 Some(found) => readings(found),
                 None => of_matrix().map_or_else(of_two, |reading| vec![reading]),
@@ -118,17 +123,16 @@ fn of_stages(
     stages
 }
 
-/// The other stages whose answers are right, with their samples: of a later stage they follow from the answers of this one.
-/// A change that would spoil them is not the error.
+/// The other stages whose answers are right, with their points. Those of an earlier stage have the formulas' own numbers, those
+/// of a later one follow from the answers of this one. A change that would spoil them is not the error.
 fn right_stages<'a>(
-    samples: &'a [Sample],
+    [own, from_answers]: [&'a [Point<'a>]; 2],
     place: usize,
     names_of: &(dyn Fn(&[&str]) -> Set + Sync),
-) -> Vec<(Vec<Point<'a>>, Set)> {
-    let through = STAGES[..=place].iter().map(|(stage, _)| names_of(stage)).fold(Set::default(), Set::or);
+) -> Vec<(&'a [Point<'a>], Set)> {
     let of_stage = |(i, (stage, _)): (usize, &(&[&str], &str))| {
         let names = names_of(stage);
-        let points = points(samples, if i < place { Set::default() } else { through });
+        let points = if i < place { own } else { from_answers };
         let is_right = i != place && !points.iter().any(|point| point.is_wrong(names));
         is_right.then_some((points, names))
     };
@@ -162,7 +166,7 @@ fn explained(
     before: Set,
     keeps: &(dyn Fn(&Change) -> bool + Sync),
 ) -> Vec<Change> {
-    let probes = probes(points, among, PROBES);
+    let probes = probes(points.iter(), among, PROBES);
     if probes.is_empty() {
         return Vec::new();
     }
@@ -179,8 +183,13 @@ fn explained(
             && change.uses(points[0].needed).without(points[0].needed).is_empty()
             && keeps(change)
     };
-    let tried = CHANGES.of(of_first.needed).into_par_iter();
-    let mut found: Vec<Change> = tried.filter(explains).cloned().collect();
+    let mut found: Vec<Change> = Vec::new();
+    for class in Class::ALL {
+        if !found.iter().any(|change| change.cost <= Class::SIMPLE) {
+            let tried = CHANGES.of(of_first.needed, class).into_par_iter();
+            found.par_extend(tried.filter(explains).cloned());
+        }
+    }
     let least = found.iter().map(|change| change.cost).min();
     found.retain(|change| Some(change.cost) == least);
     // The formula that is next to the answers is meant.

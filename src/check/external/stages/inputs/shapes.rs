@@ -125,7 +125,7 @@ impl Shape {
                 return None;
             }
         }
-        (solved >= 3 && 2 * solved >= tried).then_some(errors)
+        (solved >= 3 && 2 * solved >= tried && !errors.is_empty()).then_some(errors)
     }
 
     /// What is wrong, in words: a polynomial, if the error is one.
@@ -268,5 +268,10 @@ mod tests {
         let shape = Shape { node: 1, order: 2, of: Of::Both, beams: &[0, 1] };
         let [beam, bar] = shape.solved(&first, &here.iter().collect::<Vec<_>>()).unwrap();
         assert!(beam.is_none() && bar.is_some_and(|by| by.abs() < 1e-6), "{beam:?} {bar:?}");
+        // If it has no effect in any case, it explains nothing.
+        let in_case = |case: usize| here.iter().cloned().map(move |sample| Sample { case, ..sample });
+        let cases: Vec<Sample> = (0..3).flat_map(in_case).collect();
+        let of_beam = Shape { beams: &[0], ..shape };
+        assert_eq!(of_beam.errors(&first, &cases, &[0, 1, 2]), None);
     }
 }
