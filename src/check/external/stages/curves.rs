@@ -3,6 +3,8 @@
 //! A program may take the point from the case, find it by an iteration that converges with its curves, or stop before that:
 //! then its last Newton step leads from the point of its vectors to the parameters that it answers.
 
+mod fit;
+
 use super::formulas::{FirstWrong, Written};
 use super::inputs::{Input, Vectors, with_single_derivatives};
 use super::sample::Sample;
@@ -52,16 +54,18 @@ pub(super) fn found(samples: &[Sample]) -> Vec<String> {
     let wrong = FirstWrong::of_cases(samples);
     let cases: BTreeSet<usize> = wrong.iter().map(|of| samples[of.place].case).collect();
     let is_answered = samples.iter().any(|sample| sample.own[Quantity::Xi.component()][0].is_some());
-    let (ways, probes) = if is_answered {
-        (&[Found::StepBefore][..], nearest(samples, wrong))
-    } else {
-        (&[Found::Given, Found::Closest][..], wrong.into_iter().take(PROBES).collect())
+    let has_own_point = is_answered && wrong.iter().any(|of| distance(&samples[of.place]) > 0.0);
+    let (ways, probes) = match (has_own_point, is_answered) {
+        (true, _) => (&[Found::StepBefore][..], nearest(samples, wrong)),
+        (_, true) => (&[Found::Given][..], wrong),
+        _ => (&[Found::Given, Found::Closest][..], wrong),
     };
     let told = |input: &Input, how: Found| {
         let at_probe = |of: &&FirstWrong| Wrong::new(input, &samples[of.place]).has_point(how, of);
         // Most fail at the first.
-        let least = probes.len().div_ceil(2);
-        let is_possible = probes.iter().filter(at_probe).take(least).count() == least;
+        let few = &probes[..probes.len().min(PROBES)];
+        let least = few.len().div_ceil(2);
+        let is_possible = few.iter().filter(at_probe).take(least).count() == least;
         is_possible.then(|| explained(input, how, (samples, &cases))).flatten()
     };
     let inputs = if probes.is_empty() { Vec::new() } else { with_single_derivatives(samples) };
@@ -69,19 +73,23 @@ pub(super) fn found(samples: &[Sample]) -> Vec<String> {
         let more = ways.iter().find_map(|how| told(input, *how))?;
         Some(format!("{}{more}", input.words))
     };
-    inputs.par_iter().filter_map(words).collect()
+    let found: Vec<String> = inputs.par_iter().filter_map(words).collect();
+    if found.is_empty() && !has_own_point { fit::found(samples, &probes, &cases) } else { found }
 }
 
 /// Those of the cases with another point than the right one, and with the nearest: there, the iteration has nearly converged.
 fn nearest(samples: &[Sample], mut wrong: Vec<FirstWrong>) -> Vec<FirstWrong> {
-    let distance = |of: &FirstWrong| {
-        let (sample, exact) = (&samples[of.place], exact(&samples[of.place]));
-        (0..2).map(|i| (sample.xi[i].value - exact[i]).abs()).fold(0.0, f64::max)
-    };
+    let distance = |of: &FirstWrong| distance(&samples[of.place]);
     wrong.retain(|of| distance(of) > 0.0);
     wrong.sort_by(|one, other| distance(one).total_cmp(&distance(other)));
     wrong.truncate(NEAREST);
     wrong
+}
+
+/// How far the point of a program is from the right one.
+fn distance(sample: &Sample) -> f64 {
+    let exact = exact(sample);
+    (0..2).map(|i| (sample.xi[i].value - exact[i]).abs()).fold(0.0, f64::max)
 }
 
 fn exact(sample: &Sample) -> [f64; 2] {
@@ -97,7 +105,7 @@ fn explained(input: &Input, how: Found, (samples, wrong): (&[Sample], &BTreeSet<
         let mut is_right = |xi: &[f64; 2], is_strict: bool| {
             let all: Vec<Sample> =
                 of_case.iter().map(|sample| Wrong::new(input, sample).sample_at(*xi, how)).collect();
-            written.yields(&all, how != Found::StepBefore, is_strict)
+            written.yields(&all, how == Found::Closest, is_strict)
         };
         let mut here = Wrong::new(input, &of_case[0]);
         let points = here.points(how);

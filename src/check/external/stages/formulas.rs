@@ -11,6 +11,7 @@ mod derivative;
 mod edits;
 mod entries;
 mod evaluation;
+mod explained;
 mod friction;
 mod inputs;
 mod list;
@@ -27,6 +28,7 @@ mod right;
 mod search;
 mod tree;
 mod values;
+mod ways;
 mod whole;
 mod words;
 

@@ -13,7 +13,9 @@ use super::sample::Sample;
 use super::terms::Beam;
 use crate::number::RunningError;
 use nalgebra::Vector3;
+pub(super) use polynomials::{Derivative, derivatives};
 use rayon::prelude::*;
+pub(super) use shapes::{error_by_beam, fitted};
 
 /// The vectors of a sample: x, t, t,xi and t,xixi by beam, and the variations by direction, beam and derivative.
 pub(super) type Vectors = ([[Vector3<RunningError>; 4]; 2], [[[Vector3<RunningError>; 3]; 2]; 2]);

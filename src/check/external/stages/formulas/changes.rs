@@ -168,7 +168,8 @@ impl Formulas {
             return Vec::new();
         }
         let twin = twin(way).filter(|twin| twin.name > formula.name);
-        let rare = u32::from(UNIT_ROWS.contains(&&*self.names.0[formula.name]));
+        let mut is_rare = UNIT_ROWS.contains(&&*self.names.0[formula.name]);
+        formula.written(way).each_name(&mut |name| is_rare |= UNIT_ROWS.contains(&&*self.names.0[name]));
         let of_twin = twin.map(|twin| edits(twin.written(way), class, &|name| self.others(name, twin)));
         let same: HashMap<_, _> =
             of_twin.iter().flatten().rev().map(|edit| ((edit.what, &*edit.path), edit)).collect();
@@ -184,7 +185,7 @@ impl Formulas {
             self.add_changes((formula, way), &Arc::new(edit), same, &mut found);
             for change in &mut found {
                 change.ways = ways;
-                change.cost += rare;
+                change.cost += u32::from(is_rare);
             }
             found
         };

@@ -4,7 +4,8 @@ use super::list::{Formula, Formulas};
 use super::tree::{Name, Op, Tree};
 
 /// Names whose derivatives have a name of their own.
-const NAMED: [(&str, &str); 8] = [
+const NAMED: [(&str, &str); 9] = [
+    ("v", "H_v"),
     ("A", "H_A"),
     ("A_bar", "H_A_bar"),
     ("R", "K"),

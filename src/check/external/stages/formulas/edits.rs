@@ -42,6 +42,10 @@ pub(super) enum What {
     /// A condition is always taken to hold, or never.
     Holds(bool),
     NoRoot,
+    /// Another number.
+    Number(u8),
+    /// The form for straight beams, at this place alone.
+    Straight,
     /// Another name.
     Other(Name),
     /// Another name with the opposite sign, as in programs that use the symmetric matrix.
@@ -60,7 +64,7 @@ impl What {
     fn cost(self) -> u32 {
         match self {
             Self::Sign | Self::Missing | Self::Holds(_) => 2,
-            Self::Other(_) => 4,
+            Self::Other(_) | Self::Straight => 4,
             Self::Squared(_)
             | Self::Inverted(_)
             | Self::Axes(_)
@@ -93,6 +97,9 @@ impl Class {
         if cost <= Self::SIMPLE { Self::Simple } else { Self::Other }
     }
 }
+
+/// Numbers that are confused.
+const NUMBERS: [u8; 4] = [2, 3, 4, 6];
 
 /// All changes of a formula of this class. `others` are the names that can be taken for another one by mistake.
 pub(super) fn edits(of: &Tree, class: Class, others: &dyn Fn(Name) -> Vec<Name>) -> Vec<Edit> {
@@ -204,6 +211,12 @@ impl Edits<'_> {
                     format!("the root of {} is left out", text(&tree.of[0])),
                 );
             }
+            Op::Number(number) if *number > 1.0 => {
+                for other in NUMBERS.into_iter().filter(|other| f64::from(*other) != *number) {
+                    let words = format!("{other} stands in the place of {number}{}", place.words(tree));
+                    add(What::Number(other), Tree::number(f64::from(other)), words);
+                }
+            }
             Op::Number(0.0) if place.is_term => {
                 for &name in &self.names {
                     let words = format!("{} stands in the place of 0", FORMULAS.names.0[name]);
@@ -245,6 +258,10 @@ impl Edits<'_> {
         for (what, new) in of_others.into_iter().filter_map(|(what, new)| Some((what, new?))) {
             let words = format!("{} stands in the place of {old}{}", text(&new), place.words(tree));
             add(what, new, words);
+        }
+        if let Some(new) = FORMULAS.straight_form(name) {
+            let words = format!("{} stands in the place of {old}{}", text(&new), place.words(tree));
+            add(What::Straight, new, words);
         }
         for other in FORMULAS.of_opposite_sign(name) {
             let new = Tree::sum(vec![(true, Tree::name(other))]);

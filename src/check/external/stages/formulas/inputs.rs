@@ -133,6 +133,7 @@ impl Inputs {
             self.set("g_0", g_0.into());
             self.set("lambda", lambda.into());
             self.set("lpqp", matches!(parameters.law, Law::Lpqp { .. }).into());
+            self.set("augmented", matches!(parameters.law, Law::Augmented { .. }).into());
             if let Some(slips) = element.history().slips {
                 let before = slips.held;
                 self.set("xi_n", slips.xi.into());
@@ -140,8 +141,8 @@ impl Inputs {
                 self.set("e_n", slips.e.into());
                 self.set("e_bar_n", slips.e_bar.into());
                 self.set("c_n", slips.cosine.into());
-                self.set("held_changes", (held != before).into());
-                self.set("was_free", (!before.xi && !before.xi_bar).into());
+                self.set("was_free_xi", (!before.xi).into());
+                self.set("was_free_xi_bar", (!before.xi_bar).into());
                 self.set("has_slips", true.into());
             }
             let condition = |name: &str, holds: bool| (FORMULAS.name(name), Value::from(holds));

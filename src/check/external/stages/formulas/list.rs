@@ -30,7 +30,7 @@ const NUMBERS: &str = "xi xi_bar xi_0 xi_bar_0 r r_bar xi_n xi_bar_n e_n e_bar_n
      penalty";
 /// Inputs that are conditions.
 const CONDITIONS: &str =
-    "both_free free_xi free_xi_bar has_n has_slips held_changes lpqp paper was_free always";
+    "both_free free_xi free_xi_bar has_n has_slips was_free_xi was_free_xi_bar lpqp augmented paper always";
 
 pub(super) static FORMULAS: LazyLock<Formulas> = LazyLock::new(Formulas::new);
 

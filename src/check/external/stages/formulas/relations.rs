@@ -1,6 +1,6 @@
 //! Formulas that belong to each other: those of both beams, and those of both directions.
 
-use super::list::{Formula, Formulas, Kind};
+use super::list::{Formula, Formulas, Kind, STRAIGHT};
 use super::tree::{Name, Op, Tree};
 use super::values::Value;
 use std::collections::HashMap;
@@ -85,6 +85,13 @@ impl Formulas {
         let others = group.into_iter().flat_map(|group| *group).filter(|other| **other != text);
         let named = others.filter_map(|other| self.names.find(other));
         named.map(|other| if back.is_some() { self.linear[&other] } else { other }).collect()
+    }
+
+    /// An entry of the matrix of eq. (52) as it is for straight beams.
+    pub(super) fn straight_form(&self, name: Name) -> Option<Tree> {
+        let is_entry = ["a", "a_bar"].contains(&&*self.names.0[name]);
+        let formula = self.all.iter().find(|of| is_entry && of.name == name)?;
+        Some(formula.written(STRAIGHT).clone())
     }
 
     /// The difference of both displacements for a variation of one beam, along the same direction.

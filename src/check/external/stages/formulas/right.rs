@@ -81,6 +81,25 @@ impl FirstWrong {
         found
     }
 
+    /// The ways in which a program may have written the first that is wrong.
+    pub(in crate::check::external::stages) fn ways(&self) -> &[usize] {
+        self.steps.last().map_or(&[], |step| &step.ways)
+    }
+
+    /// By how much its answers at a sample differ from the formulas in one of these ways, with these inputs.
+    pub(in crate::check::external::stages) fn differences(
+        &self,
+        way: usize,
+        sample: &Sample,
+        inputs: &Inputs,
+    ) -> Vec<RunningError> {
+        let Some(step) = self.steps.last() else { return Vec::new() };
+        let values = FORMULAS.values(way, &inputs.values, &inputs.known, &[], step.needed);
+        let mut answers = numbers(sample);
+        answers.retain(|(output, _)| output.name == step.name);
+        answers.into_iter().map(|(output, number)| output.of(&values[..]) - number).collect()
+    }
+
     /// Whether all of them are right at a sample.
     pub(in crate::check::external::stages) fn are_right(&self, sample: &Sample) -> bool {
         let answers = numbers(sample);

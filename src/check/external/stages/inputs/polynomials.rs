@@ -1,14 +1,15 @@
 //! Errors of one derivative of a shape function: a term of it, or another shape function in its place.
 
-use super::shapes::{TERMS, WRONG_FACTORS, derivative, factor_words, polynomial};
-use super::{BEAMS, Input, ORDERS, Of, add};
+use super::shapes::{TERMS, WRONG_FACTORS, derivative, error_words, factor_words, polynomial};
+use super::{BEAMS, Input, ORDERS, Of, Vectors, add};
 use crate::check::external::stages::sample::Sample;
 use crate::check::external::stages::terms::Beam;
 
 /// A shape function: the beams that have the error, their name, the place of the function, the order of the derivative, and its
 /// coefficients.
-struct Derivative {
-    beams: (&'static [Beam], &'static str),
+#[derive(Clone, Copy)]
+pub(in crate::check::external::stages) struct Derivative {
+    pub(in crate::check::external::stages) beams: (&'static [Beam], &'static str),
     node: usize,
     order: usize,
     coefficients: [f64; 4],
@@ -17,6 +18,22 @@ struct Derivative {
 impl Derivative {
     fn words(&self) -> String {
         format!("{}shape function {} of {}", ORDERS[self.order], self.node + 1, self.beams.1)
+    }
+
+    /// The vectors of a sample with numbers added to the derivative of each beam.
+    pub(in crate::check::external::stages) fn vectors(&self, sample: &Sample, by: [f64; 2]) -> Vectors {
+        let mut vectors = (sample.geometry, sample.moved);
+        for &beam in self.beams.0 {
+            if let Some(of) = sample.nodes[beam].get(self.node) {
+                add(&mut vectors, (beam, self.order), by[beam], of.vectors, Of::Both);
+            }
+        }
+        vectors
+    }
+
+    /// The derivative with this polynomial added.
+    pub(in crate::check::external::stages) fn with_error(&self, error: [f64; 4]) -> Input {
+        self.plus(&error_words(&self.coefficients, &error), error)
     }
 
     /// The derivative with a polynomial added.
@@ -60,35 +77,44 @@ impl Derivative {
     }
 }
 
-/// Errors of single terms, and of shape functions that are exchanged.
-pub(super) fn inputs(samples: &[Sample]) -> Vec<Input> {
-    let mut all = Vec::new();
-    for beams in BEAMS {
+/// All derivatives of the shape functions, of both beams, of the beam, and of the bar beam.
+pub(in crate::check::external::stages) fn derivatives(samples: &[Sample]) -> Vec<Derivative> {
+    let of_beams = |beams: (&'static [Beam], &'static str)| {
         let nodes = samples.iter().map(|sample| &sample.nodes[beams.0[0]]).max_by_key(|nodes| nodes.len());
         let cubics: Vec<[f64; 4]> =
             nodes.into_iter().flatten().filter_map(|node| node.coefficients).collect();
-        for order in 0..4 {
-            let of = |node: usize| Derivative {
+        (0..4).flat_map(move |order| {
+            let of = move |(node, cubic): (usize, [f64; 4])| Derivative {
                 beams,
                 node,
                 order,
-                coefficients: derivative(&cubics[node], order),
+                coefficients: derivative(&cubic, order),
             };
-            for node in 0..cubics.len() {
-                all.extend(of(node).terms());
-                all.extend(of(node).as_whole());
-                for other in (0..cubics.len()).filter(|other| *other != node) {
-                    let [own, with] = [node, other].map(|node| of(node).coefficients);
-                    let error: [f64; 4] = std::array::from_fn(|i| with[i] - own[i]);
-                    // One term that differs is told as such.
-                    if error.iter().filter(|of| **of != 0.0).count() > 1 {
-                        let words = format!("shape function {} stands in its place", other + 1);
-                        all.push(of(node).plus(&words, error));
-                    }
-                }
-                for other in node + 1..cubics.len() {
-                    all.push(exchanged(&of(node), &of(other)));
-                }
+            cubics.clone().into_iter().enumerate().map(of)
+        })
+    };
+    BEAMS.into_iter().flat_map(of_beams).collect()
+}
+
+/// Errors of single terms, and of shape functions that are exchanged.
+pub(super) fn inputs(samples: &[Sample]) -> Vec<Input> {
+    let mut all = Vec::new();
+    let derivatives = derivatives(samples);
+    for of in &derivatives {
+        all.extend(of.terms());
+        all.extend(of.as_whole());
+        let is_like = |other: &&Derivative| {
+            other.node != of.node && other.order == of.order && other.beams.0 == of.beams.0
+        };
+        for other in derivatives.iter().filter(is_like) {
+            let error: [f64; 4] = std::array::from_fn(|i| other.coefficients[i] - of.coefficients[i]);
+            // One term that differs is told as such.
+            if error.iter().filter(|of| **of != 0.0).count() > 1 {
+                let words = format!("shape function {} stands in its place", other.node + 1);
+                all.push(of.plus(&words, error));
+            }
+            if other.node > of.node {
+                all.push(exchanged(of, other));
             }
         }
     }

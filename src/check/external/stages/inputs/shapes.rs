@@ -62,45 +62,9 @@ impl Shape {
         equations.iter().flat_map(of_equation).collect()
     }
 
-    /// By how much the derivative is wrong at a case, for each beam, if that explains these equations. Nothing for a beam
-    /// whose derivative has no effect there.
+    /// By how much the derivative is wrong at a case, for each beam, if that explains these equations.
     fn solved(&self, equations: &[&Equation], samples: &[&Sample]) -> Option<[Option<f64>; 2]> {
-        let mut by = [0.0; 2];
-        let mut effects = [0.0; 2];
-        let first = self.residuals(equations, samples, by);
-        let weights: Vec<f64> = first.iter().map(|r| 1.0 / (r.value.abs() + 1e3 * r.bound)).collect();
-        let weighted = |by: [f64; 2]| {
-            let residuals = self.residuals(equations, samples, by);
-            DVector::from_iterator(weights.len(), residuals.iter().zip(&weights).map(|(r, w)| r.value * w))
-        };
-        for _ in 0..STEPS {
-            let here = weighted(by);
-            let mut slopes = DMatrix::zeros(here.len(), 2);
-            for &beam in self.beams {
-                let mut next = by;
-                next[beam] += STEP;
-                slopes.set_column(beam, &((weighted(next) - &here) / STEP));
-            }
-            if here.is_empty() || !here.iter().chain(&slopes).all(|number| number.is_finite()) {
-                return None;
-            }
-            effects = [0, 1].map(|beam| slopes.column(beam).amax());
-            let step = slopes.svd(true, true).solve(&here, 1e-9).ok()?;
-            if !step.iter().all(|s| s.is_finite() && s.abs() < 1e3) {
-                return None;
-            }
-            (by[0], by[1]) = (by[0] - step[0], by[1] - step[1]);
-            if (0..2).all(|i| step[i].abs() <= 1e-10 * by[i].abs().max(1e-3)) {
-                break;
-            }
-        }
-        let left = self.residuals(equations, samples, by);
-        let is_small = |(left, first): (&RunningError, &RunningError)| {
-            left.value.abs() <= 4.0 * left.bound + LEFT * first.value.abs()
-        };
-        let has_effect = |beam: Beam| effects[beam] > LEFT * effects[0].max(effects[1]);
-        let by = [0, 1].map(|beam| Some(by[beam]).filter(|_| has_effect(beam)));
-        left.iter().zip(&first).all(is_small).then_some(by)
+        error_by_beam(self.beams, &|by| self.residuals(equations, samples, by))
     }
 
     /// By how much it is wrong at each parameter, if that explains at least half of these cases.
@@ -130,37 +94,88 @@ impl Shape {
 
     /// What is wrong, in words: a polynomial, if the error is one.
     fn words(&self, samples: &[Sample], errors: &[(f64, f64)]) -> Option<String> {
-        // Second and third derivatives are in few products, so that another vector may have the same.
-        let unknown = || (self.order < 2).then(|| "it is wrong".to_owned());
         let node = |sample: &Sample| sample.nodes[self.beams[0]].get(self.node)?.coefficients;
-        let Some(coefficients) = samples.iter().find_map(node) else { return unknown() };
-        let right = derivative(&coefficients, self.order);
-        let count = (errors.len() / 2).clamp(1, 4);
-        let powers =
-            DMatrix::from_fn(errors.len(), count, |i, j| (0..j).fold(1.0, |power, _| power * errors[i].0));
-        let values = DVector::from_fn(errors.len(), |i, _| errors[i].1);
-        if !values.iter().chain(&powers).all(|number| number.is_finite()) {
-            return unknown();
+        let coefficients = samples.iter().find_map(node);
+        let told = coefficients
+            .zip(fitted(errors))
+            .map(|(coefficients, fit)| error_words(&derivative(&coefficients, self.order), &fit));
+        // Second and third derivatives are in few products, so that another vector may have the same.
+        told.or_else(|| (self.order < 2).then(|| "it is wrong".to_owned()))
+    }
+}
+
+/// By how much something is wrong for each of these beams, if that leaves only rounding of the residuals. Nothing for a beam where
+/// it has no effect.
+pub(in crate::check::external::stages) fn error_by_beam(
+    beams: &[Beam],
+    residuals: &dyn Fn([f64; 2]) -> Vec<RunningError>,
+) -> Option<[Option<f64>; 2]> {
+    let mut by = [0.0; 2];
+    let mut effects = [0.0; 2];
+    let first = residuals(by);
+    let weights: Vec<f64> = first.iter().map(|r| 1.0 / (r.value.abs() + 1e3 * r.bound)).collect();
+    let weighted = |by: [f64; 2]| {
+        let residuals = residuals(by);
+        DVector::from_iterator(weights.len(), residuals.iter().zip(&weights).map(|(r, w)| r.value * w))
+    };
+    for _ in 0..STEPS {
+        let here = weighted(by);
+        let mut slopes = DMatrix::zeros(here.len(), 2);
+        for &beam in beams {
+            let mut next = by;
+            next[beam] += STEP;
+            slopes.set_column(beam, &((weighted(next) - &here) / STEP));
         }
-        let Ok(fit) = powers.clone().svd(true, true).solve(&values, 1e-12) else { return unknown() };
-        if (&powers * &fit - &values).amax() > 1e-6 * values.amax() {
-            return unknown();
+        if here.is_empty() || !here.iter().chain(&slopes).all(|number| number.is_finite()) {
+            return None;
         }
-        // Answers with few digits leave a little of each term.
-        let least = (0..count).fold(1e-7_f64, |least, i| least.max(1e-5 * fit[i].abs()));
-        // The error is a multiple of the whole, or of one term.
-        let whole = (0..count).find(|i| right[*i] != 0.0).map(|i| fit[i] / right[i]);
-        if let Some(by) = whole.filter(|by| (0..count).all(|i| (fit[i] - by * right[i]).abs() < least)) {
-            return Some(format!("it {}", factor_words(by)));
+        effects = [0, 1].map(|beam| slopes.column(beam).amax());
+        let step = slopes.svd(true, true).solve(&here, 1e-9).ok()?;
+        if !step.iter().all(|s| s.is_finite() && s.abs() < 1e3) {
+            return None;
         }
-        let wrong: Vec<usize> = (0..count).filter(|i| fit[*i].abs() > least).collect();
-        Some(match wrong[..] {
-            [i] if right[i] != 0.0 => format!("its {} {}", TERMS[i], factor_words(fit[i] / right[i])),
-            _ => {
-                let term = |i: &usize| format!("{:+.4} in its {}", fit[*i], TERMS[*i]);
-                format!("it is wrong by {}", wrong.iter().map(term).collect::<Vec<_>>().join(" and "))
-            }
-        })
+        (by[0], by[1]) = (by[0] - step[0], by[1] - step[1]);
+        if (0..2).all(|i| step[i].abs() <= 1e-10 * by[i].abs().max(1e-3)) {
+            break;
+        }
+    }
+    let is_small = |(left, first): (&RunningError, &RunningError)| {
+        left.value.abs() <= 4.0 * left.bound + LEFT * first.value.abs()
+    };
+    let has_effect = |beam: Beam| effects[beam] > LEFT * effects[0].max(effects[1]);
+    let found = [0, 1].map(|beam| Some(by[beam]).filter(|_| has_effect(beam)));
+    residuals(by).iter().zip(&first).all(is_small).then_some(found)
+}
+
+/// The coefficients of errors at these parameters, if they are a polynomial.
+pub(in crate::check::external::stages) fn fitted(errors: &[(f64, f64)]) -> Option<[f64; 4]> {
+    let count = (errors.len() / 2).clamp(1, 4);
+    let powers =
+        DMatrix::from_fn(errors.len(), count, |i, j| (0..j).fold(1.0, |power, _| power * errors[i].0));
+    let values = DVector::from_fn(errors.len(), |i, _| errors[i].1);
+    if errors.is_empty() || !values.iter().chain(&powers).all(|number| number.is_finite()) {
+        return None;
+    }
+    let fit = powers.clone().svd(true, true).solve(&values, 1e-12).ok()?;
+    let is_polynomial = (&powers * &fit - &values).amax() <= 1e-6 * values.amax();
+    is_polynomial.then(|| std::array::from_fn(|i| fit.get(i).copied().unwrap_or(0.0)))
+}
+
+/// What is wrong with a polynomial by an error: a factor of the whole, or of a term.
+pub(super) fn error_words(right: &[f64; 4], error: &[f64; 4]) -> String {
+    // Answers with few digits leave a little of each term.
+    let least = error.iter().fold(1e-7_f64, |least, of| least.max(1e-5 * of.abs()));
+    let whole = (0..4).find(|i| right[*i] != 0.0).map(|i| error[i] / right[i]);
+    if let Some(by) = whole.filter(|by| (0..4).all(|i| (error[i] - by * right[i]).abs() < least)) {
+        return format!("it {}", factor_words(by));
+    }
+    let wrong: Vec<usize> = (0..4).filter(|i| error[*i].abs() > least).collect();
+    match wrong[..] {
+        [i] if right[i] != 0.0 => format!("its {} {}", TERMS[i], factor_words(error[i] / right[i])),
+        _ => {
+            let term = |i: &usize| format!("{:+.4} in its {}", error[*i], TERMS[*i]);
+            format!("it is wrong by {}", wrong.iter().map(term).collect::<Vec<_>>().join(" and "))
+        }
     }
 }
 

@@ -1,0 +1,56 @@
+//! A derivative of a shape function that is wrong by any polynomial, at the closest point of the case.
+
+use super::Found;
+use crate::check::external::stages::formulas::FirstWrong;
+use crate::check::external::stages::inputs::{Derivative, Input, derivatives, error_by_beam, fitted};
+use crate::check::external::stages::sample::Sample;
+use rayon::prelude::*;
+use std::collections::BTreeSet;
+
+/// The number of cases at which the error is solved for.
+const TRIED: usize = 10;
+/// The number of samples of a case that are used.
+const SAMPLES: usize = 3;
+/// The number of cases that it may leave.
+const LEFT: usize = 3;
+/// The number of errors that must be known.
+const FEWEST: usize = 6;
+
+/// The errors that yield all answers, in words.
+pub(super) fn found(samples: &[Sample], wrong: &[FirstWrong], cases: &BTreeSet<usize>) -> Vec<String> {
+    let told = |of: &Derivative| {
+        let ways = wrong.first()?.ways();
+        let fit = |way: &usize| fitted(&errors(of, *way, samples, wrong)?);
+        let input: Input = of.with_error(ways.iter().find_map(fit)?);
+        let more = super::explained(&input, Found::Given, (samples, cases))?;
+        Some(format!("{}{more}", input.words))
+    };
+    derivatives(samples).par_iter().filter_map(told).collect()
+}
+
+/// By how much it is wrong at the parameters of some cases, if that explains the first wrong result in each of them.
+fn errors(of: &Derivative, way: usize, samples: &[Sample], wrong: &[FirstWrong]) -> Option<Vec<(f64, f64)>> {
+    let (mut errors, mut left) = (Vec::new(), 0);
+    for first in wrong.iter().take(TRIED) {
+        let case = samples[first.place].case;
+        let here: Vec<&Sample> = samples.iter().filter(|sample| sample.case == case).take(SAMPLES).collect();
+        let residuals = |by: [f64; 2]| {
+            let of_sample = |sample: &&Sample| {
+                let mut inputs = sample.inputs.clone();
+                let (geometry, moved) = of.vectors(sample, by);
+                inputs.set_curves(sample.xi, &geometry, &moved);
+                first.differences(way, sample, &inputs)
+            };
+            here.iter().flat_map(of_sample).collect()
+        };
+        let Some(by) = error_by_beam(of.beams.0, &residuals) else {
+            left += 1;
+            if left > LEFT {
+                return None;
+            }
+            continue;
+        };
+        errors.extend(of.beams.0.iter().filter_map(|&beam| Some((here[0].xi[beam].value, by[beam]?))));
+    }
+    (errors.len() >= FEWEST).then_some(errors)
+}

@@ -1,0 +1,102 @@
+//! The changes of the list that explain answers.
+
+use super::changes::{CHANGES, Change};
+use super::edits::Class;
+use super::list::FORMULAS;
+use super::names::Set;
+use super::point::{Point, probes};
+use super::tree::Name;
+use super::ways::Ways;
+use rayon::prelude::*;
+use std::cell::RefCell;
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
+
+/// The number of samples at which all changes are tried.
+const PROBES: usize = 6;
+/// If more changes explain the answers, they do not tell which one is meant.
+const TOLD: usize = 8;
+
+/// Points at which changes are looked for.
+pub(super) struct Searched<'a> {
+    pub(super) points: &'a [Point<'a>],
+    /// The changes that yield the first wrong result at some of them, which are looked for once.
+    possible: RefCell<Vec<(Tried, Vec<&'static Change>)>>,
+}
+
+/// The class of changes, the result, and the addresses of the points.
+type Tried = (Class, Set, Vec<usize>);
+
+impl<'a> Searched<'a> {
+    pub(super) fn new(points: &'a [Point<'a>]) -> Self {
+        Self { points, possible: RefCell::default() }
+    }
+
+    /// The simplest changes that explain these answers.
+    ///
+    /// A program may write each formula in its own way. So each result must be that of the changed formulas in one of the
+    /// ways, which is the same at all samples. The formulas `before` are not changed, and a change `keeps` the answers that are
+    /// right.
+    pub(super) fn explained(
+        &self,
+        among: Set,
+        before: Set,
+        keeps: &(dyn Fn(&Change) -> bool + Sync),
+    ) -> Vec<Change> {
+        let points = self.points;
+        let probes = probes(points.iter(), among, PROBES);
+        if probes.is_empty() {
+            return Vec::new();
+        }
+        let ways = Ways::of(points, among);
+        let explains = |change: &&Change| {
+            (before.is_empty() || change.names().and(before).is_empty())
+                && ways.yield_answers(change, probes.iter().copied().chain(points))
+                // A name without a value is no part of this program.
+                && change.uses(points[0].needed).without(points[0].needed).is_empty()
+                && keeps(change)
+        };
+        let mut found: Vec<Change> = Vec::new();
+        for class in Class::ALL {
+            if !found.iter().any(|change| change.cost <= Class::SIMPLE) {
+                let tried = self.possible(class, among, &probes).into_par_iter();
+                found.par_extend(tried.filter(explains).cloned());
+            }
+        }
+        simplest(found)
+    }
+
+    /// The changes that yield one of the results that are wrong at some points: that which follows from the fewest names.
+    fn possible(&self, class: Class, among: Set, probes: &[&'a Point<'a>]) -> Vec<&'static Change> {
+        let is_wrong = |name: &Name| probes.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
+        let names_before = |name: &Name| FORMULAS.needed(Set::from_iter([*name])).names().count();
+        let first: Set = among.names().filter(is_wrong).min_by_key(names_before).into_iter().collect();
+        let tried = (class, first, probes.iter().map(|point| std::ptr::from_ref(*point).addr()).collect());
+        if let Some((_, known)) = self.possible.borrow().iter().find(|(known, _)| *known == tried) {
+            return known.clone();
+        }
+        let ways = Ways::of(self.points, first);
+        let changes = CHANGES.of(ways.needed, class).into_par_iter();
+        let found: Vec<_> =
+            changes.filter(|change| ways.yield_answers(change, probes.iter().copied())).collect();
+        self.possible.borrow_mut().push((tried, found.clone()));
+        found
+    }
+}
+
+/// The simplest of the changes that explain the same answers.
+fn simplest(mut found: Vec<Change>) -> Vec<Change> {
+    let least = found.iter().map(|change| change.cost).min();
+    found.retain(|change| Some(change.cost) == least);
+    // The formula that is next to the answers is meant.
+    found.sort_by_key(|change| Reverse(change.new.iter().map(|(name, _)| *name).max()));
+    let mut told = BTreeSet::new();
+    found.retain(|change| told.insert(change.words()));
+    // Of many, those of the last formula are as good as the others.
+    if found.len() > TOLD {
+        let last = |change: &Change| change.new.iter().map(|(name, _)| *name).max();
+        let name = last(&found[0]);
+        found.retain(|change| last(change) == name);
+    }
+    if found.len() > TOLD { Vec::new() } else { found }
+}
