@@ -37,6 +37,7 @@ mod shell;
 mod stream;
 mod terminal;
 mod verify;
+mod words;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use exit::Exit;

@@ -16,8 +16,9 @@ mod law;
 mod matrix;
 pub mod multiplier;
 mod parameters;
+mod values;
 
-pub use closed_form::{Contribution, Values};
+pub use closed_form::Contribution;
 pub use decision::{Decision, State};
 pub use element::{Element, Kink, Outcome};
 pub use error::ContactError;
@@ -27,6 +28,7 @@ pub use matrix::BlockMatrix;
 #[cfg(feature = "check")]
 pub(crate) use matrix::contracted;
 pub use parameters::{Parameters, Work};
+pub use values::Values;
 
 #[cfg(test)]
 mod tests;

@@ -27,6 +27,7 @@
 mod arc;
 mod claim;
 mod field;
+mod judgement;
 mod list;
 mod paper;
 mod plain;
@@ -41,8 +42,7 @@ mod verdict;
 mod worked;
 
 pub use arc::Arc;
-pub use claim::Claim;
-pub use record::{Counts, EquationRow, EquationTable, Part, Run, Score};
+pub use record::{Claim, Counts, EquationRow, EquationTable, Part, Run, Score};
 pub use run::{CASES, DRAWS, equation_table};
 pub use source::{Definition, Place, SOURCES, definition, named, places};
 pub use standard::StandardCase;

@@ -3,12 +3,12 @@
 mod diagnosis;
 mod json;
 mod verdict;
+mod verified;
 
 use super::count::count as counted;
-use super::human::error;
 use super::outcome::{Entry, Outcome, Source, State};
 use super::terminal::folded;
-use super::verify::Verified;
+use super::words::{error, name as name_of};
 use beamgap::check::external::{PartFound, Report, is_of_element};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
@@ -16,6 +16,7 @@ pub(super) use diagnosis::{Diagnosed, first_wrong};
 pub(super) use json::json;
 use std::fmt::Write;
 pub(super) use verdict::verdict;
+pub(super) use verified::Verified;
 
 /// The verdict with one entry for each order of each quantity.
 pub(super) fn outcome(verified: &Verified) -> Outcome {
@@ -112,10 +113,6 @@ pub(super) fn human(verified: &Verified) -> String {
     }
     text += &left_out(report);
     text + "\n"
-}
-
-fn name_of(comparison: &beamgap::check::Comparison) -> String {
-    super::human::name(comparison)
 }
 
 /// The cases and answers that were not compared.

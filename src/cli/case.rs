@@ -1,11 +1,11 @@
 //! One case in full: the drawn beams, the closest points, and every compared entry.
 
 use super::case_file;
-use super::human::{error, name};
 use super::json;
 use super::open_regions;
 use super::outcome::Verdict;
 use super::searched;
+use super::words::{error, name};
 use beamgap::check::{
     Arbitration, CaseData, Compared, Comparison, Order, Regime, Searched, Verdict as Found,
 };

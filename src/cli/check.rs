@@ -139,7 +139,7 @@ impl Check {
             checked.write_counts(path)?;
         }
         let shown = checked.shown(self.all)?;
-        outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
+        outputs.write(&shown.outcome, || human::document(&shown), || shown.json())?;
         Ok(shown.outcome.verdict.exit)
     }
 }

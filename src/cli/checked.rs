@@ -2,23 +2,16 @@
 //!
 //! Names and meanings stay; entries may be added. Numbers have all digits. Infinity and NaN are words, such as `"inf"`.
 
+mod json;
 mod shown;
+mod verdict;
 
 use super::arguments::{planting, variant};
-use super::count::count;
-use super::exit::Exit;
-use super::outcome::{Entry, Outcome, Source, State, Verdict};
-use super::terminal::folded;
-use super::{disagreements, searched};
 use anyhow::{Context, ensure};
-use beamgap::check::{
-    Cell, CheckConfig, Counts, Moved, Oracles, Regime, Selection, Shard, Summary, Tally, likely_cause,
-    shrink_mismatches,
-};
+use beamgap::check::{CheckConfig, Counts, Moved, Oracles, Regime, Selection, Shard, Summary};
 use beamgap::report::SEED;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
 use std::path::Path;
 
 pub(super) use shown::Shown;
@@ -104,23 +97,6 @@ impl Checked {
         (asked, asked.saturating_sub(reached))
     }
 
-    /// The verdict on the result.
-    pub(super) fn verdict(&self) -> Verdict {
-        let found = &self.found;
-        let tallies = || found.regimes.values();
-        let left = tallies().map(Tally::left_out).sum();
-        let untrusted = found.mismatches.values().filter_map(|mismatch| mismatch.arbitration);
-        let untrusted = untrusted.filter(|who| who.is_untrusted()).count();
-        let wrong = tallies().map(|tally| tally.mismatches).sum();
-        let verdict = super::check::in_words(found.compared(), wrong, left, untrusted);
-        let mut verdict = verdict.and_search(searched::verdict(self));
-        self.hold_against_record(&mut verdict);
-        if let (asked, missed @ 1..) = self.asked() {
-            let _ = write!(verdict.words, "\nNot reached in time: {missed} of {}.", count(asked, "case"));
-        }
-        verdict
-    }
-
     /// The counts that are not those of the record, if this run is one that the record is for.
     pub(super) fn moved(&self) -> Vec<Moved> {
         let Self { seed, planted, oracle, selection, shard, found, .. } = self;
@@ -134,27 +110,6 @@ impl Checked {
         recorded.map_or_else(Vec::new, |recorded| {
             found.counts.moved(&recorded, &selection.regimes, selection.cases)
         })
-    }
-
-    /// A run that agrees, but does not compare the points of the record, is not trusted.
-    fn hold_against_record(&self, verdict: &mut Verdict) {
-        let moved = self.moved();
-        let Some(first) = moved.first() else { return };
-        let others = match moved.len() - 1 {
-            0 => String::new(),
-            others => format!(" ({} moved too)", count(others, "other count")),
-        };
-        let words = folded(&format!("{first}{others}."), "", "  ")
-            + &format!("\nIf this is intended, write the record anew:\n{}", searched::recording());
-        if verdict.exit == Exit::Agree {
-            let words = format!(
-                "UNTRUSTED: what is compared is not what the record has.\n{words}\n{}",
-                verdict.words
-            );
-            *verdict = Verdict::new(Exit::Untrusted, "untrusted", words);
-        } else {
-            let _ = write!(verdict.words, "\nWhat is compared is not what the record has.\n{words}");
-        }
     }
 
     /// Whether the counts of this run can be the record.
@@ -179,39 +134,6 @@ impl Checked {
     pub(super) fn write_counts(&self, path: &Path) -> anyhow::Result<()> {
         let text = serde_json::to_string_pretty(&self.found.counts)? + "\n";
         std::fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
-    }
-
-    /// The verdict with one entry for each order of each quantity.
-    pub(super) fn outcome(&self) -> Outcome {
-        let entries = self.found.quantities.iter().map(|(&(quantity, order), cell)| {
-            let &Cell { scaled_error, over_tolerance, case, entries } = cell;
-            let state = State::of(entries, u64::from(over_tolerance > 1.0));
-            let numbers = count(entries, "number");
-            let differs = if state == State::Differs { "differs beyond rounding: " } else { "" };
-            let message = format!(
-                "{differs}{numbers}; the largest error is {scaled_error:.1e} of the scale, in case {case}; the largest error / \
-                 tolerance is {over_tolerance:.1e}"
-            );
-            let source = Some(Source::of_formula(order, quantity));
-            Entry { group: order.name().to_owned(), name: quantity.name().to_owned(), state, message, source }
-        });
-        let search = &self.found.search;
-        let search = (search.pairs > 0).then(|| searched::entry(search.pairs, search.differing()));
-        Outcome { command: "check", verdict: self.verdict(), entries: entries.chain(search).collect() }
-    }
-
-    /// Shrinks the first mismatches. `all`: people see all tables even if the run fails.
-    pub(super) fn shown(self, all: bool) -> anyhow::Result<Shown> {
-        let variant = self.config()?.variant;
-        let shrunk = shrink_mismatches(&variant, self.seed, &self.found, SHOWN);
-        let mut outcome = self.outcome();
-        let wrong: Vec<u64> = self.found.mismatches.keys().copied().collect();
-        let is_wrong = outcome.verdict.exit == Exit::Disagree && !wrong.is_empty();
-        let cause = is_wrong.then(|| likely_cause(&variant, self.seed, &wrong)).flatten();
-        if let Some(cause) = &cause {
-            let _ = write!(outcome.verdict.words, "\n{}", disagreements::likely(cause));
-        }
-        Ok(Shown { outcome, checked: self, shrunk, cause, all })
     }
 
     /// Merges the parts of a run, in any order.

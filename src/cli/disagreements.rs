@@ -3,8 +3,8 @@
 use super::case_file;
 use super::checked::{Checked, Shown};
 use super::count;
-use super::human::{error, name, repeat};
 use super::terminal::folded;
+use super::words::{error, name, repeat};
 use beamgap::check::external::{Cause, Explanation};
 use beamgap::check::{
     Case, Comparison, LikelyCause, Mismatch, MismatchKind, Regime, Shrunk, layer, look_at, test_source,

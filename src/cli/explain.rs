@@ -1,12 +1,11 @@
 //! `beamgap explain`: the wrong term in the answers of a program, and how often such explanations are right.
 
-use super::answered::{Diagnosed, head, verdict};
+use super::answered::{Diagnosed, Verified, head, verdict};
 use super::arguments::{seed, work_with};
 use super::exit::Exit;
 use super::outcome::Verdict;
 use super::output::to_stdout;
 use super::stream::source;
-use super::verify::Verified;
 use beamgap::check::external::{AnswerReader, Demands, Matching, VectorReader};
 use beamgap::report;
 use clap::{Args, value_parser};

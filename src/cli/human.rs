@@ -1,12 +1,13 @@
 //! A run as tables for people, 80 columns wide.
 
-use super::arguments::{planted, program};
+use super::arguments::planted;
 use super::checked::{Checked, SHOWN, Shown};
 use super::count::count;
 use super::disagreements;
 use super::exit::Exit;
 use super::searched;
-use beamgap::check::{Cell, Comparison, Differences, Family, Inconclusive, NotCompared, Order, Shard};
+use super::words::error;
+use beamgap::check::{Cell, Differences, Family, Inconclusive, NotCompared, Order, Shard};
 use beamgap::linearization::Quantity;
 use beamgap::report::Table;
 use std::collections::{BTreeMap, BTreeSet};
@@ -198,23 +199,6 @@ fn reasons(checked: &Checked) -> BTreeMap<Inconclusive, NotCompared> {
         (sum.count, sum.first_case) = (sum.count + count, sum.first_case.min(first_case));
     }
     reasons
-}
-
-/// The quantity with its component.
-pub(super) fn name(entry: &Comparison) -> String {
-    entry
-        .axis
-        .map_or_else(|| entry.quantity.name().into(), |axis| format!("{}.{axis}", entry.quantity.name()))
-}
-
-/// The command that repeats one case.
-pub(super) fn repeat(seed: u64, number: u64) -> String {
-    format!("{} check --seed {seed:#x} --case {number}", program())
-}
-
-/// An error with two digits.
-pub(super) fn error(error: f64) -> String {
-    if error == 0.0 { "0".into() } else { format!("{error:.1e}") }
 }
 
 /// The case with the worst error, if there was an error.

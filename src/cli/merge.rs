@@ -38,7 +38,7 @@ impl Merge {
         // Mismatches are shrunk after this, which takes seconds.
         outputs.begin(&human::head(&merged))?;
         let shown = merged.shown(self.all)?;
-        outputs.write(&shown.outcome, || shown.human(), || shown.json())?;
+        outputs.write(&shown.outcome, || human::document(&shown), || shown.json())?;
         Ok(shown.outcome.verdict.exit)
     }
 }

@@ -4,9 +4,9 @@ use super::arguments::program;
 use super::case_file;
 use super::checked::{Checked, SHOWN};
 use super::count::count;
-use super::human::repeat;
 use super::outcome::{Entry, Source, State};
 use super::terminal::folded;
+use super::words::repeat;
 use beamgap::check::{Case, CaseData, SearchFinding, SearchTally, Searched};
 use std::fmt::Write;
 

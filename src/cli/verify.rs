@@ -1,6 +1,6 @@
 //! `beamgap verify`: the answers of a program in any language, from a file or from the program itself.
 
-use super::answered::{self, Diagnosed};
+use super::answered::{self, Diagnosed, Verified};
 use super::arguments::work_with;
 use super::exit::Exit;
 use super::outcome::Verdict;
@@ -67,17 +67,6 @@ pub(crate) struct Verify {
     /// How many threads compare; the result is the same [default: all cores]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-}
-
-/// The result and the request.
-pub(super) struct Verified {
-    pub(super) report: Report,
-    pub(super) demands: Demands,
-    pub(super) command: String,
-    /// The reason for the requested number of digits.
-    pub(super) reason: Option<String>,
-    /// Whether cases and quantities may be left out.
-    pub(super) allow_missing: bool,
 }
 
 impl Verify {

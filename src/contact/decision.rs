@@ -1,9 +1,11 @@
 //! The state of a contact, decided once in `f64`. After that both methods evaluate formulas without a branch.
 
 use super::geometry::{Gap, Trial};
-use super::{ContactError, History, NormalLaw, Parameters, Slips, Start, Values};
+use super::values::Values;
+use super::{ContactError, History, NormalLaw, Parameters, Slips, Start};
 use crate::closest_point::Held;
 use crate::linearization::closed_form::{Formulation, Points};
+use crate::number::Real;
 use crate::pair::Contact;
 
 enumeration! {
@@ -78,7 +80,7 @@ impl<'a, L: NormalLaw> Decision<'a, L> {
             form,
             is_crossed: false,
         };
-        let mut gap = Gap::new(points, &decision);
+        let mut gap = decision.gap(points);
         if let Some(previous) = history.normal {
             let cosine = gap.n.dot(&previous);
             if cosine.abs() < TURNED {
@@ -86,7 +88,7 @@ impl<'a, L: NormalLaw> Decision<'a, L> {
             }
             decision.is_crossed = cosine < 0.0;
             if decision.is_crossed {
-                gap = Gap::new(points, &decision);
+                gap = decision.gap(points);
             }
         }
         let in_range = |name, value: f64, least: f64| {
@@ -149,6 +151,11 @@ impl<'a, L: NormalLaw> Decision<'a, L> {
             is_slipping: self.state == State::Slip,
         };
         History { normal: remembers.then_some(values.normal), slips: (self.state != State::Open).then(slips) }
+    }
+
+    /// The gap at these points.
+    pub(super) fn gap<T: Real>(&self, points: &Points<T>) -> Gap<T> {
+        Gap::new(points, self.form, self.is_crossed, self.contact)
     }
 
     /// r + r_bar.

@@ -1,6 +1,7 @@
 //! The contact element in `f64`: it checks the input, decides the state, and writes residual, tangent and next history.
 
-use super::closed_form::{self, Contribution, Values};
+use super::Values;
+use super::closed_form::{self, Contribution};
 use super::{ContactError, Decision, History, NormalLaw, Parameters, State};
 use crate::closest_point::{ClosestPoint, Degeneracy};
 use crate::curve::{Curve, Geometry};

@@ -1,10 +1,11 @@
 //! The gap and the trial state of friction, from points and tangents.
 
-use super::{Decision, NormalLaw, Start};
+use super::Start;
 use crate::closest_point::Held;
-use crate::linearization::closed_form::Points;
 use crate::linearization::closed_form::formulation::unit_normal;
+use crate::linearization::closed_form::{Formulation, Points};
 use crate::number::Real;
+use crate::pair::Contact;
 use nalgebra::Vector3;
 
 /// The gap.
@@ -17,10 +18,10 @@ pub(super) struct Gap<T> {
 }
 
 impl<T: Real> Gap<T> {
-    pub(super) fn new<L: NormalLaw>(points: &Points<T>, decision: &Decision<'_, L>) -> Self {
-        let side = T::from(if decision.is_crossed { -1.0 } else { 1.0 });
+    pub(super) fn new(points: &Points<T>, form: Formulation, is_crossed: bool, contact: Contact) -> Self {
+        let side = T::from(if is_crossed { -1.0 } else { 1.0 });
         let d = &points.d;
-        let (n, distance) = if let Some(sign) = decision.form.sign() {
+        let (n, distance) = if let Some(sign) = form.sign() {
             let n = unit_normal(&(points.cross() * (T::from(sign) * side)));
             (n, n.dot(d))
         } else {
@@ -28,7 +29,7 @@ impl<T: Real> Gap<T> {
             (d / distance, distance)
         };
         // n = σ d/|d|   d_s = n·d   g_N = d_s − (r + r̄)
-        let radii = T::from(decision.contact.radius) + T::from(decision.contact.radius_bar);
+        let radii = T::from(contact.radius) + T::from(contact.radius_bar);
         Self { n, g_n: distance - radii }
     }
 }

@@ -3,7 +3,8 @@
 //! The unknowns are Q, lambda, p and p_bar. lambda is the normal force; p and p_bar hold the contact point in stick. The
 //! Lagrangian is E - lambda g_N + p (xi - xi_n) + p_bar (xi_bar - xi_bar_n), so the matrix is symmetric unless the beams slip.
 
-use super::closed_form::{self, Contribution, Kinematics, Values, set_sum};
+use super::Values;
+use super::closed_form::{self, Contribution, Kinematics, set_sum};
 use super::{Decision, NormalLaw, State};
 use crate::curve::{DofDerivatives, Jet};
 use crate::linearization::closed_form::Matrices;

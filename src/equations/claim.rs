@@ -1,30 +1,8 @@
 //! The claims of the paper about symmetry, and the results of the runs.
 
-use super::record::{EquationRow, Run};
+use super::record::{Claim, EquationRow, Run};
 use super::table::Reading;
 use super::verdict::Symmetry;
-use serde::{Deserialize, Serialize};
-
-/// A claim about formulas of second order.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Claim {
-    /// The claim.
-    pub says: String,
-    /// The place of the claim in the paper.
-    pub made: String,
-    /// The numbers of formulas that are symmetric for any operands, symmetric by relations between them, and not
-    /// symmetric.
-    pub found: [u64; 3],
-    /// The equations with a formula that is not symmetric.
-    pub broken_by: Vec<u8>,
-}
-
-impl Claim {
-    /// Whether such formulas exist and all are symmetric.
-    pub fn holds(&self) -> bool {
-        self.found[2] == 0 && self.found.iter().sum::<u64>() > 0
-    }
-}
 
 /// The claims, with the results of the runs that they refer to.
 pub(super) fn claims(equations: &[EquationRow]) -> Vec<Claim> {

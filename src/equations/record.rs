@@ -1,7 +1,6 @@
 //! The results for each equation.
 
 use super::arc::Arc;
-use super::claim::Claim;
 use super::source::Place;
 use super::table::{Kind, Order, Reading};
 use super::verdict::Verdict;
@@ -98,6 +97,27 @@ pub struct Counts {
     pub equal: u64,
     /// The number of draws in which they were not equal.
     pub refuted: u64,
+}
+
+/// A claim about formulas of second order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Claim {
+    /// The claim.
+    pub says: String,
+    /// The place of the claim in the paper.
+    pub made: String,
+    /// The numbers of formulas that are symmetric for any operands, symmetric by relations between them, and not
+    /// symmetric.
+    pub found: [u64; 3],
+    /// The equations with a formula that is not symmetric.
+    pub broken_by: Vec<u8>,
+}
+
+impl Claim {
+    /// Whether such formulas exist and all are symmetric.
+    pub fn holds(&self) -> bool {
+        self.found[2] == 0 && self.found.iter().sum::<u64>() > 0
+    }
 }
 
 impl EquationTable {

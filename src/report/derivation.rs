@@ -4,6 +4,7 @@
 
 mod equation;
 mod figures;
+mod inline;
 mod letters;
 mod math;
 mod page;

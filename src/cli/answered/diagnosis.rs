@@ -3,22 +3,21 @@
 mod few_digits;
 mod first_wrong;
 
+use super::verified::Verified;
 use crate::cli::count::count as counted;
-use crate::cli::human::error;
 use crate::cli::terminal::folded;
-use crate::cli::verify::Verified;
+use crate::cli::words::error;
 use beamgap::check::external::{
     self, Cause, Demands, Explanation, FewDigits, OtherConventions, RunnerUp, Shape, few_digits, locate,
     other_conventions,
 };
 use beamgap::variant::with_faults;
 use few_digits::of_few;
-use first_wrong::matrix_name;
+use first_wrong::{ANTISYMMETRIC, matrix_name};
 use std::fmt::Write;
 
 pub(in crate::cli) use first_wrong::first_wrong;
 
-const ANTISYMMETRIC: &str = "The matrix of differences is antisymmetric: a term is transposed.\n";
 const NOT_FINITE: &str = "Cause: the first wrong number is not finite. Look for a division by zero.";
 
 /// The cause of wrong answers.

@@ -1,9 +1,9 @@
 //! The result for the answers of a program, as JSON.
 
 use super::diagnosis::Diagnosed;
+use super::verified::Verified;
 use crate::cli::json;
 use crate::cli::outcome::Verdict;
-use crate::cli::verify::Verified;
 use beamgap::check::external::{Explanation, Location, Place, Report, locate};
 use beamgap::linearization::Quantity;
 use serde::Serialize;

@@ -1,10 +1,10 @@
 //! The verdict on the answers: what is wrong, what is missing, and the share that was compared.
 
+use super::verified::Verified;
 use crate::cli::count::count as counted;
 use crate::cli::exit::Exit;
 use crate::cli::outcome::Verdict;
 use crate::cli::terminal::folded;
-use crate::cli::verify::Verified;
 use beamgap::check::external::{Report, is_of_element};
 
 /// The verdict on the answers.
@@ -183,9 +183,9 @@ fn folded_lines(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::verified::Verified;
     use super::verdict;
     use crate::cli::exit::Exit;
-    use crate::cli::verify::Verified;
     use beamgap::check::external::{Demands, Report, SearchFound};
     use beamgap::check::{SearchFinding, SearchFindingKind};
 

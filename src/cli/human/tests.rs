@@ -1,9 +1,10 @@
 //! Tests: tables fit a terminal, and mismatches can be repeated.
 
-use super::{case_of, error, name};
+use super::{case_of, document, error};
 use crate::cli::arguments::program;
 use crate::cli::checked::{Checked, Oracle, Shown};
 use crate::cli::exit::Exit;
+use crate::cli::words::name;
 use beamgap::check::{
     Case, Cell, CheckConfig, Comparison, Family, Finding, Inconclusive, NotCompared, Order, Regime,
     Selection, Shard, Shrunk, Summary, Tally, Verdict, compare,
@@ -16,7 +17,7 @@ fn shown(found: Summary) -> (Exit, String) {
     let mut checked = Checked::new(u64::MAX, Vec::new(), Oracle::Ad, selection, Shard::WHOLE);
     checked.found = found;
     let shown = Shown { outcome: checked.outcome(), checked, shrunk: Vec::new(), cause: None, all: true };
-    let text = shown.human();
+    let text = document(&shown);
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     (shown.outcome.verdict.exit, text)
 }
@@ -87,7 +88,7 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
     let selection = Selection { regimes: Vec::new(), family: None, cases: 1 };
     let checked = Checked::new(1, Vec::new(), Oracle::All, selection, Shard::WHOLE);
     let mut shown = Shown { outcome: checked.outcome(), checked, shrunk, cause: None, all: true };
-    let text = shown.human();
+    let text = document(&shown);
     assert!(
         text.contains("\n// From case 17: Delta of xi (first) is the first wrong number.\n#[test]\n"),
         "{text}"
@@ -107,7 +108,7 @@ fn a_disagreement_made_small_is_a_test_and_a_command() {
     }
     assert_eq!(told["shrunk"]["beam"]["family"], "segment");
     shown.checked.planted = vec!["a: d.t,xi = dropped".into()];
-    assert!(shown.human().contains(planted));
+    assert!(document(&shown).contains(planted));
 }
 
 #[test]

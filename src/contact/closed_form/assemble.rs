@@ -1,6 +1,7 @@
 //! The sums of residual and tangent, from the forces and the linearized geometry.
 
-use super::{Contribution, Forces, Kinematics};
+use super::contribution::{Contribution, Kinematics};
+use super::forces::Forces;
 use crate::contact::geometry::Trial;
 use crate::contact::{BlockMatrix, Decision, NormalLaw, State, Work};
 use crate::linearization::BlockHessian;

@@ -17,6 +17,7 @@ mod frame;
 mod lanes;
 mod lengths;
 mod parameters;
+mod products;
 mod request;
 mod side;
 mod slips;
@@ -37,7 +38,8 @@ use arithmetic::{Arithmetic, ScalarArithmetic};
 #[cfg(target_arch = "x86_64")]
 use avx2::Avx2Arithmetic;
 use choice::{Best, Choice, Given, points};
-use frame::{Frame, Gradients, Products, along};
+use frame::{Frame, Gradients, along};
+use products::Products;
 use side::{Point, Shapes, Side, Spread, shapes, spread};
 use solution::Solution;
 

@@ -1,8 +1,9 @@
 //! One equation on the page: its statement, its reason, the lines that compute it, its numbers and its verdict.
 
+use super::inline::{escaped, inline};
 use super::letters::used;
 use super::source::{Snippet, of_equation};
-use super::text::{escaped, formula, inline, prose};
+use super::text::{formula, prose};
 use crate::equations::{
     Definition, EquationRow, Order, Reading, Symmetry, Verdict, Worked, WorkedPart, WorkedReading, definition,
 };

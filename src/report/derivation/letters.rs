@@ -1,7 +1,7 @@
 //! The letters of the page, each explained once.
 
+use super::inline::inline;
 use super::math::{mathml, parsed, with_macros};
-use super::text::inline;
 use pulldown_latex::Storage;
 use pulldown_latex::event::{Content, Event, Font, ScriptPosition, ScriptType, StateChange, Visual};
 

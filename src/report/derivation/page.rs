@@ -2,10 +2,11 @@
 
 use super::equation::{Note, card};
 use super::figures::{Axis, Plot, Series, before_and_after, blocks, two_lines, varied_pair};
+use super::inline::{escaped, inline};
 use super::record::Derivation;
 use super::source::marked;
 use super::tables::tangent;
-use super::text::{escaped, html, inline, sections};
+use super::text::{html, sections};
 use crate::check;
 use crate::equations::{EquationTable, Verdict};
 use crate::report::{Accuracy, ReportError};

@@ -1,8 +1,8 @@
 //! The tables of the letters: those that formulas link to, and the others.
 
+use super::inline::inline;
 use super::letters::{Symbol, all};
 use super::math::mathml;
-use super::text::inline;
 use std::fmt::Write;
 
 /// The table of the letters that formulas link to.

@@ -1,10 +1,10 @@
 //! The tables of the page, and the self-checks, which have their own tables.
 
 use super::equation::number;
+use super::inline::{escaped, inline};
 use super::math::mathml;
 use super::record::Derivation;
 use super::symbols;
-use super::text::{escaped, inline};
 use std::fmt::Write;
 
 impl Derivation {

@@ -1,8 +1,8 @@
 //! The markup of the prose: paragraphs, headings, lists, formulas, and commands that the page executes.
 
+use super::inline::{inline, line};
 use super::letters::{Symbol, of_letter, used};
 use super::math::mathml;
-use std::fmt::Write;
 
 /// The HTML of a text. `carry_out` returns the HTML for a line that begins with `@`.
 ///
@@ -58,76 +58,9 @@ pub(super) fn sections(text: &str) -> Vec<(&str, &str)> {
     text.lines().filter_map(|line| line.strip_prefix("## ")?.split_once(" | ")).collect()
 }
 
-/// A line of text with `$formulas$`, `**strong**`, `` `code` `` and numbers of equations. The numbers become links.
-pub(super) fn inline(text: &str) -> Result<String, String> {
-    line(text, false)
-}
-
-/// The same, with links from single letters to their explanation.
+/// A line of text as of [`inline`], with links from single letters to their explanation.
 pub(super) fn prose(text: &str) -> Result<String, String> {
-    line(text, true)
-}
-
-fn line(text: &str, with_letters: bool) -> Result<String, String> {
-    let mut out = String::new();
-    for (i, part) in text.split('$').enumerate() {
-        if i % 2 == 1 {
-            let math = mathml(part, false)?;
-            match of_letter(part)?.filter(|_| with_letters) {
-                // Screen readers do not read the formula of a link.
-                Some(Symbol { id, name, .. }) => {
-                    let _ = write!(out, "<a class=\"letter\" title=\"{name}\" href=\"#sym-{id}\">{math}</a>");
-                }
-                None => out += &math,
-            }
-            continue;
-        }
-        for (i, part) in part.split('`').enumerate() {
-            if i % 2 == 1 {
-                let _ = write!(out, "<code>{}</code>", escaped(part));
-                continue;
-            }
-            for (i, part) in part.split("**").enumerate() {
-                let linked = links(&escaped(part));
-                let mark = if i % 2 == 1 { ["<strong>", "</strong>"] } else { ["", ""] };
-                out.extend([mark[0], &linked, mark[1]]);
-            }
-        }
-    }
-    if text.matches('$').count() % 2 == 1 {
-        return Err(format!("a $ is missing in {text:?}"));
-    }
-    Ok(out)
-}
-
-/// `(40)` as a link to the equation, `[words](#id)` as a link.
-fn links(text: &str) -> String {
-    let mut out = String::new();
-    let mut rest = text;
-    while let Some(at) = rest.find(['(', '[']) {
-        out.push_str(&rest[..at]);
-        rest = &rest[at..];
-        let number = rest.strip_prefix('(').and_then(|rest| rest.split_once(')'));
-        let number = number.filter(|(n, _)| n.parse::<u8>().is_ok_and(|n| (1..=59).contains(&n)));
-        let words = rest.strip_prefix('[').and_then(|rest| rest.split_once("]("));
-        if let Some((number, after)) = number {
-            let _ = write!(out, "<a href=\"#eq-{number}\">({number})</a>");
-            rest = after;
-        } else if let Some((words, (target, after))) =
-            words.and_then(|(words, rest)| Some((words, rest.split_once(')')?)))
-        {
-            let _ = write!(out, "<a href=\"{target}\">{words}</a>");
-            rest = after;
-        } else {
-            out.push_str(&rest[..1]);
-            rest = &rest[1..];
-        }
-    }
-    out + rest
-}
-
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    line(text, &|formula| Ok(of_letter(formula)?.map(|Symbol { id, name, .. }| [id, name])))
 }
 
 #[cfg(test)]

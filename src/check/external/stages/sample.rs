@@ -1,5 +1,6 @@
 //! A case along a pair of directions: the vectors of both beams, the numbers of the program and the exact ones.
 
+mod cubic;
 mod numbers;
 mod shapes;
 

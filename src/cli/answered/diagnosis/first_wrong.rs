@@ -1,16 +1,16 @@
 //! The first wrong number in words, and where to look.
 
-use super::ANTISYMMETRIC;
-use crate::cli::answered::name_of;
+use crate::cli::answered::verified::Verified;
 use crate::cli::count::count as counted;
-use crate::cli::human::error;
 use crate::cli::terminal::folded;
-use crate::cli::verify::Verified;
+use crate::cli::words::{error, name as name_of};
 use beamgap::check::external::{Judged, Location, is_of_element, locate};
 use beamgap::check::{Comparison, Order, look_at};
 use beamgap::contact::State;
 use beamgap::linearization::Quantity;
 use std::fmt::Write;
+
+pub(super) const ANTISYMMETRIC: &str = "The matrix of differences is antisymmetric: a term is transposed.\n";
 
 /// The first wrong number, and where to look.
 pub(in crate::cli) fn first_wrong(verified: &Verified) -> String {

@@ -1,7 +1,7 @@
 //! The choice of the formulation at a point, and its results.
 
 use super::arithmetic::Arithmetic;
-use super::frame::Products;
+use super::products::Products;
 use super::side::Point;
 use super::solution::Solution;
 use crate::closest_point::Held;

@@ -4,8 +4,9 @@
 //! variations are computed first. The row of a dof is a sum of them.
 
 use super::arithmetic::{Arithmetic, Dofs};
-use super::frame::{Frame, Gradients, Products};
+use super::frame::{Frame, Gradients};
 use super::lengths::write_length;
+use super::products::Products;
 use super::side::{Side, Spread};
 use super::solution::Solution;
 use super::target::{Swapped, Target};

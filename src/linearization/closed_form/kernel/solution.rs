@@ -1,7 +1,7 @@
 //! The results that depend on the formulation: the first variations of the parameters, and the distance.
 
 use super::arithmetic::{Arithmetic, ScalarArithmetic, by_axis};
-use super::frame::Products;
+use super::products::Products;
 use super::side::Point;
 use crate::linearization::closed_form::formulation::System;
 use crate::linearization::closed_form::{Formulation, Points, Projection};
