@@ -55,26 +55,32 @@ pub(super) fn found(samples: &[Sample]) -> Vec<String> {
     let cases: BTreeSet<usize> = wrong.iter().map(|of| samples[of.place].case).collect();
     let is_answered = samples.iter().any(|sample| sample.own[Quantity::Xi.component()][0].is_some());
     let has_own_point = is_answered && wrong.iter().any(|of| distance(&samples[of.place]) > 0.0);
-    let (ways, probes) = match (has_own_point, is_answered) {
-        (true, _) => (&[Found::StepBefore][..], nearest(samples, wrong)),
-        (_, true) => (&[Found::Given][..], wrong),
-        _ => (&[Found::Given, Found::Closest][..], wrong),
-    };
+    let probes = if has_own_point { nearest(samples, wrong) } else { wrong };
+    if probes.is_empty() {
+        return Vec::new();
+    }
+    let few = &probes[..probes.len().min(PROBES)];
     let told = |input: &Input, how: Found| {
-        let at_probe = |of: &&FirstWrong| Wrong::new(input, &samples[of.place]).has_point(how, of);
-        // Most fail at the first.
-        let few = &probes[..probes.len().min(PROBES)];
-        let least = few.len().div_ceil(2);
-        let is_possible = few.iter().filter(at_probe).take(least).count() == least;
+        let mut left = 0;
+        // Most fail at the first ones. An iteration with wrong curves may end anywhere.
+        let may_be_left = if how == Found::StepBefore { few.len() / 2 } else { few.len() / 4 };
+        let is_possible = few.iter().all(|of| {
+            left += usize::from(!Wrong::new(input, &samples[of.place]).has_point(how, of));
+            left <= may_be_left
+        });
         is_possible.then(|| explained(input, how, (samples, &cases))).flatten()
     };
-    let inputs = if probes.is_empty() { Vec::new() } else { with_single_derivatives(samples) };
-    let words = |input: &Input| {
-        let more = ways.iter().find_map(|how| told(input, *how))?;
-        Some(format!("{}{more}", input.words))
+    let inputs = with_single_derivatives(samples);
+    let found = |how: Found| -> Vec<String> {
+        let words = |input: &Input| Some(format!("{}{}", input.words, told(input, how)?));
+        inputs.par_iter().filter_map(words).collect()
     };
-    let found: Vec<String> = inputs.par_iter().filter_map(words).collect();
-    if found.is_empty() && !has_own_point { fit::found(samples, &probes, &cases) } else { found }
+    if has_own_point {
+        return found(Found::StepBefore);
+    }
+    let given = found(Found::Given);
+    let given = if given.is_empty() { fit::found(samples, &probes, &cases) } else { given };
+    if given.is_empty() && !is_answered { found(Found::Closest) } else { given }
 }
 
 /// Those of the cases with another point than the right one, and with the nearest: there, the iteration has nearly converged.

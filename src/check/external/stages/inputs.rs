@@ -15,7 +15,7 @@ use crate::number::RunningError;
 use nalgebra::Vector3;
 pub(super) use polynomials::{Derivative, derivatives};
 use rayon::prelude::*;
-pub(super) use shapes::{error_by_beam, fitted};
+pub(super) use shapes::error_by_beam;
 
 /// The vectors of a sample: x, t, t,xi and t,xixi by beam, and the variations by direction, beam and derivative.
 pub(super) type Vectors = ([[Vector3<RunningError>; 4]; 2], [[[Vector3<RunningError>; 3]; 2]; 2]);

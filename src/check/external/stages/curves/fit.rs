@@ -2,7 +2,7 @@
 
 use super::Found;
 use crate::check::external::stages::formulas::FirstWrong;
-use crate::check::external::stages::inputs::{Derivative, Input, derivatives, error_by_beam, fitted};
+use crate::check::external::stages::inputs::{Derivative, derivatives, error_by_beam};
 use crate::check::external::stages::sample::Sample;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -14,18 +14,18 @@ const SAMPLES: usize = 3;
 /// The number of cases that it may leave.
 const LEFT: usize = 3;
 /// The number of errors that must be known.
-const FEWEST: usize = 6;
+const FEWEST: usize = 3;
 
 /// The errors that yield all answers, in words.
 pub(super) fn found(samples: &[Sample], wrong: &[FirstWrong], cases: &BTreeSet<usize>) -> Vec<String> {
+    let all = derivatives(samples);
     let told = |of: &Derivative| {
-        let ways = wrong.first()?.ways();
-        let fit = |way: &usize| fitted(&errors(of, *way, samples, wrong)?);
-        let input: Input = of.with_error(ways.iter().find_map(fit)?);
+        let in_way = |way: &usize| of.with_errors(&errors(of, *way, samples, wrong)?, &all);
+        let input = wrong.first()?.ways().iter().find_map(in_way)?;
         let more = super::explained(&input, Found::Given, (samples, cases))?;
         Some(format!("{}{more}", input.words))
     };
-    derivatives(samples).par_iter().filter_map(told).collect()
+    all.par_iter().filter_map(told).collect()
 }
 
 /// By how much it is wrong at the parameters of some cases, if that explains the first wrong result in each of them.

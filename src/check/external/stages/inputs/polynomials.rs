@@ -1,9 +1,12 @@
 //! Errors of one derivative of a shape function: a term of it, or another shape function in its place.
 
-use super::shapes::{TERMS, WRONG_FACTORS, derivative, error_words, factor_words, polynomial};
+use super::shapes::{TERMS, WRONG_FACTORS, derivative, error_words, factor_words, fitted, polynomial};
 use super::{BEAMS, Input, ORDERS, Of, Vectors, add};
 use crate::check::external::stages::sample::Sample;
 use crate::check::external::stages::terms::Beam;
+
+/// How near values are to a known error, over the largest.
+const SAME: f64 = 1e-6;
 
 /// A shape function: the beams that have the error, their name, the place of the function, the order of the derivative, and its
 /// coefficients.
@@ -31,9 +34,23 @@ impl Derivative {
         vectors
     }
 
-    /// The derivative with this polynomial added.
-    pub(in crate::check::external::stages) fn with_error(&self, error: [f64; 4]) -> Input {
-        self.plus(&error_words(&self.coefficients, &error), error)
+    /// The error that has these values at these parameters, if there is one: a known one, or a polynomial. `all` are the
+    /// derivatives that it may be confused with.
+    pub(in crate::check::external::stages) fn with_errors(
+        &self,
+        values: &[(f64, f64)],
+        all: &[Self],
+    ) -> Option<Input> {
+        let size = values.iter().fold(0.0_f64, |size, (_, value)| size.max(value.abs()));
+        let is_same = |known: &[f64; 4]| {
+            values.iter().all(|(xi, value)| (polynomial(known, 0, *xi) - value).abs() <= SAME * size)
+        };
+        let known = self.errors(all).into_iter().find(|(_, known)| is_same(known));
+        let (words, error) = known.or_else(|| {
+            let error = fitted(values)?;
+            Some((error_words(&self.coefficients, &error), error))
+        })?;
+        Some(self.plus(&words, error))
     }
 
     /// The derivative with a polynomial added.
@@ -49,31 +66,42 @@ impl Derivative {
         })
     }
 
-    /// All of it with another factor, if it has several terms.
-    fn as_whole(&self) -> impl Iterator<Item = Input> {
-        let terms = self.coefficients.iter().filter(|of| **of != 0.0).count();
-        let factors = WRONG_FACTORS.into_iter().filter(move |_| terms > 1).map(|factor| factor - 1.0);
-        factors.map(|by| self.plus(&format!("it {}", factor_words(by)), self.coefficients.map(|of| by * of)))
-    }
-
-    /// A term with another factor, or another power.
-    fn terms(&self) -> impl Iterator<Item = Input> {
-        let terms = self.coefficients.into_iter().enumerate().filter(|(_, coefficient)| *coefficient != 0.0);
-        terms.flat_map(move |(power, coefficient)| {
-            let alone = move |power: usize, by: f64| -> [f64; 4] {
+    /// Its errors, in words: a term with another factor or another power, all of it with another factor, another shape function in
+    /// its place.
+    fn errors(&self, all: &[Self]) -> Vec<(String, [f64; 4])> {
+        let own = self.coefficients;
+        let mut errors = Vec::new();
+        for (power, coefficient) in own.into_iter().enumerate().filter(|(_, of)| *of != 0.0) {
+            let alone = |power: usize, by: f64| -> [f64; 4] {
                 std::array::from_fn(|i| if i == power { by * coefficient } else { 0.0 })
             };
-            let factors = WRONG_FACTORS.map(|factor| {
-                let words = format!("its {} {}", TERMS[power], factor_words(factor - 1.0));
-                self.plus(&words, alone(power, factor - 1.0))
-            });
-            let powers = (0..4).filter(move |other| *other != power).map(move |other| {
-                let words = format!("its {} is a {}", TERMS[power], TERMS[other]);
+            for by in WRONG_FACTORS.map(|factor| factor - 1.0) {
+                errors.push((format!("its {} {}", TERMS[power], factor_words(by)), alone(power, by)));
+            }
+            for other in (0..4).filter(|other| *other != power) {
                 let [old, new] = [alone(power, -1.0), alone(other, 1.0)];
-                self.plus(&words, std::array::from_fn(|i| old[i] + new[i]))
-            });
-            factors.into_iter().chain(powers)
-        })
+                let words = format!("its {} is a {}", TERMS[power], TERMS[other]);
+                errors.push((words, std::array::from_fn(|i| old[i] + new[i])));
+            }
+        }
+        let count = |of: &[f64; 4]| of.iter().filter(|of| **of != 0.0).count();
+        if count(&own) > 1 {
+            let whole = |by: f64| (format!("it {}", factor_words(by)), own.map(|of| by * of));
+            errors.extend(WRONG_FACTORS.map(|factor| whole(factor - 1.0)));
+        }
+        for other in all.iter().filter(|other| self.is_like(other)) {
+            let error: [f64; 4] = std::array::from_fn(|i| other.coefficients[i] - own[i]);
+            // One term that differs is told as such.
+            if count(&error) > 1 {
+                errors.push((format!("shape function {} stands in its place", other.node + 1), error));
+            }
+        }
+        errors
+    }
+
+    /// Whether the other is the same derivative of another shape function.
+    fn is_like(&self, other: &Self) -> bool {
+        other.node != self.node && other.order == self.order && other.beams.0 == self.beams.0
     }
 }
 
@@ -96,29 +124,15 @@ pub(in crate::check::external::stages) fn derivatives(samples: &[Sample]) -> Vec
     BEAMS.into_iter().flat_map(of_beams).collect()
 }
 
-/// Errors of single terms, and of shape functions that are exchanged.
+/// Errors of single derivatives, and of pairs that are exchanged.
 pub(super) fn inputs(samples: &[Sample]) -> Vec<Input> {
-    let mut all = Vec::new();
-    let derivatives = derivatives(samples);
-    for of in &derivatives {
-        all.extend(of.terms());
-        all.extend(of.as_whole());
-        let is_like = |other: &&Derivative| {
-            other.node != of.node && other.order == of.order && other.beams.0 == of.beams.0
-        };
-        for other in derivatives.iter().filter(is_like) {
-            let error: [f64; 4] = std::array::from_fn(|i| other.coefficients[i] - of.coefficients[i]);
-            // One term that differs is told as such.
-            if error.iter().filter(|of| **of != 0.0).count() > 1 {
-                let words = format!("shape function {} stands in its place", other.node + 1);
-                all.push(of.plus(&words, error));
-            }
-            if other.node > of.node {
-                all.push(exchanged(of, other));
-            }
-        }
-    }
-    all
+    let all = derivatives(samples);
+    let of_one = |of: &Derivative| -> Vec<Input> {
+        let errors = of.errors(&all).into_iter().map(|(words, error)| of.plus(&words, error));
+        let later = all.iter().filter(|other| of.is_like(other) && other.node > of.node);
+        errors.chain(later.map(|other| exchanged(of, other))).collect()
+    };
+    all.iter().flat_map(of_one).collect()
 }
 
 /// Both stand in the place of each other.

@@ -148,7 +148,7 @@ pub(in crate::check::external::stages) fn error_by_beam(
 }
 
 /// The coefficients of errors at these parameters, if they are a polynomial.
-pub(in crate::check::external::stages) fn fitted(errors: &[(f64, f64)]) -> Option<[f64; 4]> {
+pub(super) fn fitted(errors: &[(f64, f64)]) -> Option<[f64; 4]> {
     let count = (errors.len() / 2).clamp(1, 4);
     let powers =
         DMatrix::from_fn(errors.len(), count, |i, j| (0..j).fold(1.0, |power, _| power * errors[i].0));

@@ -9,9 +9,8 @@ use crate::check::external::stages::formulas::search::{found, of_all};
 use crate::check::external::stages::sample::Sample;
 use crate::test_beam::Family;
 
-/// Errors of programs with unit rows for held parameters, or that differentiate the quotients (52), the system (51), or the
-/// normal. Samples at which rounding hides
-/// them, or for which the way of writing is not valid, are left out.
+/// Errors of programs with unit rows for held parameters, or that differentiate the quotients (52), the system (51), the normal,
+/// or the residual. Samples at which rounding hides them, or for which the way of writing is not valid, are left out.
 #[test]
 fn errors_in_other_ways_of_writing_are_told() {
     let samples: Vec<Sample> = right_answers(&[Family::Hermite]);
@@ -29,6 +28,13 @@ fn errors_in_other_ways_of_writing_are_told() {
         (8, false, "in Ddxi, eq. (59), the term Da_bar_all dp is missing"),
         (6, false, "in Ddp_bar, eq. (55), the term Da_bar_all dxi_bar has the wrong sign"),
         (4, false, "in Ddp, eq. (55), the term t.t_bar,xi dxi_bar Dxi_bar is missing"),
+        (7, false, "in Ddg_T, eq. (21), the term xi_0 has the wrong sign"),
+        (6, true, "in v the term t_bar dxi_bar has the wrong sign"),
+        (6, true, "in H_v the term t Ddxi is missing"),
+        (6, true, "in dn gap stands in the place of d_s"),
+        (6, true, "in dd, eq. (32), the term dx_bar is missing"),
+        (9, true, "in h12 -b is taken whatever both_free is"),
+        (9, true, "in H_v the term slip d|t| Dtau is missing"),
         (9, true, "in dnormal the term cross(t, dt_bar) has the wrong sign"),
         (9, true, "in dn the term n n.(side dnormal) is missing"),
         (9, true, "in Ddp_bar, eq. (55), t stands in the place of t_bar in t_bar.Ddx"),
