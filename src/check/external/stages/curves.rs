@@ -68,7 +68,7 @@ pub(super) fn found(samples: &[Sample]) -> Vec<String> {
             left += usize::from(!Wrong::new(input, &samples[of.place]).has_point(how, of));
             left <= may_be_left
         });
-        is_possible.then(|| explained(input, how, (samples, &cases))).flatten()
+        is_possible.then(|| explained(input, (how, true), (samples, &cases))).flatten()
     };
     let inputs = with_single_derivatives(samples);
     let found = |how: Found| -> Vec<String> {
@@ -104,14 +104,18 @@ fn exact(sample: &Sample) -> [f64; 2] {
 
 /// If the error yields the answers, what is said beside it. An iteration with wrong curves may end anywhere, and rounding may hide
 /// what is wrong, so half of the wrong cases are enough. Right answers must be right with the error, too.
-fn explained(input: &Input, how: Found, (samples, wrong): (&[Sample], &BTreeSet<usize>)) -> Option<String> {
+fn explained(
+    input: &Input,
+    (how, with_tangent): (Found, bool),
+    (samples, wrong): (&[Sample], &BTreeSet<usize>),
+) -> Option<String> {
     let mut written = Written::default();
     let (mut explained, mut left, mut has_converged) = (0, 0, true);
     for of_case in samples.chunk_by(|one, other| one.case == other.case) {
         let mut is_right = |xi: &[f64; 2], is_strict: bool| {
             let all: Vec<Sample> =
                 of_case.iter().map(|sample| Wrong::new(input, sample).sample_at(*xi, how)).collect();
-            written.yields(&all, how == Found::Closest, is_strict)
+            written.yields(&all, (how == Found::Closest, with_tangent), is_strict)
         };
         let mut here = Wrong::new(input, &of_case[0]);
         let points = here.points(how);

@@ -6,6 +6,7 @@
 //! yields all of them, to rounding. A program may write each formula in its own way, so the list has several.
 
 mod axes;
+mod change;
 mod changes;
 mod derivative;
 mod edits;
@@ -14,6 +15,7 @@ mod evaluation;
 mod explained;
 mod friction;
 mod inputs;
+mod kinds;
 mod list;
 mod matrices;
 mod names;

@@ -8,13 +8,16 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// The number of cases at which the error is solved for.
-const TRIED: usize = 10;
+const TRIED: usize = 16;
 /// The number of samples of a case that are used.
 const SAMPLES: usize = 3;
-/// The number of cases that it may leave.
-const LEFT: usize = 3;
+/// The number of cases that it may leave, more than it explains.
+const LEFT: usize = 2;
 /// The number of errors that must be known.
 const FEWEST: usize = 3;
+
+/// Said if the tangent is left out.
+const WITHOUT_TANGENT: &str = "; what follows for the tangent was not looked at";
 
 /// The errors that yield all answers, in words.
 pub(super) fn found(samples: &[Sample], wrong: &[FirstWrong], cases: &BTreeSet<usize>) -> Vec<String> {
@@ -22,7 +25,11 @@ pub(super) fn found(samples: &[Sample], wrong: &[FirstWrong], cases: &BTreeSet<u
     let told = |of: &Derivative| {
         let in_way = |way: &usize| of.with_errors(&errors(of, *way, samples, wrong)?, &all);
         let input = wrong.first()?.ways().iter().find_map(in_way)?;
-        let more = super::explained(&input, Found::Given, (samples, cases))?;
+        let explained =
+            |with_tangent| super::explained(&input, (Found::Given, with_tangent), (samples, cases));
+        // A program may have its own form of the tangent, which is the same at closest points alone.
+        let without = || explained(false).filter(|_| !wrong.iter().any(FirstWrong::is_tangent));
+        let more = explained(true).or_else(|| without().map(|more| more + WITHOUT_TANGENT))?;
         Some(format!("{}{more}", input.words))
     };
     all.par_iter().filter_map(told).collect()
@@ -30,7 +37,7 @@ pub(super) fn found(samples: &[Sample], wrong: &[FirstWrong], cases: &BTreeSet<u
 
 /// By how much it is wrong at the parameters of some cases, if that explains the first wrong result in each of them.
 fn errors(of: &Derivative, way: usize, samples: &[Sample], wrong: &[FirstWrong]) -> Option<Vec<(f64, f64)>> {
-    let (mut errors, mut left) = (Vec::new(), 0);
+    let (mut errors, mut left, mut solved) = (Vec::new(), 0, 0);
     for first in wrong.iter().take(TRIED) {
         let case = samples[first.place].case;
         let here: Vec<&Sample> = samples.iter().filter(|sample| sample.case == case).take(SAMPLES).collect();
@@ -45,11 +52,12 @@ fn errors(of: &Derivative, way: usize, samples: &[Sample], wrong: &[FirstWrong])
         };
         let Some(by) = error_by_beam(of.beams.0, &residuals) else {
             left += 1;
-            if left > LEFT {
+            if left > LEFT + solved {
                 return None;
             }
             continue;
         };
+        solved += 1;
         errors.extend(of.beams.0.iter().filter_map(|&beam| Some((here[0].xi[beam].value, by[beam]?))));
     }
     (errors.len() >= FEWEST).then_some(errors)

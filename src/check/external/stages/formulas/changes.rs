@@ -1,60 +1,16 @@
 //! All changes of the list of formulas that are tried.
 
-use super::edits::{Class, Edit, What, edits};
-use super::entries::Entries;
+use super::change::Change;
+use super::edits::{Edit, edits};
+use super::kinds::{Class, What};
 use super::list::{FORMULAS, Formula, Formulas};
 use super::names::{Set, WAYS};
 use super::outputs::RESULTS;
 use super::tree::{Name, Op, Tree};
-use super::words::{IN_DERIVATIVES, OfEdit, Words};
+use super::words::{IN_DERIVATIVES, OfEdit};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, OnceLock};
-
-/// A change of the self.
-#[derive(Clone, Debug)]
-pub(super) struct Change {
-    /// The other formulas, by the names of their results.
-    pub(super) new: Vec<(Name, Tree)>,
-    /// Whether the values use the right formulas, and only what is differentiated the others.
-    pub(super) is_of_derivatives: bool,
-    /// Whether later formulas use the right values.
-    pub(super) is_stored: bool,
-    pub(super) words: Words,
-    /// The simplest has the smallest.
-    pub(super) cost: u32,
-    /// The ways in which the formulas are written so, but for the change.
-    pub(super) ways: [bool; WAYS],
-    /// Some entries of a gradient or Hessian that are wrong.
-    pub(super) entries: Option<Entries>,
-}
-
-impl Change {
-    pub(super) fn of(words: impl Into<Words>) -> Self {
-        let (ways, words) = ([true; WAYS], words.into());
-        let new = Vec::new();
-        Self { new, is_of_derivatives: false, is_stored: false, words, cost: 0, ways, entries: None }
-    }
-
-    /// What is wrong, as a sentence without its full stop.
-    pub(super) fn words(&self) -> String {
-        self.words.text()
-    }
-
-    /// The names in the other formulas of some results.
-    pub(super) fn uses(&self, of: Set) -> Set {
-        let mut used = Set::default();
-        let new = self.new.iter().filter(|(name, _)| of.has(*name));
-        new.for_each(|(_, tree)| tree.each_name(&mut |name| used.add(name)));
-        used
-    }
-
-    /// The names whose formulas or entries are others.
-    pub(super) fn names(&self) -> Set {
-        let of_entries = self.entries.iter().flat_map(Entries::names);
-        self.new.iter().map(|(name, _)| *name).chain(of_entries).collect()
-    }
-}
 
 /// All changes. Those of a formula are made when they are asked for.
 pub(super) static CHANGES: LazyLock<Changes> = LazyLock::new(Changes::new);
@@ -68,16 +24,12 @@ pub(super) struct Changes {
 struct OfFormula {
     /// The names that its changes may give another formula.
     names: Set,
-    simple: OnceLock<Vec<Change>>,
-    others: OnceLock<Vec<Change>>,
+    of_classes: [OnceLock<Vec<Change>>; 3],
 }
 
 impl OfFormula {
     fn changes(&self, class: Class) -> &OnceLock<Vec<Change>> {
-        match class {
-            Class::Simple => &self.simple,
-            Class::Other => &self.others,
-        }
+        &self.of_classes[class as usize]
     }
 }
 
@@ -114,8 +66,8 @@ impl Changes {
         };
         others.extend(list.all.iter().filter_map(exchange));
         let of_formula = |formula| {
-            let [simple, others] = [OnceLock::new(), OnceLock::new()];
-            OfFormula { names: list.names_of_changes(formula), simple, others }
+            let of_classes = [const { OnceLock::new() }; 3];
+            OfFormula { names: list.names_of_changes(formula), of_classes }
         };
         Self { others, of_formulas: list.all.iter().map(of_formula).collect() }
     }
@@ -170,7 +122,12 @@ impl Formulas {
         let twin = twin(way).filter(|twin| twin.name > formula.name);
         let mut is_rare = UNIT_ROWS.contains(&&*self.names.0[formula.name]);
         formula.written(way).each_name(&mut |name| is_rare |= UNIT_ROWS.contains(&&*self.names.0[name]));
-        let of_twin = twin.map(|twin| edits(twin.written(way), class, &|name| self.others(name, twin)));
+        let others = |name: Name, before: &Formula| {
+            let mut others = self.others(name, before);
+            others.retain(|other| is_rare || !UNIT_ROWS.contains(&&*self.names.0[*other]));
+            others
+        };
+        let of_twin = twin.map(|twin| edits(twin.written(way), class, &|name| others(name, twin)));
         let same: HashMap<_, _> =
             of_twin.iter().flatten().rev().map(|edit| ((edit.what, &*edit.path), edit)).collect();
         let of_edit = |edit: Edit| {
@@ -182,45 +139,45 @@ impl Formulas {
                 what => what,
             };
             let same = twin.zip(same.get(&(what, &*edit.path)).copied());
-            self.add_changes((formula, way), &Arc::new(edit), same, &mut found);
+            self.add_changes((formula, way, class), &Arc::new(edit), same, &mut found);
             for change in &mut found {
                 change.ways = ways;
                 change.cost += u32::from(is_rare);
             }
             found
         };
-        let edits = edits(formula.written(way), class, &|name| self.others(name, formula));
+        let edits = edits(formula.written(way), class, &|name| others(name, formula));
         edits.into_par_iter().flat_map_iter(of_edit).collect()
     }
 
     /// The changes with an edit of a formula. `same` is the same edit of its twin.
     fn add_changes(
         &self,
-        (formula, way): (&Formula, usize),
+        (formula, way, class): (&Formula, usize, Class),
         edit: &Arc<Edit>,
         same: Option<(&Formula, &Edit)>,
         found: &mut Vec<Change>,
     ) {
         let tree = formula.written(way);
         let new = tree.with(&edit.path, &edit.new);
-        self.add_change(way, &[(formula, &new)], edit, "", found);
+        self.add_change((way, class), &[(formula, &new)], edit, "", found);
         // A name may be wrong in all its places.
         if let (Op::Name(old), Op::Name(other)) = (&edit.old.op, &edit.new.op) {
             let everywhere = tree.renamed(&|name| if name == *old { *other } else { name });
             if everywhere != new && tree.find(&|of| *of == edit.old).as_ref() == Some(&edit.path) {
-                self.add_change(way, &[(formula, &everywhere)], edit, ", in all its places", found);
+                self.add_change((way, class), &[(formula, &everywhere)], edit, ", in all its places", found);
             }
         }
         // The same error in the formula of the other beam, or for the other beam in the same formula.
         if let Some((twin, same)) = same {
             let tree = twin.written(way).with(&same.path, &same.new);
-            self.add_change(way, &[(formula, &new), (twin, &tree)], edit, "", found);
+            self.add_change((way, class), &[(formula, &new), (twin, &tree)], edit, "", found);
         }
         let [old, other] = [&edit.old, &edit.new].map(|tree| self.twin_tree(tree));
         let later = |tree: &Tree| new.find(&|of| of == tree).filter(|path| *path > edit.path);
         if let Some(path) = later(&old).filter(|_| old != edit.old) {
             let tree = new.with(&path, &other);
-            self.add_change(way, &[(formula, &tree)], edit, ", as its twin", found);
+            self.add_change((way, class), &[(formula, &tree)], edit, ", as its twin", found);
         }
         // Both of two terms that are each other's transpose.
         let transposed = |tree: &Tree| self.transposed(tree);
@@ -228,7 +185,7 @@ impl Formulas {
             && let Some(path) = later(&old).filter(|_| old != edit.old)
         {
             let tree = new.with(&path, &other);
-            self.add_change(way, &[(formula, &tree)], edit, ", as its transpose", found);
+            self.add_change((way, class), &[(formula, &tree)], edit, ", as its transpose", found);
         }
     }
 
@@ -249,19 +206,28 @@ impl Formulas {
     /// Adds the change of these formulas, and the same with their derivatives, and in what is differentiated alone.
     fn add_change(
         &self,
-        way: usize,
+        (way, class): (usize, Class),
         changed: &[(&Formula, &Tree)],
         edit: &Arc<Edit>,
         scope: &'static str,
         found: &mut Vec<Change>,
     ) {
+        let cost = edit.cost + u32::from(changed.len() > 1 || !scope.is_empty());
+        let formulas = [Some(changed[0].0.name), changed.get(1).map(|(twin, _)| twin.name)];
+        let words = OfEdit { edit: Arc::clone(edit), formulas, scope, form: "" };
+        if class == Class::Tangent {
+            let along =
+                |(formula, tree): &(&Formula, &Tree)| Some((formula.linear?, self.along_linear(tree)));
+            if let Some(new) = changed.iter().map(along).collect() {
+                let words = words.in_form(", in the tangent alone");
+                found.push(Change { new, cost: cost + 1, ..Change::of(words) });
+            }
+            return;
+        }
         let mut new = Vec::new();
         for (formula, tree) in changed {
             self.put(formula, tree, &mut new);
         }
-        let cost = edit.cost + u32::from(changed.len() > 1 || !scope.is_empty());
-        let formulas = [Some(changed[0].0.name), changed.get(1).map(|(twin, _)| twin.name)];
-        let words = OfEdit { edit: Arc::clone(edit), formulas, scope, form: "" };
         let mut add_with = |others: Option<Vec<(&Formula, Tree)>>, form: &'static str| {
             let Some(others) = others else { return };
             let mut new = new.clone();

@@ -1,6 +1,7 @@
 //! The errors that a formula can have: one change of its tree.
 
 use super::axes::axes;
+use super::kinds::{Class, What};
 use super::list::FORMULAS;
 use super::tree::{Name, Op, Tree};
 
@@ -16,86 +17,6 @@ pub(super) struct Edit {
     pub(super) words: String,
     /// The simplest errors have the smallest cost.
     pub(super) cost: u32,
-}
-
-/// The kind of a change.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum What {
-    Sign,
-    Missing,
-    Doubled,
-    Halved,
-    Transposed,
-    /// The names of the other beam.
-    Exchanged,
-    /// Those of the beam.
-    Forgotten,
-    /// A factor is left out.
-    Without(usize),
-    /// A factor is there twice.
-    Squared(usize),
-    /// It is divided by a factor, or multiplied by what it must be divided by.
-    Inverted(usize),
-    /// A branch of a choice is always taken.
-    Always(usize),
-    Reversed,
-    /// A condition is always taken to hold, or never.
-    Holds(bool),
-    NoRoot,
-    /// Another number.
-    Number(u8),
-    /// The form for straight beams, at this place alone.
-    Straight,
-    /// Another name.
-    Other(Name),
-    /// Another name with the opposite sign, as in programs that use the symmetric matrix.
-    Negative(Name),
-    /// A name in the place of a difference of two, or the difference in the place of a name.
-    Difference(Name),
-    /// The length of a variation in the place of the variation of a length.
-    Length,
-    /// The product of the first variations in the place of the second.
-    Product,
-    /// Other components of a vector, by their place in [`axes`].
-    Axes(usize),
-}
-
-impl What {
-    fn cost(self) -> u32 {
-        match self {
-            Self::Sign | Self::Missing | Self::Holds(_) => 2,
-            Self::Other(_) | Self::Straight => 4,
-            Self::Squared(_)
-            | Self::Inverted(_)
-            | Self::Axes(_)
-            | Self::Negative(_)
-            | Self::Difference(_)
-            | Self::Exchanged
-            | Self::Forgotten
-            | Self::Length
-            | Self::Product => 5,
-            _ => 3,
-        }
-    }
-}
-
-/// The errors in the order in which they are looked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Class {
-    /// Signs, factors, conditions, terms that are missing.
-    Simple,
-    /// All others: those with something else in the place of a name, which are many.
-    Other,
-}
-
-impl Class {
-    pub(super) const ALL: [Self; 2] = [Self::Simple, Self::Other];
-    /// The largest cost of a simple error.
-    pub(super) const SIMPLE: u32 = 3;
-
-    fn of(cost: u32) -> Self {
-        if cost <= Self::SIMPLE { Self::Simple } else { Self::Other }
-    }
 }
 
 /// Numbers that are confused.
@@ -148,7 +69,7 @@ fn text(tree: &Tree) -> String {
 impl Edits<'_> {
     fn add_of(&mut self, tree: &Tree, place: &Place) {
         let mut add = |what: What, new: Tree, words: String| {
-            if Class::of(what.cost()) == self.class {
+            if self.class.has(what.cost()) {
                 let (path, old) = (place.path.clone(), tree.clone());
                 self.found.push(Edit { path, what, old, new, words, cost: what.cost() });
             }
@@ -212,7 +133,7 @@ impl Edits<'_> {
                 );
             }
             Op::Number(number) if *number > 1.0 => {
-                for other in NUMBERS.into_iter().filter(|other| f64::from(*other) != *number) {
+                for other in NUMBERS.into_iter().filter(|other| (f64::from(*other) - *number).abs() > 0.5) {
                     let words = format!("{other} stands in the place of {number}{}", place.words(tree));
                     add(What::Number(other), Tree::number(f64::from(other)), words);
                 }
@@ -223,7 +144,7 @@ impl Edits<'_> {
                     add(What::Other(name), Tree::name(name), words);
                 }
             }
-            Op::Name(name) if self.class == Class::Other => self.add_of_name(*name, tree, place),
+            Op::Name(name) if self.class != Class::Simple => self.add_of_name(*name, tree, place),
             Op::Sum(_) => {
                 if let Some(first) = FORMULAS.first_of_difference(tree) {
                     for other in (self.others)(first) {

@@ -1,6 +1,6 @@
 //! The values of all formulas, right and with a change.
 
-use super::changes::Change;
+use super::change::Change;
 use super::list::{FORMULAS, Formulas};
 use super::names::{Relations, Set, Step};
 use super::point::Point;

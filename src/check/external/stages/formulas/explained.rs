@@ -1,7 +1,8 @@
 //! The changes of the list that explain answers.
 
-use super::changes::{CHANGES, Change};
-use super::edits::Class;
+use super::change::Change;
+use super::changes::CHANGES;
+use super::kinds::Class;
 use super::list::FORMULAS;
 use super::names::Set;
 use super::point::{Point, probes};
@@ -57,8 +58,15 @@ impl<'a> Searched<'a> {
                 && keeps(change)
         };
         let mut found: Vec<Change> = Vec::new();
+        let tangent = Set::from_iter([FORMULAS.name("K")]).and(among);
+        let has_tangent = points.iter().any(|point| point.among(tangent).next().is_some());
         for class in Class::ALL {
-            if !found.iter().any(|change| change.cost <= Class::SIMPLE) {
+            let is_tried = match class {
+                Class::Simple => true,
+                Class::Other => !found.iter().any(|change| change.cost <= Class::SIMPLE),
+                Class::Tangent => has_tangent && found.is_empty(),
+            };
+            if is_tried {
                 let tried = self.possible(class, among, &probes).into_par_iter();
                 found.par_extend(tried.filter(explains).cloned());
             }

@@ -1,6 +1,6 @@
 //! Errors of friction as a whole, as other formulas in the place of several.
 
-use super::changes::Change;
+use super::change::Change;
 use super::list::Formulas;
 use super::parser::Parser;
 

@@ -1,6 +1,6 @@
 //! Changes of some entries of a gradient or Hessian.
 
-use super::changes::Change;
+use super::change::Change;
 use super::entries::{Entries, FACTORS, OF_GRADIENTS, OF_HESSIANS};
 use super::list::Formulas;
 use super::outputs::RESULTS;

@@ -1,7 +1,8 @@
 //! Two changes of the list that explain answers together, and a term with a factor of its own.
 
-use super::changes::{CHANGES, Change, FACTORS};
-use super::edits::Class;
+use super::change::Change;
+use super::changes::{CHANGES, FACTORS};
+use super::kinds::Class;
 use super::list::FORMULAS;
 use super::names::Set;
 use super::point::{Point, probes};

@@ -28,6 +28,8 @@ pub(super) struct Answer {
     pub(super) number: RunningError,
     /// The largest number of its kind in all samples.
     size: f64,
+    /// The rounding of the way of writing that loses the most digits here: the program may have written it so.
+    rounding: f64,
     /// The ways of writing in which the formulas are right here, and lose no digits.
     pub(super) ways: [bool; WAYS],
 }
@@ -36,7 +38,7 @@ impl Answer {
     /// The difference from the formulas, and what rounding explains.
     fn difference(&self, values: &(impl Values + ?Sized)) -> (f64, f64) {
         let RunningError { value, bound } = self.output.of(values);
-        ((self.number.value - value).abs(), CAREFUL * bound + self.number.bound)
+        ((self.number.value - value).abs(), (CAREFUL * bound).max(self.rounding) + self.number.bound)
     }
 }
 
@@ -150,8 +152,11 @@ fn point(
         (one.value - right.value).abs() <= CAREFUL * (one.bound + right.bound)
     };
     let answer = |(output, number): (Output, RunningError)| {
-        let ways = std::array::from_fn(|way| way == 0 || is_right(output, way));
-        Answer { output, number, size: 0.0, ways }
+        let ways: [bool; WAYS] = std::array::from_fn(|way| way == 0 || is_right(output, way));
+        let roundings =
+            (0..WAYS).filter(|way| ways[*way]).map(|way| CAREFUL * output.of(&own[way][..]).bound);
+        let rounding = roundings.filter(|of| of.is_finite()).fold(0.0, f64::max);
+        Answer { output, number, size: 0.0, rounding, ways }
     };
     let answers = numbers.into_iter().map(answer).collect();
     let values = if fixed.is_empty() { own } else { values(&fixed) };

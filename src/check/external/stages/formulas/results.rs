@@ -1,6 +1,7 @@
 //! Changes of results as a whole: one in the place of another, a factor, the form for straight beams.
 
-use super::changes::{Change, FACTORS, scaled};
+use super::change::Change;
+use super::changes::{FACTORS, scaled};
 use super::list::{Formula, Formulas, STRAIGHT};
 use super::outputs::RESULTS;
 use super::tree::{Name, Op, Tree};

@@ -16,6 +16,9 @@ use std::sync::Arc;
 /// The rounding of a wrong result over the largest result of its kind at a case.
 const FINE: f64 = 1e-6;
 
+/// The tangents of both kinds of elements.
+const TANGENTS: [&str; 2] = ["K", "K_p"];
+
 /// A result, with the names that it follows from and the ways in which these are written.
 struct Step {
     name: Name,
@@ -86,6 +89,11 @@ impl FirstWrong {
         self.steps.last().map_or(&[], |step| &step.ways)
     }
 
+    /// Whether it is the tangent.
+    pub(in crate::check::external::stages) fn is_tangent(&self) -> bool {
+        self.steps.last().is_some_and(|step| TANGENTS.contains(&&*FORMULAS.names.0[step.name]))
+    }
+
     /// By how much its answers at a sample differ from the formulas in one of these ways, with these inputs.
     pub(in crate::check::external::stages) fn differences(
         &self,
@@ -138,11 +146,12 @@ pub(in crate::check::external::stages) struct Written(BTreeMap<Answered, [bool; 
 
 impl Written {
     /// Whether the formulas yield all answers at these samples of a case too. If not, nothing is learnt of them. The forms of the
-    /// second variation of d are the same at a closest point alone. If `is_strict`, rounding must be small.
+    /// second variation of d are the same at a closest point alone. If `is_strict`, rounding must be small. Without `with_tangent`,
+    /// the tangent is left out.
     pub(in crate::check::external::stages) fn yields(
         &mut self,
         samples: &[Sample],
-        is_closest: bool,
+        (is_closest, with_tangent): (bool, bool),
         is_strict: bool,
     ) -> bool {
         let mut left = self.0.clone();
@@ -154,8 +163,10 @@ impl Written {
         }
         let are_right = samples.iter().all(|sample| {
             let mut numbers = numbers(sample);
+            let is_one = |output: &Output, names: [&str; 2]| names.contains(&&*FORMULAS.names.0[output.name]);
             numbers.retain(|(output, _)| {
-                is_closest || !["Dd|d|", "Ddg_N"].contains(&&*FORMULAS.names.0[output.name])
+                (is_closest || !is_one(output, ["Dd|d|", "Ddg_N"]))
+                    && (with_tangent || !is_one(output, TANGENTS))
             });
             let needed = FORMULAS.needed(numbers.iter().map(|(output, _)| output.name).collect());
             for (way, values) in values(&all, sample, needed) {

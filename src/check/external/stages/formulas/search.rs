@@ -1,6 +1,6 @@
 //! The change of the list that explains the answers.
 
-use super::changes::Change;
+use super::change::Change;
 use super::explained::Searched;
 use super::list::FORMULAS;
 use super::names::Set;

@@ -1,8 +1,9 @@
 mod stages;
 mod ways;
 
-use super::changes::{CHANGES, Change};
-use super::edits::Class;
+use super::change::Change;
+use super::changes::CHANGES;
+use super::kinds::Class;
 use super::list::{FORMULAS, STRAIGHT};
 use super::names::{Set, WAYS};
 use super::outputs::{RESULTS, names};

@@ -1,6 +1,6 @@
 //! The ways in which a program may have written its formulas.
 
-use super::changes::Change;
+use super::change::Change;
 use super::evaluation::Changed;
 use super::list::{FORMULAS, WITH_START};
 use super::names::{Set, WAYS};

@@ -1,7 +1,8 @@
 //! Changes of inputs as a whole: the vectors of the curves, numbers, what is held.
 
 use super::axes::axes;
-use super::changes::{Change, FACTORS, scaled};
+use super::change::Change;
+use super::changes::{FACTORS, scaled};
 use super::list::{CURVES, Formulas};
 use super::tree::{Name, Op, Tree};
 

@@ -2,7 +2,7 @@
 
 use super::{all_changes, answered, right_answers};
 use crate::check::external::stages::Reading;
-use crate::check::external::stages::formulas::changes::Change;
+use crate::check::external::stages::formulas::change::Change;
 use crate::check::external::stages::formulas::list::FORMULAS;
 use crate::check::external::stages::formulas::search::found;
 use crate::check::external::stages::sample::Sample;
