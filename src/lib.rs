@@ -18,6 +18,8 @@ pub mod equations;
 #[cfg(feature = "check")]
 pub mod faults;
 #[cfg(feature = "check")]
+mod parallel;
+#[cfg(feature = "check")]
 pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;

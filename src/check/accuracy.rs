@@ -12,10 +12,10 @@ use crate::linearization::closed_form::{Formulation, PartialVariations, Points, 
 use crate::linearization::{Quantities, Varied};
 use crate::number::{DoubleDouble, Real};
 use crate::pair::Contact;
+use crate::parallel;
 use crate::test_beam::{AnyBeam, Family, TestBeam};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// Gaps, in lengths of a beam, are 1, 0.1, .. down to this power of ten.
@@ -92,7 +92,7 @@ impl Accuracy {
 ///
 /// The result depends on the seed and the number of pairs, not on the number of threads.
 pub fn accuracy(seed: u64, pairs: usize) -> Accuracy {
-    let levels = |last: i32| (0..=last).into_par_iter().map(|k| (k, 10_f64.powi(-k)));
+    let levels = |last: i32| (0..=last).map(|k| (k, 10_f64.powi(-k)));
     let stream =
         |sweep: u64, k: i32, pair: usize| (sweep * 64 + u64::from(k.unsigned_abs())) << 32 | pair as u64;
     Accuracy {
@@ -121,7 +121,7 @@ pub fn accuracy(seed: u64, pairs: usize) -> Accuracy {
 
 impl Level {
     fn new(at: f64, pairs: usize, pair: impl Fn(usize) -> Option<Measured> + Send + Sync) -> Self {
-        let measured: Vec<_> = (0..pairs).into_par_iter().filter_map(pair).collect();
+        let measured: Vec<_> = parallel::indices(pairs, pair).into_iter().flatten().collect();
         let errors = |of: fn(&Measured) -> [f64; 3]| {
             let [paper, robust, chosen] =
                 [0, 1, 2].map(|k| median(measured.iter().map(|pair| of(pair)[k]).collect()));

@@ -21,8 +21,8 @@ use super::{CaseData, Regime};
 use crate::closest_point::{ClosestPoint, Held, Search, closest_points};
 use crate::linearization::Quantity;
 use crate::pair::Contact;
+use crate::parallel;
 use crate::test_beam::Family;
-use rayon::prelude::*;
 
 pub(super) use entry::Entry;
 pub use found::{Digits, Example, Found};
@@ -122,8 +122,9 @@ pub fn linearization(candidate: &impl Candidate, families: [Family; 2], cases: u
         let regime = Regime::ALL[usize::try_from(number % regimes).unwrap_or(0)];
         Case::of(0x5eed, number, regime, families)
     };
-    let of_case = |number| Found::of(&drawn(number), &at_closest_points(candidate, &drawn(number).data()));
-    let all: Vec<Found> = (0..cases * regimes).into_par_iter().map(of_case).collect();
+    let of_case =
+        |&number: &u64| Found::of(&drawn(number), &at_closest_points(candidate, &drawn(number).data()));
+    let all = parallel::map(&(0..cases * regimes).collect::<Vec<_>>(), of_case);
     let mut found = all.into_iter().fold(Found::default(), Found::and);
     if let Some(example) = &mut found.example {
         example.case = shrunk(candidate, &drawn(example.number).data());

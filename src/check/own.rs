@@ -14,11 +14,11 @@ use super::diagnosis::Finding;
 use super::regime::Regime;
 use super::verdict::{Inconclusive, Verdict};
 use crate::curve::Curve;
+use crate::parallel;
 use nalgebra::Vector3;
 use pair::{Pair, varied};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -95,7 +95,7 @@ where
             pair.functions(point)
         })
     };
-    let of_case = |number: u64| {
+    let of_case = |&number: &u64| {
         let compared = compared(&drawn(number).1);
         let mut found = OwnCurve::default();
         for (_, verdict) in &compared {
@@ -110,7 +110,7 @@ where
         }
         (found, Finding::of(&compared).map(|finding| (number, finding)))
     };
-    let all = (0..cases * regimes).into_par_iter().map(of_case).collect::<Vec<_>>();
+    let all = parallel::map(&(0..cases * regimes).collect::<Vec<_>>(), of_case);
     let mut findings: Vec<(u64, Finding)> = Vec::new();
     for (of_case, finding) in all {
         found = found.and(of_case);

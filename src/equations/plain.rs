@@ -11,12 +11,12 @@ use crate::linearization::Varied;
 use crate::linearization::ad::newton;
 use crate::number::TermScale;
 use crate::pair::Contact;
+use crate::parallel;
 use crate::test_beam::{AnyBeam, Family};
 use nalgebra::Vector3;
 use num_dual::HyperDual64;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 
 /// Regimes with well-conditioned closest points inside both beams, in three units of length.
 const REGIMES: [Regime; 4] = [Regime::Generic, Regime::StronglyCurved, Regime::Metres, Regime::Millimetres];
@@ -28,7 +28,7 @@ const MOVED: f64 = 0.1;
 /// Evaluates all equations at closest points of `cases` cases of each regime, and measures slips.
 pub(super) fn cases(seed: u64, cases: u64) -> (Tally, Vec<Arc>) {
     let numbers = Selection { regimes: REGIMES.to_vec(), family: None, cases }.numbers();
-    let results: Vec<_> = numbers.par_iter().filter_map(|&number| case(seed, number)).collect();
+    let results = parallel::filter_map(&numbers, |&number| case(seed, number));
     let mut arcs = Arcs::default();
     let mut tally = Tally::default();
     for (of_case, of_beams) in results {

@@ -7,8 +7,8 @@ use super::table::{Equation, Order};
 use super::tally::{Tallied, Tally};
 use super::verdict::Verdict;
 use super::{field, list, plain};
+use crate::parallel;
 use crate::test_beam::Family;
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// The default number of draws for each ordered pair of families.
@@ -23,12 +23,9 @@ pub const CASES: u64 = 121;
 pub fn equation_table(seed: u64, draws: u64, cases: u64) -> EquationTable {
     let pairs: Vec<[Family; 2]> =
         Family::ALL.into_iter().flat_map(|one| Family::ALL.map(|other| [one, other])).collect();
-    let exact: Vec<Tally> = pairs
-        .par_iter()
-        .map(|&pair| {
-            (0..draws).map(|draw| field::draw(seed, pair, draw)).fold(Tally::default(), Tally::merge)
-        })
-        .collect();
+    let exact = parallel::map(&pairs, |&pair| {
+        (0..draws).map(|draw| field::draw(seed, pair, draw)).fold(Tally::default(), Tally::merge)
+    });
     let (plain, arcs) = plain::cases(seed, cases);
     let points = plain.points;
     let tally = exact.into_iter().fold(plain, Tally::merge);

@@ -6,9 +6,9 @@
 use crate::check::{Case, Comparison, ElementAt, EvaluationPoint, Regime, Selection, compares_routes};
 use crate::closest_point::{Search, closest_points};
 use crate::contact::State;
+use crate::parallel;
 use crate::teaching::terms::{Components, Term, Terms};
 use nalgebra::DVector;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -61,8 +61,7 @@ fn of_regime(seed: u64, regime: Regime) -> ElementFaults {
         }
         let with_elements: Vec<u64> =
             block.iter().copied().filter(|&number| compares_routes(number)).collect();
-        let found: Vec<_> =
-            with_elements.par_iter().map(|&number| detected(&Case::draw(seed, number), &open)).collect();
+        let found = parallel::map(&with_elements, |&number| detected(&Case::draw(seed, number), &open));
         for (of_case, rejects) in found {
             rejected += rejects;
             open.retain(|fault| !of_case.contains(fault));

@@ -15,9 +15,9 @@ use crate::check::{
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::COMPONENTS;
 use crate::number::Label;
+use crate::parallel;
 use crate::test_beam::{AnyBeam, Family};
 use crate::variant::{ROUTE_ENTRIES, SCALARS, Variant, kernel_entries};
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -85,7 +85,7 @@ pub fn gate(seed: u64, regimes: &[Regime]) -> Vec<Gate> {
 fn of_regime(seed: u64, regime: Regime) -> Gate {
     let numbers = Selection { regimes: vec![regime], family: None, cases: CASES }.numbers();
     let of_case = |number: &u64| counts(&Case::draw(seed, *number));
-    let all: Vec<_> = numbers.par_iter().map(of_case).collect();
+    let all = parallel::map(&numbers, of_case);
     let mut counts: BTreeMap<Compared, [usize; 2]> = BTreeMap::new();
     for (of, [found, wanted]) in all.into_iter().flatten() {
         let sum = counts.entry(of).or_default();

@@ -4,8 +4,8 @@ use super::test_points::{Sample, test_points};
 use crate::check::serialized::short;
 use crate::check::{Comparison, Regime};
 use crate::number::Label;
+use crate::parallel;
 use crate::variant::{Variant, catalogue};
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -27,7 +27,7 @@ pub fn limits(seed: u64, regimes: &[Regime]) -> BTreeMap<String, BTreeMap<Regime
         of_terms(&samples).into_iter().map(named).collect::<Vec<_>>()
     };
     let mut all: BTreeMap<_, BTreeMap<_, _>> = BTreeMap::new();
-    for (term, regime, limit) in regimes.par_iter().flat_map_iter(of_regime).collect::<Vec<_>>() {
+    for (term, regime, limit) in parallel::flat_map(regimes, of_regime) {
         all.entry(term).or_default().insert(regime, limit);
     }
     all
@@ -37,14 +37,14 @@ pub fn limits(seed: u64, regimes: &[Regime]) -> BTreeMap<String, BTreeMap<Regime
 pub(super) fn of_terms(samples: &[Sample<'_>]) -> Vec<(Label, Limit, usize)> {
     let mut labels: Vec<_> = catalogue().into_iter().map(|fault| fault.label).collect();
     labels.dedup();
-    let unmodified: Vec<_> = samples.par_iter().map(|sample| sample.compared(&Variant::Unmodified)).collect();
+    let unmodified = parallel::map(samples, |sample| sample.compared(&Variant::Unmodified));
     let limit = |&label: &Label| {
         let nudged = Variant::Weighted(label, 1.0 + NUDGE);
         let at = |i: usize| (smallest(&unmodified[i], &samples[i].compared(&nudged)), i);
         let (limit, i) = (0..samples.len()).map(at).min_by(|a, b| a.0.total_cmp(&b.0))?;
         Some((label, Limit(limit), i))
     };
-    labels.par_iter().filter_map(limit).collect()
+    parallel::filter_map(&labels, limit)
 }
 
 /// The relative error at which some entry exceeds its tolerance.

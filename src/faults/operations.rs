@@ -11,12 +11,12 @@ mod reason;
 
 use crate::check::serialized::{Name, name};
 use crate::number::{Bits, Change, PrimeField, Traced, counted, locate, operations, with_operation};
+use crate::parallel;
 use crate::test_beam::Family;
 use crate::variant::Kind;
 use place::Place;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 pub use reason::Lost;
 use reason::reason;
 use serde::{Deserialize, Serialize};
@@ -110,7 +110,7 @@ pub(super) fn examined(code: String, place: &'static str, kinds: &[Kind], run: &
         let is_detected = |change| with_operation(k, change, || run(None)) != unmodified;
         changes.map(|(name, change)| (name, is_detected(change))).collect::<Vec<_>>()
     };
-    let found: Vec<_> = (0..count).into_par_iter().map(of_operation).collect();
+    let found = parallel::indices(count, of_operation);
     let mut all =
         Operations { code, place, operations: count, faults: 0, detected: 0, undetected: Vec::new() };
     let mut counts: BTreeMap<_, usize> = BTreeMap::new();

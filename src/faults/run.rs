@@ -5,10 +5,10 @@ use super::exact::Exact;
 use super::test_points::{Sample, test_points};
 use crate::check::Regime;
 use crate::check::serialized::by_name;
+use crate::parallel;
 use crate::variant::{Fault, Kind, Rewrite, Variant, catalogue, terms};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -178,8 +178,8 @@ impl Planted {
         };
         let is_rejected =
             |&rewrite: &Rewrite| samples.iter().any(|sample| rejects(&Variant::Rewritten(rewrite), sample));
-        let undetected: Vec<Fault> =
-            self.faults.par_iter().copied().filter(|&fault| is_undetected(&[fault])).collect();
+        let undetected =
+            parallel::filter_map(&self.faults, |&fault| is_undetected(&[fault]).then_some(fault));
         let detection = Detection {
             check,
             regime,
@@ -187,9 +187,12 @@ impl Planted {
             rejected: samples.len() - fair.len(),
             planted: self.faults.len(),
             detected: self.faults.len() - undetected.len(),
-            false_positives: Rewrite::ALL.into_par_iter().filter(is_rejected).collect(),
+            false_positives: parallel::filter_map(&Rewrite::ALL, |rewrite| {
+                is_rejected(rewrite).then_some(*rewrite)
+            }),
             pairs: self.pairs.len(),
-            pairs_detected: self.pairs.par_iter().filter(|pair| !is_undetected(*pair)).count(),
+            pairs_detected: parallel::filter_map(&self.pairs, |pair| (!is_undetected(pair)).then_some(()))
+                .len(),
         };
         (detection, undetected)
     }

@@ -9,10 +9,10 @@ use crate::check::serialized::by_name;
 use crate::check::{Comparison, Regime};
 use crate::linearization::Quantity;
 use crate::number::counted;
+use crate::parallel;
 use crate::variant::{Code, Variant};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -69,12 +69,12 @@ pub fn sampled(seed: u64, regimes: &[Regime]) -> Vec<Sampled> {
             points.iter().flat_map(|(case, point)| Sample::in_all_forms(case, point)).collect();
         let each = OPERATIONS.div_ceil(Code::ALL.len() * samples.len().max(1));
         Code::ALL.map(|code| {
-            let of_sample = |(i, sample): (usize, &Sample)| {
+            let of_sample = |i: usize| {
                 let mut rng = ChaCha8Rng::seed_from_u64(seed);
                 rng.set_stream(i as u64);
-                Counts::of(code, sample, each, &mut rng)
+                Counts::of(code, &samples[i], each, &mut rng)
             };
-            let all: Vec<_> = samples.par_iter().enumerate().map(of_sample).collect();
+            let all = parallel::indices(samples.len(), of_sample);
             let Counts { operations, faults, detected, limits } =
                 all.into_iter().fold(Counts::default(), Counts::and);
             let limits =

@@ -6,8 +6,8 @@
 use crate::check::serialized::by_name;
 use crate::check::{Case, IndependentSearch, Regime, SearchFindingKind, Selection, pair_of};
 use crate::closest_point::{Search, SearchFault, closest_points, with_search_fault};
+use crate::parallel;
 use crate::test_beam::AnyBeam;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -66,7 +66,7 @@ fn of_regime(seed: u64, regime: Regime) -> SearchFaults {
         if open.is_empty() {
             break;
         }
-        let found: Vec<_> = block.par_iter().map(|&number| of_case(seed, number, &open)).collect();
+        let found = parallel::map(block, |&number| of_case(seed, number, &open));
         for (of_case, after) in found.into_iter().zip(cases + 1..) {
             rejected += of_case.rejected;
             for (fault, kind) in of_case.detected {

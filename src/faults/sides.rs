@@ -8,8 +8,8 @@ use super::test_points::Sample;
 use crate::check::{Case, Selection, Symmetry, geometry};
 use crate::check::{Regime, Verdict, judged};
 use crate::closest_point::{ClosestPoint, Search, closest_points};
+use crate::parallel;
 use crate::variant::{Fault, Variant, catalogue};
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// The largest number of cases of each regime: the default of `beamgap check`.
@@ -156,8 +156,12 @@ fn of_faults(seed: u64, regimes: &[Regime], faults: Vec<Fault>) -> OneSided {
             break;
         }
         let drawn: Vec<Case> = block.iter().map(|&number| Case::draw(seed, number)).collect();
-        let samples: Vec<_> = drawn.par_iter().flat_map_iter(samples).collect();
-        open.par_iter_mut().for_each(|of| of.close(&samples));
+        let samples = parallel::flat_map(&drawn, samples);
+        open = parallel::map(&open, |of| {
+            let mut of = of.clone();
+            of.close(&samples);
+            of
+        });
         cases += block.len() as u64;
     }
     let count = |of: fn(&Open) -> Sides| open.iter().map(|fault| of(fault).count()).sum::<usize>();

@@ -7,7 +7,7 @@
 use super::point::{Point, Results};
 use super::{Fault, Kind, UnknownFault, Variant};
 use crate::number::Label;
-use rayon::prelude::*;
+use crate::parallel;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -15,7 +15,7 @@ use std::sync::OnceLock;
 /// All faults, in the order in which their terms are evaluated.
 pub fn catalogue() -> Vec<Fault> {
     static ALL: OnceLock<Vec<Fault>> = OnceLock::new();
-    ALL.get_or_init(|| labels().par_iter().flat_map_iter(of_term).collect()).clone()
+    ALL.get_or_init(|| parallel::flat_map(&labels(), of_term)).clone()
 }
 
 /// The faults of the catalogue in the same order, in parts of more and more terms: the first faults are known early.
@@ -24,7 +24,7 @@ pub fn catalogue_in_parts() -> impl Iterator<Item = Vec<Fault>> {
     std::iter::from_fn(move || {
         let terms = labels.get(start..labels.len().min(start + count)).filter(|terms| !terms.is_empty())?;
         (start, count) = (start + terms.len(), 2 * count);
-        Some(terms.par_iter().flat_map_iter(of_term).collect())
+        Some(parallel::flat_map(terms, of_term))
     })
 }
 
@@ -87,7 +87,7 @@ pub(crate) fn classes(faults: &[Fault]) -> BTreeMap<String, usize> {
         let variant = Variant::Faulty(vec![*fault]);
         points().iter().map(|point| point.results(&variant)).collect::<Vec<_>>()
     };
-    let all: Vec<_> = faults.par_iter().map(results).collect();
+    let all = parallel::map(faults, results);
     let first = |i: usize| (0..i).find(|&j| all[j] == all[i]).unwrap_or(i);
     faults.iter().enumerate().map(|(i, fault)| (fault.to_string(), first(i))).collect()
 }

@@ -28,13 +28,13 @@ use super::compare::Demands;
 use super::stages::{Reading, Traced, traced};
 use super::vectors::Vector;
 use crate::check::serialized::short;
+use crate::parallel;
 use crate::variant::Variant;
 pub use accuracy::{ExplainedFault, Naming, Programs, explained_faults};
 use answered_case::{AnsweredCase, Memo};
 use fit::{Fit, near, race};
 use hypothesis::Change;
 use known::Known;
-use rayon::prelude::*;
 use search::{Equal, KEPT, before, coefficient, ranked, search};
 use serde::Serialize;
 use std::cmp::Reverse;
@@ -168,11 +168,8 @@ fn of_faults(
     with_pairs: bool,
 ) -> Option<Explanation> {
     let known: Vec<Known> = cases.iter().filter_map(Known::new).collect();
-    let all: Vec<(usize, AnsweredCase)> = (0..known.len())
-        .into_par_iter()
-        .filter_map(|i| Some((i, known[i].case(demands)?.with_memo(memo.get(&known[i].vector.id)))))
-        .collect();
-    let clear = clearest(all);
+    let case = |i: usize| Some((i, known[i].case(demands)?.with_memo(memo.get(&known[i].vector.id))));
+    let clear = clearest(parallel::indices(known.len(), case).into_iter().flatten().collect());
     if clear.is_empty() {
         return None;
     }
@@ -183,17 +180,14 @@ fn of_faults(
     if near(&fits).len() > 1 && near(&fits).iter().any(|fit| fit.explains(before)) {
         let of_entries: Vec<Known> =
             clear.iter().take(PROBED).flat_map(|(i, _)| known[*i].entries()).collect();
-        let entries: Vec<AnsweredCase> = of_entries
-            .par_iter()
-            .filter_map(|known| known.case(demands))
-            .map(AnsweredCase::of_arrays)
-            .filter(|case| !case.data.is_empty())
-            .collect();
+        let mut entries =
+            parallel::filter_map(&of_entries, |known| known.case(demands).map(AnsweredCase::of_arrays));
+        entries.retain(|case| !case.data.is_empty());
         fits = race(fits, &entries.iter().collect::<Vec<_>>(), KEPT);
     }
     let mut found = ranked(fits, &cases);
     let right: Vec<Known> = right.iter().take(USED).filter_map(Known::new).collect();
-    let right: Vec<AnsweredCase> = right.par_iter().filter_map(|known| known.case(demands)).collect();
+    let right = parallel::filter_map(&right, |known| known.case(demands));
     let right: Vec<&AnsweredCase> = right.iter().collect();
     found.equal.retain(|of| Fit::of(of.fit.change.clone(), &right).over <= 1.0);
     let cause = |Equal { fit: of, alike }: &Equal| {

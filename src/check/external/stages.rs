@@ -29,11 +29,11 @@ mod words;
 use super::answers::Answers;
 use super::compare::Demands;
 use super::vectors::Vector;
+use crate::parallel;
 use equations::{At, CLOSEST_POINT, Equation, equations};
 pub use formulas::LIST_OF_FORMULAS;
 use judgement::{Cases, Errors, Status, examined, is_wrong, judged};
 use point::Point;
-use rayon::prelude::*;
 use sample::{Along, Sample, samples};
 pub(super) use sentences::Reading;
 use sentences::{of_curves, of_status};
@@ -122,11 +122,8 @@ pub(super) fn traced_in_equations(cases: &[&(Vector, Answers)], demands: &Demand
 
 fn traced_by(cases: &[&(Vector, Answers)], demands: &Demands, in_list: bool) -> Option<Traced> {
     let of = |along: Along| -> Vec<Sample> {
-        let numbered: Vec<_> = cases.par_iter().enumerate().collect();
-        numbered
-            .into_par_iter()
-            .flat_map_iter(|(i, (vector, answers))| samples(i, vector, answers, demands, along))
-            .collect()
+        let of_case = |i: usize| samples(i, &cases[i].0, &cases[i].1, demands, along);
+        parallel::indices(cases.len(), of_case).into_iter().flatten().collect()
     };
     let mut all = Vec::from([Along::Random, Along::Stated].map(|along| traced_along(along, in_list, &of)));
     all.retain(Option::is_some);
@@ -156,7 +153,8 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         let (wrong, right) = judged(&equations[e], &points);
         is_wrong(&wrong, &right).then_some((e, (wrong, right)))
     };
-    let all_wrong: Vec<(usize, Cases)> = (0..equations.len()).into_par_iter().filter_map(judged_at).collect();
+    let all_wrong: Vec<(usize, Cases)> =
+        parallel::indices(equations.len(), judged_at).into_iter().flatten().collect();
     // The formulas of a contact element follow from the geometry.
     if has_arrays && all_wrong.is_empty() {
         return formulas::found(&samples, of).map(|traced| traced.or_of_curves(&samples));
@@ -183,7 +181,7 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
     let of_equation = |e: usize| (&equations[e], &errors[e]);
     let entries = [Along::Lower, Along::Upper].map(|along| (along, OnceCell::new()));
     let of_one_error: LazyCell<Vec<_>, _> = LazyCell::new(|| {
-        all_wrong.par_iter().map(|(e, cases)| examined(of_equation(*e), &points, cases, false)).collect()
+        parallel::map(&all_wrong, |(e, cases)| examined(of_equation(*e), &points, cases, false))
     });
     // An error that is told by its whole effect is told before several errors, or none.
     if in_list && (wrong.len() > 1 || !is_known(&of_one_error[0])) {

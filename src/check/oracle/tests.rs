@@ -6,7 +6,7 @@ use crate::check::{Case, Regime, Selection};
 use crate::closest_point::{Search, closest_points};
 use crate::linearization::{COMPONENTS, Quantity, Varied};
 use crate::number::DoubleDouble;
-use rayon::prelude::*;
+use crate::parallel;
 
 /// One entry: its name, the oracle's number, the true number, and the closed form's own bound.
 type Entry = (Quantity, &'static str, Estimated, DoubleDouble, f64);
@@ -40,7 +40,7 @@ fn entries(number: u64) -> Vec<Entry> {
 fn estimates_are_honest_and_below_the_bounds_of_f64() {
     for regime in Regime::ALL {
         let numbers = Selection { regimes: vec![regime], family: None, cases: 121 }.numbers();
-        let entries: Vec<Entry> = numbers.into_par_iter().flat_map_iter(entries).collect();
+        let entries: Vec<Entry> = parallel::flat_map(&numbers, |&number| entries(number));
         let (mut sharp, mut all) = (0, 0);
         // A stencil that is too wide for a badly scaled curve is not detected. There the estimate may be too small by
         // a factor of up to four.

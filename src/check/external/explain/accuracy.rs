@@ -11,12 +11,12 @@ use crate::check::external::evaluate::{Evaluator, Formulas};
 use crate::check::external::report::Report;
 use crate::check::external::stages::{Traced, traced, traced_in_equations};
 use crate::check::external::vectors::{Drawing, Outcome, Vector};
+use crate::parallel;
 use crate::test_beam::Family;
 use crate::variant::{Fault, Variant, catalogue, classes};
 use rand::RngExt;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::slice;
 
@@ -89,7 +89,7 @@ pub fn explained_faults(programs: Programs) -> Vec<ExplainedFault> {
     let classes = classes(&catalogue);
     let singles = catalogue.iter().step_by(every.max(1)).map(|&fault| vec![fault]);
     let all: Vec<Vec<Fault>> = singles.chain(drawn_pairs(&catalogue, seed, pairs)).collect();
-    all.into_par_iter().map(|faults| explained(faults, &vectors, &demands, &memo, &classes)).collect()
+    parallel::map(&all, |faults| explained(faults.clone(), &vectors, &demands, &memo, &classes))
 }
 
 /// Pairs of faults of different terms. In every other pair both terms belong to the same formula.

@@ -8,8 +8,8 @@ use super::datum::Datum;
 use super::fit::Fit;
 use super::hypothesis::{Change, of_faults, singles};
 use crate::check::verdict::Order;
+use crate::parallel;
 use crate::variant::{Fault, Variant};
-use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::HashSet;
 
@@ -38,14 +38,11 @@ pub(super) fn pairs(cases: &[&AnsweredCase]) -> Vec<Change> {
     let none = Change::Variant(Variant::Unmodified);
     let Some(start) = first_wrong(screened, &none) else { return Vec::new() };
     let singles = singles();
-    let mut firsts: Vec<(Key, Fault)> = singles
-        .par_iter()
-        .filter_map(|&fault| {
-            let change = of_faults(&[fault]);
-            let end = first_wrong(screened, &change)?;
-            (end > start).then_some((end, fault))
-        })
-        .collect();
+    let mut firsts: Vec<(Key, Fault)> = parallel::filter_map(&singles, |&fault| {
+        let change = of_faults(&[fault]);
+        let end = first_wrong(screened, &change)?;
+        (end > start).then_some((end, fault))
+    });
     firsts.sort_by_key(|(end, _)| Reverse(*end));
     firsts.truncate(FIRST);
     let with_first = |&(_, first): &(Key, Fault)| {
@@ -116,7 +113,7 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
         let at: Vec<_> = cases.iter().map(|case| changes(case, fault)).collect();
         at.iter().any(Option::is_some).then_some((fault, at))
     };
-    let changing: Vec<(Fault, Vec<Option<Changes>>)> = singles.par_iter().filter_map(changing).collect();
+    let changing = parallel::filter_map(singles, changing);
     let pairs: Vec<[usize; 2]> =
         (0..changing.len()).flat_map(|i| (i + 1..changing.len()).map(move |j| [i, j])).collect();
     let explained = |&[i, j]: &[usize; 2]| {
@@ -142,7 +139,7 @@ fn both_in(formulation: usize, cases: &[&AnsweredCase], singles: &[Fault], start
         }
         Some((fit.sum, [*one, *two]))
     };
-    let mut explained: Vec<_> = pairs.par_iter().filter_map(explained).collect();
+    let mut explained = parallel::filter_map(&pairs, explained);
     explained.sort_by(|one, two| one.0.total_cmp(&two.0));
     explained.into_iter().take(BOTH).map(|(_, pair)| pair).collect()
 }

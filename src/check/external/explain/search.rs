@@ -11,8 +11,8 @@ use crate::check::evaluation_point::Structure;
 use crate::check::external::conventions::ENERGY;
 use crate::check::verdict::Order;
 use crate::linearization::Quantity;
+use crate::parallel;
 use crate::variant::{Fault, Variant};
-use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// The number of changes that are tried at all cases even if they explain the answers worse than others.
@@ -24,7 +24,7 @@ const LIKELY: f64 = 2.0;
 
 /// The predictions at a case that every search uses.
 pub(super) fn memo(case: &AnsweredCase) -> Known {
-    singles().into_par_iter().map(|fault| (fault, case.computed(&of_faults(&[fault])))).collect()
+    parallel::map(&singles(), |&fault| (fault, case.computed(&of_faults(&[fault])))).into_iter().collect()
 }
 
 /// The changes that are tried first: one fault of the catalogue, a simplification, a factor, and no change.

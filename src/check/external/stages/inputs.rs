@@ -12,9 +12,9 @@ use super::point::Point;
 use super::sample::Sample;
 use super::terms::Beam;
 use crate::number::RunningError;
+use crate::parallel;
 use nalgebra::Vector3;
 pub(super) use polynomials::{Derivative, derivatives};
-use rayon::prelude::*;
 pub(super) use shapes::error_by_beam;
 
 /// The vectors of a sample: x, t, t,xi and t,xixi by beam, and the variations by direction, beam and derivative.
@@ -136,5 +136,5 @@ pub(super) fn found(equations: &[Equation], samples: &[Sample], wrong: &[usize])
             && holds(input, &few, &wrong)
             && holds(input, &every, &others)
     };
-    all(samples).into_par_iter().filter(is_found).map(|input| input.words).collect()
+    parallel::filter_map(&all(samples), |input| is_found(input).then(|| input.words.clone()))
 }

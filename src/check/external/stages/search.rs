@@ -5,7 +5,7 @@ use super::point::Point;
 use super::rows::Row;
 use super::terms::{Earlier, Reading, Term};
 use crate::number::RunningError;
-use rayon::prelude::*;
+use crate::parallel;
 use std::collections::{BTreeMap, HashMap};
 
 /// The residual of a sum at the samples.
@@ -99,11 +99,11 @@ impl<'a> System<'a> {
     /// The rows that alone leave only rounding, each with its factor.
     pub(super) fn singles(&self, rows: &[Row]) -> Vec<Vec<(usize, f64)>> {
         let probes = self.probes(6);
-        let explains = |(k, row): (usize, &Row)| {
-            let factor = self.factor(row, &probes)?;
-            self.is_explained(&[(row, factor)]).then(|| vec![(k, factor)])
+        let explains = |k: usize| {
+            let factor = self.factor(&rows[k], &probes)?;
+            self.is_explained(&[(&rows[k], factor)]).then(|| vec![(k, factor)])
         };
-        rows.par_iter().enumerate().filter_map(explains).collect()
+        parallel::indices(rows.len(), explains).into_iter().flatten().collect()
     }
 
     /// The rows that alone leave only rounding in each case, with a factor of its own in each.
@@ -112,11 +112,12 @@ impl<'a> System<'a> {
         for (i, point) in self.points.iter().enumerate() {
             of_cases.entry(point.sample.case).or_default().push(i);
         }
-        let explains = |(k, row): (usize, &Row)| {
-            let clear: Option<Vec<bool>> = of_cases.values().map(|of| self.is_multiple(row, of)).collect();
+        let explains = |k: usize| {
+            let clear: Option<Vec<bool>> =
+                of_cases.values().map(|of| self.is_multiple(&rows[k], of)).collect();
             (clear?.into_iter().filter(|is_clear| *is_clear).count() >= CLEAR_CASES).then_some(k)
         };
-        rows.par_iter().enumerate().filter_map(explains).collect()
+        parallel::indices(rows.len(), explains).into_iter().flatten().collect()
     }
 
     /// Whether the residuals of a case are clearly a multiple of a row; nothing if they are not.
@@ -214,9 +215,9 @@ impl<'a> System<'a> {
         let fixed =
             |of: &[f64]| -> [f64; PROBES] { std::array::from_fn(|i| of.get(i).copied().unwrap_or(0.0)) };
         let y = fixed(&y);
-        let column = |(k, row): (usize, &Row)| {
+        let column = |k: usize| {
             let of_probe = |(i, w): (&usize, &f64)| {
-                let c = self.column(row, *i)?;
+                let c = self.column(&rows[k], *i)?;
                 Some(if is_zero(&c) { 0.0 } else { c.value * w })
             };
             let column: Vec<f64> = probes.iter().zip(&weights).map(of_probe).collect::<Option<_>>()?;
@@ -224,9 +225,9 @@ impl<'a> System<'a> {
             let unit = fixed(&column.iter().map(|c| c / norm).collect::<Vec<_>>());
             (norm > 1e-9 && norm.is_finite()).then_some((k, norm, unit))
         };
-        let all: Vec<_> = rows.par_iter().enumerate().filter_map(column).collect();
+        let all = parallel::indices(rows.len(), column);
         let mut columns: Vec<(usize, f64, [f64; PROBES])> = Vec::new();
-        for column in all {
+        for column in all.into_iter().flatten() {
             // Rows with the same numbers.
             if !columns.iter().any(|other| 1.0 - project(&other.2, &column.2).abs() < 1e-12) {
                 columns.push(column);
@@ -239,10 +240,9 @@ impl<'a> System<'a> {
             let left = yy - (on[i] * on[i] + on[j] * on[j] - 2.0 * rho * on[i] * on[j]) / (1.0 - rho * rho);
             (left < 1e-8 * yy).then_some((left, i, j))
         };
-        let mut best: Vec<(f64, usize, usize)> = (0..columns.len())
-            .into_par_iter()
-            .flat_map_iter(|i| (0..i).filter_map(move |j| of_pair(i, j)))
-            .collect();
+        let mut best: Vec<(f64, usize, usize)> =
+            parallel::indices(columns.len(), |i| (0..i).filter_map(|j| of_pair(i, j)).collect::<Vec<_>>())
+                .concat();
         best.sort_by(|a, b| a.0.total_cmp(&b.0));
         best.truncate(60);
         let mut found = Vec::new();

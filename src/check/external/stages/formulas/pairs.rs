@@ -9,7 +9,7 @@ use super::point::{Point, probes};
 use super::values::Values;
 use crate::check::candidate::CAREFUL;
 use crate::number::RunningError;
-use rayon::prelude::*;
+use crate::parallel;
 use std::cmp::Reverse;
 
 /// The number of samples at which pairs are tried.
@@ -62,12 +62,14 @@ fn of_way(points: &[Point], way: usize, among: Set) -> Option<Change> {
     };
     let wanted_at: Vec<RunningError> = probes.iter().filter_map(|point| wanted(point)).collect();
     let is_simple = |change: &&Change| change.cost <= Class::SIMPLE && change.ways[way];
-    let simple = CHANGES.of(needed, Class::Simple).into_par_iter().filter(is_simple);
-    let effects: Vec<(&Change, Vec<RunningError>)> = simple
-        .map(|change| (change, probes.iter().map(|point| effect(point, change)).collect::<Vec<_>>()))
-        .filter(|(_, effects)| effects.iter().all(|of| of.value.is_finite() && of.bound.is_finite()))
-        .filter(|(_, effects)| effects.iter().any(|of| of.value.abs() > of.bound))
-        .collect();
+    let mut simple = CHANGES.of(needed, Class::Simple);
+    simple.retain(is_simple);
+    let with_effects = |change: &&'static Change| {
+        let effects: Vec<RunningError> = probes.iter().map(|point| effect(point, change)).collect();
+        let is_finite = effects.iter().all(|of| of.value.is_finite() && of.bound.is_finite());
+        (is_finite && effects.iter().any(|of| of.value.abs() > of.bound)).then_some((*change, effects))
+    };
+    let effects = parallel::filter_map(&simple, with_effects);
     let of_factor = |(change, at_probes): &(&Change, Vec<RunningError>)| {
         factor(at_probes, &wanted_at)?;
         let words = change.words();
@@ -80,7 +82,7 @@ fn of_way(points: &[Point], way: usize, among: Set) -> Option<Change> {
     };
     // The formula that is next to the answers is meant.
     let last = |change: &Change| (change.new.iter().map(|(name, _)| *name).max(), Reverse(change.cost));
-    if let Some(found) = effects.par_iter().filter_map(of_factor).max_by_key(last) {
+    if let Some(found) = parallel::filter_map(&effects, of_factor).into_iter().max_by_key(last) {
         return Some(found);
     }
     let mut sorted: Vec<usize> = (0..effects.len()).collect();
@@ -105,7 +107,7 @@ fn of_way(points: &[Point], way: usize, among: Set) -> Option<Change> {
                 })
         })
     };
-    let pair = (0..effects.len()).into_par_iter().find_map_first(|i| of_first(i).map(|k| [i, k]))?;
+    let pair = parallel::first(effects.len(), |i| of_first(i).map(|k| [i, k]))?;
     let [one, other] = pair.map(|i| effects[i].0);
     let words = format!("{} and {}", one.words(), other.words()).into();
     Some(Change { words, cost: one.cost + other.cost, ..one.clone() })

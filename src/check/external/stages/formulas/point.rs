@@ -10,7 +10,7 @@ use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;
 use crate::linearization::Quantity;
 use crate::number::RunningError;
-use rayon::prelude::*;
+use crate::parallel;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, OnceLock};
 
@@ -111,8 +111,8 @@ pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
     let is_of_geometry = answered.collect::<Set>().without(of_geometry).is_empty();
     let needed = if is_of_geometry { of_geometry } else { (0..FORMULAS.names.0.len()).collect() };
     let same = FORMULAS.same_ways(needed);
-    let all = samples.par_iter().zip(numbers);
-    let mut points: Vec<Point> = all.map(|of| point(of, given, (needed, same))).collect();
+    let of_sample = |i: usize| point((&samples[i], numbers[i].clone()), given, (needed, same));
+    let mut points = parallel::indices(samples.len(), of_sample);
     let mut sizes = BTreeMap::new();
     for Answer { output, number, .. } in points.iter().flat_map(|point| &point.answers) {
         let size: &mut f64 = sizes.entry(output.name).or_default();

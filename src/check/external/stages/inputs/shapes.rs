@@ -6,8 +6,8 @@ use crate::check::external::stages::point::Point;
 use crate::check::external::stages::sample::Sample;
 use crate::check::external::stages::terms::{Beam, Earlier, Reading};
 use crate::number::RunningError;
+use crate::parallel;
 use nalgebra::{DMatrix, DVector};
-use rayon::prelude::*;
 
 /// The number of cases that are tried.
 const TRIED: usize = 16;
@@ -241,13 +241,13 @@ pub(super) fn found(
             let each = (0..count(beams[0])).flat_map(|node| (0..4).map(move |order| (node, order)));
             each.map(move |(node, order)| (Shape { node, order, of, beams }, of_beams))
         });
-        let words = |(shape, of_beams): (Shape, &str)| {
+        let words = |(shape, of_beams): &(Shape, &str)| {
             let errors = shape.errors(&which, samples, cases)?;
             let (order, number, words) =
                 (ORDERS[shape.order], shape.node + 1, shape.words(samples, &errors)?);
             Some(format!("{order}shape function {number} of {of_beams}{scope}: {words}"))
         };
-        let found: Vec<String> = shapes.collect::<Vec<_>>().into_par_iter().filter_map(words).collect();
+        let found = parallel::filter_map(&shapes.collect::<Vec<_>>(), words);
         if !found.is_empty() {
             return found;
         }
