@@ -13,9 +13,10 @@
 //! The difference of the two sides is a function of the drawn numbers, rational except for three square roots. If it is
 //! not identically zero, its product with its conjugates in the roots and with its denominators is a polynomial of
 //! degree at most 8 n, where n bounds the degree of numerator and denominator of either side. The bound is computed by
-//! running both sides over [`PolynomialDegree`](crate::number::PolynomialDegree). A polynomial of degree m vanishes at a random point with probability m / p at
-//! most (Schwartz and Zippel), and at least one point in eight is not drawn again. One draw therefore misses a wrong
-//! formula with probability 64 n / p at most, and the probabilities of independent draws multiply. A contact element that slips
+//! running both sides with every drawn number as a variable
+//! ([`PrimeField::variable`](crate::number::PrimeField::variable)). A polynomial of degree m vanishes at a random point with
+//! probability m / p at most (Schwartz and Zippel), and at least one point in eight is not drawn again. One draw therefore
+//! misses a wrong formula with probability 64 n / p at most, and the probabilities of independent draws multiply. A contact element that slips
 //! has a fourth square root, the length of the trial force, and so 256 n / p.
 
 mod draw;

@@ -26,8 +26,9 @@ pub(super) fn draw(seed: u64, families: [Family; 2], draw: u64) -> Tally {
     let mut numbers = ChaCha8Rng::from_rng(&mut rng);
     let random =
         point.map(&mut |_| residue(&mut numbers), &mut |_| Vector3::from_fn(|_, _| residue(&mut rng)));
-    let books = [point, random].map(|point| [paper::read(&point), paper::read(&point.exchanged())]);
-    let [[point, exchanged], [random, random_exchanged]] = &books;
+    let books =
+        |point: &Point<PrimeField>| [paper::read(point), paper::read(&point.exchanged())].map(Box::new);
+    let ([point, exchanged], [random, random_exchanged]) = (&books(&point), &books(&random));
     Tally::of_draw(nonlinear, [point, exchanged], [random, random_exchanged])
 }
 

@@ -5,8 +5,7 @@
 //! computes it, because the primitive of num-dual must be a float.
 
 use super::{
-    Bound, DoubleDouble, HyperDual, HyperDualRow, PolynomialDegree, PrimeField, Real, RunningErrorBy,
-    field_from_operators,
+    Bound, DoubleDouble, HyperDual, HyperDualRow, PrimeField, Real, RunningErrorBy, field_from_operators,
 };
 use num_dual::DualNum;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -132,4 +131,4 @@ macro_rules! differentiable_by_own_dual {
         }
     )*};
 }
-differentiable_by_own_dual!([B: Bound] RunningErrorBy<B>, [] PolynomialDegree, [] DoubleDouble, [] PrimeField, [T: Real] Dual<T>, [T: Real] HyperDual<T>, [const C: usize] HyperDualRow<C>);
+differentiable_by_own_dual!([B: Bound] RunningErrorBy<B>, [] DoubleDouble, [] PrimeField, [T: Real] Dual<T>, [T: Real] HyperDual<T>, [const C: usize] HyperDualRow<C>);

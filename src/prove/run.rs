@@ -7,12 +7,12 @@ use crate::closest_point::Held;
 use crate::linearization::closed_form::formulation::{Distance, System};
 use crate::linearization::closed_form::{Formulation, variations_in};
 use crate::linearization::{COMPONENTS, Quantity};
-use crate::number::PolynomialDegree;
+use crate::number::PrimeField;
+use crate::parallel;
 use crate::test_beam::Family;
 use crate::variant::{CONTACT, Variant, contracted, every_layout};
-use rand::SeedableRng;
+use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
@@ -90,7 +90,7 @@ pub fn prove(variant: &Variant, seed: u64, families: &[Family], draws: u64, step
         step();
         result
     };
-    let results: Vec<_> = pairs.par_iter().map(of_pair).collect();
+    let results = parallel::map(&pairs, of_pair);
     let mut proof = Proof { pairs: pairs.len(), ..Proof::default() };
     for quantity in Quantity::ALL {
         for (k, layer) in Layer::ALL.into_iter().enumerate() {
@@ -134,8 +134,10 @@ fn prove_pair(variant: &Variant, seed: u64, families: [Family; 2], draws: u64) -
 /// Bounds on the degrees of the differences, with all drawn numbers as variables.
 fn degrees(families: [Family; 2]) -> Degrees {
     let mut rng = ChaCha8Rng::seed_from_u64(0);
-    let beams = families.map(|family| family.model(&mut rng).degrees());
-    let at = (PolynomialDegree::VARIABLE, PolynomialDegree::VARIABLE);
+    let models = families.map(|family| family.model(&mut rng));
+    let mut variable = || PrimeField::new(rng.random()).variable();
+    let beams = models.map(|model| model.residues(&mut variable));
+    let at = (variable(), variable());
     let mut degrees = Degrees::default();
     let held = Held::default();
     let forms = [Distance::Length, Distance::Normal { reversed: false }].into_iter().flat_map(|distance| {
@@ -155,7 +157,7 @@ fn degrees(families: [Family; 2]) -> Degrees {
         };
         for Entry { component, layer, closed, ad, .. } in entries(&sides) {
             let degree = &mut degrees[component][layer as usize];
-            *degree = degree.max(closed.of_difference(ad));
+            *degree = degree.max(closed.degree().of_difference(ad.degree()));
         }
     }
     degrees

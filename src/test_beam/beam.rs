@@ -7,8 +7,8 @@ use crate::curve::{Curve, DofDerivatives, Geometry};
 use crate::linearization::ad::{Perturbed, PositionAt};
 use crate::linearization::closed_form::PartialVariations;
 use crate::number::{
-    Bits, DoubleDouble, Dual, Extends, Faulty, HyperDual, PolynomialDegree, PrimeField, Real, RunningError,
-    RunningErrorBy, TaylorSeries, Traced,
+    Bits, DoubleDouble, Dual, Extends, Faulty, HyperDual, PrimeField, Real, RunningError, RunningErrorBy,
+    TaylorSeries, Traced,
 };
 use nalgebra::{SVector, Vector3};
 use num_dual::{Dual2SVec, DualSVec, HyperDual64};
@@ -73,9 +73,6 @@ pub(crate) trait AnyBeam:
     /// The jet of such a curve with all its derivatives, as a function of the parameter, over a scalar that injects
     /// faults into operations.
     fn jets(&self, random: &mut dyn FnMut() -> Traced) -> Box<dyn Fn(Traced) -> Vec<u64> + Send + Sync>;
-
-    /// The same with every dof and direction as a variable whose degree counts.
-    fn degrees(&self) -> Box<dyn ExactBeam<PolynomialDegree>>;
 }
 
 /// A curve with its dofs and the two directions of variation.
@@ -265,9 +262,5 @@ impl<C: Curve<N> + Clone + Debug + Send + Sync + 'static, const N: usize> AnyBea
             }
             all
         })
-    }
-
-    fn degrees(&self) -> Box<dyn ExactBeam<PolynomialDegree>> {
-        Box::new(self.exact(&mut || PolynomialDegree::VARIABLE))
     }
 }

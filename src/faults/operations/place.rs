@@ -124,8 +124,8 @@ impl Place {
             Matrices::in_formulation(jet, jet_bar, self.form).write_all(at, &contact, &mut all);
         }
         let Linearization { d, t, t_bar, xi, xi_bar, g_t, g_t_bar, radii } = all;
-        let quantities = [d, t, t_bar, xi, xi_bar, g_t, g_t_bar];
-        quantities.iter().flat_map(numbers).chain([radii.0.bits()]).collect()
+        let quantities = [&d, &t, &t_bar, &xi, &xi_bar, &g_t, &g_t_bar];
+        quantities.into_iter().flat_map(numbers).chain([radii.0.bits()]).collect()
     }
 
     /// The contact elements of this place: in every state with both kinds of work if all parts of the geometry are used, else in
