@@ -47,6 +47,10 @@ impl ElementData {
     /// The number of situations, which alternate.
     pub(in crate::check) const SITUATIONS: u64 = SITUATIONS.len() as u64;
 
+    /// In the situations of these numbers, a parameter that is held was not held before.
+    pub(in crate::check) const BECOMES_HELD_IN_STICK: u64 = Self::SITUATIONS;
+    pub(in crate::check) const BECOMES_HELD_IN_SLIP: u64 = Self::SITUATIONS + 1;
+
     /// mu F_N over the trial force in the situation of this number; nothing for mu = 0.
     pub(in crate::check) fn cone(number: u64) -> Option<f64> {
         situation(number).cone
@@ -99,7 +103,8 @@ impl ElementData {
         let mut parameters = Parameters::with_friction(law, eps_t, 0.0);
         parameters.work =
             if number.is_multiple_of(2) == round.is_multiple_of(2) { Work::Rate } else { Work::Paper };
-        let before = held_before(number + round, held);
+        // Independent of the work.
+        let before = held_before(number / 2 + round, held);
         // The slip of the step in the parameter, and the elastic slip of the last one.
         let mut slip = |is_held: bool, was_held: bool, t: f64| {
             let slip = situation.slip * rng.random_range(0.5..1.5) * sign(rng);
@@ -171,7 +176,7 @@ fn force(law: Law, g_n: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{ElementData, Held, force};
-    use crate::contact::Law;
+    use crate::contact::{Law, Work};
     use crate::curve::Geometry;
     use crate::linearization::closed_form::Points;
     use crate::pair::Contact;
@@ -209,7 +214,7 @@ mod tests {
                     _ => {}
                 }
                 let before = element.history.slips.map(|slips| (slips.held.xi, slips.held.xi_bar));
-                changes.insert((before, held));
+                changes.insert((before, held, element.parameters.work == Work::Rate));
             }
         }
         assert!(on_parabola.len() >= 9, "{on_parabola:?}");
@@ -224,7 +229,9 @@ mod tests {
             (Some((false, true)), (true, false)),
             (Some((true, true)), (true, false)),
         ] {
-            assert!(changes.contains(&(before, now)), "{before:?} {now:?}");
+            for is_rate in [false, true] {
+                assert!(changes.contains(&(before, now, is_rate)), "{before:?} {now:?} {is_rate}");
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::{Outcome, Vector};
 use crate::check::draw::Case;
 use crate::check::{Coverage, ElementData, Regime, Symmetry};
+use crate::closest_point::Held;
 use crate::contact::Work;
 use crate::test_beam::Family;
 use rand::SeedableRng;
@@ -12,6 +13,18 @@ use rand_chacha::ChaCha8Rng;
 const TRIES: u64 = 16;
 /// The distance of the seeds of these draws.
 const AGAIN: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// The first elements near the ends of beams: each parameter becomes held where the contact sticks, and where it slips. Of few
+/// cases that are drawn at random, none may show one of these.
+const AT_ENDS: [(Held, u64); 4] = {
+    let [xi, xi_bar] = [Held { xi: true, xi_bar: false }, Held { xi: false, xi_bar: true }];
+    [
+        (xi, ElementData::BECOMES_HELD_IN_STICK),
+        (xi_bar, ElementData::BECOMES_HELD_IN_SLIP),
+        (xi, ElementData::BECOMES_HELD_IN_SLIP),
+        (xi_bar, ElementData::BECOMES_HELD_IN_STICK),
+    ]
+};
 
 /// The cases that are drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,12 +74,21 @@ impl Drawing {
     ///
     /// A case whose closest point cannot be compared is drawn again, because it would be left out.
     pub fn vector(&self, number: u64) -> Vector {
-        let first = self.drawn(number, 0);
-        if first.outcome() == Outcome::Valid {
-            return first;
-        }
-        let others = (1..=TRIES).map(|again| self.drawn(number, again));
-        others.into_iter().find(|vector| vector.outcome() == Outcome::Valid).unwrap_or(first)
+        let wanted = self.at_end(number).map(|(held, _)| held);
+        let is_wanted = |vector: &Vector| wanted.is_none() || vector.evaluated(|at| at.held).ok() == wanted;
+        let all = (0..=TRIES).map(|again| self.drawn(number, again));
+        let mut valid = all.filter(|vector| vector.outcome() == Outcome::Valid).peekable();
+        let first = valid.peek().cloned();
+        valid.find(is_wanted).or(first).unwrap_or_else(|| self.drawn(number, 0))
+    }
+
+    /// Which parameter is held at the end of a beam, and the situation of the element, if the case is one of the first near the
+    /// ends.
+    fn at_end(&self, number: u64) -> Option<(Held, u64)> {
+        let regimes = self.regimes.len() as u64;
+        let regime = self.regimes[usize::try_from(number % regimes).unwrap_or(0)];
+        let place = usize::try_from(number / regimes).ok()?;
+        AT_ENDS.get(place).copied().filter(|_| self.elements && regime == Regime::NearEnd)
     }
 
     /// A case, drawn for the first time or again.
@@ -112,7 +134,7 @@ impl Drawing {
             let mut rng = ChaCha8Rng::seed_from_u64(seed);
             rng.set_stream(number);
             // Each regime begins with another situation.
-            let turn = place + 5 * shift;
+            let turn = self.at_end(number).map_or(place + 5 * shift, |(_, turn)| turn);
             let element = vector.evaluated(|evaluation| {
                 let at = (evaluation.at.0.value, evaluation.at.1.value);
                 ElementData::draw(
@@ -141,4 +163,38 @@ impl Drawing {
 #[expect(clippy::cast_precision_loss, reason = "the number of a case is small")]
 fn share_of(number: u64) -> f64 {
     (number as f64 * 0.618_033_988_749_894_8).fract()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AT_ENDS, Drawing};
+    use crate::check::Regime;
+    use crate::contact::State;
+    use crate::test_beam::Family;
+
+    /// A wrong start of the slips of such a step is seen by the smallest files that show it.
+    #[test]
+    fn each_parameter_becomes_held_in_stick_and_in_slip() {
+        for seed in 0..8 {
+            let drawing = Drawing {
+                seed,
+                regimes: vec![Regime::Generic, Regime::NearEnd],
+                families: vec![Family::Hermite, Family::Segment],
+                cases: 4,
+                penetrating: false,
+                elements: true,
+                steps: false,
+                work: None,
+            };
+            for (place, state) in
+                [State::Stick, State::Slip, State::Slip, State::Stick].into_iter().enumerate()
+            {
+                let vector = drawing.vector(2 * place as u64 + 1);
+                let held = vector.evaluated(|at| at.held).unwrap();
+                let before = vector.element.unwrap().history.slips.unwrap().held;
+                assert!(!before.xi && !before.xi_bar, "seed {seed}, {place}: {before:?}");
+                assert_eq!((held, vector.state()), (AT_ENDS[place].0, Some(state)), "seed {seed}, {place}");
+            }
+        }
+    }
 }
