@@ -5,12 +5,12 @@
 
 mod fit;
 
-use super::formulas::{FirstWrong, Written};
+use super::formulas::{Answers, FirstWrong, Written};
 use super::inputs::{Input, Vectors, with_single_derivatives};
 use super::sample::Sample;
 use crate::linearization::Quantity;
 use crate::number::RunningError;
-use rayon::prelude::*;
+use crate::parallel;
 use std::collections::BTreeSet;
 
 /// The number of cases at which all errors are tried.
@@ -60,7 +60,7 @@ pub(super) fn found(samples: &[Sample]) -> Vec<String> {
         return Vec::new();
     }
     let few = &probes[..probes.len().min(PROBES)];
-    let told = |input: &Input, how: Found| {
+    let told = |input: &Input, how: Found, answers: &Answers| {
         let mut left = 0;
         // Most fail at the first ones. An iteration with wrong curves may end anywhere.
         let may_be_left = if how == Found::StepBefore { few.len() / 2 } else { few.len() / 4 };
@@ -68,12 +68,13 @@ pub(super) fn found(samples: &[Sample]) -> Vec<String> {
             left += usize::from(!Wrong::new(input, &samples[of.place]).has_point(how, of));
             left <= may_be_left
         });
-        is_possible.then(|| explained(input, (how, true), (samples, &cases))).flatten()
+        is_possible.then(|| explained(input, how, answers, (samples, &cases))).flatten()
     };
     let inputs = with_single_derivatives(samples);
     let found = |how: Found| -> Vec<String> {
-        let words = |input: &Input| Some(format!("{}{}", input.words, told(input, how)?));
-        inputs.par_iter().filter_map(words).collect()
+        let answers = Answers::of(samples, how == Found::Closest, true);
+        let words = |input: &Input| Some(format!("{}{}", input.words, told(input, how, &answers)?));
+        parallel::filter_map(&inputs, words)
     };
     if has_own_point {
         return found(Found::StepBefore);
@@ -106,29 +107,34 @@ fn exact(sample: &Sample) -> [f64; 2] {
 /// what is wrong, so half of the wrong cases are enough. Right answers must be right with the error, too.
 fn explained(
     input: &Input,
-    (how, with_tangent): (Found, bool),
+    how: Found,
+    answers: &Answers,
     (samples, wrong): (&[Sample], &BTreeSet<usize>),
 ) -> Option<String> {
-    let mut written = Written::default();
-    let (mut explained, mut left, mut has_converged) = (0, 0, true);
+    let mut written = Written::new(answers);
+    let (mut explained, mut left, mut has_converged, mut first) = (0, 0, true, 0);
     for of_case in samples.chunk_by(|one, other| one.case == other.case) {
-        let mut is_right = |xi: &[f64; 2], is_strict: bool| {
-            let all: Vec<Sample> =
-                of_case.iter().map(|sample| Wrong::new(input, sample).sample_at(*xi, how)).collect();
-            written.yields(&all, (how == Found::Closest, with_tangent), is_strict)
-        };
         let mut here = Wrong::new(input, &of_case[0]);
-        let points = here.points(how);
+        let with = |xi: [f64; 2]| {
+            let all: Vec<Sample> =
+                of_case.iter().map(|sample| Wrong::new(input, sample).sample_at(xi, how)).collect();
+            Some((xi, written.with(&all, answers, first)?))
+        };
+        let fitting: Vec<_> = here.points(how).into_iter().filter_map(with).collect();
         let is_wrong = wrong.contains(&of_case[0].case);
-        if let Some(xi) = points.iter().find(|xi| is_wrong && is_right(xi, true)) {
+        let strict = fitting.iter().find(|(_, (_, is_strict))| is_wrong && *is_strict);
+        if let Some((xi, _)) = strict {
             explained += 1;
-            has_converged &= how != Found::StepBefore || is_same(*xi, here.xi());
-        } else if !points.iter().any(|xi| is_right(xi, false)) {
-            if !is_wrong {
-                return None;
-            }
-            left += 1;
+            has_converged &= how != Found::StepBefore || is_same(*xi, here.xi()) && here.is_closest();
         }
+        if let Some((_, (with_case, _))) = strict.or_else(|| fitting.first()) {
+            written = with_case.clone();
+        } else if is_wrong && 2 * (left + 1) <= wrong.len() {
+            left += 1;
+        } else {
+            return None;
+        }
+        first += of_case.len();
     }
     let count = wrong.len();
     let of_iteration = if has_converged { "" } else { NOT_CONVERGED };
@@ -177,6 +183,12 @@ impl<'a> Wrong<'a> {
         (f, solved(matrix, f, self.right.held))
     }
 
+    /// Whether the iteration has converged to the answered point.
+    fn is_closest(&mut self) -> bool {
+        let (own, held) = (self.xi(), self.right.held);
+        root(&mut |xi| self.step(xi).0, own, held).is_some_and(|xi| is_same(xi, own))
+    }
+
     /// Whether the first wrong result, and those before it, are right at a point that the program may have.
     fn has_point(&mut self, how: Found, first: &FirstWrong) -> bool {
         self.points(how).into_iter().any(|xi| first.are_right(&self.sample_at(xi, how)))
@@ -201,6 +213,8 @@ impl<'a> Wrong<'a> {
         let mut points: Vec<[f64; 2]> = starts.filter_map(&mut before).collect();
         // Near the closest point, rounding decides where the last step began.
         points.extend(closest.filter(|xi| is_same(*xi, own)));
+        // A program may evaluate its vectors again after the last step.
+        points.push(own);
         points
     }
 

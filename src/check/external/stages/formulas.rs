@@ -12,6 +12,7 @@ mod derivative;
 mod edits;
 mod entries;
 mod evaluation;
+mod expanded;
 mod explained;
 mod friction;
 mod inputs;
@@ -39,5 +40,5 @@ mod tests;
 
 pub(super) use inputs::Inputs;
 pub use list::LIST_OF_FORMULAS;
-pub(super) use right::{FirstWrong, Written};
+pub(super) use right::{Answers, FirstWrong, Written};
 pub(super) use search::{found, of_all};

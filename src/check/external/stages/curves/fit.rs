@@ -1,10 +1,10 @@
 //! A derivative of a shape function that is wrong by any polynomial, at the closest point of the case.
 
 use super::Found;
-use crate::check::external::stages::formulas::FirstWrong;
+use crate::check::external::stages::formulas::{Answers, FirstWrong};
 use crate::check::external::stages::inputs::{Derivative, derivatives, error_by_beam};
 use crate::check::external::stages::sample::Sample;
-use rayon::prelude::*;
+use crate::parallel;
 use std::collections::BTreeSet;
 
 /// The number of cases at which the error is solved for.
@@ -22,17 +22,17 @@ const WITHOUT_TANGENT: &str = "; what follows for the tangent was not looked at"
 /// The errors that yield all answers, in words.
 pub(super) fn found(samples: &[Sample], wrong: &[FirstWrong], cases: &BTreeSet<usize>) -> Vec<String> {
     let all = derivatives(samples);
+    let answers = [true, false].map(|with_tangent| Answers::of(samples, false, with_tangent));
     let told = |of: &Derivative| {
         let in_way = |way: &usize| of.with_errors(&errors(of, *way, samples, wrong)?, &all);
         let input = wrong.first()?.ways().iter().find_map(in_way)?;
-        let explained =
-            |with_tangent| super::explained(&input, (Found::Given, with_tangent), (samples, cases));
+        let explained = |answers: &Answers| super::explained(&input, Found::Given, answers, (samples, cases));
         // A program may have its own form of the tangent, which is the same at closest points alone.
-        let without = || explained(false).filter(|_| !wrong.iter().any(FirstWrong::is_tangent));
-        let more = explained(true).or_else(|| without().map(|more| more + WITHOUT_TANGENT))?;
+        let without = || explained(&answers[1]).filter(|_| !wrong.iter().any(FirstWrong::is_tangent));
+        let more = explained(&answers[0]).or_else(|| without().map(|more| more + WITHOUT_TANGENT))?;
         Some(format!("{}{more}", input.words))
     };
-    all.par_iter().filter_map(told).collect()
+    parallel::filter_map(&all, told)
 }
 
 /// By how much it is wrong at the parameters of some cases, if that explains the first wrong result in each of them.

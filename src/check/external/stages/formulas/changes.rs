@@ -8,7 +8,7 @@ use super::names::{Set, WAYS};
 use super::outputs::RESULTS;
 use super::tree::{Name, Op, Tree};
 use super::words::{IN_DERIVATIVES, OfEdit};
-use rayon::prelude::*;
+use crate::parallel;
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, OnceLock};
 
@@ -24,7 +24,7 @@ pub(super) struct Changes {
 struct OfFormula {
     /// The names that its changes may give another formula.
     names: Set,
-    of_classes: [OnceLock<Vec<Change>>; 3],
+    of_classes: [OnceLock<Vec<Change>>; Class::KEPT.len()],
 }
 
 impl OfFormula {
@@ -45,7 +45,7 @@ const ANSWERS: [&str; 11] =
     ["C", "C_bar", "state", "|d|", "g_N", "d|d|", "dg_N", "g_T", "g_T_bar", "dg_T", "dg_T_bar"];
 
 /// The system with unit rows for held parameters. Most programs have a formula for each end in the place of it.
-const UNIT_ROWS: [&str; 8] = ["h11", "h12", "h22", "hdet", "dh", "dh_bar", "Ddh", "Ddh_bar"];
+const UNIT_ROWS: [&str; 9] = ["h11", "h12", "h21", "h22", "hdet", "dh", "dh_bar", "Ddh", "Ddh_bar"];
 
 pub(super) fn scaled(name: Name, by: f64) -> Tree {
     Tree::product(vec![(false, Tree::number(by)), (false, Tree::name(name))])
@@ -66,7 +66,7 @@ impl Changes {
         };
         others.extend(list.all.iter().filter_map(exchange));
         let of_formula = |formula| {
-            let of_classes = [const { OnceLock::new() }; 3];
+            let of_classes = [const { OnceLock::new() }; Class::KEPT.len()];
             OfFormula { names: list.names_of_changes(formula), of_classes }
         };
         Self { others, of_formulas: list.all.iter().map(of_formula).collect() }
@@ -75,7 +75,7 @@ impl Changes {
     /// The changes of each formula that are made, with the names that they may give another formula.
     #[cfg(test)]
     pub(super) fn of_each_formula(&self) -> impl Iterator<Item = (Set, &[Change])> {
-        let all = self.of_formulas.iter().flat_map(|of| Class::ALL.map(|class| (of, class)));
+        let all = self.of_formulas.iter().flat_map(|of| Class::KEPT.map(|class| (of, class)));
         all.filter_map(|(of, class)| Some((of.names, &of.changes(class).get()?[..])))
     }
 
@@ -85,9 +85,9 @@ impl Changes {
         let is_needed = |i: &usize| !self.of_formulas[*i].names.and(needed).is_empty();
         let which: Vec<usize> = (0..self.of_formulas.len()).filter(is_needed).collect();
         let of = |i: usize| self.of_formulas[i].changes(class);
-        let missing = which.par_iter().filter(|i| of(**i).get().is_none());
+        let missing: Vec<usize> = which.iter().copied().filter(|i| of(*i).get().is_none()).collect();
         // No lock is held while other threads are waited for.
-        let made: Vec<_> = missing.map(|&i| (i, FORMULAS.changes_of(&FORMULAS.all[i], class))).collect();
+        let made = parallel::map(&missing, |&i| (i, FORMULAS.changes_of(&FORMULAS.all[i], class)));
         for (i, changes) in made {
             of(i).get_or_init(|| changes);
         }
@@ -99,7 +99,7 @@ impl Changes {
 
 impl Formulas {
     /// The names that a change of this formula may give another formula.
-    fn names_of_changes(&self, formula: &Formula) -> Set {
+    pub(super) fn names_of_changes(&self, formula: &Formula) -> Set {
         let twins = (0..WAYS).filter_map(|way| self.twin_of(formula, way));
         let all: Vec<&Formula> = twins.chain([formula]).collect();
         let derived = all.iter().flat_map(|of| [self.derivative_of(of), self.second_formula(of)]).flatten();
@@ -108,18 +108,21 @@ impl Formulas {
 
     /// The changes of a formula in all ways of writing.
     fn changes_of(&self, formula: &Formula, class: Class) -> Vec<Change> {
-        (0..WAYS).into_par_iter().flat_map(|way| self.changes_in(formula, way, class)).collect()
+        parallel::indices(WAYS, |way| self.changes_in(formula, way, class)).concat()
+    }
+
+    /// The ways in which a formula and its twin are written like this, unless an earlier way is one of them.
+    pub(super) fn first_ways(&self, formula: &Formula, way: usize) -> Option<[bool; WAYS]> {
+        let twin = |way| self.twin_of(formula, way);
+        let both = |way| (formula.written(way), twin(way).map(|twin| twin.written(way)));
+        let ways: [bool; WAYS] = std::array::from_fn(|other| both(other) == both(way));
+        (!ways[..way].contains(&true)).then_some(ways)
     }
 
     /// The changes of a formula that is written in this way, unless an earlier way is the same.
     fn changes_in(&self, formula: &Formula, way: usize, class: Class) -> Vec<Change> {
-        let twin = |way| self.twin_of(formula, way);
-        let both = |way| (formula.written(way), twin(way).map(|twin| twin.written(way)));
-        let ways: [bool; WAYS] = std::array::from_fn(|other| both(other) == both(way));
-        if ways[..way].contains(&true) {
-            return Vec::new();
-        }
-        let twin = twin(way).filter(|twin| twin.name > formula.name);
+        let Some(ways) = self.first_ways(formula, way) else { return Vec::new() };
+        let twin = self.twin_of(formula, way).filter(|twin| twin.name > formula.name);
         let mut is_rare = UNIT_ROWS.contains(&&*self.names.0[formula.name]);
         formula.written(way).each_name(&mut |name| is_rare |= UNIT_ROWS.contains(&&*self.names.0[name]));
         let others = |name: Name, before: &Formula| {
@@ -130,7 +133,7 @@ impl Formulas {
         let of_twin = twin.map(|twin| edits(twin.written(way), class, &|name| others(name, twin)));
         let same: HashMap<_, _> =
             of_twin.iter().flatten().rev().map(|edit| ((edit.what, &*edit.path), edit)).collect();
-        let of_edit = |edit: Edit| {
+        let of_edit = |edit: &Arc<Edit>| {
             let mut found = Vec::new();
             let what = match edit.what {
                 What::Other(name) => What::Other(self.twin(name)),
@@ -139,7 +142,8 @@ impl Formulas {
                 what => what,
             };
             let same = twin.zip(same.get(&(what, &*edit.path)).copied());
-            self.add_changes((formula, way, class), &Arc::new(edit), same, &mut found);
+            let same = same.map(|(twin, edit)| (twin, twin.written(way), edit));
+            self.add_changes((formula, way, class), formula.written(way), edit, same, &mut found);
             for change in &mut found {
                 change.ways = ways;
                 change.cost += u32::from(is_rare);
@@ -147,18 +151,19 @@ impl Formulas {
             found
         };
         let edits = edits(formula.written(way), class, &|name| others(name, formula));
-        edits.into_par_iter().flat_map_iter(of_edit).collect()
+        let edits: Vec<Arc<Edit>> = edits.into_iter().map(Arc::new).collect();
+        parallel::flat_map(&edits, of_edit)
     }
 
-    /// The changes with an edit of a formula. `same` is the same edit of its twin.
-    fn add_changes(
+    /// The changes with an edit of a formula that is this tree. `same` is the same edit of its twin.
+    pub(super) fn add_changes(
         &self,
         (formula, way, class): (&Formula, usize, Class),
+        tree: &Tree,
         edit: &Arc<Edit>,
-        same: Option<(&Formula, &Edit)>,
+        same: Option<(&Formula, &Tree, &Edit)>,
         found: &mut Vec<Change>,
     ) {
-        let tree = formula.written(way);
         let new = tree.with(&edit.path, &edit.new);
         self.add_change((way, class), &[(formula, &new)], edit, "", found);
         // A name may be wrong in all its places.
@@ -169,8 +174,8 @@ impl Formulas {
             }
         }
         // The same error in the formula of the other beam, or for the other beam in the same formula.
-        if let Some((twin, same)) = same {
-            let tree = twin.written(way).with(&same.path, &same.new);
+        if let Some((twin, of_twin, same)) = same {
+            let tree = of_twin.with(&same.path, &same.new);
             self.add_change((way, class), &[(formula, &new), (twin, &tree)], edit, "", found);
         }
         let [old, other] = [&edit.old, &edit.new].map(|tree| self.twin_tree(tree));
@@ -214,7 +219,7 @@ impl Formulas {
     ) {
         let cost = edit.cost + u32::from(changed.len() > 1 || !scope.is_empty());
         let formulas = [Some(changed[0].0.name), changed.get(1).map(|(twin, _)| twin.name)];
-        let words = OfEdit { edit: Arc::clone(edit), formulas, scope, form: "" };
+        let words = OfEdit { edit: Arc::clone(edit), formulas, users: [None; 2], scope, form: "" };
         if class == Class::Tangent {
             let along =
                 |(formula, tree): &(&Formula, &Tree)| Some((formula.linear?, self.along_linear(tree)));
@@ -227,6 +232,10 @@ impl Formulas {
         let mut new = Vec::new();
         for (formula, tree) in changed {
             self.put(formula, tree, &mut new);
+        }
+        if class == Class::Expanded {
+            found.push(Change { new, cost: cost + 1, ..Change::of(words) });
+            return;
         }
         let mut add_with = |others: Option<Vec<(&Formula, Tree)>>, form: &'static str| {
             let Some(others) = others else { return };
@@ -250,6 +259,27 @@ impl Formulas {
             let (new, words) = (new.clone(), words.in_form(", where it is answered alone"));
             found.push(Change { new, is_stored: true, cost: cost + 2, ..Change::of(words) });
         }
+        found.push(Change { new, cost, ..Change::of(words) });
+    }
+
+    /// Adds the error of a formula that these formulas alone use with it.
+    pub(super) fn add_use(
+        &self,
+        (formula, tree): (&Formula, &Tree),
+        twin: Option<(&Formula, &Tree)>,
+        (used, other): (Name, Option<Name>),
+        edit: &Arc<Edit>,
+        found: &mut Vec<Change>,
+    ) {
+        let mut new = Vec::new();
+        self.put(formula, tree, &mut new);
+        if let Some((twin, tree)) = twin {
+            self.put(twin, tree, &mut new);
+        }
+        let users = [Some(formula.name), twin.map(|(twin, _)| twin.name)];
+        let formulas = [Some(used), other];
+        let words = OfEdit { edit: Arc::clone(edit), formulas, users, scope: "", form: "" };
+        let cost = edit.cost + 2 + u32::from(twin.is_some());
         found.push(Change { new, cost, ..Change::of(words) });
     }
 

@@ -31,7 +31,8 @@ pub(super) fn edits(of: &Tree, class: Class, others: &dyn Fn(Name) -> Vec<Name>)
     names.sort_unstable();
     names.dedup();
     let mut edits = Edits { class, others, names, found: Vec::new() };
-    let whole = Place { path: vec![], is_term: true, term: of, is_whole: true };
+    let is_expanded = class == Class::Expanded;
+    let whole = Place { path: vec![], is_term: true, term: of, is_whole: true, is_expanded };
     edits.add_of(of, &whole);
     edits.found
 }
@@ -45,12 +46,15 @@ struct Place<'a> {
     term: &'a Tree,
     /// Whether this term is the whole formula.
     is_whole: bool,
+    is_expanded: bool,
 }
 
 impl Place<'_> {
     /// The term that a change is in, unless it is all that there is.
     fn words(&self, of: &Tree) -> String {
-        if self.is_whole || of == self.term { String::new() } else { format!(" in {}", text(self.term)) }
+        // What is multiplied out does not stand so in the list.
+        let is_told = self.is_expanded || of != self.term;
+        if self.is_whole || !is_told { String::new() } else { format!(" in {}", text(self.term)) }
     }
 }
 
@@ -213,6 +217,7 @@ impl Edits<'_> {
                 is_term,
                 term: if is_sum || is_choice { branch } else { place.term },
                 is_whole: place.is_whole && !is_sum && !is_choice,
+                is_expanded: place.is_expanded,
             };
             self.add_of(branch, &of);
         }

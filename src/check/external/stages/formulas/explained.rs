@@ -3,15 +3,16 @@
 use super::change::Change;
 use super::changes::CHANGES;
 use super::kinds::Class;
-use super::list::FORMULAS;
+use super::list::{FORMULAS, Formula};
 use super::names::Set;
 use super::point::{Point, probes};
 use super::tree::Name;
 use super::ways::Ways;
-use rayon::prelude::*;
+use crate::parallel;
 use std::cell::RefCell;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// The number of samples at which all changes are tried.
 const PROBES: usize = 6;
@@ -22,7 +23,7 @@ const TOLD: usize = 8;
 pub(super) struct Searched<'a> {
     pub(super) points: &'a [Point<'a>],
     /// The changes that yield the first wrong result at some of them, which are looked for once.
-    possible: RefCell<Vec<(Tried, Vec<&'static Change>)>>,
+    possible: RefCell<Vec<(Tried, Arc<Vec<Change>>)>>,
 }
 
 /// The class of changes, the result, and the addresses of the points.
@@ -50,7 +51,7 @@ impl<'a> Searched<'a> {
             return Vec::new();
         }
         let ways = Ways::of(points, among);
-        let explains = |change: &&Change| {
+        let explains = |change: &Change| {
             (before.is_empty() || change.names().and(before).is_empty())
                 && ways.yield_answers(change, probes.iter().copied().chain(points))
                 // A name without a value is no part of this program.
@@ -65,30 +66,53 @@ impl<'a> Searched<'a> {
                 Class::Simple => true,
                 Class::Other => !found.iter().any(|change| change.cost <= Class::SIMPLE),
                 Class::Tangent => has_tangent && found.is_empty(),
+                Class::Expanded => found.is_empty(),
             };
             if is_tried {
-                let tried = self.possible(class, among, &probes).into_par_iter();
-                found.par_extend(tried.filter(explains).cloned());
+                let tried = self.possible(class, among, &probes);
+                found.extend(parallel::filter_map(&tried, |of| explains(of).then(|| of.clone())));
             }
         }
         simplest(found)
     }
 
     /// The changes that yield one of the results that are wrong at some points: that which follows from the fewest names.
-    fn possible(&self, class: Class, among: Set, probes: &[&'a Point<'a>]) -> Vec<&'static Change> {
+    fn possible(&self, class: Class, among: Set, probes: &[&'a Point<'a>]) -> Arc<Vec<Change>> {
         let is_wrong = |name: &Name| probes.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
         let names_before = |name: &Name| FORMULAS.needed(Set::from_iter([*name])).names().count();
         let first: Set = among.names().filter(is_wrong).min_by_key(names_before).into_iter().collect();
         let tried = (class, first, probes.iter().map(|point| std::ptr::from_ref(*point).addr()).collect());
         if let Some((_, known)) = self.possible.borrow().iter().find(|(known, _)| *known == tried) {
-            return known.clone();
+            return Arc::clone(known);
         }
         let ways = Ways::of(self.points, first);
-        let changes = CHANGES.of(ways.needed, class).into_par_iter();
-        let found: Vec<_> =
-            changes.filter(|change| ways.yield_answers(change, probes.iter().copied())).collect();
-        self.possible.borrow_mut().push((tried, found.clone()));
+        let yields = |change: &Change| ways.yield_answers(change, probes.iter().copied());
+        let found = if class == Class::Expanded {
+            parallel::flat_map(&self.suspected(ways.needed), |formula| {
+                let mut all = FORMULAS.expanded_changes(formula);
+                all.retain(yields);
+                all
+            })
+        } else {
+            let all = CHANGES.of(ways.needed, class);
+            parallel::filter_map(&all, |change| yields(change).then(|| (*change).clone()))
+        };
+        let found = Arc::new(found);
+        self.possible.borrow_mut().push((tried, Arc::clone(&found)));
         found
+    }
+
+    /// The formulas that some of these names follow from, and no right answer in every way of writing.
+    fn suspected(&self, needed: Set) -> Vec<&'static Formula> {
+        let answered: Set =
+            self.points.iter().flat_map(|point| &point.answers).map(|answer| answer.output.name).collect();
+        let is_right = |name: &Name| !self.points.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
+        let right: Set = answered.names().filter(is_right).collect();
+        let is_right = |formula: &Formula| {
+            FORMULAS.relations.iter().all(|of| !of.follows[formula.name].and(right).is_empty())
+        };
+        let is_needed = |formula: &Formula| !FORMULAS.names_of_changes(formula).and(needed).is_empty();
+        FORMULAS.all.iter().filter(|formula| is_needed(formula) && !is_right(formula)).collect()
     }
 }
 

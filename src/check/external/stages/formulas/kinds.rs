@@ -72,10 +72,14 @@ pub(super) enum Class {
     Other,
     /// All of both where the residual is differentiated, and not in the residual: a tangent may have its own code.
     Tangent,
+    /// Errors of one use of a formula. They are made when they are tried, because they are so many.
+    Expanded,
 }
 
 impl Class {
-    pub(super) const ALL: [Self; 3] = [Self::Simple, Self::Other, Self::Tangent];
+    /// Those that are kept.
+    pub(super) const KEPT: [Self; 3] = [Self::Simple, Self::Other, Self::Tangent];
+    pub(super) const ALL: [Self; 4] = [Self::Simple, Self::Other, Self::Tangent, Self::Expanded];
     /// The largest cost of a simple error.
     pub(super) const SIMPLE: u32 = 3;
 
@@ -83,7 +87,7 @@ impl Class {
         match self {
             Self::Simple => cost <= Self::SIMPLE,
             Self::Other => cost > Self::SIMPLE,
-            Self::Tangent => true,
+            Self::Tangent | Self::Expanded => true,
         }
     }
 }

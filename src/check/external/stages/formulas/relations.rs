@@ -8,7 +8,7 @@ use std::collections::HashMap;
 /// Entries and right-hand sides of the system for the parameters that are confused with a change of sign.
 const SYSTEM: [&[&str]; 8] = [
     &["a", "b", "a_bar"],
-    &["h11", "h12", "h22"],
+    &["h11", "h12", "h21", "h22"],
     &["i11", "i12", "i22"],
     &["dp", "dp_bar"],
     &["Ddp", "Ddp_bar"],
@@ -16,6 +16,9 @@ const SYSTEM: [&[&str]; 8] = [
     &["Ddh", "Ddh_bar"],
     &["da", "db", "db_bar", "da_bar"],
 ];
+
+/// The entries of the system that are the same for both beams.
+const SYMMETRIC: [&str; 2] = ["h12", "h21"];
 
 impl Formulas {
     /// The formula with delta and Delta exchanged; nothing if a name of it does not exist so.
@@ -137,6 +140,8 @@ impl Formulas {
             let twin = self.names.find(&text.replacen("_bar", "", 1)).filter(|twin| *twin != name)?;
             Some([(name, twin), (twin, name)])
         };
-        self.names.0.iter().enumerate().filter_map(pair).flatten().collect()
+        let of_rows = SYMMETRIC.map(|name| self.name(name));
+        let of_rows = [(of_rows[0], of_rows[1]), (of_rows[1], of_rows[0])];
+        self.names.0.iter().enumerate().filter_map(pair).flatten().chain(of_rows).collect()
     }
 }

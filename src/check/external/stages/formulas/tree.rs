@@ -95,6 +95,14 @@ impl Tree {
         Self::new(op, self.of.iter().map(|of| of.renamed(f)).collect::<Vec<_>>())
     }
 
+    /// The tree with other trees in the place of names.
+    pub(super) fn substituted(&self, f: &impl Fn(Name) -> Option<Self>) -> Self {
+        if let Op::Name(name) = self.op {
+            return f(name).unwrap_or_else(|| self.clone());
+        }
+        Self::new(self.op.clone(), self.of.iter().map(|of| of.substituted(f)).collect::<Vec<_>>())
+    }
+
     /// The tree with another branch at the end of a path.
     pub(super) fn with(&self, path: &[usize], new: &Self) -> Self {
         let Some((&first, rest)) = path.split_first() else { return new.clone() };

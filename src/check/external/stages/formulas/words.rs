@@ -1,7 +1,7 @@
 //! What is wrong, in words. Most changes explain nothing, so their sentences are made when they are told.
 
 use super::edits::Edit;
-use super::list::FORMULAS;
+use super::list::{FORMULAS, Formula};
 use super::tree::Name;
 use std::sync::Arc;
 
@@ -18,6 +18,8 @@ pub(super) struct OfEdit {
     pub(super) edit: Arc<Edit>,
     /// The results of the formulas that it is in.
     pub(super) formulas: [Option<Name>; 2],
+    /// The results of the formulas that alone use them with it; nothing if all do.
+    pub(super) users: [Option<Name>; 2],
     /// Where else it is.
     pub(super) scope: &'static str,
     /// In which form it is used, or [`IN_DERIVATIVES`].
@@ -55,10 +57,18 @@ impl OfEdit {
     }
 
     fn text(&self) -> String {
-        let Self { edit, formulas, scope, form } = self;
-        let changed: Vec<_> =
-            FORMULAS.all.iter().filter(|formula| formulas.contains(&Some(formula.name))).collect();
-        let names: Vec<_> = changed.iter().map(|formula| FORMULAS.words_of(formula)).collect();
+        let Self { edit, formulas, users, scope, form } = self;
+        let of = |names: &[Option<Name>; 2]| -> Vec<&Formula> {
+            FORMULAS.all.iter().filter(|formula| names.contains(&Some(formula.name))).collect()
+        };
+        let words = |of: &[&Formula]| of.iter().map(|formula| FORMULAS.words_of(formula)).collect::<Vec<_>>();
+        let (changed, users) = (of(formulas), of(users));
+        let names = words(&changed);
+        let of_users = if users.is_empty() {
+            String::new()
+        } else {
+            format!(", in {} alone", words(&users).join(" and "))
+        };
         // What is wrong with the whole formula is told of its result.
         let of_equation = match changed[0].equation {
             "" => String::new(),
@@ -69,7 +79,7 @@ impl OfEdit {
             Some(verb) => (names.concat(), verb),
             None => (format!("in {}", names.join(" and ")), &*edit.words),
         };
-        let words = format!("{subject}{of_equation} {verb}{scope}");
+        let words = format!("{subject}{of_equation} {verb}{scope}{of_users}");
         if *form != IN_DERIVATIVES {
             return words + form;
         }

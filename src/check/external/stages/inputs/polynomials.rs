@@ -5,6 +5,18 @@ use super::{BEAMS, Input, ORDERS, Of, Vectors, add};
 use crate::check::external::stages::sample::Sample;
 use crate::check::external::stages::terms::Beam;
 
+/// Factors that shape functions have, by their root and the number before xi: 3 xi + 1 has the root -1/3.
+const FACTORS: [(f64, f64); 8] = [
+    (1.0, 1.0),
+    (-1.0, 1.0),
+    (2.0, 1.0),
+    (-2.0, 1.0),
+    (0.5, 2.0),
+    (-0.5, 2.0),
+    (1.0 / 3.0, 3.0),
+    (-1.0 / 3.0, 3.0),
+];
+
 /// How near values are to a known error, over the largest.
 const SAME: f64 = 1e-6;
 
@@ -89,6 +101,9 @@ impl Derivative {
             let whole = |by: f64| (format!("it {}", factor_words(by)), own.map(|of| by * of));
             errors.extend(WRONG_FACTORS.map(|factor| whole(factor - 1.0)));
         }
+        if own[2] != 0.0 || own[3] != 0.0 {
+            errors.extend(FACTORS.iter().flat_map(|factor| of_factor(&own, *factor)));
+        }
         for other in all.iter().filter(|other| self.is_like(other)) {
             let error: [f64; 4] = std::array::from_fn(|i| other.coefficients[i] - own[i]);
             // One term that differs is told as such.
@@ -103,6 +118,32 @@ impl Derivative {
     fn is_like(&self, other: &Self) -> bool {
         other.node != self.node && other.order == self.order && other.beams.0 == self.beams.0
     }
+}
+
+/// Errors of a polynomial that is written with a factor: a wrong sign in it, or the factor left out.
+fn of_factor(own: &[f64; 4], (root, scale): (f64, f64)) -> Vec<(String, [f64; 4])> {
+    let mut rest = [0.0; 4];
+    for i in (0..3).rev() {
+        rest[i] = own[i + 1] + root * rest[i + 1];
+    }
+    if (own[0] + root * rest[0]).abs() > 1e-12 {
+        return Vec::new();
+    }
+    let sign = if root > 0.0 { "-" } else { "+" };
+    let before = if scale > 1.0 { format!("{scale} ") } else { String::new() };
+    let factor = format!("its factor {before}xi {sign} {}", (scale * root).abs());
+    // With the other sign of its constant; it may also have been written with both signs exchanged.
+    let other: [f64; 4] = std::array::from_fn(|i| root * rest[i] + if i > 0 { rest[i - 1] } else { 0.0 });
+    [1.0, -1.0]
+        .into_iter()
+        .flat_map(|by| {
+            let less = |new: [f64; 4]| -> [f64; 4] { std::array::from_fn(|i| by * new[i] - own[i]) };
+            [
+                (format!("in {factor} a sign is wrong"), less(other)),
+                (format!("{factor} is missing"), less(rest.map(|of| of / scale))),
+            ]
+        })
+        .collect()
 }
 
 /// All derivatives of the shape functions, of both beams, of the beam, and of the bar beam.
@@ -144,4 +185,26 @@ fn exchanged(one: &Derivative, other: &Derivative) -> Input {
         (first.change)(sample, vectors);
         (second.change)(sample, vectors);
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of_factor;
+
+    #[test]
+    fn a_factor_has_a_wrong_sign_or_is_missing() {
+        // (xi + 1) (3 xi - 1)/4, the first derivative of a shape function of Hermite.
+        let own = [-0.25, 0.5, 0.75, 0.0];
+        let errors = of_factor(&own, (1.0 / 3.0, 3.0));
+        let wrong = |words: &str| -> Vec<[f64; 4]> {
+            let of = errors.iter().filter(|(known, _)| known == words);
+            of.map(|(_, error)| std::array::from_fn(|i| own[i] + error[i])).collect()
+        };
+        let has = |all: &[[f64; 4]], one: [f64; 4]| {
+            all.iter().any(|other| other.iter().zip(one).all(|(x, y)| (x - y).abs() < 1e-15))
+        };
+        assert!(has(&wrong("in its factor 3 xi - 1 a sign is wrong"), [0.25, 1.0, 0.75, 0.0]), "{errors:?}");
+        assert!(has(&wrong("its factor 3 xi - 1 is missing"), [0.25, 0.25, 0.0, 0.0]), "{errors:?}");
+        assert_eq!(of_factor(&own, (1.0, 1.0)), []);
+    }
 }

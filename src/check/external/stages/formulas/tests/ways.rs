@@ -33,7 +33,7 @@ fn errors_in_other_ways_of_writing_are_told() {
         (6, true, "in H_v the term t Ddxi is missing"),
         (6, true, "in dn gap stands in the place of d_s"),
         (6, true, "in dd, eq. (32), the term dx_bar is missing"),
-        (9, true, "in h12 -b is taken whatever both_free is"),
+        (9, true, "in h12 and h21 -b is taken whatever both_free is"),
         (0, true, "in dgap the term du_bar has the wrong sign, in the tangent alone"),
         (9, true, "in H_v the term slip d|t| Dtau is missing"),
         (9, true, "in dnormal the term cross(t, dt_bar) has the wrong sign"),
@@ -50,6 +50,48 @@ fn errors_in_other_ways_of_writing_are_told() {
         let causes = if is_of_element { of_element(&answered) } else { of_all(&answered) };
         assert!(causes.iter().any(|cause| cause.words == words), "{words}: {causes:?}");
     }
+}
+
+/// Errors of one product of a formula that is multiplied out, and of a formula where one other formula uses it.
+#[test]
+fn errors_of_one_use_of_a_formula_are_told() {
+    let samples: Vec<Sample> = right_answers(&[Family::Hermite]);
+    let formula = |name: &str| FORMULAS.all.iter().find(|of| of.name == FORMULAS.name(name)).unwrap();
+    for (name, way, is_of_element, words) in [
+        ("Dd|t|", 0, false, "in Dd|t|, eq. (42), the division by |t| in dt.Dt/|t| is left out"),
+        ("dF", 2, true, "in dF and dF_bar the term e_bar dc is missing"),
+        ("dm", 2, true, "in dm and dm_bar the term c de_bar is missing"),
+    ] {
+        let all = FORMULAS.expanded_changes(formula(name));
+        let is_meant = |change: &&Change| change.words() == words && change.ways[way];
+        let change = all.iter().find(is_meant).unwrap_or_else(|| panic!("{words}"));
+        let with = if is_of_element { answered_in } else { with_geometry };
+        let mut answered: Vec<Sample> = samples.iter().map(|sample| with(way, sample, change)).collect();
+        answered.iter_mut().filter(|_| is_of_element).for_each(|sample| sample.own.fill([None; 4]));
+        let causes = if is_of_element {
+            found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes)
+        } else {
+            of_all(&answered)
+        };
+        assert!(causes.iter().any(|cause| cause.words == words), "{words}: {causes:?}");
+    }
+}
+
+/// The error of a formula where another one and its twin use it is in all its places there, and in no other formula.
+#[test]
+fn an_error_of_one_use_is_in_all_its_places() {
+    let formula = FORMULAS.all.iter().find(|of| of.name == FORMULAS.name("Ddp")).unwrap();
+    let words = "in dd, eq. (32), the term t_bar dxi_bar has the wrong sign, in Ddp and Ddp_bar alone";
+    let all = FORMULAS.expanded_changes(formula);
+    let change = all.iter().find(|change| change.words() == words && change.ways[0]).unwrap();
+    let names: Set = ["Ddp", "Ddp_bar"].map(|name| FORMULAS.name(name)).into_iter().collect();
+    assert_eq!(change.names(), names);
+    let text = change.new[0].1.text(&FORMULAS.names);
+    assert_eq!(
+        text,
+        "-(du + t dxi - du_bar - (-t_bar dxi_bar)).Dt - (Du + t Dxi - Du_bar - (-t_bar Dxi_bar)).dt \
+         - t.(Ddx - Ddx_bar) - d.Ddt"
+    );
 }
 
 /// Programs with other formulas lose more digits at some samples. That is no error.
