@@ -10,6 +10,7 @@ mod change;
 mod changes;
 mod derivative;
 mod edits;
+mod effects;
 mod entries;
 mod evaluation;
 mod expanded;

@@ -2,9 +2,11 @@
 
 use super::change::Change;
 use super::changes::CHANGES;
+use super::effects::Effects;
 use super::kinds::Class;
 use super::list::{FORMULAS, Formula};
 use super::names::Set;
+use super::outputs::RESULTS;
 use super::point::{Point, probes};
 use super::tree::Name;
 use super::ways::Ways;
@@ -16,6 +18,8 @@ use std::sync::Arc;
 
 /// The number of samples at which all changes are tried.
 const PROBES: usize = 6;
+/// The number of those at which the effect of a change is estimated.
+const QUICK: usize = 3;
 /// If more changes explain the answers, they do not tell which one is meant.
 const TOLD: usize = 8;
 
@@ -86,7 +90,10 @@ impl<'a> Searched<'a> {
             return Arc::clone(known);
         }
         let ways = Ways::of(self.points, first);
-        let yields = |change: &Change| ways.yield_answers(change, probes.iter().copied());
+        let right = Ways::of(self.points, self.right_before(ways.needed, among));
+        let effects = Effects::new(&probes[..probes.len().min(QUICK)], &ways, &right);
+        let yields =
+            |change: &Change| effects.may_yield(change) && ways.yield_answers(change, probes.iter().copied());
         let found = if class == Class::Expanded {
             parallel::flat_map(&self.suspected(ways.needed), |formula| {
                 let mut all = FORMULAS.expanded_changes(formula);
@@ -102,12 +109,28 @@ impl<'a> Searched<'a> {
         found
     }
 
-    /// The formulas that some of these names follow from, and no right answer in every way of writing.
-    fn suspected(&self, needed: Set) -> Vec<&'static Formula> {
+    /// The results that are right at all samples, and follow from these names alone. A contact element may have a geometry of
+    /// its own.
+    fn right_before(&self, needed: Set, among: Set) -> Set {
+        let is_before = |name: &Name| {
+            let alone = Set::from_iter([*name]);
+            FORMULAS.needed(alone).without(needed.or(alone)).is_empty()
+        };
+        let is_kept = |name: &Name| among.has(*name) || !RESULTS.contains(name);
+        self.right().names().filter(is_kept).filter(is_before).collect()
+    }
+
+    /// The results that are right at all samples.
+    fn right(&self) -> Set {
         let answered: Set =
             self.points.iter().flat_map(|point| &point.answers).map(|answer| answer.output.name).collect();
         let is_right = |name: &Name| !self.points.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
-        let right: Set = answered.names().filter(is_right).collect();
+        answered.names().filter(is_right).collect()
+    }
+
+    /// The formulas that some of these names follow from, and no right answer in every way of writing.
+    fn suspected(&self, needed: Set) -> Vec<&'static Formula> {
+        let right = self.right();
         let is_right = |formula: &Formula| {
             FORMULAS.relations.iter().all(|of| !of.follows[formula.name].and(right).is_empty())
         };

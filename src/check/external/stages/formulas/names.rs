@@ -6,7 +6,7 @@ use super::tree::{Name, Tree};
 pub(super) const WAYS: usize = 10;
 
 /// A set of names.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Set([u64; 8]);
 
 impl Set {

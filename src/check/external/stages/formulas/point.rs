@@ -102,6 +102,16 @@ impl Point<'_> {
     }
 }
 
+impl Point<'_> {
+    /// Whether this answer may be explained by what adds so much to the right one, or whether this is not known.
+    pub(super) fn is_near(&self, answer: &Answer, way: usize, effect: f64) -> bool {
+        let (before, allowed) = answer.difference(&self.values[way][..]);
+        let left = answer.number.value - answer.output.of(&self.values[way][..]).value - effect;
+        let most = (CLEAR * before).max(COARSER * allowed).max(FINE * answer.size);
+        left.is_nan() || left.abs() <= 4.0 * most
+    }
+}
+
 /// The samples with their answers. Those that are `given` stand for the formulas' own numbers.
 pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
     let numbers: Vec<_> = samples.iter().map(numbers).collect();

@@ -19,7 +19,7 @@ use crate::number::RunningError;
 use crate::test_beam::Family;
 use std::sync::LazyLock;
 
-fn all_changes() -> &'static [&'static Change] {
+pub(super) fn all_changes() -> &'static [&'static Change] {
     static ALL: LazyLock<Vec<&Change>> = LazyLock::new(|| changes_of((0..FORMULAS.names.0.len()).collect()));
     &ALL
 }
@@ -29,7 +29,7 @@ fn changes_of(needed: Set) -> Vec<&'static Change> {
 }
 
 /// Right answers to elements of these families in all regimes.
-fn right_answers(families: &[Family]) -> Vec<Sample> {
+pub(super) fn right_answers(families: &[Family]) -> Vec<Sample> {
     let drawing = Drawing {
         seed: 11,
         regimes: Regime::ALL.to_vec(),

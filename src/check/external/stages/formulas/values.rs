@@ -14,8 +14,6 @@ pub(in crate::check::external::stages) enum Value {
 
 use Value::{Number, Vector};
 
-const NOT_A_NUMBER: Value = Number(RunningError { value: f64::NAN, bound: f64::NAN });
-
 impl From<f64> for Value {
     fn from(value: f64) -> Self {
         Number(RunningError::from(value))
@@ -29,6 +27,17 @@ impl From<bool> for Value {
 }
 
 impl Value {
+    pub(super) const NOT_A_NUMBER: Self = Number(RunningError { value: f64::NAN, bound: f64::NAN });
+
+    /// The derivative of a number by itself, or of a component by its vector.
+    pub(super) fn of_axis(axis: Option<usize>) -> Self {
+        axis.map_or(Self::from(1.0), |axis| Vector(Vector3::ith(axis, RunningError::from(1.0))))
+    }
+
+    pub(super) fn is_vector(self) -> bool {
+        matches!(self, Vector(_))
+    }
+
     /// The number; not a number for a vector.
     pub(super) fn number(self) -> RunningError {
         match self {
@@ -68,7 +77,7 @@ impl Value {
         }
     }
 
-    fn negative(self) -> Self {
+    pub(super) fn negative(self) -> Self {
         match self {
             Number(number) => Number(-number),
             Vector(vector) => Vector(-vector),
@@ -82,7 +91,7 @@ impl Value {
             // A term that is zero.
             (Vector(one), Number(RunningError { value: 0.0, .. })) => Vector(one),
             (Number(RunningError { value: 0.0, .. }), Vector(other)) => Vector(other),
-            _ => NOT_A_NUMBER,
+            _ => Self::NOT_A_NUMBER,
         }
     }
 
@@ -90,15 +99,40 @@ impl Value {
         match (self, other) {
             (Number(one), Number(other)) => Number(one * other),
             (Vector(v), Number(by)) | (Number(by), Vector(v)) => Vector(v.map(|of| of * by)),
-            _ => NOT_A_NUMBER,
+            _ => Self::NOT_A_NUMBER,
         }
     }
 
-    fn over(self, other: Self) -> Self {
+    pub(super) fn over(self, other: Self) -> Self {
         match (self, other) {
             (Number(one), Number(other)) => Number(one / other),
             (Vector(v), Number(by)) => Vector(v.map(|of| of / by)),
-            _ => NOT_A_NUMBER,
+            _ => Self::NOT_A_NUMBER,
+        }
+    }
+
+    fn dot(self, other: Self) -> Self {
+        match (self, other) {
+            (Vector(one), Vector(other)) => Number(one.dot(&other)),
+            // A vector that is missing.
+            (zero @ Number(RunningError { value: 0.0, .. }), Vector(_))
+            | (Vector(_), zero @ Number(RunningError { value: 0.0, .. })) => zero,
+            _ => Self::NOT_A_NUMBER,
+        }
+    }
+
+    /// The product of two numbers, or the scalar product of two vectors.
+    pub(super) fn along(self, other: Self) -> Self {
+        match (self, other) {
+            (Number(one), Number(other)) => Number(one * other),
+            _ => self.dot(other),
+        }
+    }
+
+    pub(super) fn cross(self, other: Self) -> Self {
+        match (self, other) {
+            (Vector(one), Vector(other)) => Vector(one.cross(&other)),
+            _ => Self::NOT_A_NUMBER,
         }
     }
 }
@@ -130,22 +164,13 @@ pub(super) fn value(tree: &Tree, values: &(impl Values + ?Sized)) -> Value {
             (first..divides.len())
                 .fold(start, |product, i| if divides[i] { product.over(at(i)) } else { product.times(at(i)) })
         }
-        Op::Dot => match (at(0), at(1)) {
-            (Vector(one), Vector(other)) => Number(one.dot(&other)),
-            // A vector that is missing.
-            (zero @ Number(RunningError { value: 0.0, .. }), Vector(_))
-            | (Vector(_), zero @ Number(RunningError { value: 0.0, .. })) => zero,
-            _ => NOT_A_NUMBER,
-        },
-        Op::Cross => match (at(0), at(1)) {
-            (Vector(one), Vector(other)) => Vector(one.cross(&other)),
-            _ => NOT_A_NUMBER,
-        },
+        Op::Dot => at(0).dot(at(1)),
+        Op::Cross => at(0).cross(at(1)),
         Op::Axes(axes) => match at(0) {
             Vector(of) => {
                 Vector(of.map_with_location(|c, _, _| of[axes[c].0] * RunningError::from(axes[c].1)))
             }
-            Number(_) => NOT_A_NUMBER,
+            Number(_) => Value::NOT_A_NUMBER,
         },
         Op::Root => Number(at(0).number().sqrt()),
         Op::Less => {
@@ -153,11 +178,11 @@ pub(super) fn value(tree: &Tree, values: &(impl Values + ?Sized)) -> Value {
             if difference.value.abs() > difference.bound || difference.bound == 0.0 {
                 Value::from(difference.value > 0.0)
             } else {
-                NOT_A_NUMBER
+                Value::NOT_A_NUMBER
             }
         }
         Op::If => match at(0).number().value {
-            condition if condition.is_nan() => NOT_A_NUMBER,
+            condition if condition.is_nan() => Value::NOT_A_NUMBER,
             0.0 => at(2),
             _ => at(1),
         },

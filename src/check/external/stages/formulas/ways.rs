@@ -62,6 +62,12 @@ impl Ways {
         points.all(|point| self.keep(&mut left, point, change))
     }
 
+    /// The ways in which a result may be written, if it is among these.
+    pub(super) fn of_answer(&self, answered: Answered) -> Option<[bool; WAYS]> {
+        let at = self.left.binary_search_by_key(&answered, |(of, _)| *of).ok()?;
+        Some(std::array::from_fn(|way| self.left[at].1[way] && self.distinct.contains(&way)))
+    }
+
     /// Whether some of the results follow from what is changed.
     pub(super) fn are_needed(&self, change: &Change) -> bool {
         !change.names().and(self.needed).is_empty()
