@@ -12,6 +12,7 @@
 //! A list of [`formulas`], from the curves to the tangent of a contact element, is searched for one change that yields all
 //! answers.
 
+mod blocks;
 mod condition;
 mod curves;
 mod equations;
@@ -82,6 +83,12 @@ impl Traced {
     /// Whether one error explains everything.
     pub(super) fn is_one(&self) -> bool {
         self.is_complete() && self.beyond.is_empty()
+    }
+
+    /// An error in some blocks of Hessians, if there is one and nothing else is known.
+    fn or_of_blocks(self, samples: &[Sample], of: &dyn Fn(Along) -> Vec<Sample>) -> Self {
+        let causes = if self.causes.is_empty() { blocks::found(samples, of) } else { Vec::new() };
+        if causes.is_empty() { self } else { Self { causes, leaves_some: false, ..self } }
     }
 
     /// An error of the curves that explains everything, if there is one and nothing else does.
@@ -157,7 +164,8 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         parallel::indices(equations.len(), judged_at).into_iter().flatten().collect();
     // The formulas of a contact element follow from the geometry.
     if has_arrays && all_wrong.is_empty() {
-        return formulas::found(&samples, of).map(|traced| traced.or_of_curves(&samples));
+        let found = formulas::found(&samples, of).map(|traced| traced.or_of_blocks(&samples, of));
+        return found.map(|traced| traced.or_of_curves(&samples));
     }
     let (first, (of_first, others)) = all_wrong.first()?;
     let first = &equations[*first];
@@ -188,6 +196,9 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         let mut causes = formulas::of_all(&samples);
         if causes.is_empty() && has_arrays {
             causes = of_entries(&entries.each_ref().map(|(along, cell)| &**cell.get_or_init(|| of(*along))));
+            if causes.is_empty() {
+                causes = blocks::found(&samples, of);
+            }
         }
         traced = if causes.is_empty() {
             traced.or_of_curves(&samples)

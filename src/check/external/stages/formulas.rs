@@ -39,7 +39,8 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+pub(super) use entries::words_of_blocks;
 pub(super) use inputs::Inputs;
 pub use list::LIST_OF_FORMULAS;
 pub(super) use right::{Answers, FirstWrong, Written};
-pub(super) use search::{found, of_all};
+pub(super) use search::{are_wrong, found, of_all};

@@ -27,6 +27,8 @@ use shapes::{nodes, widen};
 
 /// The number of pairs of directions of each case.
 const DIRECTIONS: u64 = 8;
+/// The same of each block.
+const OF_BLOCK: u64 = 2;
 
 /// The directions of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +41,8 @@ pub(super) enum Along {
     Lower,
     /// Entries above the diagonal.
     Upper,
+    /// Random ones of the dofs of one beam each: a block of Hessians.
+    Block([usize; 2]),
 }
 
 /// A case along a pair of directions.
@@ -117,6 +121,7 @@ pub(super) fn samples(
         Along::Stated if is_stated => of(0).into_iter().collect(),
         Along::Random if has_arrays => (0..DIRECTIONS).filter_map(of).collect(),
         Along::Lower | Along::Upper if has_arrays => (1..=DIRECTIONS).filter_map(of).collect(),
+        Along::Block(_) if has_arrays => (1..=OF_BLOCK).filter_map(of).collect(),
         _ => Vec::new(),
     }
 }
@@ -152,8 +157,14 @@ fn directions(vector: &Vector, along: Along, k: u64) -> [[Vec<f64>; 2]; 2] {
     }
     let mut factor =
         || if k == 0 { 1.0 } else { rng.random_range(0.5..1.5) * if rng.random() { 1.0 } else { -1.0 } };
-    [[&beam.dq, &bar.dq], [&beam.linear_dq, &bar.linear_dq]]
-        .map(|both| both.map(|dq| dq.iter().map(|entry| entry * factor()).collect()))
+    let mut all = [[&beam.dq, &bar.dq], [&beam.linear_dq, &bar.linear_dq]]
+        .map(|both| both.map(|dq| dq.iter().map(|entry| entry * factor()).collect::<Vec<_>>()));
+    if let Along::Block(beams) = along {
+        for (direction, beam) in all.iter_mut().zip(beams) {
+            direction[1 - beam].fill(0.0);
+        }
+    }
+    all
 }
 
 /// A closest point: the exact parameters and those of the program.

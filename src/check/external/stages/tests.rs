@@ -15,9 +15,12 @@ use crate::variant::scalar_of;
 
 /// Right answers of all families in all regimes, with so many digits.
 pub(super) fn right_answers(digits: Option<u8>) -> (Vec<(Vector, Answers)>, Demands) {
-    let (seed, families) = (11, Family::ALL.to_vec());
+    right_answers_of(Family::ALL.to_vec(), digits)
+}
+
+fn right_answers_of(families: Vec<Family>, digits: Option<u8>) -> (Vec<(Vector, Answers)>, Demands) {
     let drawing = Drawing {
-        seed,
+        seed: 11,
         regimes: Regime::ALL.to_vec(),
         families,
         cases: 6,
@@ -91,6 +94,29 @@ fn a_gap_at_another_point_is_right() {
     assert_eq!(found.place, "all equations but those of the closest point are satisfied");
 }
 
+/// A program may write each block of a Hessian by itself. Here one lacks a term.
+#[test]
+fn an_error_in_one_block_is_told() {
+    let (mut cases, demands) = right_answers_of(vec![Family::Hermite], None);
+    for (vector, answers) in &mut cases {
+        let gradient = |of: Quantity| {
+            let answer = answers.answers.iter().find(|answer| answer.quantity == of);
+            answer.and_then(|answer| answer.gradient.clone())
+        };
+        let rows = vector.case.test_beams[0].q.len();
+        let Some((length, xi)) = gradient(Quantity::T).zip(gradient(Quantity::Xi)) else { continue };
+        let slip = answers.answers.iter_mut().find(|answer| answer.quantity == Quantity::GT);
+        let Some(hessian) = slip.and_then(|slip| slip.hessian.as_mut()) else { continue };
+        for (i, row) in hessian.chunks_mut(xi.len()).enumerate().take(rows) {
+            row.iter_mut().zip(&xi).skip(rows).for_each(|(entry, xi)| *entry -= length[i] * xi);
+        }
+    }
+    let found = traced(&cases.iter().collect::<Vec<_>>(), &demands).unwrap();
+    let words: Vec<_> = found.causes.iter().map(|of| &*of.words).collect();
+    let block = "in the block of the beam's rows and the bar beam's columns";
+    assert_eq!(words, [format!("in Ddg_T, eq. (21), the term d|t| Dxi is missing, {block}")]);
+}
+
 /// Where one parameter is held, its variations are zero, and nothing is said to be one of them by mistake.
 #[test]
 fn no_variation_of_a_held_parameter_is_taken_for_another() {
@@ -110,7 +136,7 @@ fn no_variation_of_a_held_parameter_is_taken_for_another() {
 #[test]
 fn right_answers_satisfy_each_form_of_all_equations() {
     let (cases, demands) = right_answers(None);
-    for along in [Along::Stated, Along::Random, Along::Lower, Along::Upper] {
+    for along in [Along::Stated, Along::Random, Along::Lower, Along::Upper, Along::Block([0, 1])] {
         let of = |(i, (vector, answers)): (usize, &(Vector, Answers))| {
             samples(i, vector, answers, &demands, along)
         };
@@ -131,7 +157,7 @@ fn right_answers_satisfy_each_form_of_all_equations() {
                         let is_answered = match along {
                             Along::Stated => !equation.number.is_empty(),
                             Along::Random => !equation.number.is_empty() && has_arrays,
-                            Along::Lower | Along::Upper => false,
+                            Along::Lower | Along::Upper | Along::Block(_) => false,
                         };
                         assert!(!is_answered || !system.points.is_empty(), "{results:?}, {at:?}, form {k}");
                     }

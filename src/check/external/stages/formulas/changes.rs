@@ -41,11 +41,15 @@ pub(super) const FACTORS: [(f64, &str, u32); 4] = [
     (0.5, "is halved", 3),
 ];
 /// Names that only the answers have.
-const ANSWERS: [&str; 11] =
-    ["C", "C_bar", "state", "|d|", "g_N", "d|d|", "dg_N", "g_T", "g_T_bar", "dg_T", "dg_T_bar"];
+static ANSWERS: LazyLock<Set> =
+    LazyLock::new(|| set("C C_bar state |d| g_N d|d| dg_N g_T g_T_bar dg_T dg_T_bar"));
 
 /// The system with unit rows for held parameters. Most programs have a formula for each end in the place of it.
-const UNIT_ROWS: [&str; 9] = ["h11", "h12", "h21", "h22", "hdet", "dh", "dh_bar", "Ddh", "Ddh_bar"];
+static UNIT_ROWS: LazyLock<Set> = LazyLock::new(|| set("h11 h12 h21 h22 hdet dh dh_bar Ddh Ddh_bar"));
+
+fn set(names: &str) -> Set {
+    names.split(' ').map(|name| FORMULAS.name(name)).collect()
+}
 
 pub(super) fn scaled(name: Name, by: f64) -> Tree {
     Tree::product(vec![(false, Tree::number(by)), (false, Tree::name(name))])
@@ -123,11 +127,12 @@ impl Formulas {
     fn changes_in(&self, formula: &Formula, way: usize, class: Class) -> Vec<Change> {
         let Some(ways) = self.first_ways(formula, way) else { return Vec::new() };
         let twin = self.twin_of(formula, way).filter(|twin| twin.name > formula.name);
-        let mut is_rare = UNIT_ROWS.contains(&&*self.names.0[formula.name]);
-        formula.written(way).each_name(&mut |name| is_rare |= UNIT_ROWS.contains(&&*self.names.0[name]));
+        let unit_rows = *UNIT_ROWS;
+        let mut is_rare = unit_rows.has(formula.name);
+        formula.written(way).each_name(&mut |name| is_rare |= unit_rows.has(name));
         let others = |name: Name, before: &Formula| {
             let mut others = self.others(name, before);
-            others.retain(|other| is_rare || !UNIT_ROWS.contains(&&*self.names.0[*other]));
+            others.retain(|other| is_rare || !unit_rows.has(*other));
             others
         };
         let of_twin = twin.map(|twin| edits(twin.written(way), class, &|name| others(name, twin)));
@@ -139,6 +144,7 @@ impl Formulas {
                 What::Other(name) => What::Other(self.twin(name)),
                 What::Negative(name) => What::Negative(self.twin(name)),
                 What::Difference(name) => What::Difference(self.twin(name)),
+                What::AlongBoth(name, other) => What::AlongBoth(self.twin(name), self.twin(other)),
                 what => what,
             };
             let same = twin.zip(same.get(&(what, &*edit.path)).copied());
@@ -191,6 +197,8 @@ impl Formulas {
         {
             let tree = new.with(&path, &other);
             self.add_change((way, class), &[(formula, &tree)], edit, ", as its transpose", found);
+        } else if let Some(tree) = self.as_transpose(tree, &new, edit) {
+            self.add_change((way, class), &[(formula, &tree)], edit, ", as its transpose", found);
         }
     }
 
@@ -204,7 +212,7 @@ impl Formulas {
             let varies = of.varies == kind.varies || (is_mixed && is_one(kind.varies) && is_one(of.varies));
             of.is_vector == kind.is_vector && of.is_condition == kind.is_condition && varies
         };
-        let is_meant = |other: &Name| !ANSWERS.contains(&&*self.names.0[*other]);
+        let is_meant = |other: &Name| !ANSWERS.has(*other);
         (0..before.name).filter(|other| *other != name && is_like(other) && is_meant(other)).collect()
     }
 
@@ -287,13 +295,5 @@ impl Formulas {
     pub(super) fn put(&self, formula: &Formula, tree: &Tree, new: &mut Vec<(Name, Tree)>) {
         new.push((formula.name, tree.clone()));
         new.extend(formula.linear.map(|linear| (linear, self.along_linear(tree))));
-    }
-
-    pub(super) fn words_of(&self, formula: &Formula) -> String {
-        match &*self.names.0[formula.name] {
-            "R" | "R_p" => "the residual".into(),
-            "K" | "K_p" => "the tangent".into(),
-            name => name.to_owned(),
-        }
     }
 }

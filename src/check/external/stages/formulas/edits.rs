@@ -27,10 +27,11 @@ pub(super) fn edits(of: &Tree, class: Class, others: &dyn Fn(Name) -> Vec<Name>)
     let mut names = Vec::new();
     of.each_name(&mut |name| names.push(name));
     let kind = FORMULAS.kind(of);
-    names.retain(|name| FORMULAS.kinds[*name] == kind);
     names.sort_unstable();
     names.dedup();
-    let mut edits = Edits { class, others, names, found: Vec::new() };
+    let all = names.clone();
+    names.retain(|name| FORMULAS.kinds[*name] == kind);
+    let mut edits = Edits { class, others, names, all, found: Vec::new() };
     let is_expanded = class == Class::Expanded;
     let whole = Place { path: vec![], is_term: true, term: of, is_whole: true, is_expanded };
     edits.add_of(of, &whole);
@@ -63,6 +64,8 @@ struct Edits<'a> {
     others: &'a dyn Fn(Name) -> Vec<Name>,
     /// The names of the formula that are of its kind.
     names: Vec<Name>,
+    /// All names of the formula.
+    all: Vec<Name>,
     found: Vec<Edit>,
 }
 
@@ -160,7 +163,35 @@ impl Edits<'_> {
             }
             _ => {}
         }
+        if place.is_term && self.class != Class::Simple {
+            self.add_along_both(tree, place);
+        }
         self.add_of_branches(tree, place);
+    }
+
+    /// A variation in the place of another one of the formula, along delta and along Delta.
+    fn add_along_both(&mut self, term: &Tree, place: &Place) {
+        let linear = |name: Name| FORMULAS.linear.get(name);
+        let has = |name: Name| term.find(&|of| of.op == Op::Name(name)).is_some();
+        let both: Vec<[Name; 2]> = self.all.iter().filter_map(|name| Some([*name, linear(*name)?])).collect();
+        for &[name, along] in both.iter().filter(|both| both.iter().all(|name| has(*name))) {
+            let twin = FORMULAS.twin(name);
+            let others =
+                (self.others)(name).into_iter().filter(|other| *other == twin || self.all.contains(other));
+            for (other, other_along) in others.filter_map(|other| Some((other, linear(other)?))) {
+                let renamed = |of: Name| match of {
+                    of if of == name => other,
+                    of if of == along => other_along,
+                    of => of,
+                };
+                let [new, old] = [other, name].map(|of| &FORMULAS.names.0[of]);
+                let words =
+                    format!("{new} stands in the place of {old} along both directions{}", place.words(term));
+                let what = What::AlongBoth(name, other);
+                let (path, new) = (place.path.clone(), term.renamed(&renamed));
+                self.found.push(Edit { path, what, old: term.clone(), new, words, cost: what.cost() });
+            }
+        }
     }
 
     /// What may stand in the place of a name. These are no simple errors.

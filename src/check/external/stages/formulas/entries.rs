@@ -45,6 +45,11 @@ pub(super) const OF_HESSIANS: [(&[usize], &str); 10] = [
     (&[1, 3], "the columns of the bar beam"),
 ];
 
+/// These blocks of a Hessian, by their places in [`BLOCKS`], in words.
+pub(in crate::check::external::stages) fn words_of_blocks(blocks: &[usize]) -> Option<&'static str> {
+    OF_HESSIANS.iter().find(|(known, _)| *known == blocks).map(|(_, words)| *words)
+}
+
 /// What is wrong with them.
 pub(super) const FACTORS: [(f64, &str); 4] =
     [(-1.0, "the wrong sign"), (0.0, "missing"), (2.0, "twice"), (0.5, "half")];

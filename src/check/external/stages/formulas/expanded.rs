@@ -164,7 +164,7 @@ impl Formulas {
     }
 
     fn with_used(&self, tree: &Tree, name: Name, new: &Tree) -> Tree {
-        let linear = self.linear.get(&name).copied();
+        let linear = self.linear.get(name);
         tree.substituted(&|of| match of {
             of if of == name => Some(new.clone()),
             of if Some(of) == linear => Some(self.along_linear(new)),

@@ -34,6 +34,8 @@ pub(super) enum What {
     Other(Name),
     /// Another name with the opposite sign, as in programs that use the symmetric matrix.
     Negative(Name),
+    /// A variation in the place of another one, along both directions.
+    AlongBoth(Name, Name),
     /// A name in the place of a difference of two, or the difference in the place of a name.
     Difference(Name),
     /// The length of a variation in the place of the variation of a length.
@@ -53,6 +55,7 @@ impl What {
             | Self::Inverted(_)
             | Self::Axes(_)
             | Self::Negative(_)
+            | Self::AlongBoth(..)
             | Self::Difference(_)
             | Self::Exchanged
             | Self::Forgotten

@@ -1,9 +1,8 @@
 //! The list of formulas, and the order of its evaluation.
 
-use super::names::{Relations, Set, Step, WAYS};
+use super::names::{Others, Relations, Set, Step, WAYS};
 use super::parser::Parser;
 use super::tree::{Name, Names, Op, Tree};
-use std::collections::HashMap;
 use std::sync::LazyLock;
 
 /// The formulas of the geometry and of a contact element in which errors are looked for, one a line.
@@ -76,9 +75,11 @@ pub(super) struct Formulas {
     /// The names of inputs.
     pub(super) inputs: usize,
     /// The same name along Delta.
-    pub(super) linear: HashMap<Name, Name>,
+    pub(super) linear: Others,
+    /// The same name along delta.
+    pub(super) delta: Others,
     /// The same name for the other beam.
-    pub(super) twins: HashMap<Name, Name>,
+    pub(super) twins: Others,
     /// The formulas of the residual that vary.
     pub(super) residual: Vec<Name>,
     /// How the names depend on each other in each way of writing.
@@ -93,8 +94,9 @@ impl Formulas {
             ways: [const { Vec::new() }; WAYS],
             kinds: Vec::new(),
             inputs: 0,
-            linear: HashMap::new(),
-            twins: HashMap::new(),
+            linear: Others::default(),
+            delta: Others::default(),
+            twins: Others::default(),
             residual: Vec::new(),
             relations: Default::default(),
         };
@@ -143,7 +145,7 @@ impl Formulas {
             self.kinds.push(Kind { is_vector: true, varies: [true, false], ..plain });
             let linear = self.names.add(&linear_name(name));
             self.kinds.push(Kind { is_vector: true, varies: [false, true], ..plain });
-            self.linear.insert(along, linear);
+            self.add_linear(along, linear);
         }
         self.inputs = self.kinds.len();
     }
@@ -155,11 +157,16 @@ impl Formulas {
         let linear = (kind.varies == [true, false]).then(|| self.names.add(&linear_name(name)));
         if let Some(linear) = linear {
             self.kinds.push(Kind { varies: [false, true], ..kind });
-            self.linear.insert(place, linear);
+            self.add_linear(place, linear);
         }
         assert_eq!(self.kinds.len(), self.names.0.len(), "a formula before {name} has an unknown name");
         let ways = std::array::from_fn(|_| tree.clone());
         self.all.push(Formula { name: place, ways, linear, equation });
+    }
+
+    fn add_linear(&mut self, delta: Name, linear: Name) {
+        self.linear.insert(delta, linear);
+        self.delta.insert(linear, delta);
     }
 
     /// The kind of the result of a formula.
@@ -244,7 +251,7 @@ impl Formulas {
 
     /// The formula along Delta.
     pub(super) fn along_linear(&self, tree: &Tree) -> Tree {
-        tree.renamed(&|name| self.linear.get(&name).copied().unwrap_or(name))
+        tree.renamed(&|name| self.linear.get(name).unwrap_or(name))
     }
 
     /// The place of a name that is in the list.

@@ -58,6 +58,21 @@ impl FromIterator<Name> for Set {
     }
 }
 
+/// For some names another one, such as that of the other beam.
+#[derive(Debug, Default)]
+pub(super) struct Others(Vec<Option<Name>>);
+
+impl Others {
+    pub(super) fn insert(&mut self, name: Name, other: Name) {
+        self.0.resize(self.0.len().max(name + 1), None);
+        self.0[name] = Some(other);
+    }
+
+    pub(super) fn get(&self, name: Name) -> Option<Name> {
+        self.0.get(name).copied().flatten()
+    }
+}
+
 /// A step of the evaluation.
 pub(super) struct Step {
     pub(super) name: Name,

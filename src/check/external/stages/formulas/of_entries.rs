@@ -24,7 +24,7 @@ impl Formulas {
                     let of = self.names.0[name].trim_end_matches("_p");
                     let words = format!("in {of} {of_blocks}: {words}");
                     for is_stored in [true, false] {
-                        let linear = self.linear.get(&name).copied();
+                        let linear = self.linear.get(name);
                         let entries = Some(Entries { name, linear, blocks, factor });
                         found.push(Change { entries, is_stored, cost: COST, ..Change::of(words.clone()) });
                     }

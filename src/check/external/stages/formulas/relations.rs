@@ -1,9 +1,10 @@
 //! Formulas that belong to each other: those of both beams, and those of both directions.
 
+use super::edits::Edit;
 use super::list::{Formula, Formulas, Kind, STRAIGHT};
+use super::names::Others;
 use super::tree::{Name, Op, Tree};
 use super::values::Value;
-use std::collections::HashMap;
 
 /// Entries and right-hand sides of the system for the parameters that are confused with a change of sign.
 const SYSTEM: [&[&str]; 8] = [
@@ -23,18 +24,31 @@ const SYMMETRIC: [&str; 2] = ["h12", "h21"];
 impl Formulas {
     /// The formula with delta and Delta exchanged; nothing if a name of it does not exist so.
     pub(super) fn transposed(&self, tree: &Tree) -> Option<Tree> {
-        let other = |name: Name| {
-            let back = self.linear.iter().find(|(_, linear)| **linear == name).map(|(along, _)| *along);
-            self.linear.get(&name).copied().or(back).unwrap_or(name)
-        };
+        let other = |name: Name| self.linear.get(name).or(self.delta.get(name)).unwrap_or(name);
         let mut is_known = true;
         tree.each_name(&mut |name| is_known &= self.kinds[name].varies != [true; 2]);
         is_known.then(|| tree.renamed(&other))
     }
 
+    /// The formula `new`, which has an edit of one term, with the same edit of the term with delta and Delta exchanged.
+    pub(super) fn as_transpose(&self, tree: &Tree, new: &Tree, edit: &Edit) -> Option<Tree> {
+        let (mut of, mut term, mut from) = (tree, tree, 0);
+        for (depth, &i) in edit.path.iter().enumerate() {
+            let is_term = matches!(of.op, Op::Sum(_)) || (of.op == Op::If && i > 0);
+            of = &of.of[i];
+            if is_term {
+                (term, from) = (of, depth + 1);
+            }
+        }
+        let old = self.transposed(term).filter(|old| old != term)?;
+        let other = self.transposed(&term.with(&edit.path[from..], &edit.new))?;
+        let path = new.find(&|of| *of == old)?;
+        Some(new.with(&path, &other))
+    }
+
     /// The name of the same number of the other beam, or the name itself if it belongs to both.
     pub(super) fn twin(&self, name: Name) -> Name {
-        self.twins.get(&name).copied().unwrap_or(name)
+        self.twins.get(name).unwrap_or(name)
     }
 
     /// The same for the other beam.
@@ -51,8 +65,8 @@ impl Formulas {
     /// The inputs with the directions exchanged.
     pub(super) fn exchanged(&self, inputs: &[Value]) -> Vec<Value> {
         let mut exchanged = inputs.to_vec();
-        for (&along, &linear) in self.linear.iter().filter(|(along, _)| **along < self.inputs) {
-            exchanged.swap(along, linear);
+        for (delta, linear) in (0..self.inputs).filter_map(|name| Some((name, self.linear.get(name)?))) {
+            exchanged.swap(delta, linear);
         }
         exchanged
     }
@@ -82,12 +96,12 @@ impl Formulas {
 
     /// Names of the system that differ from this one in sign in the symmetric form: a is -a_bar of the other beam.
     pub(super) fn of_opposite_sign(&self, name: Name) -> Vec<Name> {
-        let back = self.linear.iter().find(|(_, linear)| **linear == name).map(|(along, _)| *along);
+        let back = self.delta.get(name);
         let text = &*self.names.0[back.unwrap_or(name)];
         let group = SYSTEM.iter().find(|group| group.contains(&text));
         let others = group.into_iter().flat_map(|group| *group).filter(|other| **other != text);
         let named = others.filter_map(|other| self.names.find(other));
-        named.map(|other| if back.is_some() { self.linear[&other] } else { other }).collect()
+        named.filter_map(|other| if back.is_some() { self.linear.get(other) } else { Some(other) }).collect()
     }
 
     /// An entry of the matrix of eq. (52) as it is for straight beams.
@@ -101,7 +115,7 @@ impl Formulas {
     pub(super) fn difference_of(&self, name: Name) -> Option<Tree> {
         let [delta, delta_bar] = ["du", "du_bar"].map(|name| self.name(name));
         let is_of = |varies: [bool; 2]| self.kinds[name] == Kind { varies, ..self.kinds[delta] };
-        let along = |of: Name| if is_of([true, false]) { of } else { self.linear[&of] };
+        let along = |of: Name| if is_of([true, false]) { of } else { self.linear.get(of).unwrap_or(of) };
         let is_one = is_of([true, false]) || is_of([false, true]);
         let is_vector_of_curve = self.names.0[name].contains('u');
         (is_one && is_vector_of_curve)
@@ -135,13 +149,16 @@ impl Formulas {
     }
 
     /// Pairs of names that differ in `_bar`.
-    pub(super) fn find_twins(&self) -> HashMap<Name, Name> {
+    pub(super) fn find_twins(&self) -> Others {
         let pair = |(name, text): (Name, &String)| {
             let twin = self.names.find(&text.replacen("_bar", "", 1)).filter(|twin| *twin != name)?;
             Some([(name, twin), (twin, name)])
         };
         let of_rows = SYMMETRIC.map(|name| self.name(name));
         let of_rows = [(of_rows[0], of_rows[1]), (of_rows[1], of_rows[0])];
-        self.names.0.iter().enumerate().filter_map(pair).flatten().chain(of_rows).collect()
+        let mut twins = Others::default();
+        let pairs = self.names.0.iter().enumerate().filter_map(pair).flatten();
+        pairs.chain(of_rows).for_each(|(name, twin)| twins.insert(name, twin));
+        twins
     }
 }

@@ -12,7 +12,7 @@ impl Formulas {
         let results = &*RESULTS;
         let of_factor = |name: Name| {
             FACTORS.map(|(by, words, cost)| {
-                let names = [Some(name), self.linear.get(&name).copied()].into_iter().flatten();
+                let names = [Some(name), self.linear.get(name)].into_iter().flatten();
                 let new = names.map(|name| (name, scaled(name, by))).collect();
                 let words = format!("{} {words} where it is answered", self.names.0[name]);
                 Change { new, is_stored: true, cost, ..Change::of(words) }
@@ -84,7 +84,7 @@ impl Formulas {
 
     /// A name in the place of another, also along Delta.
     pub(super) fn in_place_of(&self, name: Name, other: Name) -> Vec<(Name, Tree)> {
-        let along = |name: Name| self.linear.get(&name).copied();
+        let along = |name: Name| self.linear.get(name);
         let linear = along(name).zip(along(other));
         let pairs = [Some((name, other)), linear].into_iter().flatten();
         pairs.map(|(name, other)| (name, Tree::name(other))).collect()

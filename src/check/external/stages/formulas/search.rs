@@ -6,6 +6,7 @@ use super::list::FORMULAS;
 use super::names::Set;
 use super::outputs::RESULTS;
 use super::point::{Point, points};
+use super::tree::Name;
 use super::ways::Ways;
 use super::{matrices, pairs};
 use crate::check::external::stages::point::Point as StagePoint;
@@ -65,10 +66,25 @@ pub(in crate::check::external::stages) fn found(
 
 /// One change that explains all answers, those of the geometry among them.
 pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Reading> {
+    let points = points(samples, Set::default());
+    readings(&Searched::new(&points).explained(all_results(), Set::default(), &|_| true))
+}
+
+/// Whether some of the gradients, or values, and some of the Hessians are wrong.
+pub(in crate::check::external::stages) fn are_wrong(samples: &[Sample]) -> [bool; 2] {
+    let points = points(samples, Set::default());
+    [false, true].map(|is_hessian| {
+        let is_meant = |name: &Name| (FORMULAS.kinds[*name].varies == [true; 2]) == is_hessian;
+        let names = all_results().names().filter(is_meant).collect();
+        points.iter().any(|point| point.is_wrong(names))
+    })
+}
+
+/// The names of all that is answered.
+fn all_results() -> Set {
     let names = STAGES.iter().flat_map(|(stage, _)| *stage).map(|name| FORMULAS.name(name));
     let of_penalty = ["R_p", "K_p"].map(|name| FORMULAS.name(name));
-    let all = names.chain(RESULTS.iter().copied()).chain(of_penalty).collect();
-    readings(&Searched::new(&points(samples, Set::default())).explained(all, Set::default(), &|_| true))
+    names.chain(RESULTS.iter().copied()).chain(of_penalty).collect()
 }
 
 /// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones. A

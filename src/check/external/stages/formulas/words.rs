@@ -1,7 +1,7 @@
 //! What is wrong, in words. Most changes explain nothing, so their sentences are made when they are told.
 
 use super::edits::Edit;
-use super::list::{FORMULAS, Formula};
+use super::list::{FORMULAS, Formula, Formulas};
 use super::tree::Name;
 use std::sync::Arc;
 
@@ -84,5 +84,16 @@ impl OfEdit {
             return words + form;
         }
         format!("{form}{}", words.strip_prefix("in ").map_or_else(|| words.clone(), |of| format!("for {of}")))
+    }
+}
+
+impl Formulas {
+    /// A formula in words.
+    pub(super) fn words_of(&self, formula: &Formula) -> String {
+        match &*self.names.0[formula.name] {
+            "R" | "R_p" => "the residual".into(),
+            "K" | "K_p" => "the tangent".into(),
+            name => name.to_owned(),
+        }
     }
 }
