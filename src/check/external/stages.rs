@@ -85,12 +85,6 @@ impl Traced {
         self.is_complete() && self.beyond.is_empty()
     }
 
-    /// An error in some blocks of Hessians, if there is one and nothing else is known.
-    fn or_of_blocks(self, samples: &[Sample], of: &dyn Fn(Along) -> Vec<Sample>) -> Self {
-        let causes = if self.causes.is_empty() { blocks::found(samples, of) } else { Vec::new() };
-        if causes.is_empty() { self } else { Self { causes, leaves_some: false, ..self } }
-    }
-
     /// An error of the curves that explains everything, if there is one and nothing else does.
     fn or_of_curves(self, samples: &[Sample]) -> Self {
         if self.is_one() {
@@ -164,7 +158,7 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         parallel::indices(equations.len(), judged_at).into_iter().flatten().collect();
     // The formulas of a contact element follow from the geometry.
     if has_arrays && all_wrong.is_empty() {
-        let found = formulas::found(&samples, of).map(|traced| traced.or_of_blocks(&samples, of));
+        let found = formulas::found(&samples, of, &|| blocks::found(of));
         return found.map(|traced| traced.or_of_curves(&samples));
     }
     let (first, (of_first, others)) = all_wrong.first()?;
@@ -195,10 +189,10 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
     if in_list && (wrong.len() > 1 || !is_known(&of_one_error[0])) {
         let mut causes = formulas::of_all(&samples);
         if causes.is_empty() && has_arrays {
+            causes = blocks::found(of);
+        }
+        if causes.is_empty() && has_arrays {
             causes = of_entries(&entries.each_ref().map(|(along, cell)| &**cell.get_or_init(|| of(*along))));
-            if causes.is_empty() {
-                causes = blocks::found(&samples, of);
-            }
         }
         traced = if causes.is_empty() {
             traced.or_of_curves(&samples)

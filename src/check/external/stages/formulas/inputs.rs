@@ -92,6 +92,11 @@ impl Inputs {
         }
     }
 
+    /// Leaves out the forces of the program.
+    pub(in crate::check::external::stages) fn leave_forces(&mut self) {
+        self.forces.clear();
+    }
+
     fn hold(&mut self, [xi, xi_bar]: [bool; 2]) {
         self.set("both_free", (!xi && !xi_bar).into());
         self.set("free_xi", (!xi).into());

@@ -16,6 +16,11 @@ use crate::check::external::stages::{Reading, Traced};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
+/// Samples along single dofs.
+type Entries<'a> = &'a dyn Fn(Along) -> Vec<Sample>;
+/// What explains the entries of some beams alone.
+type InBlocks<'a> = &'a dyn Fn() -> Vec<Reading>;
+
 /// The answers in the order in which they follow from each other, and how the first is called.
 const STAGES: [(&[&str], &str); 4] = [
     (&["F_N"], "the normal force F_N"),
@@ -25,10 +30,11 @@ const STAGES: [(&[&str], &str); 4] = [
 ];
 
 /// What explains the answers to contact elements: one change for all of them, or one for the first that are wrong. Nothing if
-/// all are right. `entries` are samples along single dofs.
+/// all are right.
 pub(in crate::check::external::stages) fn found(
     samples: &[Sample],
-    entries: &dyn Fn(Along) -> Vec<Sample>,
+    entries: Entries,
+    in_blocks: InBlocks,
 ) -> Option<Traced> {
     let list = &*FORMULAS;
     let names = |stage: &[&str]| -> Set { stage.iter().map(|name| list.name(name)).collect() };
@@ -53,7 +59,7 @@ pub(in crate::check::external::stages) fn found(
     };
     let mut stages = vec![readings(&first.explained(all, Set::default(), &|_| true))];
     if stages[0].is_empty() {
-        stages = of_stages(samples, entries, &first, &names);
+        stages = of_stages(samples, (entries, in_blocks), &first, &names);
     }
     let mut stages = stages.into_iter();
     traced.causes = stages.next().unwrap_or_default();
@@ -91,7 +97,7 @@ fn all_results() -> Set {
 /// stage that follows from what explains an earlier one is left out, and so is a cause that would change an earlier one.
 fn of_stages(
     samples: &[Sample],
-    entries: &dyn Fn(Along) -> Vec<Sample>,
+    (entries, in_blocks): (Entries, InBlocks),
     first: &Searched,
     names_of: &(dyn Fn(&[&str]) -> Set + Sync),
 ) -> Vec<Vec<Reading>> {
@@ -120,9 +126,17 @@ fn of_stages(
             // Two effects add up where the answer is a sum.
             let is_sum = (*stage == ["R"] || *stage == ["K"]) && wrong.is_empty();
             let of_two = || if is_sum { readings(&pairs::found(both[0], names)) } else { Vec::new() };
+            let of_matrix = if found.is_none() { of_matrix() } else { None };
+            // One error in the code of a block is told before two errors.
+            let of_blocks =
+                if found.is_none() && of_matrix.is_none() && is_sum { in_blocks() } else { Vec::new() };
+            if !of_blocks.is_empty() {
+                stages.push(of_blocks);
+                break;
+            }
             stages.push(match &found {
                 Some(found) => readings(found),
-                None => of_matrix().map_or_else(of_two, |reading| vec![reading]),
+                None => of_matrix.map_or_else(of_two, |reading| vec![reading]),
             });
             known.extend(found.unwrap_or_default());
             wrong = wrong.or(names);

@@ -54,7 +54,7 @@ pub(super) fn right_answers(families: &[Family]) -> Vec<Sample> {
 fn the_formulas_yield_right_answers_in_each_way_of_writing() {
     let samples = right_answers(&Family::ALL);
     assert!(samples.len() > 100, "{}", samples.len());
-    assert_eq!(found(&samples, &|_| Vec::new()), None);
+    assert_eq!(found(&samples, &|_| Vec::new(), &Vec::new), None);
     // One way is right for straight beams alone.
     let of_segments = right_answers(&[Family::Segment]);
     for way in 0..WAYS {
@@ -222,7 +222,8 @@ fn answers_with_a_change_are_explained() {
             continue;
         }
         seen += 1;
-        let causes = found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
+        let causes =
+            found(&answered, &|_| Vec::new(), &Vec::new).map_or_else(Vec::new, |traced| traced.causes);
         assert!(!causes.is_empty(), "not explained: {}", change.words());
         known += usize::from(causes.iter().any(|cause| cause.words == change.words()));
     }
@@ -234,7 +235,8 @@ fn answers_with_a_change_are_explained() {
 fn a_term_with_a_factor_and_uncoupled_friction_are_told() {
     let samples: Vec<Sample> = right_answers(&[Family::Hermite]);
     let told = |answered: &[Sample]| -> Vec<String> {
-        let causes = found(answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
+        let causes =
+            found(answered, &|_| Vec::new(), &Vec::new).map_or_else(Vec::new, |traced| traced.causes);
         causes.into_iter().map(|cause| cause.words).collect()
     };
     let change = |words: &str| all_changes().iter().find(|change| change.words() == words).unwrap();
@@ -263,7 +265,7 @@ fn a_change_that_spoils_right_answers_is_not_told() {
     let words = "in dxi, eq. (52), the term dp/a has the wrong sign";
     let change = all_changes().iter().find(|change| change.words() == words).unwrap();
     let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, change)).collect();
-    let causes = found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
+    let causes = found(&answered, &|_| Vec::new(), &Vec::new).map_or_else(Vec::new, |traced| traced.causes);
     let told: Vec<&str> = causes.iter().map(|cause| &*cause.words).collect();
     assert_eq!(told, [words]);
 }

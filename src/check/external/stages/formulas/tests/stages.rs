@@ -18,7 +18,7 @@ fn no_cause_of_a_later_answer_contradicts_an_earlier_one() {
     let pushing = FORMULAS.instead(String::new(), &pushing);
     let told = |change: &Change| {
         let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, change)).collect();
-        found(&answered, &|_| Vec::new()).unwrap()
+        found(&answered, &|_| Vec::new(), &Vec::new).unwrap()
     };
     let traced = told(&pushing);
     let words = |all: &[Reading]| all.iter().map(|of| of.words.clone()).collect::<Vec<_>>();
@@ -49,7 +49,7 @@ fn a_cause_of_the_residual_keeps_the_friction_force() {
         with
     };
     let answered: Vec<Sample> = samples.iter().map(with_errors).collect();
-    let causes = found(&answered, &|_| Vec::new()).unwrap().causes;
+    let causes = found(&answered, &|_| Vec::new(), &Vec::new).unwrap().causes;
     let told: Vec<&str> = causes.iter().map(|cause| &*cause.words).collect();
     assert!(told.contains(&words), "{told:?}");
     assert!(!told.contains(&"in slip the term xi - xi_n is missing"), "{told:?}");

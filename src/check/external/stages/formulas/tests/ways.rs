@@ -19,8 +19,9 @@ fn errors_in_other_ways_of_writing_are_told() {
         let changed = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
         point.answers.iter().all(|answer| answer.ways[way] && point.is_explained(answer, way, &changed))
     };
-    let of_element =
-        |samples: &[Sample]| found(samples, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes);
+    let of_element = |samples: &[Sample]| {
+        found(samples, &|_| Vec::new(), &Vec::new).map_or_else(Vec::new, |traced| traced.causes)
+    };
     for (way, is_of_element, words) in [
         (7, true, "in i11, eq. (52), h11 stands in the place of h22"),
         (7, false, "in Ddh_bar Ddp_bar is taken whatever free_xi_bar is"),
@@ -69,7 +70,7 @@ fn errors_of_one_use_of_a_formula_are_told() {
         let mut answered: Vec<Sample> = samples.iter().map(|sample| with(way, sample, change)).collect();
         answered.iter_mut().filter(|_| is_of_element).for_each(|sample| sample.own.fill([None; 4]));
         let causes = if is_of_element {
-            found(&answered, &|_| Vec::new()).map_or_else(Vec::new, |traced| traced.causes)
+            found(&answered, &|_| Vec::new(), &Vec::new).map_or_else(Vec::new, |traced| traced.causes)
         } else {
             of_all(&answered)
         };
