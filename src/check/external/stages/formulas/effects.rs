@@ -20,8 +20,15 @@ use std::sync::{Arc, OnceLock, RwLock};
 pub(super) struct Effects<'a> {
     /// The results, which may be written in some ways where these parameters are held, with the answers to them.
     results: Vec<(Output, [bool; WAYS], Vec<Answered<'a>>)>,
-    /// For the names of a change: the ways of writing in which each result is of first degree in them.
-    of_first_degree: RwLock<HashMap<Set, Arc<Vec<[bool; WAYS]>>>>,
+    of_names: RwLock<HashMap<Set, Arc<OfNames>>>,
+}
+
+/// What depends on the names of a change.
+struct OfNames {
+    /// The ways of writing in which each result is of first degree in them.
+    of_first_degree: Vec<[bool; WAYS]>,
+    /// They and all that follows from them in each way.
+    affected: [Set; WAYS],
 }
 
 /// The answer of a sample, with its derivatives by all names in each way of writing.
@@ -42,7 +49,7 @@ impl<'a> Effects<'a> {
             let ways = wrong.of_answer((output, held)).or_else(|| right.of_answer((output, held)))?;
             Some((output, ways, answers))
         });
-        Self { results: results.collect(), of_first_degree: RwLock::default() }
+        Self { results: results.collect(), of_names: RwLock::default() }
     }
 
     /// Whether a change may yield these answers.
@@ -51,12 +58,15 @@ impl<'a> Effects<'a> {
             return true;
         }
         let names = change.names();
-        let used = names.or(change.uses(names));
-        let of_first_degree = self.ways_of_first_degree(names);
+        let uses = change.uses(names);
+        let used = names.or(uses);
+        let OfNames { of_first_degree, affected } = &*self.of_names(names);
         let mut known = Vec::new();
-        self.results.iter().zip(&*of_first_degree).all(|((_, ways, answers), of_first_degree)| {
+        self.results.iter().zip(of_first_degree).all(|((_, ways, answers), of_first_degree)| {
             (0..WAYS).filter(|way| ways[*way]).any(|way| {
                 !of_first_degree[way]
+                    // What stands in the place of a formula must have its right value.
+                    || !uses.and(affected[way]).is_empty()
                     || answers.iter().filter(|of| of.answer.ways[way]).all(|of| {
                         let effect = of.effect(way, (change, used), &mut known);
                         of.point.is_near(of.answer, way, effect)
@@ -65,23 +75,31 @@ impl<'a> Effects<'a> {
         })
     }
 
-    fn ways_of_first_degree(&self, names: Set) -> Arc<Vec<[bool; WAYS]>> {
-        let known = self.of_first_degree.read().ok().and_then(|known| known.get(&names).cloned());
+    fn of_names(&self, names: Set) -> Arc<OfNames> {
+        let known = self.of_names.read().ok().and_then(|known| known.get(&names).cloned());
         known.unwrap_or_else(|| {
-            let mut of = vec![[false; WAYS]; self.results.len()];
+            let mut of_first_degree = vec![[false; WAYS]; self.results.len()];
             for way in 0..WAYS {
                 let degrees = degrees(way, names);
-                for (of, (output, ..)) in of.iter_mut().zip(&self.results) {
+                for (of, (output, ..)) in of_first_degree.iter_mut().zip(&self.results) {
                     of[way] = degrees.is_some_and(|degrees| degrees[output.name] <= 1);
                 }
             }
-            let of = Arc::new(of);
-            if let Ok(mut known) = self.of_first_degree.write() {
+            let of = Arc::new(OfNames {
+                of_first_degree,
+                affected: std::array::from_fn(|way| affected(way, names)),
+            });
+            if let Ok(mut known) = self.of_names.write() {
                 known.insert(names, Arc::clone(&of));
             }
             of
         })
     }
+}
+
+/// These names and all that follows from them.
+fn affected(way: usize, names: Set) -> Set {
+    names.names().fold(names, |all, name| all.or(FORMULAS.relations[way].follows[name]))
 }
 
 /// The sample, the way of writing, and how the values of what is changed differ there.
@@ -238,6 +256,9 @@ mod tests {
                 (0..WAYS).flat_map(|way| points.iter().zip(&answered).map(move |of| (way, of)))
             {
                 let Some(degrees) = degrees(way, change.names()) else { continue };
+                if !change.uses(change.names()).and(super::affected(way, change.names())).is_empty() {
+                    continue;
+                }
                 let right = &point.values[way][..];
                 let is_known = |(_, tree): &(Name, Tree)| !value(tree, right).is_nan();
                 if !change.new.iter().all(is_known) {
