@@ -94,27 +94,54 @@ fn a_gap_at_another_point_is_right() {
     assert_eq!(found.place, "all equations but those of the closest point are satisfied");
 }
 
+/// The causes for answers of Hermite curves after `change`, which has g_T's gradient and Hessian, the gradients of |t|, xi and
+/// the value of |t|.
+fn causes_with(change: impl Fn(&mut [f64], &mut [f64], [&[f64]; 2], f64)) -> Vec<String> {
+    let (mut cases, demands) = right_answers_of(vec![Family::Hermite], None);
+    for (_, answers) in &mut cases {
+        let of = |of: Quantity| answers.answers.iter().find(|answer| answer.quantity == of);
+        let gradient = |quantity| of(quantity).and_then(|answer| answer.gradient.clone());
+        let length = of(Quantity::T).and_then(|answer| answer.value);
+        let Some((by_length, by_xi)) = gradient(Quantity::T).zip(gradient(Quantity::Xi)) else { continue };
+        let slip = answers.answers.iter_mut().find(|answer| answer.quantity == Quantity::GT);
+        let arrays = slip.and_then(|slip| slip.gradient.as_mut().zip(slip.hessian.as_mut()));
+        let Some(((gradient, hessian), length)) = arrays.zip(length) else { continue };
+        change(gradient, hessian, [&by_length, &by_xi], length);
+    }
+    let found = traced(&cases.iter().collect::<Vec<_>>(), &demands).unwrap();
+    found.causes.into_iter().map(|of| of.words).collect()
+}
+
+/// The number of dofs of a Hermite curve.
+const DOFS: usize = 12;
+
 /// A program may write each block of a Hessian by itself. Here one lacks a term.
 #[test]
 fn an_error_in_one_block_is_told() {
-    let (mut cases, demands) = right_answers_of(vec![Family::Hermite], None);
-    for (vector, answers) in &mut cases {
-        let gradient = |of: Quantity| {
-            let answer = answers.answers.iter().find(|answer| answer.quantity == of);
-            answer.and_then(|answer| answer.gradient.clone())
-        };
-        let rows = vector.case.test_beams[0].q.len();
-        let Some((length, xi)) = gradient(Quantity::T).zip(gradient(Quantity::Xi)) else { continue };
-        let slip = answers.answers.iter_mut().find(|answer| answer.quantity == Quantity::GT);
-        let Some(hessian) = slip.and_then(|slip| slip.hessian.as_mut()) else { continue };
-        for (i, row) in hessian.chunks_mut(xi.len()).enumerate().take(rows) {
-            row.iter_mut().zip(&xi).skip(rows).for_each(|(entry, xi)| *entry -= length[i] * xi);
+    let words = causes_with(|_, hessian, [by_length, by_xi], _| {
+        for (i, row) in hessian.chunks_mut(2 * DOFS).enumerate().take(DOFS) {
+            row.iter_mut().zip(by_xi).skip(DOFS).for_each(|(entry, xi)| *entry -= by_length[i] * xi);
         }
-    }
-    let found = traced(&cases.iter().collect::<Vec<_>>(), &demands).unwrap();
-    let words: Vec<_> = found.causes.iter().map(|of| &*of.words).collect();
+    });
     let block = "in the block of the beam's rows and the bar beam's columns";
     assert_eq!(words, [format!("in Ddg_T, eq. (21), the term d|t| Dxi is missing, {block}")]);
+}
+
+/// The same of a gradient.
+#[test]
+fn an_error_in_the_entries_of_one_beam_is_told() {
+    let words = causes_with(|gradient, _, [_, by_xi], length| {
+        gradient.iter_mut().zip(by_xi).skip(DOFS).for_each(|(entry, xi)| *entry -= length * xi);
+    });
+    let wanted = "in dg_T, eq. (20), the term |t| dxi is missing, in the entries of the dofs of the bar beam";
+    assert!(words.iter().any(|words| words == wanted), "{words:?}");
+    // If both beams are wrong, and each in its own way, it is not the error of one.
+    let words = causes_with(|gradient, _, [by_length, by_xi], length| {
+        let (beam, bar) = gradient.split_at_mut(DOFS);
+        beam.iter_mut().zip(by_length).for_each(|(entry, by)| *entry += 0.3 * by);
+        bar.iter_mut().zip(&by_xi[DOFS..]).for_each(|(entry, xi)| *entry -= length * xi);
+    });
+    assert!(!words.iter().any(|words| words.contains("in the entries of the dofs of")), "{words:?}");
 }
 
 /// Where one parameter is held, its variations are zero, and nothing is said to be one of them by mistake.

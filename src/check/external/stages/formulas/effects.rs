@@ -20,6 +20,7 @@ use std::sync::{Arc, OnceLock, RwLock};
 pub(super) struct Effects<'a> {
     /// The results, which may be written in some ways where these parameters are held, with the answers to them.
     results: Vec<(Output, [bool; WAYS], Vec<Answered<'a>>)>,
+    /// By the names of changes.
     of_names: RwLock<HashMap<Set, Arc<OfNames>>>,
 }
 

@@ -39,6 +39,7 @@ fn errors_in_other_ways_of_writing_are_told() {
         (9, true, "in H_v the term slip d|t| Dtau is missing"),
         (9, true, "in dnormal the term cross(t, dt_bar) has the wrong sign"),
         (9, true, "in dn the term n n.(side dnormal) is missing"),
+        (0, false, "in Ddx_bar, eq. (27), dxi stands in the place of dxi_bar along both directions"),
         (9, true, "in Ddp_bar, eq. (55), t stands in the place of t_bar in t_bar.Ddx"),
     ] {
         let change = all_changes().iter().find(|change| change.words() == words).unwrap();
@@ -62,6 +63,13 @@ fn errors_of_one_use_of_a_formula_are_told() {
         ("Dd|t|", 0, false, "in Dd|t|, eq. (42), the division by |t| in dt.Dt/|t| is left out"),
         ("dF", 2, true, "in dF and dF_bar the term e_bar dc is missing"),
         ("dm", 2, true, "in dm and dm_bar the term c de_bar is missing"),
+        (
+            "Ddg_T_bar",
+            6,
+            false,
+            "in Ddg_T_bar, eq. (21), moved stands in the place of moved_bar in moved_bar \
+             tau_bar.du_bar,xixi Dxi_bar, as its transpose",
+        ),
     ] {
         let all = FORMULAS.expanded_changes(formula(name));
         let is_meant = |change: &&Change| change.words() == words && change.ways[way];
