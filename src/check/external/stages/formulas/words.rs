@@ -1,8 +1,10 @@
 //! What is wrong, in words. Most changes explain nothing, so their sentences are made when they are told.
 
-use super::edits::Edit;
+use super::axes::axes;
+use super::edits::{Edit, Term};
+use super::kinds::What;
 use super::list::{FORMULAS, Formula, Formulas};
-use super::tree::Name;
+use super::tree::{Name, Op, Tree};
 use std::sync::Arc;
 
 /// The words of a change.
@@ -74,16 +76,76 @@ impl OfEdit {
             "" => String::new(),
             number => format!(", eq. ({number}),"),
         };
-        let (subject, verb) = match edit.words.strip_prefix("it ") {
+        let edit = edit.words();
+        let (subject, verb) = match edit.strip_prefix("it ") {
             Some(verb) if names.len() > 1 => (format!("each of {}", names.join(" and ")), verb),
             Some(verb) => (names.concat(), verb),
-            None => (format!("in {}", names.join(" and ")), &*edit.words),
+            None => (format!("in {}", names.join(" and ")), &*edit),
         };
         let words = format!("{subject}{of_equation} {verb}{scope}{of_users}");
         if *form != IN_DERIVATIVES {
             return words + form;
         }
         format!("{form}{}", words.strip_prefix("in ").map_or_else(|| words.clone(), |of| format!("for {of}")))
+    }
+}
+
+fn text(tree: &Tree) -> String {
+    tree.text(&FORMULAS.names)
+}
+
+impl Edit {
+    /// What is wrong, as a clause.
+    fn words(&self) -> String {
+        let Self { what, old, new, term, .. } = self;
+        let in_term = match term {
+            Term::In(term) => format!(" in {}", text(term)),
+            Term::Whole | Term::Itself => String::new(),
+        };
+        let of = || if *term == Term::Whole { "it".into() } else { format!("the term {}", text(old)) };
+        let branch = |i: usize| text(&old.of[i]);
+        let is_divisor = |i: usize| matches!(&old.op, Op::Product(all) if all[i]);
+        let factor = |i: usize| {
+            let what = if is_divisor(i) { "the division by" } else { "the factor" };
+            format!("{what} {}{in_term}", branch(i))
+        };
+        let instead = || format!("{} stands in the place of {}{in_term}", text(new), text(old));
+        match what {
+            What::Sign => format!("{} has the wrong sign", of()),
+            What::Missing => format!("{} is missing", of()),
+            What::Doubled => format!("{} counts twice", of()),
+            What::Halved => format!("{} is halved", of()),
+            What::Transposed => format!("{} is transposed", of()),
+            What::Exchanged => format!("{} has the beams exchanged", of()),
+            What::Forgotten => format!("{} takes the beam where the bar beam belongs", of()),
+            What::Without(i) => format!("{} is left out", factor(*i)),
+            What::Squared(i) => format!("{} is there twice", factor(*i)),
+            What::Inverted(i) => {
+                let verb = if is_divisor(*i) { "multiplied" } else { "divided" };
+                format!("the term {} is {verb} by {}", text(old), branch(*i))
+            }
+            What::Always(i) => format!("{} is taken whatever {} is", branch(*i), branch(0)),
+            What::Reversed if old.op == Op::Less => format!("the condition {} is reversed", text(old)),
+            What::Reversed => format!("the condition {} is reversed", branch(0)),
+            What::Holds(false) => format!("{} is never taken to hold", text(old)),
+            What::Holds(true) => format!("{} is always taken to hold", text(old)),
+            What::NoRoot => format!("the root of {} is left out", branch(0)),
+            What::AlongBoth(name, other) => {
+                let [new, old] = [other, name].map(|of| &FORMULAS.names.0[*of]);
+                format!("{new} stands in the place of {old} along both directions{in_term}")
+            }
+            What::Axes(k) => format!("{} of {}{in_term}", axes()[*k].1, text(old)),
+            What::Other(_) if old.op == Op::Number(0.0) => {
+                format!("{} stands in the place of 0", text(new))
+            }
+            What::Other(_)
+            | What::Number(_)
+            | What::Straight
+            | What::Negative(_)
+            | What::Difference(_)
+            | What::Length
+            | What::Product => instead(),
+        }
     }
 }
 
