@@ -180,25 +180,25 @@ impl Formulas {
             }
         }
         // The same error in the formula of the other beam, or for the other beam in the same formula.
-        if let Some((twin, of_twin, same)) = same {
-            let tree = of_twin.with(&same.path, &same.new);
-            self.add_change((way, class), &[(formula, &new), (twin, &tree)], edit, "", found);
+        let of_twin = same.map(|(twin, tree, edit)| (twin, tree.with(&edit.path, &edit.new), (tree, edit)));
+        if let Some((twin, tree, _)) = &of_twin {
+            self.add_change((way, class), &[(formula, &new), (twin, tree)], edit, "", found);
         }
         let [old, other] = [&edit.old, &edit.new].map(|tree| self.twin_tree(tree));
-        let later = |tree: &Tree| new.find(&|of| of == tree).filter(|path| *path > edit.path);
-        if let Some(path) = later(&old).filter(|_| old != edit.old) {
+        let later = new.find(&|of| *of == old).filter(|path| *path > edit.path && old != edit.old);
+        if let Some(path) = later {
             let tree = new.with(&path, &other);
             self.add_change((way, class), &[(formula, &tree)], edit, ", as its twin", found);
         }
         // Both of two terms that are each other's transpose.
-        let transposed = |tree: &Tree| self.transposed(tree);
-        if let Some((old, other)) = transposed(&edit.old).zip(transposed(&edit.new))
-            && let Some(path) = later(&old).filter(|_| old != edit.old)
-        {
-            let tree = new.with(&path, &other);
-            self.add_change((way, class), &[(formula, &tree)], edit, ", as its transpose", found);
-        } else if let Some(tree) = self.as_transpose(tree, &new, edit) {
-            self.add_change((way, class), &[(formula, &tree)], edit, ", as its transpose", found);
+        if let Some(tree) = self.with_transpose(tree, &new, edit) {
+            let words = ", as its transpose";
+            self.add_change((way, class), &[(formula, &tree)], edit, words, found);
+            let other = of_twin
+                .and_then(|(twin, new, (tree, edit))| Some((twin, self.with_transpose(tree, &new, edit)?)));
+            if let Some((twin, of_twin)) = other {
+                self.add_change((way, class), &[(formula, &tree), (twin, &of_twin)], edit, words, found);
+            }
         }
     }
 

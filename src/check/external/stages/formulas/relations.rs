@@ -30,8 +30,14 @@ impl Formulas {
         is_known.then(|| tree.renamed(&other))
     }
 
-    /// The formula `new`, which has an edit of one term, with the same edit of the term with delta and Delta exchanged.
-    pub(super) fn as_transpose(&self, tree: &Tree, new: &Tree, edit: &Edit) -> Option<Tree> {
+    /// The formula `new`, which has an edit of this tree, with the same edit where delta and Delta are exchanged: of the branch, or
+    /// else of its term.
+    pub(super) fn with_transpose(&self, tree: &Tree, new: &Tree, edit: &Edit) -> Option<Tree> {
+        if let Some((old, other)) = self.transposed(&edit.old).zip(self.transposed(&edit.new))
+            && let Some(path) = new.find(&|of| *of == old).filter(|path| *path > edit.path && old != edit.old)
+        {
+            return Some(new.with(&path, &other));
+        }
         let (mut of, mut term, mut from) = (tree, tree, 0);
         for (depth, &i) in edit.path.iter().enumerate() {
             let is_term = matches!(of.op, Op::Sum(_)) || (of.op == Op::If && i > 0);
