@@ -29,6 +29,11 @@ type Statement<'a> = (String, Box<dyn Fn(usize, usize) -> bool + 'a>);
 /// The beams that dofs belong to: whether it is the bar beam.
 const BEAMS: [(Option<bool>, &str); 3] =
     [(None, ""), (Some(false), " of the beam"), (Some(true), " of the bar beam")];
+/// Whether the entry of a row and a column is meant.
+type Meant<'a> = &'a dyn Fn(usize, usize) -> bool;
+/// The entry that stands at a place.
+type Predicted<'a> = Box<dyn Fn(usize) -> f64 + 'a>;
+
 /// An expected entry that is smaller, over the largest, is zero by rounding.
 const ZERO: f64 = 1e-12;
 /// The largest difference of entries that are taken for equal, over the largest expected entry.
@@ -38,8 +43,13 @@ impl Entries<'_> {
     /// The wrong entries in words: those of some dofs, of a block, the diagonal, and that they are zero or a multiple of the
     /// expected ones. Nothing if there is nothing to tell.
     pub(super) fn words(&self) -> Option<String> {
-        let which = if self.is_told(&|_, _| true) { Some("all".to_owned()) } else { self.which() };
-        let what = self.what();
+        let (what, predicted) = self.what().unzip();
+        // Where what stands there is what is expected, nothing is seen.
+        let is_open: Vec<bool> = (0..self.expected.len())
+            .map(|k| predicted.as_ref().is_some_and(|of| self.is_near(of(k), self.expected[k])))
+            .collect();
+        let is_told = |is_meant: Meant| self.is_told(&is_open, is_meant);
+        let which = if is_told(&|_, _| true) { Some("all".to_owned()) } else { self.which(&is_told) };
         match (which.as_deref(), what) {
             (None | Some("all"), None) => None,
             (None, Some(what)) => Some(what.replacen("which", "they", 1)),
@@ -56,24 +66,26 @@ impl Entries<'_> {
         self.expected.iter().fold(0.0, |largest, entry| largest.max(entry.abs()))
     }
 
+    fn is_near(&self, one: f64, other: f64) -> bool {
+        (one - other).abs() <= SAME * self.largest()
+    }
+
     /// Whether these entries are wrong, and no others. Where zero is expected and answered, nothing is seen.
-    fn is_told(&self, is_meant: &dyn Fn(usize, usize) -> bool) -> bool {
+    fn is_told(&self, is_open: &[bool], is_meant: Meant) -> bool {
         let (size, largest) = (self.dofs.len(), self.largest());
         (0..self.expected.len()).all(|k| {
             let [i, j] = if self.is_matrix() { [k / size, k % size] } else { [k, k] };
             let is_there = self.dofs[i].is_there && self.dofs[j].is_there;
-            let is_open = !self.is_wrong[k] && (!is_there || self.expected[k].abs() <= ZERO * largest);
-            is_open || self.is_wrong[k] == is_meant(i, j)
+            let is_zero = !is_there || self.expected[k].abs() <= ZERO * largest;
+            (!self.is_wrong[k] && (is_zero || is_open[k])) || self.is_wrong[k] == is_meant(i, j)
         })
     }
 
-    fn which(&self) -> Option<String> {
+    /// The first of the sets of entries that are told to be the wrong ones.
+    fn which(&self, is_told: &dyn Fn(Meant) -> bool) -> Option<String> {
         let sets = self.sets();
         if !self.is_matrix() {
-            return sets
-                .iter()
-                .find(|(_, set)| self.is_told(&|i, _| set[i]))
-                .map(|(of, _)| format!("those {of}"));
+            return sets.iter().find(|(_, set)| is_told(&|i, _| set[i])).map(|(of, _)| format!("those {of}"));
         }
         let is_bar = |i: usize| self.dofs[i].is_bar;
         let mut all: Vec<Statement> = vec![
@@ -95,7 +107,7 @@ impl Entries<'_> {
             all.push((format!("the columns {of}"), Box::new(|_, j| set[j])));
             all.push((format!("the rows and columns {of}"), Box::new(|i, j| set[i] || set[j])));
         }
-        all.into_iter().find(|(_, is_meant)| self.is_told(is_meant)).map(|(words, _)| words)
+        all.into_iter().find(|(_, is_meant)| is_told(is_meant)).map(|(words, _)| words)
     }
 
     /// The sets of dofs that a program takes together, the simplest first.
@@ -136,26 +148,31 @@ impl Entries<'_> {
         all
     }
 
-    /// What the wrong entries are.
-    fn what(&self) -> Option<&'static str> {
-        let (size, largest) = (self.dofs.len(), self.largest());
-        let wrong = || (0..self.expected.len()).filter(|k| self.is_wrong[*k]);
-        let all = |expected: &dyn Fn(usize) -> f64| {
-            wrong().all(|k| (self.answered[k] - expected(k)).abs() <= SAME * largest)
-        };
-        let times = |factor: f64| all(&|k| factor * self.expected[k]);
-        for (factor, words) in [
-            (0.0, "which are zero"),
-            (-1.0, "which have the wrong sign"),
-            (2.0, "which are twice the expected ones"),
-            (0.5, "which are half the expected ones"),
-        ] {
-            if times(factor) {
-                return Some(words);
+    /// What the wrong entries are, with the entry that stands at a place.
+    fn what(&self) -> Option<(&'static str, Predicted<'_>)> {
+        let size = self.dofs.len();
+        let times = |factor: f64| -> Predicted { Box::new(move |k| factor * self.expected[k]) };
+        let mut all: Vec<(&str, Predicted)> = vec![
+            ("which are zero", times(0.0)),
+            ("which have the wrong sign", times(-1.0)),
+            ("which are twice the expected ones", times(2.0)),
+            ("which are half the expected ones", times(0.5)),
+        ];
+        if self.is_matrix() {
+            let transposed = move |k: usize| self.expected[(k % size) * size + k / size];
+            all.push(("which are those of the transpose", Box::new(transposed)));
+            let bars = self.dofs.iter().filter(|dof| dof.is_bar).count();
+            if 2 * bars == size {
+                let other = move |i: usize| (i + bars) % size;
+                let of_block = move |k: usize| self.expected[other(k / size) * size + other(k % size)];
+                all.push(("which are those of the block with the beams exchanged", Box::new(of_block)));
             }
         }
-        let is_mirrored = self.is_matrix() && all(&|k| self.expected[(k % size) * size + k / size]);
-        is_mirrored.then_some("which are those of the transpose")
+        let is_meant = |predicted: &Predicted| {
+            let mut wrong = (0..self.expected.len()).filter(|k| self.is_wrong[*k]);
+            wrong.all(|k| self.is_near(self.answered[k], predicted(k)))
+        };
+        all.into_iter().find(|(_, predicted)| is_meant(predicted))
     }
 }
 
@@ -213,6 +230,24 @@ mod tests {
         assert_eq!(
             told(12, 3.0, |i, j| is_second(i) && is_second(j)).unwrap(),
             "the block of every second vector, from 2"
+        );
+    }
+
+    /// The diagonal of such a block is right by chance.
+    #[test]
+    fn a_block_that_is_copied_without_transposing_it_is_told() {
+        let expected: Vec<f64> = (0..144).map(|k| f64::from((k / 12 + 1) * (k % 12 + 1))).collect();
+        let is_block = |k: usize| k / 12 >= 6 && k % 12 < 6;
+        let of = |k: usize| if is_block(k) { expected[k - 72 + 6] } else { expected[k] };
+        let answered: Vec<f64> = (0..144).map(of).collect();
+        let is_wrong: Vec<bool> = (0..144).map(|k| (answered[k] - expected[k]).abs() > 0.5).collect();
+        assert_eq!(is_wrong.iter().filter(|wrong| **wrong).count(), 30);
+        let dofs = dofs();
+        let entries =
+            Entries { answered: &answered, expected: &expected, is_wrong: &is_wrong, dofs: &dofs, first: 0 };
+        assert_eq!(
+            entries.words().unwrap(),
+            "the block of the bar beam's rows and the beam's columns, which are those of the block with the beams exchanged"
         );
     }
 }
