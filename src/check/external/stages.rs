@@ -97,6 +97,13 @@ impl Traced {
         Self { causes, beyond: Vec::new(), leaves_some: false, is_of_formulas: false, ..self }
     }
 
+    /// Adds what the error is a multiple of, if there is something. The samples are those of a grid.
+    fn tell_product(&mut self, samples: &[Sample]) {
+        if let Some(words) = formulas::product(samples) {
+            self.place = format!("{}, {words}", self.place);
+        }
+    }
+
     /// Adds the first of these readings, unless one of them is known.
     fn go_beyond(&mut self, readings: &[Reading]) {
         let mut known = self.causes.iter().chain(&self.beyond);
@@ -137,6 +144,9 @@ fn traced_by(cases: &[&(Vector, Answers)], demands: &Demands, in_list: bool) -> 
         for reading in beyond {
             first.go_beyond(&[reading]);
         }
+    }
+    if in_list && first.causes.is_empty() {
+        first.tell_product(&of(Along::Grid));
     }
     Some(first)
 }

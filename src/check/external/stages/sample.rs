@@ -29,6 +29,8 @@ use shapes::{nodes, widen};
 const DIRECTIONS: u64 = 8;
 /// The same of each block.
 const OF_BLOCK: u64 = 2;
+/// The number of directions of rows, and of columns, of a grid.
+pub(super) const SIDE: usize = 6;
 
 /// The directions of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +45,8 @@ pub(super) enum Along {
     Upper,
     /// Random ones of the dofs of one beam each: a block of Hessians.
     Block([usize; 2]),
+    /// [`SIDE`] random ones of rows with each of so many of columns.
+    Grid,
 }
 
 /// A case along a pair of directions.
@@ -122,6 +126,7 @@ pub(super) fn samples(
         Along::Random if has_arrays => (0..DIRECTIONS).filter_map(of).collect(),
         Along::Lower | Along::Upper if has_arrays => (1..=DIRECTIONS).filter_map(of).collect(),
         Along::Block(_) if has_arrays => (1..=OF_BLOCK).filter_map(of).collect(),
+        Along::Grid if has_arrays => (1..=(SIDE * SIDE) as u64).filter_map(of).collect(),
         _ => Vec::new(),
     }
 }
@@ -136,35 +141,50 @@ fn rounding(dofs: &[f64]) -> Vector3<f64> {
 #[expect(clippy::cast_possible_truncation, reason = "a small number")]
 fn directions(vector: &Vector, along: Along, k: u64) -> [[Vec<f64>; 2]; 2] {
     let dofs = vector.case.test_beams.iter().flat_map(|beam| &beam.q);
-    let seed = dofs.fold(k, |seed, dof| seed.rotate_left(7) ^ dof.to_bits());
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let seeded = |k: u64| {
+        let seed = dofs.clone().fold(k, |seed, dof| seed.rotate_left(7) ^ dof.to_bits());
+        ChaCha8Rng::seed_from_u64(seed)
+    };
     let [beam, bar] = &vector.case.test_beams;
-    if matches!(along, Along::Lower | Along::Upper) {
-        // Pairs of dofs of all blocks in turn.
-        let (n, m) = (beam.q.len(), bar.q.len());
-        let (low, high) = [(0..n, 0..n), (n..n + m, n..n + m), (0..n, n..n + m)][k as usize % 3].clone();
-        let [mut i, mut j] = [rng.random_range(low), rng.random_range(high.clone())];
-        if i == j {
-            j = if j + 1 < high.end { j + 1 } else { j - 1 };
+    let random = |rng: &mut ChaCha8Rng, both: [&Vec<f64>; 2]| {
+        let mut factor =
+            || if k == 0 { 1.0 } else { rng.random_range(0.5..1.5) * if rng.random() { 1.0 } else { -1.0 } };
+        both.map(|dq| dq.iter().map(|entry| entry * factor()).collect::<Vec<_>>())
+    };
+    let stated = [[&beam.dq, &bar.dq], [&beam.linear_dq, &bar.linear_dq]];
+    let mut rng = seeded(k);
+    match along {
+        Along::Stated | Along::Random => stated.map(|both| random(&mut rng, both)),
+        Along::Block(beams) => {
+            let mut all = stated.map(|both| random(&mut rng, both));
+            for (direction, beam) in all.iter_mut().zip(beams) {
+                direction[1 - beam].fill(0.0);
+            }
+            all
         }
-        (i, j) = (i.min(j), i.max(j));
-        let [row, column] = if along == Along::Lower { [j, i] } else { [i, j] };
-        let unit = |at: usize| {
-            let of = |range: std::ops::Range<usize>| range.map(|i| if i == at { 1.0 } else { 0.0 }).collect();
-            [of(0..n), of(n..n + m)]
-        };
-        return [unit(row), unit(column)];
-    }
-    let mut factor =
-        || if k == 0 { 1.0 } else { rng.random_range(0.5..1.5) * if rng.random() { 1.0 } else { -1.0 } };
-    let mut all = [[&beam.dq, &bar.dq], [&beam.linear_dq, &bar.linear_dq]]
-        .map(|both| both.map(|dq| dq.iter().map(|entry| entry * factor()).collect::<Vec<_>>()));
-    if let Along::Block(beams) = along {
-        for (direction, beam) in all.iter_mut().zip(beams) {
-            direction[1 - beam].fill(0.0);
+        Along::Grid => {
+            let [row, column] = [(k - 1) / SIDE as u64, (k - 1) % SIDE as u64];
+            let [of_rows, of_columns] = stated;
+            [random(&mut seeded(row), of_rows), random(&mut seeded(!column), of_columns)]
+        }
+        Along::Lower | Along::Upper => {
+            // Pairs of dofs of all blocks in turn.
+            let (n, m) = (beam.q.len(), bar.q.len());
+            let (low, high) = [(0..n, 0..n), (n..n + m, n..n + m), (0..n, n..n + m)][k as usize % 3].clone();
+            let [mut i, mut j] = [rng.random_range(low), rng.random_range(high.clone())];
+            if i == j {
+                j = if j + 1 < high.end { j + 1 } else { j - 1 };
+            }
+            (i, j) = (i.min(j), i.max(j));
+            let [row, column] = if along == Along::Lower { [j, i] } else { [i, j] };
+            let unit = |at: usize| {
+                let of =
+                    |range: std::ops::Range<usize>| range.map(|i| if i == at { 1.0 } else { 0.0 }).collect();
+                [of(0..n), of(n..n + m)]
+            };
+            [unit(row), unit(column)]
         }
     }
-    all
 }
 
 /// A closest point: the exact parameters and those of the program.

@@ -4,7 +4,7 @@ use super::rows::{What, rows};
 use super::sample::{Along, Sample, samples};
 use super::search::System;
 use super::terms::Earlier;
-use super::traced;
+use super::{Traced, traced};
 use crate::check::Regime;
 use crate::check::external::answers::Answers;
 use crate::check::external::vectors::Vector;
@@ -97,6 +97,11 @@ fn a_gap_at_another_point_is_right() {
 /// The causes for answers of Hermite curves after `change`, which has g_T's gradient and Hessian, the gradients of |t|, xi and
 /// the value of |t|.
 fn causes_with(change: impl Fn(&mut [f64], &mut [f64], [&[f64]; 2], f64)) -> Vec<String> {
+    traced_with(change).causes.into_iter().map(|of| of.words).collect()
+}
+
+/// What is told of them.
+fn traced_with(change: impl Fn(&mut [f64], &mut [f64], [&[f64]; 2], f64)) -> Traced {
     let (mut cases, demands) = right_answers_of(vec![Family::Hermite], None);
     for (_, answers) in &mut cases {
         let of = |of: Quantity| answers.answers.iter().find(|answer| answer.quantity == of);
@@ -108,8 +113,35 @@ fn causes_with(change: impl Fn(&mut [f64], &mut [f64], [&[f64]; 2], f64)) -> Vec
         let Some(((gradient, hessian), length)) = arrays.zip(length) else { continue };
         change(gradient, hessian, [&by_length, &by_xi], length);
     }
-    let found = traced(&cases.iter().collect::<Vec<_>>(), &demands).unwrap();
-    found.causes.into_iter().map(|of| of.words).collect()
+    traced(&cases.iter().collect::<Vec<_>>(), &demands).unwrap()
+}
+
+/// What is added to an entry, by row and column, with the gradients of |t| and xi.
+type Added<'a> = &'a dyn Fn(usize, usize, [&[f64]; 2]) -> f64;
+
+/// Where no error is known, the difference may still be a product with something that is known.
+#[test]
+fn what_a_difference_is_a_product_with_is_told() {
+    let place = |change: Added| {
+        let found = traced_with(|_, hessian, both, _| {
+            for (k, entry) in hessian.iter_mut().enumerate() {
+                *entry += change(k / (2 * DOFS), k % (2 * DOFS), both);
+            }
+        });
+        assert_eq!(found.causes, []);
+        found.place.split_once(" cases").unwrap().1.to_owned()
+    };
+    let unknown = |k: usize| f64::from(u8::try_from(k).unwrap()).sin();
+    assert_eq!(place(&|i, j, [_, by_xi]| by_xi[i] * unknown(j)), ", by a product of dxi with something");
+    assert_eq!(
+        place(&|i, j, [by_length, _]| unknown(i) * by_length[j]),
+        ", by a product of D|t| with something"
+    );
+    assert_eq!(
+        place(&|i, j, [_, by_xi]| by_xi[i] * unknown(j) + 2.0 * unknown(i + 1) * by_xi[j]),
+        ", by products with dxi in rows or columns"
+    );
+    assert_eq!(place(&|i, j, _| unknown(i) * unknown(j)), "");
 }
 
 /// The number of dofs of a Hermite curve.
@@ -184,7 +216,7 @@ fn right_answers_satisfy_each_form_of_all_equations() {
                         let is_answered = match along {
                             Along::Stated => !equation.number.is_empty(),
                             Along::Random => !equation.number.is_empty() && has_arrays,
-                            Along::Lower | Along::Upper | Along::Block(_) => false,
+                            Along::Lower | Along::Upper | Along::Block(_) | Along::Grid => false,
                         };
                         assert!(!is_answered || !system.points.is_empty(), "{results:?}, {at:?}, form {k}");
                     }

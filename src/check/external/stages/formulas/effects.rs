@@ -114,8 +114,9 @@ impl<'a> Answered<'a> {
 
     /// What the change adds to the answer. `used` are the names in it.
     fn effect(&self, way: usize, (change, used): (&Change, Set), known: &mut Vec<Differences<'a>>) -> f64 {
+        let Point { values, given, .. } = self.point;
         let derivatives =
-            self.derivatives[way].get_or_init(|| derivatives(self.point, self.answer.output, way));
+            self.derivatives[way].get_or_init(|| derivatives(&values[way], given, self.answer.output, way));
         let is_affected = |(name, _): &(Name, Tree)| !derivatives[*name].is_zero();
         if !change.new.iter().any(is_affected) {
             return 0.0;
@@ -171,14 +172,18 @@ fn degree(tree: &Tree, degrees: &[u8; Set::NAMES]) -> u8 {
 }
 
 /// The derivatives of a result by all names: those of each step follow from those of the steps that use it.
-fn derivatives(point: &Point, output: Output, way: usize) -> Vec<Value> {
-    let right = &point.values[way][..];
+pub(super) fn derivatives(
+    right: &[Value],
+    given: &[(Name, Value)],
+    output: Output,
+    way: usize,
+) -> Vec<Value> {
     let mut derivatives = vec![Value::from(0.0); right.len()];
     derivatives[output.name] = Value::of_axis(output.axis);
     for step in FORMULAS.ways[way].iter().rev().filter(|step| step.name <= output.name) {
         let by = derivatives[step.name];
         // What is given stays as it is.
-        if point.given.iter().any(|(name, _)| *name == step.name) {
+        if given.iter().any(|(name, _)| *name == step.name) {
             derivatives[step.name] = Value::from(0.0);
         } else if !by.is_zero() {
             add_derivatives(&step.tree, by, right, &mut derivatives);

@@ -1,3 +1,4 @@
+mod products;
 mod stages;
 mod ways;
 
@@ -30,6 +31,10 @@ fn changes_of(needed: Set) -> Vec<&'static Change> {
 
 /// Right answers to elements of these families in all regimes.
 pub(super) fn right_answers(families: &[Family]) -> Vec<Sample> {
+    right_answers_along(Along::Random, families)
+}
+
+fn right_answers_along(along: Along, families: &[Family]) -> Vec<Sample> {
     let drawing = Drawing {
         seed: 11,
         regimes: Regime::ALL.to_vec(),
@@ -46,7 +51,7 @@ pub(super) fn right_answers(families: &[Family]) -> Vec<Sample> {
     let text = format!("{}\n{}\n", program.head(), lines.join("\n"));
     let mut reader = AnswerReader::new(text.as_bytes(), "answers").unwrap();
     let answers: Vec<_> = std::iter::from_fn(|| reader.next_answers().unwrap()).collect();
-    let of = |i: usize| samples(i, &vectors[i], &answers[i], &Demands::default(), Along::Random);
+    let of = |i: usize| samples(i, &vectors[i], &answers[i], &Demands::default(), along);
     (0..vectors.len()).flat_map(of).collect()
 }
 
