@@ -103,18 +103,18 @@ impl Export {
         let writer = VectorWriter { hex: self.hex, expected };
         let mut sink = Sink::open(self.output.as_deref())?;
         sink.line(&writer.head(&drawing))?;
-        let (mut start, mut seen, mut states) = (0, Coverage::default(), BTreeSet::new());
+        let (mut start, mut seen, mut situations) = (0, Coverage::default(), BTreeSet::new());
         while start < drawing.count() && !sink.is_closed {
             let end = drawing.count().min(start + AT_ONCE);
             let numbers: Vec<u64> = (start..end).collect();
             let line = |&number: &u64| {
                 let vector = drawing.vector(number);
-                (writer.line_and_sides(&vector), vector.state())
+                (writer.line_and_sides(&vector), vector.state().map(|state| (state, vector.become_held())))
             };
-            for ((line, sides), state) in numbers.par_iter().map(line).collect::<Vec<_>>() {
+            for ((line, sides), situation) in numbers.par_iter().map(line).collect::<Vec<_>>() {
                 sink.line(&line)?;
                 seen.merge(&sides);
-                states.extend(state);
+                situations.extend(situation);
             }
             start = end;
         }
@@ -124,16 +124,29 @@ impl Export {
         if is_read && !unseen.is_empty() {
             tell(&words_of_unseen(&drawing, &unseen));
         }
-        let others = State::ALL.into_iter().filter(|state| !states.contains(state)).map(State::name);
-        let others: Vec<_> = others.collect();
+        let others = others(&situations);
         if is_read && self.element && !others.is_empty() {
+            let list = folded(&others.join(", "), "  ", "  ");
             tell(&format!(
-                "No contact element is in the state {}. More --cases show more.\n",
-                others.join(", ")
+                "No contact element shows these situations. More --cases near the ends show more.\n{list}"
             ));
         }
         Ok(Exit::Agree)
     }
+}
+
+/// The situations that no contact element is in: the states, and those in which xi or xi_bar becomes held.
+fn others(seen: &BTreeSet<(State, [bool; 2])>) -> Vec<String> {
+    let is_seen = |is_meant: &dyn Fn(State, [bool; 2]) -> bool| {
+        seen.iter().any(|(state, held)| is_meant(*state, *held))
+    };
+    let states = State::ALL.into_iter().filter(|state| !is_seen(&|of, _| of == *state));
+    let states = states.map(|state| format!("the state {}", state.name()));
+    let held = [State::Stick, State::Slip].into_iter().flat_map(|state| {
+        let is_other = move |i: &usize| !is_seen(&|of, held| of == state && held[*i]);
+        (0..2).filter(is_other).map(move |i| format!("{} becomes held in {}", ["ξ", "ξ̄"][i], state.name()))
+    });
+    states.chain(held).collect()
 }
 
 /// The sides of the symmetries that no case shows: a fault that acts there alone is not seen.

@@ -83,3 +83,44 @@ fn an_export_that_shows_all_sides_says_nothing() {
         assert_eq!(told, "", "{more:?}");
     }
 }
+
+/// Of contact elements the states, and in which of them a parameter becomes held.
+#[test]
+fn an_export_of_elements_names_the_situations_that_it_does_not_show() {
+    let mut named = 0;
+    for more in [
+        &["--cases", "1"][..],
+        &["--cases", "3"],
+        &["--cases", "4"],
+        &["--cases", "4", "--regime", "generic"],
+    ] {
+        let output = run(&[&["export", "--element"], more].concat());
+        let cases: Vec<Value> =
+            stdout(&output).lines().skip(1).map(|line| serde_json::from_str(line).unwrap()).collect();
+        let told = String::from_utf8(output.stderr).unwrap();
+        let told = told.split_once("No contact element shows").map_or("", |(_, told)| told);
+        let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+        let shows = |is_meant: &dyn Fn(&Value) -> bool| cases.iter().any(is_meant);
+        for state in ["open", "frictionless", "stick", "slip"] {
+            let is_shown = shows(&|case| case["expected"]["state"] == state);
+            assert_eq!(told.contains(&format!("the state {state}")), !is_shown, "{more:?}: {told}");
+            named += usize::from(!is_shown);
+        }
+        for (name, words) in [("xi", "ξ"), ("xi_bar", "ξ̄")] {
+            let is_held = |of: &Value| of == name || of == "both";
+            for state in ["stick", "slip"] {
+                let is_shown = shows(&|case| {
+                    let before = &case["element"]["history"]["slips"]["held"];
+                    case["expected"]["state"] == state
+                        && is_held(&case["held"])
+                        && before.is_string()
+                        && !is_held(before)
+                });
+                let words = format!("{words} becomes held in {state}");
+                assert_eq!(told.contains(&words), !is_shown, "{more:?}: {told}");
+                named += usize::from(!is_shown);
+            }
+        }
+    }
+    assert!(named > 4, "{named}");
+}

@@ -100,7 +100,7 @@ impl Traced {
     /// Adds what the error is a multiple of, if there is something. The samples are those of a grid.
     fn tell_product(&mut self, samples: &[Sample]) {
         if let Some(words) = formulas::product(samples) {
-            self.place = format!("{}, {words}", self.place);
+            self.place = format!("{}, and {words}", self.place);
         }
     }
 

@@ -97,6 +97,14 @@ impl Vector {
         self.element.and_then(|_| self.evaluated(of).ok()?)
     }
 
+    /// Whether xi and xi_bar become held in the step of the contact element: they were free at the last converged one.
+    pub fn become_held(&self) -> [bool; 2] {
+        let slips = self.element.and_then(|element| element.history.slips);
+        let held = slips.and_then(|_| self.evaluated(|at| at.held).ok());
+        let now = held.zip(slips.map(|slips| slips.held));
+        now.map_or([false; 2], |(now, before)| [now.xi && !before.xi, now.xi_bar && !before.xi_bar])
+    }
+
     /// The nearest closest point, or the one next to the given parameters.
     fn closest_point(&self) -> Result<ClosestPoint, Outcome> {
         let beams = self.case.beams().map_err(|_| Outcome::NoProjection)?;

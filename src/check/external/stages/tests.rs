@@ -132,14 +132,17 @@ fn what_a_difference_is_a_product_with_is_told() {
         found.place.split_once(" cases").unwrap().1.to_owned()
     };
     let unknown = |k: usize| f64::from(u8::try_from(k).unwrap()).sin();
-    assert_eq!(place(&|i, j, [_, by_xi]| by_xi[i] * unknown(j)), ", by a product of dxi with something");
+    assert_eq!(
+        place(&|i, j, [_, by_xi]| by_xi[i] * unknown(j)),
+        ", and Ddg_T differs by a product of dxi with something"
+    );
     assert_eq!(
         place(&|i, j, [by_length, _]| unknown(i) * by_length[j]),
-        ", by a product of D|t| with something"
+        ", and Ddg_T differs by a product of D|t| with something"
     );
     assert_eq!(
         place(&|i, j, [_, by_xi]| by_xi[i] * unknown(j) + 2.0 * unknown(i + 1) * by_xi[j]),
-        ", by products with dxi in rows or columns"
+        ", and Ddg_T differs by products with dxi in rows or columns"
     );
     assert_eq!(place(&|i, j, _| unknown(i) * unknown(j)), "");
 }

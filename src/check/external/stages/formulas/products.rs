@@ -35,14 +35,16 @@ pub(in crate::check::external::stages) fn found(samples: &[Sample]) -> Option<St
     let is_matrix = FORMULAS.kinds[name].varies[1];
     let products = Products::new(&all, needed, is_matrix);
     let values = |varies: [bool; 2]| other_values(&all, needed, varies);
-    products
+    let words = products
         .single()
         .or_else(|| values([false; 2]))
         .or_else(|| products.words(|of| !of.is_vector))
         .or_else(|| values([true, false]))
         .or_else(|| values([false, true]))
         .or_else(|| products.words(|_| true))
-        .or_else(|| products.of_both())
+        .or_else(|| products.of_both())?;
+    let result = FORMULAS.all.iter().find(|formula| formula.name == name)?;
+    Some(format!("{} differs {words}", FORMULAS.words_of(result)))
 }
 
 /// Names in words, unless there are too many.
@@ -216,7 +218,7 @@ fn other_values(all: &[Difference], needed: Set, varies: [bool; 2]) -> Option<St
     let mut names = numbers_first(needed.names().filter(is_candidate).filter(is_meant).collect());
     let found: Set = names.iter().copied().collect();
     names.retain(|name| FORMULAS.relations[0].follows[*name].and(found) == Set::from_iter([*name]));
-    told(&names).map(|names| format!("as if {names} had another value there"))
+    told(&names).map(|names| format!("as if {names} had another value"))
 }
 
 /// The components of a name along each direction, if rounding is small.

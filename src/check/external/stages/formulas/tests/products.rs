@@ -42,11 +42,14 @@ fn right_answers_have_no_difference() {
 fn what_the_difference_of_an_element_is_a_multiple_of_is_told() {
     let told = |place, added: &dyn Fn(&At) -> f64| told(place, added).unwrap();
     let product = |at: &At| at.of("F_N") * at.of("de") * at.of("D|t|");
-    assert_eq!(told(2, &|at| 3.0 * product(at)), "by 3 F_N de D|t|");
-    assert_eq!(told(2, &|at| -product(at) / at.of("|d|")), "by -F_N/|d| de D|t|");
-    assert_eq!(told(2, &|at| at.other() * product(at)), "by a product of de with D|t|");
+    assert_eq!(told(2, &|at| 3.0 * product(at)), "the tangent differs by 3 F_N de D|t|");
+    assert_eq!(told(2, &|at| -product(at) / at.of("|d|")), "the tangent differs by -F_N/|d| de D|t|");
+    assert_eq!(told(2, &|at| at.other() * product(at)), "the tangent differs by a product of de with D|t|");
     let of_rho = |at: &At| at.other() * (at.of("l") * at.of("A") + at.of("l_bar") * at.of("A_bar"));
-    assert_eq!(told(0, &of_rho), "as if rho had another value there");
+    assert_eq!(told(0, &of_rho), "the residual differs as if rho had another value");
     // Along each direction of columns another number.
-    assert_eq!(told(2, &|at| of_rho(at) * at.of("Du").sin()), "as if Drho had another value there");
+    assert_eq!(
+        told(2, &|at| of_rho(at) * at.of("Du").sin()),
+        "the tangent differs as if Drho had another value"
+    );
 }
