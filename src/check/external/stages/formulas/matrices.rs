@@ -2,28 +2,25 @@
 
 use super::list::FORMULAS;
 use super::names::Set;
-use super::point::numbers;
+use super::point::{Point, points};
 use super::values::Value;
-use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::Reading;
 use crate::check::external::stages::sample::{Along, Sample};
 use crate::number::RunningError;
 
 /// K and its transpose at each sample, and whether a combination of both is the answer.
 fn is_answered(samples: &[Sample], of: &dyn Fn(RunningError, RunningError) -> RunningError) -> bool {
-    let list = &*FORMULAS;
-    let tangent = list.name("K");
-    let needed = list.needed(Set::from_iter([tangent]));
-    let is_right = |sample: &Sample| {
-        let inputs = &sample.inputs;
-        let answer = numbers(sample).into_iter().find(|(output, _)| output.name == tangent);
-        let Some((_, answer)) = answer else { return true };
-        let of_inputs =
-            |values: &[Value]| list.values(0, values, &inputs.known, &[], needed)[tangent].number();
-        let number = of(of_inputs(&inputs.values), of_inputs(&list.exchanged(&inputs.values)));
-        (number.value - answer.value).abs() <= CAREFUL * number.bound + answer.bound
+    let tangent = Set::from_iter([FORMULAS.name("K")]);
+    let needed = FORMULAS.needed(tangent);
+    let is_right = |point: &Point| {
+        let Sample { inputs, .. } = point.sample;
+        point.among(tangent).all(|answer| {
+            let values = |inputs_of: &[Value]| FORMULAS.values(0, inputs_of, &inputs.known, &[], needed);
+            let number = |inputs: &[Value]| answer.output.of(&values(inputs)[..]);
+            answer.is(of(number(&inputs.values), number(&FORMULAS.exchanged(&inputs.values))))
+        })
     };
-    !samples.is_empty() && samples.iter().all(is_right)
+    !samples.is_empty() && points(samples, Set::default()).iter().all(is_right)
 }
 
 /// What is wrong with the places of the entries.

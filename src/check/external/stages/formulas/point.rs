@@ -35,6 +35,12 @@ pub(super) struct Answer {
 }
 
 impl Answer {
+    /// Whether it is this number, to the rounding of a program that may be written in another way.
+    pub(super) fn is(&self, number: RunningError) -> bool {
+        let allowed = (CAREFUL * number.bound).max(self.rounding) + self.number.bound;
+        (number.value - self.number.value).abs() <= allowed
+    }
+
     /// The difference from the formulas, and what rounding explains.
     fn difference(&self, values: &(impl Values + ?Sized)) -> (f64, f64) {
         let RunningError { value, bound } = self.output.of(values);
