@@ -195,6 +195,7 @@ impl Formulas {
             let words = ", as its transpose";
             self.add_change((way, class), &[(formula, &tree)], edit, words, found);
             let other = of_twin
+                .filter(|_| class != Class::Expanded)
                 .and_then(|(twin, new, (tree, edit))| Some((twin, self.with_transpose(tree, &new, edit)?)));
             if let Some((twin, of_twin)) = other {
                 self.add_change((way, class), &[(formula, &tree), (twin, &of_twin)], edit, words, found);

@@ -10,7 +10,7 @@ use super::values::Value;
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::{SIDE, Sample};
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// The rounding of a difference over the difference, at most.
 const CLEAR: f64 = 1e-4;
@@ -29,7 +29,7 @@ pub(super) struct Difference {
     /// What rounding adds to an entry at most.
     pub(super) rounding: f64,
     /// All values, by row and column.
-    values: Vec<Vec<Value>>,
+    values: Arc<Vec<Vec<Value>>>,
     /// The derivatives of the result by all names, by axis, row and column.
     derivatives: OnceLock<Vec<Vec<Vec<Value>>>>,
 }
@@ -54,7 +54,7 @@ fn of_case(grid: &[Sample]) -> Vec<(Name, Difference)> {
     let all: Set = (0..FORMULAS.names.0.len()).collect();
     let of_formulas =
         |sample: &Sample| FORMULAS.values(0, &sample.inputs.values, &sample.inputs.known, &[], all);
-    let values: Vec<Vec<Value>> = grid.iter().map(of_formulas).collect();
+    let values: Arc<Vec<Vec<Value>>> = Arc::new(grid.iter().map(of_formulas).collect());
     let answered: Vec<BTreeMap<_, _>> =
         grid.iter().map(|sample| numbers(sample).into_iter().collect()).collect();
     let mut by_name: BTreeMap<Name, Vec<Output>> = BTreeMap::new();
@@ -77,7 +77,7 @@ fn of_case(grid: &[Sample]) -> Vec<(Name, Difference)> {
         let part = |output: &Output| (0..SIDE).map(|of| row(*output, of)).collect();
         let parts: Vec<Matrix> = outputs.iter().map(part).collect::<Option<_>>()?;
         let is_clear = rounding <= CLEAR * size && size > 0.0;
-        let (values, derivatives) = (values.clone(), OnceLock::new());
+        let (values, derivatives) = (Arc::clone(&values), OnceLock::new());
         is_clear.then_some((name, Difference { outputs, parts, size, rounding, values, derivatives }))
     };
     by_name.into_iter().filter_map(of_name).collect()

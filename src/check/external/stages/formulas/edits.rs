@@ -228,7 +228,7 @@ impl Edits<'_> {
     }
 }
 
-/// The changes of a product: a factor left out, there twice, or on the other side of the division.
+/// The changes of a product: a factor left out, there twice, or on the other side of the division, which may be of one term alone.
 fn of_factors(tree: &Tree, divides: &[bool]) -> Vec<(What, Tree)> {
     let mut found = Vec::new();
     let factors: Vec<_> = divides.iter().copied().zip(tree.of.iter().cloned()).collect();
@@ -242,6 +242,14 @@ fn of_factors(tree: &Tree, divides: &[bool]) -> Vec<(What, Tree)> {
             let mut inverted = factors.clone();
             inverted[i].0 = !divides[i];
             found.push((What::Inverted(i), Tree::product(inverted)));
+        }
+    }
+    if let ([false, true], Op::Sum(minus)) = (divides, &tree.of[0].op) {
+        let terms: Vec<_> = minus.iter().copied().zip(tree.of[0].of.iter().cloned()).collect();
+        for i in 0..if terms.len() > 2 { terms.len() } else { 0 } {
+            let mut terms = terms.clone();
+            terms[i].1 = Tree::product(vec![(false, terms[i].1.clone()), (true, tree.of[1].clone())]);
+            found.push((What::Alone(i), Tree::sum(terms)));
         }
     }
     found

@@ -122,7 +122,8 @@ impl Formulas {
         names
     }
 
-    /// The edits of a formula. A name may be that of the other beam, or another one of the same formula.
+    /// The edits of a formula. A name may be that of the other beam, another one of the same formula, or a vector that is not
+    /// normalised, or is.
     fn edits_of(&self, tree: &Tree) -> Vec<Edit> {
         let mut names = Vec::new();
         tree.each_name(&mut |name| names.push(name));
@@ -130,8 +131,13 @@ impl Formulas {
         names.dedup();
         let others = |name: Name| {
             let is_like = |other: &Name| *other != name && self.kinds[*other] == self.kinds[name];
-            let mut others: Vec<Name> =
-                names.iter().copied().chain([self.twin(name)]).filter(is_like).collect();
+            let mut others: Vec<Name> = names
+                .iter()
+                .copied()
+                .chain([self.twin(name)])
+                .chain(self.of_other_length(name))
+                .filter(is_like)
+                .collect();
             others.sort_unstable();
             others.dedup();
             others

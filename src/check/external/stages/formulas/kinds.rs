@@ -20,6 +20,8 @@ pub(super) enum What {
     Squared(usize),
     /// It is divided by a factor, or multiplied by what it must be divided by.
     Inverted(usize),
+    /// Of a sum that is divided, one term alone is.
+    Alone(usize),
     /// A branch of a choice is always taken.
     Always(usize),
     Reversed,
@@ -50,7 +52,7 @@ impl What {
     pub(super) fn cost(self) -> u32 {
         match self {
             Self::Sign | Self::Missing | Self::Holds(_) => 2,
-            Self::Other(_) | Self::Straight => 4,
+            Self::Other(_) | Self::Straight | Self::Alone(_) => 4,
             Self::Squared(_)
             | Self::Inverted(_)
             | Self::Axes(_)

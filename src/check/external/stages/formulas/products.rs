@@ -32,8 +32,7 @@ type Factors = [Option<Name>; 2];
 pub(in crate::check::external::stages) fn found(samples: &[Sample]) -> Option<String> {
     let (name, all) = first_wrong(samples)?;
     let needed = FORMULAS.needed(Set::from_iter([name])).without(Set::from_iter([name]));
-    let is_matrix = FORMULAS.kinds[name].varies[1];
-    let products = Products::new(&all, needed, is_matrix);
+    let products = Products::new(&all, name, needed);
     let values = |varies: [bool; 2]| other_values(&all, needed, varies);
     let words = products
         .single()
@@ -63,13 +62,16 @@ fn numbers_first(names: Vec<Name>) -> Vec<Name> {
 struct Products<'a> {
     all: &'a [Difference],
     candidates: Vec<Name>,
+    /// The result that differs.
+    result: Name,
     is_matrix: bool,
     rows: Vec<Name>,
     columns: Vec<Name>,
 }
 
 impl<'a> Products<'a> {
-    fn new(all: &'a [Difference], needed: Set, is_matrix: bool) -> Self {
+    fn new(all: &'a [Difference], result: Name, needed: Set) -> Self {
+        let is_matrix = FORMULAS.kinds[result].varies[1];
         let is_candidate = |name: &Name| {
             let kind = FORMULAS.kinds[*name];
             kind.varies == [true, false] && !kind.is_condition
@@ -77,7 +79,7 @@ impl<'a> Products<'a> {
         // A name along Delta alone may be meant along delta.
         let along_delta: Set = needed.names().map(|name| FORMULAS.delta.get(name).unwrap_or(name)).collect();
         let candidates = along_delta.names().filter(is_candidate).collect();
-        let mut found = Self { all, candidates, is_matrix, rows: Vec::new(), columns: Vec::new() };
+        let mut found = Self { all, candidates, result, is_matrix, rows: Vec::new(), columns: Vec::new() };
         found.rows = found.with(&|name| [Some(name), None]);
         if is_matrix {
             found.columns = found.with(&|name| [None, Some(name)]);
@@ -117,8 +119,15 @@ impl<'a> Products<'a> {
 
     /// The product that all differences are: a common number times one or two numbers that are known.
     fn single(&self) -> Option<String> {
-        let is_number = |name: &&Name| !FORMULAS.kinds[**name].is_vector;
-        let one = |names: &[Name]| names.iter().rfind(is_number).copied();
+        // The names that the formula of the result has are meant.
+        let of_result = FORMULAS.relations[0].uses[self.result];
+        let is_used = |name: &Name| {
+            [Some(*name), FORMULAS.linear.get(*name)].iter().flatten().any(|of| of_result.has(*of))
+        };
+        let one = |names: &[Name]| {
+            let numbers = names.iter().copied().filter(|name| !FORMULAS.kinds[*name].is_vector);
+            numbers.max_by_key(|name| (is_used(name), *name))
+        };
         let row = one(&self.rows)?;
         let column = if self.is_matrix { Some(FORMULAS.linear.get(one(&self.columns)?)?) } else { None };
         let wanted = self.all.iter().map(|of| of.coefficient(row, column)).collect::<Option<Vec<f64>>>()?;

@@ -18,6 +18,9 @@ const SYSTEM: [&[&str]; 8] = [
     &["da", "db", "db_bar", "da_bar"],
 ];
 
+/// Vectors with their unit vectors.
+const UNIT_VECTORS: [[&str; 2]; 3] = [["d", "n"], ["t", "tau"], ["t_bar", "tau_bar"]];
+
 /// The entries of the system that are the same for both beams.
 const SYMMETRIC: [&str; 2] = ["h12", "h21"];
 
@@ -108,6 +111,13 @@ impl Formulas {
         let others = group.into_iter().flat_map(|group| *group).filter(|other| **other != text);
         let named = others.filter_map(|other| self.names.find(other));
         named.filter_map(|other| if back.is_some() { self.linear.get(other) } else { Some(other) }).collect()
+    }
+
+    /// The unit vector of a vector, or the vector of a unit vector.
+    pub(super) fn of_other_length(&self, name: Name) -> Option<Name> {
+        let text = &*self.names.0[name];
+        let pair = UNIT_VECTORS.iter().find(|pair| pair.contains(&text))?;
+        Some(self.name(pair[usize::from(pair[0] == text)]))
     }
 
     /// An entry of the matrix of eq. (52) as it is for straight beams.

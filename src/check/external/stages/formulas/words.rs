@@ -124,6 +124,10 @@ impl Edit {
                 let verb = if is_divisor(*i) { "multiplied" } else { "divided" };
                 format!("the term {} is {verb} by {}", text(old), branch(*i))
             }
+            What::Alone(i) => {
+                let term = text(&old.of[0].of[*i]);
+                format!("the division by {} is left out of all terms but {term}", branch(1))
+            }
             What::Always(i) => format!("{} is taken whatever {} is", branch(*i), branch(0)),
             What::Reversed if old.op == Op::Less => format!("the condition {} is reversed", text(old)),
             What::Reversed => format!("the condition {} is reversed", branch(0)),

@@ -2,8 +2,9 @@ use super::right_answers_along;
 use crate::check::external::stages::formulas::list::FORMULAS;
 use crate::check::external::stages::formulas::product;
 use crate::check::external::stages::formulas::values::Value;
-use crate::check::external::stages::sample::Along;
+use crate::check::external::stages::sample::{Along, Sample};
 use crate::test_beam::Family;
+use std::sync::LazyLock;
 
 /// The values of names, of vectors the first component, and the index of the case.
 struct At<'a>(&'a [Value], usize);
@@ -21,7 +22,9 @@ impl At<'_> {
 
 /// What is told if this is added to an answer of the element: the residual 0, or the tangent 2.
 fn told(place: usize, added: &dyn Fn(&At) -> f64) -> Option<String> {
-    let mut samples = right_answers_along(Along::Grid, &[Family::Hermite]);
+    static RIGHT: LazyLock<Vec<Sample>> =
+        LazyLock::new(|| right_answers_along(Along::Grid, &[Family::Hermite]));
+    let mut samples = RIGHT.clone();
     let all = (0..FORMULAS.names.0.len()).collect();
     for sample in &mut samples {
         let inputs = &sample.inputs;
