@@ -41,6 +41,9 @@ fn errors_in_other_ways_of_writing_are_told() {
         (9, true, "in dn the term n n.(side dnormal) is missing"),
         (0, false, "in Ddx_bar, eq. (27), dxi stands in the place of dxi_bar along both directions"),
         (9, true, "in Ddp_bar, eq. (55), t stands in the place of t_bar in t_bar.Ddx"),
+        (0, false, "in Ddt and Ddt_bar, eq. (30), the term du,xixi Dxi is missing, as its transpose"),
+        (2, true, "in y t stands in the place of t_bar"),
+        (0, true, "in a, eq. (50), n stands in the place of d in d.t,xi"),
     ] {
         let change = all_changes().iter().find(|change| change.words() == words).unwrap();
         let with = if is_of_element { answered_in } else { with_geometry };
