@@ -106,6 +106,17 @@ fn an_error_of_one_use_is_in_all_its_places() {
     );
 }
 
+/// A division of a sum that is of one term alone.
+#[test]
+fn a_division_may_be_of_one_term_alone() {
+    let words = "in Ddgap the division by d_s is left out of all terms but dgap Dgap";
+    let change = all_changes().iter().find(|change| change.words() == words && change.ways[8]).unwrap();
+    assert_eq!(
+        change.new[0].1.text(&FORMULAS.names),
+        "(du - du_bar).(Du - Du_bar) + d.(Ddu - Ddu_bar) - dp Dxi + dp_bar Dxi_bar - (dgap Dgap)/d_s"
+    );
+}
+
 /// Programs with other formulas lose more digits at some samples. That is no error.
 #[test]
 fn the_rounding_of_another_way_of_writing_is_no_error() {
