@@ -128,7 +128,7 @@ impl Export {
         if is_read && self.element && !others.is_empty() {
             let list = folded(&others.join(", "), "  ", "  ");
             tell(&format!(
-                "No contact element shows these situations. More --cases near the ends show more.\n{list}"
+                "No contact element shows these situations. More cases of all regimes show more.\n{list}"
             ));
         }
         Ok(Exit::Agree)
