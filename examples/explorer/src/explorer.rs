@@ -22,7 +22,9 @@ use beamgap::check::{ByTerm, CaseData};
 use beamgap::closest_point::{Centroid, ClosestPoint};
 use beamgap::linearization::closed_form::Projection;
 use beamgap::variant::Variant;
+pub use labels::{Label, placed};
 use marks::Predicted;
+pub use overlap::hull;
 use plane::Landscape;
 
 /// The names of both beams in the picture.

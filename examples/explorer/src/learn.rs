@@ -15,6 +15,7 @@ mod slide;
 mod valley;
 
 pub use detective::{Hidden, hidden};
+pub use envelope::frozen_part;
 pub use friction::asymmetry;
 pub use race::spectral_radius;
 

@@ -32,8 +32,9 @@ mod view;
 
 pub use answer::{Answer, answer};
 pub use equations::{EquationCells, cells};
+pub use explorer::{Label, hull, placed};
 pub use formulas::{Formula, Piece, Term, formulas};
 pub use frame::Frame;
-pub use learn::{Hidden, SCENES, asymmetry, hidden, learn, opening, spectral_radius};
+pub use learn::{Hidden, SCENES, asymmetry, frozen_part, hidden, learn, opening, spectral_radius};
 pub use presets::preset;
 pub use state::{BeamState, ContactState, Dragged, Shown, State, ViewState};

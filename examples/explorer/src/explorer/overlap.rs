@@ -60,7 +60,7 @@ pub(super) fn draw(
 }
 
 /// The convex hull of points, counterclockwise.
-fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+pub fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points.sort_by(|p, q| p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])));
     points.dedup();
     let mut hull: Vec<[f64; 2]> = Vec::new();
@@ -80,16 +80,4 @@ fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     half(&mut points.iter().copied());
     half(&mut points.iter().rev().copied());
     hull
-}
-
-#[cfg(test)]
-mod tests {
-    use super::hull;
-
-    #[test]
-    fn the_hull_is_convex_and_contains_the_corners_alone() {
-        let points = vec![[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0], [1.0, 0.0]];
-        assert_eq!(hull(points), [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
-        assert_eq!(hull(Vec::new()).len(), 0);
-    }
 }
