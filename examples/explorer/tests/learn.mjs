@@ -89,12 +89,13 @@ async function controls() {
   await page.mouse.down();
   await page.mouse.move(x + 60, y + 40, { steps: 3 });
   await page.mouse.up();
-  // A reader who grips the handle ends the walk.
+  // A reader who grips the handle ends the walk. The mouse waits at the handle, so that the walk is not at its end before.
   await page.evaluate(() => { document.getElementById("valley").scene.state.at = [0.98, -0.98]; });
-  await page.click("button.play");
-  await drawn(page);
-  const { x: left, y: top, width, height } = await walker.boundingBox();
-  await page.mouse.move(left + width / 2, top + height / 2);
+  await walker.focus();
+  await page.keyboard.press("ArrowLeft");
+  await shows(page, "valley");
+  await page.mouse.move(...await middle(page, walker));
+  await page.evaluate(() => document.querySelector("#valley button.play").click());
   await page.mouse.down();
   await drawn(page);
   const gripped = await stateOf(page, "valley");
