@@ -3,7 +3,7 @@
 
 The faults are compiled with `--cfg beamgap_faults`, all in one build; the environment variable BEAMGAP_FAULT chooses one.
 The build is that of the development profile: it takes half the time of an optimized one, and the commands twice the time.
-It takes about six minutes on two cores, half of them for the build.
+Half of the time is for the build.
 """
 import os
 import subprocess
