@@ -2,8 +2,7 @@
 """Puts faults into the source, one at a time, and tests which command sees each.
 
 The faults are compiled with `--cfg beamgap_faults`, all in one build; the environment variable BEAMGAP_FAULT chooses one.
-The build is that of the development profile: it takes half the time of an optimized one, and the commands twice the time.
-Half of the time is for the build.
+The build is that of the development profile, because an optimized one takes longer than the commands save.
 """
 import os
 import subprocess
