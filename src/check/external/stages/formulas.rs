@@ -8,11 +8,14 @@
 mod axes;
 mod change;
 mod changes;
+mod degrees;
 mod derivative;
+mod derivatives;
 mod differences;
 mod edits;
 mod effects;
 mod entries;
+mod estimates;
 mod evaluation;
 mod expanded;
 mod explained;

@@ -4,6 +4,7 @@ use super::Found;
 use crate::check::external::stages::formulas::{Answers, FirstWrong};
 use crate::check::external::stages::inputs::{Derivative, derivatives, error_by_beam};
 use crate::check::external::stages::sample::Sample;
+use crate::number::RunningError;
 use crate::parallel;
 use std::collections::BTreeSet;
 
@@ -41,16 +42,19 @@ fn errors(of: &Derivative, way: usize, samples: &[Sample], wrong: &[FirstWrong])
     for first in wrong.iter().take(TRIED) {
         let case = samples[first.place].case;
         let here: Vec<&Sample> = samples.iter().filter(|sample| sample.case == case).take(SAMPLES).collect();
-        let residuals = |by: [f64; 2]| {
-            let of_sample = |sample: &&Sample| {
-                let mut inputs = sample.inputs.clone();
-                let (geometry, moved) = of.vectors(sample, by);
-                inputs.set_curves(sample.xi, &geometry, &moved);
-                first.differences(way, sample, &inputs)
-            };
-            here.iter().flat_map(of_sample).collect()
+        let inputs = |sample: &Sample, by: [f64; 2]| {
+            let mut inputs = sample.inputs.clone();
+            let (geometry, moved) = of.vectors(sample, by);
+            inputs.set_curves(sample.xi, &geometry, &moved);
+            inputs
         };
-        let Some(by) = error_by_beam(of.beams.0, &residuals) else {
+        let residuals = |by: [f64; 2]| -> Vec<RunningError> {
+            here.iter().flat_map(|sample| first.differences(way, sample, &inputs(sample, by))).collect()
+        };
+        let estimates = |by: [f64; 2]| -> Vec<f64> {
+            here.iter().flat_map(|sample| first.differences(way, sample, &inputs(sample, by))).collect()
+        };
+        let Some(by) = error_by_beam(of.beams.0, &residuals, &estimates) else {
             left += 1;
             if left > LEFT + solved {
                 return None;

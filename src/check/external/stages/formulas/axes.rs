@@ -1,7 +1,14 @@
 //! The components of a vector as programs confuse them.
 
-/// The components of a vector as programs confuse them, in words.
-pub(super) fn axes() -> Vec<([(usize, f64); 3], String)> {
+use std::sync::LazyLock;
+
+/// The place of each component, and a factor, in words.
+type Axes = ([(usize, f64); 3], String);
+
+/// The components of a vector as programs confuse them.
+pub(super) static AXES: LazyLock<Vec<Axes>> = LazyLock::new(axes);
+
+fn axes() -> Vec<Axes> {
     const NAMES: [&str; 3] = ["x", "y", "z"];
     let right = [0, 1, 2].map(|axis| (axis, 1.0));
     let mut found = Vec::new();

@@ -1,6 +1,7 @@
 //! A change of the list of formulas.
 
 use super::entries::Entries;
+use super::list::FORMULAS;
 use super::names::{Set, WAYS};
 use super::tree::{Name, Tree};
 use super::words::Words;
@@ -41,6 +42,11 @@ impl Change {
         let new = self.new.iter().filter(|(name, _)| of.has(*name));
         new.for_each(|(_, tree)| tree.each_name(&mut |name| used.add(name)));
         used
+    }
+
+    /// What is used in its formulas, and what that follows from.
+    pub(super) fn needed(&self) -> Set {
+        FORMULAS.needed(self.uses(self.names()))
     }
 
     /// The names whose formulas or entries are others.

@@ -110,13 +110,13 @@ fn derived(tree: &Tree, of: &impl Fn(Name) -> Of) -> Option<Option<Tree>> {
         },
         Op::Sum(signs) => {
             let terms = branches()?.into_iter().zip(signs.iter());
-            summed(terms.filter_map(|(branch, &sign)| Some((sign, branch?))).collect())
+            summed(terms.filter_map(|(branch, sign)| Some((sign, branch?))).collect())
         }
         Op::Product(divides) => {
             let mut terms = Vec::new();
             for (i, branch) in branches()?.into_iter().enumerate() {
                 let Some(branch) = branch else { continue };
-                terms.push(if divides[i] {
+                terms.push(if divides.has(i) {
                     let factors = vec![(false, tree.clone()), (false, branch), (true, tree.of[i].clone())];
                     (true, Tree::product(factors))
                 } else {

@@ -1,6 +1,7 @@
 //! The differences of wrong answers along some directions of rows and columns.
 
-use super::effects::derivatives;
+use super::degrees::Through;
+use super::derivatives::derivatives;
 use super::list::FORMULAS;
 use super::names::Set;
 use super::outputs::Output;
@@ -96,7 +97,9 @@ impl Difference {
     /// The derivatives of the result by all names.
     pub(super) fn derivatives(&self, axis: usize, row: usize, column: usize) -> &[Value] {
         let of = |output: &Output| -> Vec<Vec<Value>> {
-            (0..SIDE * SIDE).map(|at| derivatives(&self.values[at], &[], *output, 0)).collect()
+            (0..SIDE * SIDE)
+                .map(|at| derivatives(Through::All, &self.values[at], &[], (*output, 0)))
+                .collect()
         };
         let all = self.derivatives.get_or_init(|| self.outputs.iter().map(of).collect());
         &all[axis][row * SIDE + column]

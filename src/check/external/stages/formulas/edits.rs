@@ -1,9 +1,9 @@
 //! The errors that a formula can have: one change of its tree.
 
-use super::axes::axes;
+use super::axes::AXES;
 use super::kinds::{Class, What};
 use super::list::FORMULAS;
-use super::tree::{Name, Op, Tree};
+use super::tree::{Flags, Name, Op, Tree};
 
 /// A branch of a formula and what stands in its place.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,7 +99,7 @@ impl Edits<'_> {
         }
         match &tree.op {
             Op::Product(divides) => {
-                for (what, new) in of_factors(tree, divides) {
+                for (what, new) in of_factors(tree, *divides) {
                     self.add(at, what, new);
                 }
             }
@@ -188,9 +188,9 @@ impl Edits<'_> {
 
     /// What may stand in the place of a name. These are no simple errors.
     fn add_of_name(&mut self, name: Name, at: (&Tree, &Place)) {
-        let axes = if FORMULAS.kinds[name].is_vector { axes() } else { Vec::new() };
-        for (k, (axes, _)) in axes.into_iter().enumerate() {
-            self.add(at, What::Axes(k), Tree::new(Op::Axes(axes), vec![at.0.clone()]));
+        let count = if FORMULAS.kinds[name].is_vector { AXES.len() } else { 0 };
+        for k in 0..count {
+            self.add(at, What::Axes(k), Tree::new(Op::Axes(k), [at.0.clone()]));
         }
         let of_others = [
             (What::Length, FORMULAS.length_of_variation(name)),
@@ -229,9 +229,9 @@ impl Edits<'_> {
 }
 
 /// The changes of a product: a factor left out, there twice, or on the other side of the division, which may be of one term alone.
-fn of_factors(tree: &Tree, divides: &[bool]) -> Vec<(What, Tree)> {
+fn of_factors(tree: &Tree, divides: Flags) -> Vec<(What, Tree)> {
     let mut found = Vec::new();
-    let factors: Vec<_> = divides.iter().copied().zip(tree.of.iter().cloned()).collect();
+    let factors: Vec<_> = divides.iter().zip(tree.of.iter().cloned()).collect();
     for (i, factor) in tree.of.iter().enumerate() {
         let mut without = factors.clone();
         without.remove(i);
@@ -240,12 +240,13 @@ fn of_factors(tree: &Tree, divides: &[bool]) -> Vec<(What, Tree)> {
         found.push((What::Squared(i), Tree::product(squared)));
         if tree.of.len() > 1 && !FORMULAS.kind(factor).is_vector {
             let mut inverted = factors.clone();
-            inverted[i].0 = !divides[i];
+            inverted[i].0 = !divides.has(i);
             found.push((What::Inverted(i), Tree::product(inverted)));
         }
     }
-    if let ([false, true], Op::Sum(minus)) = (divides, &tree.of[0].op) {
-        let terms: Vec<_> = minus.iter().copied().zip(tree.of[0].of.iter().cloned()).collect();
+    let is_quotient = divides.len() == 2 && !divides.has(0) && divides.has(1);
+    if let (true, Op::Sum(minus)) = (is_quotient, &tree.of[0].op) {
+        let terms: Vec<_> = minus.iter().zip(tree.of[0].of.iter().cloned()).collect();
         for i in 0..if terms.len() > 2 { terms.len() } else { 0 } {
             let mut terms = terms.clone();
             terms[i].1 = Tree::product(vec![(false, terms[i].1.clone()), (true, tree.of[1].clone())]);

@@ -1,42 +1,45 @@
 //! The values of all formulas, right and with a change.
 
 use super::change::Change;
+use super::entries::Entries;
 use super::list::{FORMULAS, Formulas};
 use super::names::{Relations, Set, Step};
 use super::point::Point;
 use super::tree::{Name, Tree};
-use super::values::{Value, Values, value};
+use super::values::{Number, Value, Values, value};
+use crate::number::RunningError;
 use std::num::NonZeroU16;
 
 impl Formulas {
     /// The values of the names that are `needed`. They follow from the inputs, and from values that are `given`. `known` are
     /// the values of conditions that are open within rounding.
-    pub(super) fn values(
+    pub(super) fn values<S: Number>(
         &self,
         way: usize,
-        inputs: &[Value],
+        inputs: &[Value<S>],
         known: &[(Name, Value)],
         given: &[(Name, Value)],
         needed: Set,
-    ) -> Vec<Value> {
-        let mut values = inputs.to_vec();
+    ) -> Vec<Value<S>> {
+        let mut values = Vec::with_capacity(self.names.0.len());
+        values.extend_from_slice(inputs);
         values.resize(self.names.0.len(), Value::from(0.0));
         for Step { name, tree, .. } in self.ways[way].iter().filter(|step| needed.has(step.name)) {
-            let fixed = given.iter().find(|(of, _)| of == name).map(|(_, value)| *value);
+            let fixed = given.iter().find(|(of, _)| of == name).map(|(_, value)| value.to());
             values[*name] = fixed.unwrap_or_else(|| evaluated(*name, tree, &values[..], known));
         }
         values
     }
 
     /// The same from the values in the first way. Only what may differ from them is evaluated.
-    pub(super) fn values_in(
+    pub(super) fn values_in<S: Number>(
         &self,
         way: usize,
-        first: &[Value],
+        first: &[Value<S>],
         known: &[(Name, Value)],
         given: &[(Name, Value)],
         needed: Set,
-    ) -> Vec<Value> {
+    ) -> Vec<Value<S>> {
         let Relations { uses, differ, .. } = &self.relations[way];
         let mut values = first.to_vec();
         let mut others = Set::default();
@@ -55,27 +58,27 @@ impl Formulas {
     }
 
     /// Whether it is a derivative, or made of derivatives; the residual is not.
-    fn is_differentiated(&self, name: Name) -> bool {
+    pub(super) fn is_differentiated(&self, name: Name) -> bool {
         self.kinds[name].varies != [false; 2] && !self.residual.contains(&name)
     }
 }
 
 /// The values in a way of writing with a change.
 #[derive(Clone, Debug)]
-pub(super) struct Changed<'a> {
+pub(super) struct Changed<'a, S = RunningError> {
     way: usize,
-    right: &'a [Value],
+    right: &'a [Value<S>],
     /// The names whose values may be others by the formulas of this way.
     affected: Set,
     /// The names in the formulas of the change.
     used: Set,
     /// Those whose values are others, with their places in `others`.
-    places: Vec<Option<NonZeroU16>>,
-    others: Vec<Value>,
+    places: [Option<NonZeroU16>; Set::NAMES],
+    others: Vec<Value<S>>,
 }
 
-impl Changed<'_> {
-    fn set(&mut self, name: Name, value: Value) {
+impl<S: Number> Changed<'_, S> {
+    fn set(&mut self, name: Name, value: Value<S>) {
         if let Some(place) = self.places[name] {
             self.others[usize::from(place.get()) - 1] = value;
         } else {
@@ -97,8 +100,8 @@ impl Changed<'_> {
     }
 }
 
-impl Values for Changed<'_> {
-    fn at(&self, name: Name) -> Value {
+impl<S: Number> Values<S> for Changed<'_, S> {
+    fn at(&self, name: Name) -> Value<S> {
         self.places[name].map_or_else(|| self.right[name], |place| self.others[usize::from(place.get()) - 1])
     }
 }
@@ -116,19 +119,44 @@ impl Point<'_> {
     /// The values in a way of writing with other formulas in the place of some. Values that are given stay as they are, and
     /// those that are not `needed`.
     pub(super) fn changed(&self, way: usize, change: &Change, needed: Set) -> Changed<'_> {
-        let list = &*FORMULAS;
-        let known = &self.sample.inputs.known;
         let right = &self.values[way][..];
         let new = change.names();
         let used = new.or(change.uses(new));
-        let places = vec![None; right.len()];
-        let mut values = Changed { way, right, affected: Set::default(), used, places, others: Vec::new() };
+        let entries = change.entries.as_ref();
+        let put = |name, value| match entries.filter(|of| of.names().any(|of| of == name)) {
+            Some(of) => of.put(name, value, self.parts()),
+            None => value,
+        };
+        self.with_change((way, right, used), (change, new), needed, &put)
+    }
+
+    /// The same without rounding. Entries of the change are left out. `names` are those of the change.
+    pub(super) fn estimated(
+        &self,
+        way: usize,
+        (change, names): (&Change, Set),
+        needed: Set,
+    ) -> Changed<'_, f64> {
+        let of = (way, self.estimates(way), Set::default());
+        self.with_change(of, (change, names), needed, &|_, value| value)
+    }
+
+    fn with_change<'a, S: Number>(
+        &self,
+        (way, right, used): (usize, &'a [Value<S>], Set),
+        (change, new): (&Change, Set),
+        needed: Set,
+        put: &dyn Fn(Name, Value<S>) -> Value<S>,
+    ) -> Changed<'a, S> {
+        let list = &*FORMULAS;
+        let (places, others) = ([None; Set::NAMES], Vec::new());
+        let mut values = Changed { way, right, affected: Set::default(), used, places, others };
         if change.is_stored {
             for (name, tree) in &change.new {
                 values.set(*name, value(tree, right));
             }
-            for (of, name) in change.entries.iter().flat_map(|of| of.names().map(move |name| (of, name))) {
-                values.set(name, of.put(name, right[name], self.parts()));
+            for name in change.entries.iter().flat_map(Entries::names) {
+                values.set(name, put(name, right[name]));
             }
             return values;
         }
@@ -139,19 +167,19 @@ impl Point<'_> {
             values.set(*name, value(tree, right));
             others.add(*name);
         }
+        let of_entries: Set = change.entries.iter().flat_map(Entries::names).collect();
         let affected = values.affected.or(new.and(needed));
         for name in affected.names().filter(|name| *name >= list.inputs) {
             let other = change.new.iter().find(|(of, _)| *of == name).map(|(_, tree)| tree);
-            let entries = change.entries.filter(|of| of.names().any(|of| of == name));
             let is_given = self.given.iter().any(|(of, _)| *of == name);
-            let is_same = other.is_none() && entries.is_none() && relations.uses[name].and(others).is_empty();
+            let is_other = other.is_some() || of_entries.has(name);
+            let is_same = !is_other && relations.uses[name].and(others).is_empty();
             let is_kept = change.is_of_derivatives && other.is_none() && !list.is_differentiated(name);
             if is_given || is_same || is_kept {
                 continue;
             }
             let tree = other.unwrap_or_else(|| &list.step(way, name).tree);
-            let value = evaluated(name, tree, &values, known);
-            let value = entries.map_or(value, |of| of.put(name, value, self.parts()));
+            let value = put(name, evaluated(name, tree, &values, &self.sample.inputs.known));
             if value != right[name] {
                 values.set(name, value);
                 others.add(name);
@@ -166,8 +194,13 @@ impl Point<'_> {
     }
 }
 
-fn evaluated(name: Name, tree: &Tree, values: &(impl Values + ?Sized), known: &[(Name, Value)]) -> Value {
+fn evaluated<S: Number>(
+    name: Name,
+    tree: &Tree,
+    values: &(impl Values<S> + ?Sized),
+    known: &[(Name, Value)],
+) -> Value<S> {
     let found = value(tree, values);
-    let open = || known.iter().find(|(of, _)| *of == name).map(|(_, value)| *value);
+    let open = || known.iter().find(|(of, _)| *of == name).map(|(_, value)| value.to());
     if found.is_nan() { open().unwrap_or(found) } else { found }
 }

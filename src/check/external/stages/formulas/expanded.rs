@@ -195,8 +195,7 @@ impl Formulas {
     fn terms(&self, tree: &Tree) -> Vec<Term> {
         let terms: Vec<Term> = match &tree.op {
             Op::Sum(signs) => {
-                let of = |(sign, of): (&bool, &Tree)| {
-                    let sign = *sign;
+                let of = |(sign, of): (bool, &Tree)| {
                     self.terms(of).into_iter().map(move |(minus, of)| (minus != sign, of))
                 };
                 signs.iter().zip(tree.of.iter()).flat_map(of).collect()
@@ -204,9 +203,9 @@ impl Formulas {
             Op::Product(divides) => {
                 let mut all = vec![(false, Vec::new())];
                 for (divides, factor) in divides.iter().zip(tree.of.iter()) {
-                    let terms = if *divides { vec![(false, factor.clone())] } else { self.terms(factor) };
+                    let terms = if divides { vec![(false, factor.clone())] } else { self.terms(factor) };
                     all = combined(&all, &terms, |before, term| {
-                        [&before[..], &factors(term, *divides)[..]].concat()
+                        [&before[..], &factors(term, divides)[..]].concat()
                     });
                 }
                 all.into_iter().map(|(minus, factors)| (minus, product(factors))).collect()
@@ -245,7 +244,7 @@ fn combined<A, B>(all: &[(bool, A)], terms: &[Term], of: impl Fn(&A, &Tree) -> B
 fn factors(term: &Tree, divides: bool) -> Vec<(bool, Tree)> {
     match &term.op {
         Op::Product(of) => {
-            of.iter().zip(term.of.iter()).map(|(by, of)| (*by != divides, of.clone())).collect()
+            of.iter().zip(term.of.iter()).map(|(by, of)| (by != divides, of.clone())).collect()
         }
         _ => vec![(divides, term.clone())],
     }

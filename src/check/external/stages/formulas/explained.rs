@@ -30,8 +30,8 @@ pub(super) struct Searched<'a> {
     possible: RefCell<Vec<(Tried, Arc<Vec<Change>>)>>,
 }
 
-/// The class of changes, the result, and the addresses of the points.
-type Tried = (Class, Set, Vec<usize>);
+/// The class of changes, the result, those that must stay right, and the addresses of the points.
+type Tried = (Class, Set, Set, Vec<usize>);
 
 impl<'a> Searched<'a> {
     pub(super) fn new(points: &'a [Point<'a>]) -> Self {
@@ -50,7 +50,12 @@ impl<'a> Searched<'a> {
         keeps: &(dyn Fn(&Change) -> bool + Sync),
     ) -> Vec<Change> {
         let points = self.points;
-        let probes = probes(points.iter(), among, PROBES);
+        let wrong = probes(points.iter(), among, PROBES);
+        let is_wrong = |name: &Name| wrong.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
+        let names_before = |name: &Name| FORMULAS.needed(Set::from_iter([*name])).names().count();
+        // One result is looked at first: that which follows from the fewest names.
+        let first: Set = among.names().filter(is_wrong).min_by_key(names_before).into_iter().collect();
+        let probes = probes(points.iter(), first, PROBES);
         if probes.is_empty() {
             return Vec::new();
         }
@@ -73,27 +78,34 @@ impl<'a> Searched<'a> {
                 Class::Expanded => found.is_empty(),
             };
             if is_tried {
-                let tried = self.possible(class, among, &probes);
+                let tried = self.possible(class, (first, among), &probes);
                 found.extend(parallel::filter_map(&tried, |of| explains(of).then(|| of.clone())));
             }
         }
         simplest(found)
     }
 
-    /// The changes that yield one of the results that are wrong at some points: that which follows from the fewest names.
-    fn possible(&self, class: Class, among: Set, probes: &[&'a Point<'a>]) -> Arc<Vec<Change>> {
-        let is_wrong = |name: &Name| probes.iter().any(|point| point.is_wrong(Set::from_iter([*name])));
-        let names_before = |name: &Name| FORMULAS.needed(Set::from_iter([*name])).names().count();
-        let first: Set = among.names().filter(is_wrong).min_by_key(names_before).into_iter().collect();
-        let tried = (class, first, probes.iter().map(|point| std::ptr::from_ref(*point).addr()).collect());
+    /// The changes that yield the first of the results that are wrong at some points.
+    fn possible(
+        &self,
+        class: Class,
+        (first, among): (Set, Set),
+        probes: &[&'a Point<'a>],
+    ) -> Arc<Vec<Change>> {
+        let ways = Ways::of(self.points, first);
+        let right = self.right_before(ways.needed, among);
+        let addresses = probes.iter().map(|point| std::ptr::from_ref(*point).addr()).collect();
+        let tried = (class, first, right, addresses);
         if let Some((_, known)) = self.possible.borrow().iter().find(|(known, _)| *known == tried) {
             return Arc::clone(known);
         }
-        let ways = Ways::of(self.points, first);
-        let right = Ways::of(self.points, self.right_before(ways.needed, among));
+        let right = Ways::of(self.points, right);
         let effects = Effects::new(&probes[..probes.len().min(QUICK)], &ways, &right);
-        let yields =
-            |change: &Change| effects.may_yield(change) && ways.yield_answers(change, probes.iter().copied());
+        let yields = |change: &Change| {
+            ways.may_be(change)
+                && effects.may_yield(change)
+                && ways.yield_answers(change, probes.iter().copied())
+        };
         let found = if class == Class::Expanded {
             parallel::flat_map(&self.suspected(ways.needed), |formula| {
                 let mut all = FORMULAS.expanded_changes(formula);

@@ -14,6 +14,28 @@ use crate::number::RunningError;
 use crate::pair::Contact;
 use crate::test_beam::RunningError2;
 use nalgebra::Vector3;
+use std::sync::LazyLock;
+
+/// The names of the inputs of a curve.
+struct NamesOfCurve {
+    xi: Name,
+    /// x, t, t,xi and t,xixi.
+    curve: [Name; 4],
+    /// The variations of x, t and t,xi at a fixed parameter, along delta and along Delta.
+    variations: [[Name; 3]; 2],
+}
+
+static NAMES: LazyLock<[NamesOfCurve; 2]> = LazyLock::new(|| {
+    ["", "_bar"].map(|end| {
+        let name = |name: &str| {
+            let (letters, derivative) = name.split_at(name.find(',').unwrap_or(name.len()));
+            FORMULAS.name(&format!("{letters}{end}{derivative}"))
+        };
+        let variations =
+            ["du", "Du"].map(|of| ["", ",xi", ",xixi"].map(|order| name(&format!("{of}{order}"))));
+        NamesOfCurve { xi: name("xi"), curve: ["x", "t", "t,xi", "t,xixi"].map(name), variations }
+    })
+});
 
 /// The values of all inputs, and of conditions that are open within rounding.
 #[derive(Clone, Debug)]
@@ -77,16 +99,14 @@ impl Inputs {
         geometry: &[[Vector3<RunningError>; 4]; 2],
         moved: &[[[Vector3<RunningError>; 3]; 2]; 2],
     ) {
-        for (beam, end) in ["", "_bar"].into_iter().enumerate() {
-            self.set(&format!("xi{end}"), Value::Number(xi[beam]));
-            for (k, (name, suffix)) in
-                [("x", ""), ("t", ""), ("t", ",xi"), ("t", ",xixi")].into_iter().enumerate()
-            {
-                self.set(&format!("{name}{end}{suffix}"), Value::Vector(geometry[beam][k]));
+        for (beam, names) in NAMES.iter().enumerate() {
+            self.values[names.xi] = Value::Number(xi[beam]);
+            for (name, vector) in names.curve.iter().zip(geometry[beam]) {
+                self.values[*name] = Value::Vector(vector);
             }
-            for (side, name) in ["du", "Du"].into_iter().enumerate() {
-                for (k, suffix) in ["", ",xi", ",xixi"].into_iter().enumerate() {
-                    self.set(&format!("{name}{end}{suffix}"), Value::Vector(moved[side][beam][k]));
+            for (names, moved) in names.variations.iter().zip(moved) {
+                for (name, vector) in names.iter().zip(moved[beam]) {
+                    self.values[*name] = Value::Vector(vector);
                 }
             }
         }

@@ -80,8 +80,12 @@ pub(super) struct Formulas {
     pub(super) delta: Others,
     /// The same name for the other beam.
     pub(super) twins: Others,
+    /// The second order of a name of the first.
+    pub(super) seconds: Others,
     /// The formulas of the residual that vary.
     pub(super) residual: Vec<Name>,
+    /// The names that each name follows from, in some way of writing, and it itself.
+    before: Vec<Set>,
     /// How the names depend on each other in each way of writing.
     pub(super) relations: [Relations; WAYS],
 }
@@ -97,7 +101,9 @@ impl Formulas {
             linear: Others::default(),
             delta: Others::default(),
             twins: Others::default(),
+            seconds: Others::default(),
             residual: Vec::new(),
+            before: Vec::new(),
             relations: Default::default(),
         };
         list.add_inputs();
@@ -116,6 +122,7 @@ impl Formulas {
             }
         }
         list.twins = list.find_twins();
+        list.seconds = list.find_seconds();
         list.residual = ["A", "A_bar", "R", "R_p", "A^T", "A_bar^T", "R^T", "R_p^T"]
             .iter()
             .map(|name| list.name(name))
@@ -124,6 +131,11 @@ impl Formulas {
         assert!(list.names.0.len() <= Set::NAMES, "{} names", list.names.0.len());
         let (ways, names) = (&list.ways, list.names.0.len());
         list.relations = std::array::from_fn(|way| Relations::new(ways, names, way));
+        list.before = (0..names).map(|name| Set::from_iter([name])).collect();
+        for name in list.inputs..names {
+            let used = list.relations.iter().fold(Set::default(), |used, of| used.or(of.uses[name]));
+            list.before[name] = list.before[name].or(list.needed(used));
+        }
         list
     }
 
@@ -215,15 +227,7 @@ impl Formulas {
 
     /// The names that these follow from, in some way of writing, and they themselves.
     pub(super) fn needed(&self, among: Set) -> Set {
-        let mut needed = among;
-        for i in (0..self.ways[0].len()).rev() {
-            for step in self.ways.each_ref().map(|steps| &steps[i]) {
-                if needed.has(step.name) {
-                    step.uses.iter().for_each(|name| needed.add(*name));
-                }
-            }
-        }
-        needed
+        among.names().fold(Set::default(), |needed, name| needed.or(self.before[name]))
     }
 
     /// The step of a name that is no input.

@@ -2,9 +2,8 @@
 
 use super::list::FORMULAS;
 use super::tree::Name;
-use super::values::Values;
-use crate::linearization::Quantity;
-use crate::number::RunningError;
+use super::values::{Number, Values};
+use crate::linearization::{COMPONENTS, Quantity};
 use std::sync::LazyLock;
 
 /// A result of the formulas: a number, or a component of a vector.
@@ -15,7 +14,7 @@ pub(super) struct Output {
 }
 
 impl Output {
-    pub(super) fn of(self, values: &(impl Values + ?Sized)) -> RunningError {
+    pub(super) fn of<S: Number>(self, values: &(impl Values<S> + ?Sized)) -> S {
         values.at(self.name).component(self.axis)
     }
 }
@@ -40,6 +39,16 @@ pub(super) fn names(quantity: Quantity) -> [Option<&'static str>; 4] {
     let [delta, linear, second] = rest.map(Some);
     [Some(value).filter(|name| !name.is_empty()), delta, linear, second]
 }
+
+/// The outputs of each component: value, delta, Delta, Delta-delta.
+pub(super) static OF_COMPONENTS: LazyLock<Vec<[Option<Output>; 4]>> = LazyLock::new(|| {
+    let of = |component: usize| {
+        let axis = Quantity::axis_of_component(component).map(|axis| axis as usize - 'x' as usize);
+        let output = |name: &str| Output { name: FORMULAS.name(name), axis };
+        names(Quantity::of_component(component)).map(|name| name.map(output))
+    };
+    (0..COMPONENTS).map(of).collect()
+});
 
 /// The names of all results of the geometry.
 pub(super) static RESULTS: LazyLock<Vec<Name>> = LazyLock::new(|| {

@@ -3,12 +3,11 @@
 use super::entries::inputs_of_parts;
 use super::list::FORMULAS;
 use super::names::{Set, WAYS};
-use super::outputs::{Output, RESULTS, names};
+use super::outputs::{OF_COMPONENTS, Output, RESULTS};
 use super::tree::Name;
 use super::values::{Value, Values};
 use crate::check::candidate::CAREFUL;
 use crate::check::external::stages::sample::Sample;
-use crate::linearization::Quantity;
 use crate::number::RunningError;
 use crate::parallel;
 use std::collections::{BTreeMap, BTreeSet};
@@ -58,6 +57,7 @@ pub(super) struct Point<'a> {
     /// The names that have values.
     pub(super) needed: Set,
     parts: OnceLock<Vec<Vec<Value>>>,
+    estimates: [OnceLock<Vec<Value<f64>>>; WAYS],
     /// For two ways, the first the smaller one.
     unlike: [[OnceLock<Set>; WAYS]; WAYS],
 }
@@ -92,6 +92,11 @@ impl Point<'_> {
             .get_or_init(|| inputs_of_parts(&self.sample.inputs.values).into_iter().map(of_inputs).collect())
     }
 
+    /// The values in a way of writing without their rounding.
+    pub(super) fn estimates(&self, way: usize) -> &[Value<f64>] {
+        self.estimates[way].get_or_init(|| self.values[way].iter().map(|of| of.to()).collect())
+    }
+
     /// The names whose values in two ways of writing differ by more than rounding.
     pub(super) fn unlike(&self, way: usize, other: usize) -> Set {
         let differ = |name: &Name| self.values[way][*name].differs(self.values[other][*name]);
@@ -113,8 +118,9 @@ impl Point<'_> {
     pub(super) fn is_near(&self, answer: &Answer, way: usize, effect: f64) -> bool {
         let (before, allowed) = answer.difference(&self.values[way][..]);
         let left = answer.number.value - answer.output.of(&self.values[way][..]).value - effect;
-        let most = (CLEAR * before).max(COARSER * allowed).max(FINE * answer.size);
-        left.is_nan() || left.abs() <= 4.0 * most
+        // What is wrong is explained by less than itself, though it be small next to other answers.
+        let most = if before > allowed { CLEAR * before } else { FINE * answer.size };
+        left.is_nan() || left.abs() <= 4.0 * most.max(COARSER * allowed)
     }
 }
 
@@ -183,6 +189,7 @@ fn point(
         given: fixed,
         needed,
         parts: OnceLock::new(),
+        estimates: Default::default(),
         unlike: Default::default(),
     }
 }
@@ -190,13 +197,8 @@ fn point(
 /// The numbers of the program by the results that they are.
 pub(super) fn numbers(sample: &Sample) -> Vec<(Output, RunningError)> {
     let mut numbers = Vec::new();
-    for (component, own) in sample.own.iter().enumerate() {
-        let quantity = Quantity::of_component(component);
-        let axis = Quantity::axis_of_component(component).map(|axis| axis as usize - 'x' as usize);
-        for (name, number) in names(quantity).iter().zip(own) {
-            let output = name.map(|name| Output { name: FORMULAS.name(name), axis });
-            numbers.extend(output.zip(*number));
-        }
+    for (outputs, own) in OF_COMPONENTS.iter().zip(&sample.own) {
+        numbers.extend(outputs.iter().zip(own).filter_map(|(output, number)| output.zip(*number)));
     }
     let scalar = |(name, number)| (Output { name, axis: None }, number);
     numbers.extend(sample.inputs.forces.iter().copied().map(scalar));

@@ -90,8 +90,8 @@ impl Formulas {
     /// The formula of the second order that is solved like this one of the first, and this tree in its place.
     pub(super) fn second_of(&self, formula: &Formula, tree: &Tree, way: usize) -> Option<(&Formula, Tree)> {
         let of_second = |tree: &Tree| {
-            let name = |name: Name| self.names.find(&format!("D{}", self.names.0[name]));
-            tree.renamed(&|of| name(of).filter(|_| self.kinds[of].varies == [true, false]).unwrap_or(of))
+            let is_first = |of: Name| self.kinds[of].varies == [true, false];
+            tree.renamed(&|of| self.seconds.get(of).filter(|_| is_first(of)).unwrap_or(of))
         };
         let second = self.second_formula(formula)?;
         (*second.written(way) == of_second(formula.written(way))).then(|| (second, of_second(tree)))
@@ -99,8 +99,17 @@ impl Formulas {
 
     /// The formula of the second order that belongs to one of the first.
     pub(super) fn second_formula(&self, formula: &Formula) -> Option<&Formula> {
-        let name = self.names.find(&format!("D{}", self.names.0[formula.name]))?;
+        let name = self.seconds.get(formula.name)?;
         self.all.iter().find(|of| of.name == name)
+    }
+
+    /// The names with a D before them.
+    pub(super) fn find_seconds(&self) -> Others {
+        let mut seconds = Others::default();
+        let pair = |(name, text): (Name, &String)| Some((name, self.names.find(&format!("D{text}"))?));
+        let pairs = self.names.0.iter().enumerate().filter_map(pair);
+        pairs.for_each(|(name, second)| seconds.insert(name, second));
+        seconds
     }
 
     /// Names of the system that differ from this one in sign in the symmetric form: a is -a_bar of the other beam.
@@ -140,7 +149,7 @@ impl Formulas {
 
     /// The first name of the difference of two variations of a vector.
     pub(super) fn first_of_difference(&self, tree: &Tree) -> Option<Name> {
-        let is_difference = matches!(&tree.op, Op::Sum(minus) if minus[..] == [false, true]);
+        let is_difference = matches!(&tree.op, Op::Sum(minus) if minus.iter().eq([false, true]));
         match tree.of.iter().map(|of| &of.op).collect::<Vec<_>>()[..] {
             [Op::Name(first), Op::Name(second)] if is_difference && self.twin(*first) == *second => {
                 Some(*first)

@@ -1,7 +1,9 @@
 //! Formulas as trees, and their text.
 
+use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::fmt::Write;
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// The place of a name in [`Names`].
@@ -27,53 +29,109 @@ impl Names {
 }
 
 /// What a node does with its branches.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Op {
     Number(f64),
     Name(Name),
     /// A sum; whether each term is subtracted.
-    Sum(Arc<[bool]>),
+    Sum(Flags),
     /// A product; whether each factor is divided by.
-    Product(Arc<[bool]>),
+    Product(Flags),
     Dot,
     Cross,
     Root,
-    /// The vector with other components: the place of each, and a factor.
-    Axes([(usize, f64); 3]),
+    /// The vector with other components: their place in [`AXES`](super::axes::AXES).
+    Axes(usize),
     /// 1 if the first is less than the second, else 0.
     Less,
     /// The second if the first is not zero, else the third.
     If,
 }
 
-/// A formula. Its branches are shared by the many trees that differ in one place.
+/// Up to 63 flags: their bits, and one more that is set after them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Flags(u64);
+
+impl Flags {
+    pub(super) fn len(self) -> usize {
+        63 - self.0.leading_zeros() as usize
+    }
+
+    pub(super) fn has(self, i: usize) -> bool {
+        self.0 & (1 << i) != 0
+    }
+
+    pub(super) fn iter(self) -> impl Iterator<Item = bool> {
+        (0..self.len()).map(move |i| self.has(i))
+    }
+}
+
+impl FromIterator<bool> for Flags {
+    fn from_iter<I: IntoIterator<Item = bool>>(all: I) -> Self {
+        let (bits, end) = all
+            .into_iter()
+            .fold((0, 1), |(bits, next), flag| (if flag { bits | next } else { bits }, next << 1));
+        Self(bits | end)
+    }
+}
+
+/// The branches of a tree. They are shared by the many trees that differ in one place.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Branches(Option<Arc<[Tree]>>);
+
+impl Deref for Branches {
+    type Target = [Tree];
+
+    fn deref(&self) -> &[Tree] {
+        self.0.as_deref().unwrap_or_default()
+    }
+}
+
+impl PartialEq for Branches {
+    fn eq(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (Some(one), Some(other)) => Arc::ptr_eq(one, other) || one == other,
+            (None, None) => true,
+            _ => false,
+        }
+    }
+}
+
+impl FromIterator<Tree> for Branches {
+    fn from_iter<I: IntoIterator<Item = Tree>>(all: I) -> Self {
+        let all: Arc<[Tree]> = all.into_iter().collect();
+        Self(if all.is_empty() { None } else { Some(all) })
+    }
+}
+
+/// A formula.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tree {
     pub(super) op: Op,
-    pub(super) of: Arc<[Tree]>,
+    pub(super) of: Branches,
 }
 
 impl Tree {
-    pub(super) fn new(op: Op, of: impl Into<Arc<[Self]>>) -> Self {
-        Self { op, of: of.into() }
+    pub(super) fn new(op: Op, of: impl IntoIterator<Item = Self>) -> Self {
+        Self { op, of: of.into_iter().collect() }
     }
 
     pub(super) fn number(value: f64) -> Self {
-        Self::new(Op::Number(value), [])
+        Self { op: Op::Number(value), of: Branches::default() }
     }
 
     pub(super) fn name(name: Name) -> Self {
-        Self::new(Op::Name(name), [])
+        Self { op: Op::Name(name), of: Branches::default() }
     }
 
     pub(super) fn sum(terms: Vec<(bool, Self)>) -> Self {
-        let (signs, of): (Vec<bool>, Vec<Self>) = terms.into_iter().unzip();
-        Self::new(Op::Sum(signs.into()), of)
+        let signs = terms.iter().map(|(minus, _)| *minus).collect();
+        Self::new(Op::Sum(signs), terms.into_iter().map(|(_, of)| of))
     }
 
     pub(super) fn product(factors: Vec<(bool, Self)>) -> Self {
-        let (divides, of): (Vec<bool>, Vec<Self>) = factors.into_iter().unzip();
-        Self::new(Op::Product(divides.into()), of)
+        let divides = factors.iter().map(|(divides, _)| *divides).collect();
+        Self::new(Op::Product(divides), factors.into_iter().map(|(_, of)| of))
     }
 
     /// Calls `f` with each name in it.
@@ -86,13 +144,23 @@ impl Tree {
 
     /// The tree with other names.
     pub(super) fn renamed(&self, f: &impl Fn(Name) -> Name) -> Self {
-        let mut is_other = false;
-        self.each_name(&mut |name| is_other |= f(name) != name);
-        if !is_other {
-            return self.clone();
+        self.other(f).unwrap_or_else(|| self.clone())
+    }
+
+    /// The tree with other names, if it has some.
+    fn other(&self, f: &impl Fn(Name) -> Name) -> Option<Self> {
+        if let Op::Name(name) = self.op {
+            let other = f(name);
+            return (other != name).then(|| Self::name(other));
         }
-        let op = if let Op::Name(name) = self.op { Op::Name(f(name)) } else { self.op.clone() };
-        Self::new(op, self.of.iter().map(|of| of.renamed(f)).collect::<Vec<_>>())
+        let mut of = self.of.iter().enumerate();
+        let (first, new) = of.find_map(|(i, of)| Some((i, of.other(f)?)))?;
+        let branch = |(i, of): (usize, &Self)| match i.cmp(&first) {
+            Ordering::Less => of.clone(),
+            Ordering::Equal => new.clone(),
+            Ordering::Greater => of.renamed(f),
+        };
+        Some(Self::new(self.op, self.of.iter().enumerate().map(branch)))
     }
 
     /// The tree with other trees in the place of names.
@@ -100,14 +168,17 @@ impl Tree {
         if let Op::Name(name) = self.op {
             return f(name).unwrap_or_else(|| self.clone());
         }
-        Self::new(self.op.clone(), self.of.iter().map(|of| of.substituted(f)).collect::<Vec<_>>())
+        if self.of.is_empty() {
+            return self.clone();
+        }
+        Self::new(self.op, self.of.iter().map(|of| of.substituted(f)))
     }
 
     /// The tree with another branch at the end of a path.
     pub(super) fn with(&self, path: &[usize], new: &Self) -> Self {
         let Some((&first, rest)) = path.split_first() else { return new.clone() };
         let branch = |(i, of): (usize, &Self)| if i == first { of.with(rest, new) } else { of.clone() };
-        Self::new(self.op.clone(), self.of.iter().enumerate().map(branch).collect::<Vec<_>>())
+        Self::new(self.op, self.of.iter().enumerate().map(branch))
     }
 
     /// The path to the first branch that is meant.
@@ -170,14 +241,14 @@ impl Tree {
             }
             Op::Name(name) => to.push_str(&names.0[*name]),
             Op::Sum(minus) => {
-                to.push_str(if minus[0] { "-" } else { "" });
+                to.push_str(if minus.has(0) { "-" } else { "" });
                 let signs: Vec<_> =
-                    minus[1..].iter().map(|&minus| if minus { " - " } else { " + " }).collect();
+                    minus.iter().skip(1).map(|minus| if minus { " - " } else { " + " }).collect();
                 infix(&signs, 2, to);
             }
             Op::Product(divides) => {
-                to.push_str(if divides[0] { "1/" } else { "" });
-                let signs: Vec<_> = divides[1..].iter().map(|&by| if by { "/" } else { " " }).collect();
+                to.push_str(if divides.has(0) { "1/" } else { "" });
+                let signs: Vec<_> = divides.iter().skip(1).map(|by| if by { "/" } else { " " }).collect();
                 infix(&signs, 3, to);
             }
             Op::Dot => infix(&["."], 4, to),

@@ -55,17 +55,23 @@ impl Ways {
         change: &Change,
         mut points: impl Iterator<Item = &'a Point<'a>>,
     ) -> bool {
-        if !self.are_needed(change) || !self.are_right(change) {
+        if !self.may_be(change) {
             return false;
         }
         let mut left = self.left.clone();
-        points.all(|point| self.keep(&mut left, point, change))
+        let needed = self.needed.or(change.needed());
+        points.all(|point| self.keep(&mut left, point, (change, needed)))
     }
 
     /// The ways in which a result may be written, if it is among these.
     pub(super) fn of_answer(&self, answered: Answered) -> Option<[bool; WAYS]> {
         let at = self.left.binary_search_by_key(&answered, |(of, _)| *of).ok()?;
         Some(std::array::from_fn(|way| self.left[at].1[way] && self.distinct.contains(&way)))
+    }
+
+    /// Whether the change may be one of this program: some results follow from it, and its formulas are written so.
+    pub(super) fn may_be(&self, change: &Change) -> bool {
+        self.are_needed(change) && self.are_right(change)
     }
 
     /// Whether some of the results follow from what is changed.
@@ -79,15 +85,15 @@ impl Ways {
     }
 
     /// Keeps the ways that yield the answers at this sample; whether each result has one.
-    fn keep(&self, left: &mut Left, point: &Point, change: &Change) -> bool {
+    fn keep(&self, left: &mut Left, point: &Point, (change, needed): (&Change, Set)) -> bool {
         let mut known: Vec<Changed> = Vec::new();
         for &way in &self.distinct {
             if !left.iter().any(|(_, left)| left[way]) {
                 continue;
             }
-            let same = known.iter().position(|of| of.is_same(point, way, (change, self.needed)));
+            let same = known.iter().position(|of| of.is_same(point, way, (change, needed)));
             let place = same.unwrap_or_else(|| {
-                known.push(point.changed(way, change, self.needed));
+                known.push(point.changed(way, change, needed));
                 known.len() - 1
             });
             let changed = &known[place];

@@ -1,6 +1,6 @@
 //! Changes of inputs as a whole: the vectors of the curves, numbers, what is held.
 
-use super::axes::axes;
+use super::axes::AXES;
 use super::change::Change;
 use super::changes::{FACTORS, scaled};
 use super::list::{CURVES, Formulas};
@@ -45,8 +45,8 @@ impl Formulas {
                     for (by, words, _) in FACTORS {
                         add(&|name| scaled(name, by), format!("{told} {words}"), cost);
                     }
-                    for (axes, words) in axes() {
-                        let new = |name| Tree::new(Op::Axes(axes), vec![Tree::name(name)]);
+                    for (k, (_, words)) in AXES.iter().enumerate() {
+                        let new = |name| Tree::new(Op::Axes(k), [Tree::name(name)]);
                         add(&new, format!("in {told} {words}"), cost + 1);
                     }
                 }

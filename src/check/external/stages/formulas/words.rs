@@ -1,6 +1,6 @@
 //! What is wrong, in words. Most changes explain nothing, so their sentences are made when they are told.
 
-use super::axes::axes;
+use super::axes::AXES;
 use super::edits::{Edit, Term};
 use super::kinds::What;
 use super::list::{FORMULAS, Formula, Formulas};
@@ -104,7 +104,7 @@ impl Edit {
         };
         let of = || if *term == Term::Whole { "it".into() } else { format!("the term {}", text(old)) };
         let branch = |i: usize| text(&old.of[i]);
-        let is_divisor = |i: usize| matches!(&old.op, Op::Product(all) if all[i]);
+        let is_divisor = |i: usize| matches!(&old.op, Op::Product(all) if all.has(i));
         let factor = |i: usize| {
             let what = if is_divisor(i) { "the division by" } else { "the factor" };
             format!("{what} {}{in_term}", branch(i))
@@ -138,7 +138,7 @@ impl Edit {
                 let [new, old] = [other, name].map(|of| &FORMULAS.names.0[*of]);
                 format!("{new} stands in the place of {old} along both directions{in_term}")
             }
-            What::Axes(k) => format!("{} of {}{in_term}", axes()[*k].1, text(old)),
+            What::Axes(k) => format!("{} of {}{in_term}", AXES[*k].1, text(old)),
             What::Other(_) if old.op == Op::Number(0.0) => {
                 format!("{} stands in the place of 0", text(new))
             }

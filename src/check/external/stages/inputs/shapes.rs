@@ -64,7 +64,8 @@ impl Shape {
 
     /// By how much the derivative is wrong at a case, for each beam, if that explains these equations.
     fn solved(&self, equations: &[&Equation], samples: &[&Sample]) -> Option<[Option<f64>; 2]> {
-        error_by_beam(self.beams, &|by| self.residuals(equations, samples, by))
+        let residuals = |by| self.residuals(equations, samples, by);
+        error_by_beam(self.beams, &residuals, &|by| residuals(by).iter().map(|of| of.value).collect())
     }
 
     /// By how much it is wrong at each parameter, if that explains at least half of these cases.
@@ -105,18 +106,19 @@ impl Shape {
 }
 
 /// By how much something is wrong for each of these beams, if that leaves only rounding of the residuals. Nothing for a beam where
-/// it has no effect.
+/// it has no effect. The estimates are the residuals without their rounding.
 pub(in crate::check::external::stages) fn error_by_beam(
     beams: &[Beam],
     residuals: &dyn Fn([f64; 2]) -> Vec<RunningError>,
+    estimates: &dyn Fn([f64; 2]) -> Vec<f64>,
 ) -> Option<[Option<f64>; 2]> {
     let mut by = [0.0; 2];
     let mut effects = [0.0; 2];
     let first = residuals(by);
     let weights: Vec<f64> = first.iter().map(|r| 1.0 / (r.value.abs() + 1e3 * r.bound)).collect();
     let weighted = |by: [f64; 2]| {
-        let residuals = residuals(by);
-        DVector::from_iterator(weights.len(), residuals.iter().zip(&weights).map(|(r, w)| r.value * w))
+        let estimates = estimates(by);
+        DVector::from_iterator(weights.len(), estimates.iter().zip(&weights).map(|(r, w)| r * w))
     };
     for _ in 0..STEPS {
         let here = weighted(by);
