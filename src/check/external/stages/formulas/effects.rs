@@ -18,7 +18,7 @@ use std::sync::{Arc, RwLock};
 
 /// What a change does to some answers.
 pub(super) struct Effects<'a> {
-    /// Those that are wrong are the first.
+    /// Those to wrong results, and to right ones.
     results: Vec<Answers<'a>>,
     /// By the names of changes, and what follows from them.
     of_names: RwLock<HashMap<(Set, Through), Arc<OfNames>>>,

@@ -118,7 +118,7 @@ impl Point<'_> {
     pub(super) fn is_near(&self, answer: &Answer, way: usize, effect: f64) -> bool {
         let (before, allowed) = answer.difference(&self.values[way][..]);
         let left = answer.number.value - answer.output.of(&self.values[way][..]).value - effect;
-        // What is wrong is explained by less than itself, though it be small next to other answers.
+        // Of a wrong answer a small part may be left, also if the whole is small next to other answers.
         let most = if before > allowed { CLEAR * before } else { FINE * answer.size };
         left.is_nan() || left.abs() <= 4.0 * most.max(COARSER * allowed)
     }

@@ -6,19 +6,45 @@ use crate::check::external::stages::formulas::list::FORMULAS;
 use crate::check::external::stages::formulas::names::{Set, WAYS};
 use crate::check::external::stages::formulas::point::points;
 use crate::check::external::stages::formulas::search::{found, of_all};
+use crate::check::external::stages::formulas::ways::Ways;
 use crate::check::external::stages::sample::Sample;
+use crate::linearization::Quantity;
 use crate::test_beam::Family;
+
+/// Whether rounding hides no answer of the changed formulas.
+fn is_clear(sample: &Sample, way: usize, change: &Change) -> bool {
+    let [point] = &points(std::slice::from_ref(sample), Set::default())[..] else { unreachable!() };
+    let changed = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
+    point.answers.iter().all(|answer| answer.ways[way] && point.is_explained(answer, way, &changed))
+}
+
+/// A formula of a change takes the changed value of each name, also of one that the right formula does not have: here that of
+/// Dtau, which stands in the derivative of d|t| alone.
+#[test]
+fn the_formulas_of_a_change_take_changed_values() {
+    let words = "d|t|, eq. (41), has the wrong sign, and in its derivative";
+    let change = all_changes().iter().find(|change| change.words() == words).unwrap();
+    let with_second_order = |sample: &Sample| {
+        let mut sample = with_geometry(0, sample, change);
+        for (component, numbers) in sample.own.iter_mut().enumerate() {
+            let is_meant = component == Quantity::T.component();
+            *numbers = [None, None, None, numbers[3].filter(|_| is_meant)];
+        }
+        sample
+    };
+    let mut answered: Vec<Sample> = right_answers(&[Family::Hermite]).iter().map(with_second_order).collect();
+    answered.retain(|sample| is_clear(sample, 0, change));
+    let points = points(&answered, Set::default());
+    let second = Set::from_iter([FORMULAS.name("Dd|t|")]);
+    assert!(points.iter().filter(|point| point.is_wrong(second)).count() > 10);
+    assert!(Ways::of(&points, second).yield_answers(change, points.iter()));
+}
 
 /// Errors of programs with unit rows for held parameters, or that differentiate the quotients (52), the system (51), the normal,
 /// or the residual. Samples at which rounding hides them, or for which the way of writing is not valid, are left out.
 #[test]
 fn errors_in_other_ways_of_writing_are_told() {
     let samples: Vec<Sample> = right_answers(&[Family::Hermite]);
-    let is_clear = |sample: &Sample, way: usize, change: &Change| {
-        let [point] = &points(std::slice::from_ref(sample), Set::default())[..] else { unreachable!() };
-        let changed = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
-        point.answers.iter().all(|answer| answer.ways[way] && point.is_explained(answer, way, &changed))
-    };
     let of_element = |samples: &[Sample]| {
         found(samples, &|_| Vec::new(), &Vec::new).map_or_else(Vec::new, |traced| traced.causes)
     };
