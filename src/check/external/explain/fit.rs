@@ -82,8 +82,9 @@ pub(super) fn near(fits: &[Fit]) -> &[Fit] {
     &fits[..fits.iter().take_while(|fit| fit.sum <= limit).count()]
 }
 
-/// Tries changes at one case after the other. Those that are distinguished from the best are dropped, except for the
-/// `kept` nearest ones. The remaining ones were tried at all cases, and are sorted by the sums of squares.
+/// Tries changes at one case after the other. Those that are distinguished from the best are dropped, and those that leave more
+/// than rounding, except for the `kept` nearest ones. The remaining ones were tried at all cases, and are sorted by the sums of
+/// squares.
 pub(super) fn race(mut fits: Vec<Fit>, cases: &[&AnsweredCase], kept: usize) -> Vec<Fit> {
     for case in cases {
         fits.par_iter_mut().for_each(|fit| {
@@ -91,7 +92,12 @@ pub(super) fn race(mut fits: Vec<Fit>, cases: &[&AnsweredCase], kept: usize) -> 
             fit.add(case, &predicted, |_| true);
         });
         fits.sort_by(|one, two| one.sum.total_cmp(&two.sum));
-        fits.truncate(near(&fits).len().max(kept));
+        let near = near(&fits).len();
+        let mut place = 0;
+        fits.retain(|fit| {
+            place += 1;
+            place <= kept || (place <= near && fit.over <= 1.0)
+        });
     }
     fits
 }

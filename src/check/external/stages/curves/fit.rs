@@ -48,11 +48,13 @@ fn errors(of: &Derivative, way: usize, samples: &[Sample], wrong: &[FirstWrong])
             inputs.set_curves(sample.xi, &geometry, &moved);
             inputs
         };
+        let compared: Vec<_> =
+            here.iter().filter_map(|sample| Some((*sample, first.compared(way, sample)?))).collect();
         let residuals = |by: [f64; 2]| -> Vec<RunningError> {
-            here.iter().flat_map(|sample| first.differences(way, sample, &inputs(sample, by))).collect()
+            compared.iter().flat_map(|(sample, of)| of.differences(&inputs(sample, by))).collect()
         };
         let estimates = |by: [f64; 2]| -> Vec<f64> {
-            here.iter().flat_map(|sample| first.differences(way, sample, &inputs(sample, by))).collect()
+            compared.iter().flat_map(|(sample, of)| of.estimates(&inputs(sample, by))).collect()
         };
         let Some(by) = error_by_beam(of.beams.0, &residuals, &estimates) else {
             left += 1;

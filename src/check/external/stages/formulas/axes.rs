@@ -2,13 +2,13 @@
 
 use std::sync::LazyLock;
 
-/// The place of each component, and a factor, in words.
-type Axes = ([(usize, f64); 3], String);
+/// The place of each component, and a factor.
+pub(super) type Axes = [(usize, f64); 3];
 
 /// The components of a vector as programs confuse them.
-pub(super) static AXES: LazyLock<Vec<Axes>> = LazyLock::new(axes);
+pub(super) static AXES: LazyLock<Vec<(Axes, String)>> = LazyLock::new(axes);
 
-fn axes() -> Vec<Axes> {
+fn axes() -> Vec<(Axes, String)> {
     const NAMES: [&str; 3] = ["x", "y", "z"];
     let right = [0, 1, 2].map(|axis| (axis, 1.0));
     let mut found = Vec::new();

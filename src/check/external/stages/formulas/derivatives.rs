@@ -2,9 +2,10 @@
 
 use super::degrees::Through;
 use super::list::FORMULAS;
+use super::operations::value;
 use super::outputs::Output;
 use super::tree::{Name, Op, Tree};
-use super::values::{Number, Value, value};
+use super::values::{Number, Value};
 
 /// The derivatives of a result by all names, through some of those that follow: those of each step follow from those of the
 /// steps that use it.

@@ -75,7 +75,7 @@ impl<'a> Effects<'a> {
             (0..WAYS).filter(|way| answers.ways[*way]).any(|way| {
                 answers.all.iter().filter(|of| of.answer.ways[way]).all(|of| {
                     let effect = estimates.effect(of, way, (answers, place));
-                    of.point.is_near(of.answer, way, effect)
+                    of.is_near(way, effect)
                 })
             })
         })

@@ -4,25 +4,45 @@ use super::change::Change;
 use super::degrees::Through;
 use super::derivatives::derivatives;
 use super::effects::{Answers, OfNames};
-use super::evaluation::Changed;
+use super::folded::Folded;
 use super::list::FORMULAS;
 use super::names::{Set, WAYS};
+use super::operations::value;
 use super::point::{Answer, Point};
 use super::tree::{Name, Tree};
-use super::values::{Value, value};
-use std::sync::OnceLock;
+use super::values::Value;
+use std::cell::OnceCell;
+use std::collections::HashMap;
+use std::sync::{Arc, OnceLock, RwLock};
 
 /// The answer of a sample, with its derivatives by all names in each way of writing.
 pub(super) struct Answered<'a> {
     pub(super) point: &'a Point<'a>,
     pub(super) answer: &'a Answer,
+    /// In each way of writing.
+    wanted: [[f64; 2]; WAYS],
     derivatives: [[OnceLock<Vec<Value<f64>>>; WAYS]; Through::COUNT],
+    /// The formulas after changes of some names, by what is affected.
+    folded: [RwLock<HashMap<Affected, Arc<Folded<'a>>>>; WAYS],
 }
+
+/// The names of a change, what has other values with it, and what of this is evaluated.
+type Affected = (Set, Through, Set);
 
 impl<'a> Answered<'a> {
     pub(super) fn all(point: &'a Point<'a>) -> Vec<Self> {
-        let of = |answer| Self { point, answer, derivatives: Default::default() };
+        let of = |answer| {
+            let wanted = std::array::from_fn(|way| point.wanted(answer, way));
+            Self { point, answer, wanted, derivatives: Default::default(), folded: Default::default() }
+        };
         point.answers.iter().map(of).collect()
+    }
+
+    /// Whether it may be explained by what adds so much to the right one, or whether this is not known.
+    pub(super) fn is_near(&self, way: usize, effect: f64) -> bool {
+        let [wanted, most] = self.wanted[way];
+        let left = wanted - effect;
+        left.is_nan() || left.abs() <= most
     }
 
     /// The derivatives of the answer by all names.
@@ -31,10 +51,27 @@ impl<'a> Answered<'a> {
         self.derivatives[through as usize][way]
             .get_or_init(|| derivatives(through, self.point.estimates(way), given, (self.answer.output, way)))
     }
+
+    /// The formulas of a way of writing after a change.
+    fn folded(&self, way: usize, (names, through, evaluated): Affected) -> Arc<Folded<'a>> {
+        let of = (names, through, evaluated);
+        let known = self.folded[way].read().ok().and_then(|known| known.get(&of).cloned());
+        known.unwrap_or_else(|| {
+            let folded = Arc::new(Folded::new(self.point, way, (names, through), evaluated));
+            if let Ok(mut known) = self.folded[way].write() {
+                known.insert(of, Arc::clone(&folded));
+            }
+            folded
+        })
+    }
 }
 
-/// Something at a sample, in a way of writing.
-type At<'a, T> = (&'a Point<'a>, usize, T);
+/// Something at a sample, of which this is the address, in a way of writing.
+type At<T> = (usize, usize, T);
+
+fn address(point: &Point) -> usize {
+    std::ptr::from_ref(point).addr()
+}
 
 /// What a change does at some samples. Most is the same in all ways of writing.
 pub(super) struct Estimates<'a> {
@@ -44,28 +81,30 @@ pub(super) struct Estimates<'a> {
     /// The names in the formulas of these.
     uses: Set,
     /// What these follow from.
-    needed: Set,
+    needed: OnceCell<Set>,
     of_names: &'a OfNames,
     /// How the values of what is changed differ.
-    differences: Vec<At<'a, Vec<Value<f64>>>>,
-    /// The values that a result follows from.
-    values: Vec<At<'a, (Name, Changed<'a, f64>)>>,
+    differences: Vec<At<Vec<Value<f64>>>>,
+    /// The other values of results.
+    others: Vec<At<(Name, Option<Value<f64>>)>>,
+    /// Memory of the evaluation.
+    values: Vec<Value<f64>>,
 }
 
 impl<'a> Estimates<'a> {
     pub(super) fn new(change: &'a Change, of_names: &'a OfNames) -> Self {
         let names = change.names();
         let uses = change.uses(names);
-        let (needed, differences, values) = (FORMULAS.needed(uses), Vec::new(), Vec::new());
-        Self { change, names, uses, needed, of_names, differences, values }
+        let (differences, others, values) = Default::default();
+        Self { change, names, uses, needed: OnceCell::new(), of_names, differences, others, values }
     }
 
     /// What the change adds to an answer, which is one to the result in this place; not a number if this is not known.
     pub(super) fn effect(
         &mut self,
-        of: &Answered<'a>,
+        of: &Answered<'_>,
         way: usize,
-        (result, place): (&Answers, usize),
+        (result, place): (&Answers<'_>, usize),
     ) -> f64 {
         if self.is_sum(way, place) { self.sum(of, way) } else { self.difference(of, way, (result, place)) }
     }
@@ -75,7 +114,7 @@ impl<'a> Estimates<'a> {
         self.of_names.of_first_degree[place][way] && self.uses.and(self.of_names.affected[way]).is_empty()
     }
 
-    fn sum(&mut self, of: &Answered<'a>, way: usize) -> f64 {
+    fn sum(&mut self, of: &Answered<'_>, way: usize) -> f64 {
         let derivatives = of.derivatives(way, Through::of(self.change));
         let new = &self.change.new;
         if !new.iter().any(|(name, _)| !derivatives[*name].is_zero()) {
@@ -83,12 +122,12 @@ impl<'a> Estimates<'a> {
         }
         let (point, used) = (of.point, self.uses.or(self.names));
         let is_same = |(other, before, _): &At<_>| {
-            std::ptr::eq(*other, point) && used.and(point.unlike(way, *before)).is_empty()
+            *other == address(point) && used.and(point.unlike(way, *before)).is_empty()
         };
         let at = self.differences.iter().position(is_same).unwrap_or_else(|| {
             let right = point.estimates(way);
             let of = |(name, tree): &(Name, Tree)| value(tree, right).plus(right[*name].negative());
-            self.differences.push((point, way, new.iter().map(of).collect()));
+            self.differences.push((address(point), way, new.iter().map(of).collect()));
             self.differences.len() - 1
         });
         let of = new.iter().zip(&self.differences[at].2);
@@ -96,30 +135,33 @@ impl<'a> Estimates<'a> {
         of.map(|((name, _), difference)| derivatives[*name].along(*difference).number()).sum()
     }
 
-    fn difference(&mut self, of: &Answered<'a>, way: usize, (result, place): (&Answers, usize)) -> f64 {
+    fn difference(&mut self, of: &Answered<'_>, way: usize, (result, place): (&Answers<'_>, usize)) -> f64 {
         let (point, output) = (of.point, of.answer.output);
         let OfNames { affected, used, alike, .. } = self.of_names;
         let is_given = point.given.iter().any(|(name, _)| *name == output.name);
         if is_given || !affected[way].has(output.name) {
             return 0.0;
         }
+        let needed = *self.needed.get_or_init(|| FORMULAS.needed(self.uses));
         let used = self.uses.or(self.names).or(used[way]);
         // What the formulas of the change use may be changed, too.
-        let here = affected[way].and(self.needed);
-        let is_same = |(other, before, (name, _)): &At<(Name, _)>| {
+        let here = affected[way].and(needed);
+        let is_same = |(other, before, (name, _)): &&At<(Name, _)>| {
             *name == output.name
-                && std::ptr::eq(*other, point)
+                && *other == address(point)
                 && alike[place][way] & (1 << before) != 0
-                && here == affected[*before].and(self.needed)
+                && here == affected[*before].and(needed)
                 && here.and(FORMULAS.relations[way].differ[*before]).is_empty()
                 && used.and(point.unlike(way, *before)).is_empty()
         };
-        let at = self.values.iter().position(is_same).unwrap_or_else(|| {
-            let changed = point.estimated(way, (self.change, self.names), result.needed.or(self.needed));
-            self.values.push((point, way, (output.name, changed)));
-            self.values.len() - 1
+        let known = self.others.iter().find(is_same).map(|(_, _, (_, other))| *other);
+        let other = known.unwrap_or_else(|| {
+            let evaluated = affected[way].and(result.needed.or(needed));
+            let folded = of.folded(way, (self.names, Through::of(self.change), evaluated));
+            let other = folded.value(self.change, output.name, &mut self.values);
+            self.others.push((address(point), way, (output.name, other)));
+            other
         });
-        let (_, _, (_, changed)) = &self.values[at];
-        output.of(changed) - output.of(point.estimates(way))
+        other.map_or(0.0, |other| other.component(output.axis) - output.of(point.estimates(way)))
     }
 }

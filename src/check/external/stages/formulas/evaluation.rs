@@ -4,11 +4,14 @@ use super::change::Change;
 use super::entries::Entries;
 use super::list::{FORMULAS, Formulas};
 use super::names::{Relations, Set, Step};
+use super::operations::value;
 use super::point::Point;
-use super::tree::{Name, Tree};
-use super::values::{Number, Value, Values, value};
-use crate::number::RunningError;
+use super::tree::Name;
+use super::values::{Number, Value, Values};
 use std::num::NonZeroU16;
+
+/// The values of some names.
+type OfNames<'a> = &'a [(Name, Value)];
 
 impl Formulas {
     /// The values of the names that are `needed`. They follow from the inputs, and from values that are `given`. `known` are
@@ -17,17 +20,23 @@ impl Formulas {
         &self,
         way: usize,
         inputs: &[Value<S>],
-        known: &[(Name, Value)],
-        given: &[(Name, Value)],
+        known: OfNames,
+        given: OfNames,
         needed: Set,
     ) -> Vec<Value<S>> {
-        let mut values = Vec::with_capacity(self.names.0.len());
-        values.extend_from_slice(inputs);
-        values.resize(self.names.0.len(), Value::from(0.0));
-        for Step { name, tree, .. } in self.ways[way].iter().filter(|step| needed.has(step.name)) {
-            let fixed = given.iter().find(|(of, _)| of == name).map(|(_, value)| value.to());
-            values[*name] = fixed.unwrap_or_else(|| evaluated(*name, tree, &values[..], known));
+        let (operations, steps) = &self.operations[way];
+        let mut values = Vec::new();
+        operations.start(inputs, &mut values);
+        let needed = self.ways[way].iter().zip(steps).filter(|(step, _)| needed.has(step.name));
+        for (Step { name, .. }, steps) in needed {
+            if let Some((_, value)) = given.iter().find(|(of, _)| of == name) {
+                values[*name] = value.to();
+            } else {
+                operations.run(steps, &mut values);
+                values[*name] = or_known(*name, values[*name], known);
+            }
         }
+        values.truncate(self.names.0.len());
         values
     }
 
@@ -36,24 +45,55 @@ impl Formulas {
         &self,
         way: usize,
         first: &[Value<S>],
-        known: &[(Name, Value)],
-        given: &[(Name, Value)],
+        known: OfNames,
+        given: OfNames,
         needed: Set,
     ) -> Vec<Value<S>> {
-        let Relations { uses, differ, .. } = &self.relations[way];
-        let mut values = first.to_vec();
-        let mut others = Set::default();
-        for Step { name, tree, .. } in self.ways[way].iter().filter(|step| needed.has(step.name)) {
-            let is_same = !differ[0].has(*name) && uses[*name].and(others).is_empty();
+        let others = (self.relations[way].differ[0], Set::default());
+        self.values_from(way, first, others, (known, given), needed)
+    }
+
+    /// The same from the values with other inputs.
+    pub(super) fn values_after<S: Number>(
+        &self,
+        way: usize,
+        before: &[Value<S>],
+        inputs: &[Value<S>],
+        known: OfNames,
+        needed: Set,
+    ) -> Vec<Value<S>> {
+        let others = (0..inputs.len()).filter(|i| inputs[*i] != before[*i]).collect();
+        let mut values = before.to_vec();
+        values[..inputs.len()].copy_from_slice(inputs);
+        self.values_from(way, &values, (Set::default(), others), (known, &[]), needed)
+    }
+
+    /// The values if some formulas and some values are others.
+    fn values_from<S: Number>(
+        &self,
+        way: usize,
+        before: &[Value<S>],
+        (formulas, mut others): (Set, Set),
+        (known, given): (OfNames, OfNames),
+        needed: Set,
+    ) -> Vec<Value<S>> {
+        let uses = &self.relations[way].uses;
+        let (operations, steps) = &self.operations[way];
+        let mut values = Vec::new();
+        operations.start(before, &mut values);
+        let needed = self.ways[way].iter().zip(steps).filter(|(step, _)| needed.has(step.name));
+        for (Step { name, .. }, steps) in needed {
+            let is_same = !formulas.has(*name) && uses[*name].and(others).is_empty();
             if is_same || given.iter().any(|(of, _)| of == name) {
                 continue;
             }
-            let value = evaluated(*name, tree, &values[..], known);
-            if value != values[*name] {
-                values[*name] = value;
+            operations.run(steps, &mut values);
+            values[*name] = or_known(*name, values[*name], known);
+            if values[*name] != before[*name] {
                 others.add(*name);
             }
         }
+        values.truncate(self.names.0.len());
         values
     }
 
@@ -65,20 +105,20 @@ impl Formulas {
 
 /// The values in a way of writing with a change.
 #[derive(Clone, Debug)]
-pub(super) struct Changed<'a, S = RunningError> {
+pub(super) struct Changed<'a> {
     way: usize,
-    right: &'a [Value<S>],
+    right: &'a [Value],
     /// The names whose values may be others by the formulas of this way.
     affected: Set,
     /// The names in the formulas of the change.
     used: Set,
     /// Those whose values are others, with their places in `others`.
     places: [Option<NonZeroU16>; Set::NAMES],
-    others: Vec<Value<S>>,
+    others: Vec<Value>,
 }
 
-impl<S: Number> Changed<'_, S> {
-    fn set(&mut self, name: Name, value: Value<S>) {
+impl Changed<'_> {
+    fn set(&mut self, name: Name, value: Value) {
         if let Some(place) = self.places[name] {
             self.others[usize::from(place.get()) - 1] = value;
         } else {
@@ -100,8 +140,8 @@ impl<S: Number> Changed<'_, S> {
     }
 }
 
-impl<S: Number> Values<S> for Changed<'_, S> {
-    fn at(&self, name: Name) -> Value<S> {
+impl Values for Changed<'_> {
+    fn at(&self, name: Name) -> Value {
         self.places[name].map_or_else(|| self.right[name], |place| self.others[usize::from(place.get()) - 1])
     }
 }
@@ -127,27 +167,6 @@ impl Point<'_> {
             Some(of) => of.put(name, value, self.parts()),
             None => value,
         };
-        self.with_change((way, right, used), (change, new), needed, &put)
-    }
-
-    /// The same without rounding. Entries of the change are left out. `names` are those of the change.
-    pub(super) fn estimated(
-        &self,
-        way: usize,
-        (change, names): (&Change, Set),
-        needed: Set,
-    ) -> Changed<'_, f64> {
-        let of = (way, self.estimates(way), Set::default());
-        self.with_change(of, (change, names), needed, &|_, value| value)
-    }
-
-    fn with_change<'a, S: Number>(
-        &self,
-        (way, right, used): (usize, &'a [Value<S>], Set),
-        (change, new): (&Change, Set),
-        needed: Set,
-        put: &dyn Fn(Name, Value<S>) -> Value<S>,
-    ) -> Changed<'a, S> {
         let list = &*FORMULAS;
         let (places, others) = ([None; Set::NAMES], Vec::new());
         let mut values = Changed { way, right, affected: Set::default(), used, places, others };
@@ -179,7 +198,7 @@ impl Point<'_> {
                 continue;
             }
             let tree = other.unwrap_or_else(|| &list.step(way, name).tree);
-            let value = put(name, evaluated(name, tree, &values, &self.sample.inputs.known));
+            let value = put(name, or_known(name, value(tree, &values), &self.sample.inputs.known));
             if value != right[name] {
                 values.set(name, value);
                 others.add(name);
@@ -194,13 +213,8 @@ impl Point<'_> {
     }
 }
 
-fn evaluated<S: Number>(
-    name: Name,
-    tree: &Tree,
-    values: &(impl Values<S> + ?Sized),
-    known: &[(Name, Value)],
-) -> Value<S> {
-    let found = value(tree, values);
+/// The value of a name, or that which is known of an open condition.
+pub(super) fn or_known<S: Number>(name: Name, value: Value<S>, known: &[(Name, Value)]) -> Value<S> {
     let open = || known.iter().find(|(of, _)| *of == name).map(|(_, value)| value.to());
-    if found.is_nan() { open().unwrap_or(found) } else { found }
+    if value.is_nan() { open().unwrap_or(value) } else { value }
 }

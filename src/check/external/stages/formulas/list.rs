@@ -1,8 +1,10 @@
 //! The list of formulas, and the order of its evaluation.
 
 use super::names::{Others, Relations, Set, Step, WAYS};
+use super::operations::Operations;
 use super::parser::Parser;
 use super::tree::{Name, Names, Op, Tree};
+use std::ops::Range;
 use std::sync::LazyLock;
 
 /// The formulas of the geometry and of a contact element in which errors are looked for, one a line.
@@ -71,6 +73,8 @@ pub(super) struct Formulas {
     pub(super) all: Vec<Formula>,
     /// The steps in each way of writing.
     pub(super) ways: [Vec<Step>; WAYS],
+    /// Their operations.
+    pub(super) operations: [(Operations, Vec<Range<usize>>); WAYS],
     pub(super) kinds: Vec<Kind>,
     /// The names of inputs.
     pub(super) inputs: usize,
@@ -96,6 +100,7 @@ impl Formulas {
             names: Names::default(),
             all: Vec::new(),
             ways: [const { Vec::new() }; WAYS],
+            operations: Default::default(),
             kinds: Vec::new(),
             inputs: 0,
             linear: Others::default(),
@@ -130,6 +135,10 @@ impl Formulas {
         list.ways = std::array::from_fn(|way| list.steps(way));
         assert!(list.names.0.len() <= Set::NAMES, "{} names", list.names.0.len());
         let (ways, names) = (&list.ways, list.names.0.len());
+        list.operations = list
+            .ways
+            .each_ref()
+            .map(|steps| Operations::of_formulas(names, steps.iter().map(|step| (step.name, &step.tree))));
         list.relations = std::array::from_fn(|way| Relations::new(ways, names, way));
         list.before = (0..names).map(|name| Set::from_iter([name])).collect();
         for name in list.inputs..names {

@@ -13,27 +13,33 @@ impl Set {
     /// The number of names that there may be.
     pub(super) const NAMES: usize = 512;
 
+    #[inline]
     pub(super) fn add(&mut self, name: Name) {
         self.0[name / 64] |= 1 << (name % 64);
     }
 
+    #[inline]
     pub(super) fn has(&self, name: Name) -> bool {
         self.0[name / 64] & (1 << (name % 64)) != 0
     }
 
+    #[inline]
     pub(super) fn is_empty(&self) -> bool {
         // Faster than a comparison of both.
         self.0.iter().fold(0, |all, bits| all | bits) == 0
     }
 
+    #[inline]
     pub(super) fn or(self, other: Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] | other.0[i]))
     }
 
+    #[inline]
     pub(super) fn and(self, other: Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] & other.0[i]))
     }
 
+    #[inline]
     pub(super) fn without(self, other: Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] & !other.0[i]))
     }

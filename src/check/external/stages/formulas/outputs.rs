@@ -14,6 +14,7 @@ pub(super) struct Output {
 }
 
 impl Output {
+    #[inline]
     pub(super) fn of<S: Number>(self, values: &(impl Values<S> + ?Sized)) -> S {
         values.at(self.name).component(self.axis)
     }

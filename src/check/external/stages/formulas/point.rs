@@ -114,13 +114,13 @@ impl Point<'_> {
 }
 
 impl Point<'_> {
-    /// Whether this answer may be explained by what adds so much to the right one, or whether this is not known.
-    pub(super) fn is_near(&self, answer: &Answer, way: usize, effect: f64) -> bool {
+    /// What must be added to the right answer, and how near it must be if it is estimated.
+    pub(super) fn wanted(&self, answer: &Answer, way: usize) -> [f64; 2] {
         let (before, allowed) = answer.difference(&self.values[way][..]);
-        let left = answer.number.value - answer.output.of(&self.values[way][..]).value - effect;
         // Of a wrong answer a small part may be left, also if the whole is small next to other answers.
         let most = if before > allowed { CLEAR * before } else { FINE * answer.size };
-        left.is_nan() || left.abs() <= 4.0 * most.max(COARSER * allowed)
+        let wanted = answer.number.value - answer.output.of(&self.values[way][..]).value;
+        [wanted, 4.0 * most.max(COARSER * allowed)]
     }
 }
 

@@ -8,9 +8,10 @@
 use super::differences::{Difference, first_wrong};
 use super::list::{FORMULAS, Kind};
 use super::names::Set;
+use super::operations::value;
 use super::span::Span;
 use super::tree::{Name, Op, Tree};
-use super::values::{Value, value};
+use super::values::Value;
 use crate::check::external::stages::sample::{SIDE, Sample};
 use crate::number::RunningError;
 

@@ -34,25 +34,43 @@ impl Step {
 
     /// Whether the result is right at a sample in some way of writing.
     fn is_right(&self, sample: &Sample, answers: &[(Output, RunningError)], size: f64) -> bool {
-        let of_answer = |number: RunningError, value: RunningError| is_near(number, value, size);
-        self.has_way(sample, answers, &of_answer)
+        let Inputs { values, known, .. } = &sample.inputs;
+        let first = FORMULAS.values(0, values, known, &[], self.needed);
+        self.has_way((sample, first), answers, &|number, value| is_near(number, value, size))
     }
 
-    /// Whether it may be right, without an evaluation of the rounding.
-    fn may_be_right(&self, sample: &Sample, answers: &[(Output, RunningError)], size: f64) -> bool {
-        let is_far = |number: RunningError, value: f64| (number.value - value).abs() > 2.0 * FINE * size;
-        self.has_way(sample, answers, &|number, value| !is_far(number, value))
+    /// Whether it may be right, without an evaluation of the rounding. `right` are the values with the right curves.
+    fn may_be_right(
+        &self,
+        (sample, right): (&Sample, &[Value<f64>]),
+        answers: &[(Output, RunningError)],
+        size: f64,
+    ) -> bool {
+        let Inputs { values, known, .. } = &sample.inputs;
+        let inputs: Vec<Value<f64>> = values.iter().map(|of| of.to()).collect();
+        let first = FORMULAS.values_after(0, right, &inputs, known, self.needed);
+        let is_near = |number: RunningError, value: f64| {
+            let left = (number.value - value).abs();
+            left.is_nan() || left <= 2.0 * FINE * size
+        };
+        self.has_way((sample, first), answers, &is_near)
     }
 
+    /// Whether the answers are near to the values in some way of writing, of which those of the first are known.
     fn has_way<S: Number>(
         &self,
-        sample: &Sample,
+        (sample, first): (&Sample, Vec<Value<S>>),
         answers: &[(Output, RunningError)],
         is_near: &dyn Fn(RunningError, S) -> bool,
     ) -> bool {
-        values(&self.ways, sample, self.needed).any(|(_, values)| {
+        let known = &sample.inputs.known;
+        let is_right = |values: &[Value<S>]| {
             let mut of_name = answers.iter().filter(|(output, _)| output.name == self.name);
-            of_name.all(|(output, number)| is_near(*number, output.of(&values[..])))
+            of_name.all(|(output, number)| is_near(*number, output.of(values)))
+        };
+        self.ways.iter().any(|&way| match way {
+            0 => is_right(&first),
+            way => is_right(&FORMULAS.values_in(way, &first, known, &[], self.needed)),
         })
     }
 }
@@ -64,6 +82,8 @@ pub(in crate::check::external::stages) struct FirstWrong {
     clearness: f64,
     /// The size of its answer.
     size: f64,
+    /// The values at the sample.
+    right: Arc<[Value<f64>]>,
     /// The sample, by its place.
     pub(in crate::check::external::stages) place: usize,
 }
@@ -83,7 +103,8 @@ impl FirstWrong {
             let clearness = point.clearness(alone(&steps[first]));
             let of_first = point.among(alone(&steps[first])).map(|answer| answer.number.value.abs());
             let size = of_first.fold(0.0, f64::max);
-            Some(Self { steps: steps[..=first].to_vec(), clearness, size, place })
+            let right = point.estimates(0).into();
+            Some(Self { steps: steps[..=first].to_vec(), clearness, size, right, place })
         };
         let order = |one: &Self, other: &Self| {
             one.steps.len().cmp(&other.steps.len()).then(other.clearness.total_cmp(&one.clearness))
@@ -110,19 +131,18 @@ impl FirstWrong {
         self.steps.last().is_some_and(|step| TANGENTS.contains(&&*FORMULAS.names.0[step.name]))
     }
 
-    /// By how much its answers at a sample differ from the formulas in one of these ways, with these inputs.
-    pub(in crate::check::external::stages) fn differences<S: Number>(
-        &self,
+    /// The answers at a sample to the first that is wrong.
+    pub(in crate::check::external::stages) fn compared<'a>(
+        &'a self,
         way: usize,
-        sample: &Sample,
-        inputs: &Inputs,
-    ) -> Vec<S> {
-        let Some(step) = self.steps.last() else { return Vec::new() };
-        let of: Vec<Value<S>> = inputs.values.iter().map(|of| of.to()).collect();
-        let values = FORMULAS.values(way, &of, &inputs.known, &[], step.needed);
+        sample: &'a Sample,
+    ) -> Option<Compared<'a>> {
+        let (step, Inputs { values, known, .. }) = (self.steps.last()?, &sample.inputs);
+        let inputs: Vec<Value<f64>> = values.iter().map(|of| of.to()).collect();
+        let right = FORMULAS.values(way, &inputs, known, &[], step.needed);
         let mut answers = numbers(sample);
         answers.retain(|(output, _)| output.name == step.name);
-        answers.into_iter().map(|(output, number)| output.of(&values[..]) - S::of(number)).collect()
+        Some(Compared { way, step, right, answers })
     }
 
     /// Whether all of them are right at a sample.
@@ -131,24 +151,33 @@ impl FirstWrong {
         let last = self.steps.len() - 1;
         let size = |i: usize| if i == last { self.size } else { f64::INFINITY };
         // Most curves do not yield the wrong answer.
-        self.steps[last].may_be_right(sample, &answers, self.size)
+        self.steps[last].may_be_right((sample, &self.right), &answers, self.size)
             && self.steps.iter().enumerate().all(|(i, step)| step.is_right(sample, &answers, size(i)))
     }
 }
 
-/// The values in each of these ways of writing.
-fn values<'a, S: Number>(
-    ways: &'a [usize],
-    sample: &'a Sample,
-    needed: Set,
-) -> impl Iterator<Item = (usize, Arc<Vec<Value<S>>>)> + 'a {
-    let Inputs { values, known, .. } = &sample.inputs;
-    let values: Vec<Value<S>> = values.iter().map(|of| of.to()).collect();
-    let first = Arc::new(FORMULAS.values(0, &values, known, &[], needed));
-    ways.iter().map(move |&way| match way {
-        0 => (0, Arc::clone(&first)),
-        way => (way, Arc::new(FORMULAS.values_in(way, &first, known, &[], needed))),
-    })
+/// The answers at a sample to the first result that is wrong, in one way of writing.
+pub(in crate::check::external::stages) struct Compared<'a> {
+    way: usize,
+    step: &'a Step,
+    /// The values with the right curves.
+    right: Vec<Value<f64>>,
+    answers: Vec<(Output, RunningError)>,
+}
+
+impl Compared<'_> {
+    /// By how much the formulas differ from the answers with these inputs.
+    pub(in crate::check::external::stages) fn differences(&self, inputs: &Inputs) -> Vec<RunningError> {
+        let values = FORMULAS.values(self.way, &inputs.values, &inputs.known, &[], self.step.needed);
+        self.answers.iter().map(|(output, number)| output.of(&values[..]) - *number).collect()
+    }
+
+    /// The same without rounding.
+    pub(in crate::check::external::stages) fn estimates(&self, inputs: &Inputs) -> Vec<f64> {
+        let of: Vec<Value<f64>> = inputs.values.iter().map(|of| of.to()).collect();
+        let values = FORMULAS.values_after(self.way, &self.right, &of, &inputs.known, self.step.needed);
+        self.answers.iter().map(|(output, number)| output.of(&values[..]) - number.value).collect()
+    }
 }
 
 /// Whether rounding explains the difference, and is small next to a size.

@@ -53,10 +53,12 @@ pub(super) enum Op {
 pub(super) struct Flags(u64);
 
 impl Flags {
+    #[inline]
     pub(super) fn len(self) -> usize {
         63 - self.0.leading_zeros() as usize
     }
 
+    #[inline]
     pub(super) fn has(self, i: usize) -> bool {
         self.0 & (1 << i) != 0
     }
@@ -82,6 +84,7 @@ pub(super) struct Branches(Option<Arc<[Tree]>>);
 impl Deref for Branches {
     type Target = [Tree];
 
+    #[inline]
     fn deref(&self) -> &[Tree] {
         self.0.as_deref().unwrap_or_default()
     }

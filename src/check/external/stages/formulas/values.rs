@@ -1,7 +1,7 @@
 //! The values of formulas at a sample.
 
-use super::axes::AXES;
-use super::tree::{Name, Op, Tree};
+use super::axes::Axes;
+use super::tree::Name;
 use crate::check::candidate::CAREFUL;
 use crate::number::{Real, RunningError};
 use nalgebra::Vector3;
@@ -21,10 +21,12 @@ pub(in crate::check::external::stages) trait Number: Real {
 impl Number for RunningError {
     const NOT_A_NUMBER: Self = Self { value: f64::NAN, bound: f64::NAN };
 
+    #[inline]
     fn of(number: RunningError) -> Self {
         number
     }
 
+    #[inline]
     fn value(self) -> f64 {
         self.value
     }
@@ -42,10 +44,12 @@ const UNCLEAR: f64 = 1e-9;
 impl Number for f64 {
     const NOT_A_NUMBER: Self = Self::NAN;
 
+    #[inline]
     fn of(number: RunningError) -> Self {
         number.value
     }
 
+    #[inline]
     fn value(self) -> f64 {
         self
     }
@@ -57,10 +61,17 @@ impl Number for f64 {
 }
 
 /// A number or a vector.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Copy, Debug, PartialEq)]
 pub(in crate::check::external::stages) enum Value<S = RunningError> {
     Number(S),
     Vector(Vector3<S>),
+}
+
+#[expect(clippy::expl_impl_clone_on_copy, reason = "the derived one looks at the kind of each value")]
+impl<S: Copy> Clone for Value<S> {
+    fn clone(&self) -> Self {
+        *self
+    }
 }
 
 use Value::{Number as Scalar, Vector};
@@ -74,6 +85,16 @@ impl<S: Real> From<f64> for Value<S> {
 impl<S: Real> From<bool> for Value<S> {
     fn from(value: bool) -> Self {
         Self::from(if value { 1.0 } else { 0.0 })
+    }
+}
+
+impl Value<f64> {
+    /// As another kind of number.
+    pub(super) fn exact<S: Number>(self) -> Value<S> {
+        match self {
+            Scalar(number) => Scalar(S::from(number)),
+            Vector(vector) => Vector(vector.map(S::from)),
+        }
     }
 }
 
@@ -107,11 +128,13 @@ impl<S: Number> Value<S> {
         axis.map_or(Self::from(1.0), |axis| Vector(Vector3::ith(axis, S::from(1.0))))
     }
 
+    #[inline]
     pub(super) fn is_vector(self) -> bool {
         matches!(self, Vector(_))
     }
 
     /// The number; not a number for a vector.
+    #[inline]
     pub(super) fn number(self) -> S {
         match self {
             Scalar(number) => number,
@@ -120,6 +143,7 @@ impl<S: Number> Value<S> {
     }
 
     /// The number, or the component of a vector.
+    #[inline]
     pub(super) fn component(self, axis: Option<usize>) -> S {
         match (self, axis) {
             (Vector(vector), Some(axis)) => vector[axis],
@@ -127,6 +151,7 @@ impl<S: Number> Value<S> {
         }
     }
 
+    #[inline]
     pub(super) fn is_zero(self) -> bool {
         match self {
             Scalar(number) => number.value() == 0.0,
@@ -134,10 +159,12 @@ impl<S: Number> Value<S> {
         }
     }
 
+    #[inline]
     pub(super) fn is_nan(self) -> bool {
         matches!(self, Scalar(number) if number.value().is_nan())
     }
 
+    #[inline]
     pub(super) fn negative(self) -> Self {
         match self {
             Scalar(number) => Scalar(-number),
@@ -145,6 +172,7 @@ impl<S: Number> Value<S> {
         }
     }
 
+    #[inline]
     pub(super) fn plus(self, other: Self) -> Self {
         match (self, other) {
             (Scalar(one), Scalar(other)) => Scalar(one + other),
@@ -155,6 +183,7 @@ impl<S: Number> Value<S> {
         }
     }
 
+    #[inline]
     pub(super) fn times(self, other: Self) -> Self {
         match (self, other) {
             (Scalar(one), Scalar(other)) => Scalar(one * other),
@@ -163,6 +192,7 @@ impl<S: Number> Value<S> {
         }
     }
 
+    #[inline]
     pub(super) fn over(self, other: Self) -> Self {
         match (self, other) {
             (Scalar(one), Scalar(other)) => Scalar(one / other),
@@ -171,7 +201,8 @@ impl<S: Number> Value<S> {
         }
     }
 
-    fn dot(self, other: Self) -> Self {
+    #[inline]
+    pub(super) fn dot(self, other: Self) -> Self {
         match (self, other) {
             (Vector(one), Vector(other)) => Scalar(one.dot(&other)),
             // A vector that is missing.
@@ -180,7 +211,16 @@ impl<S: Number> Value<S> {
         }
     }
 
+    /// The vector with other components.
+    pub(super) fn with_axes(self, axes: &Axes) -> Self {
+        match self {
+            Vector(of) => Vector(of.map_with_location(|c, _, _| of[axes[c].0] * S::from(axes[c].1))),
+            Scalar(_) => Self::NOT_A_NUMBER,
+        }
+    }
+
     /// The product of two numbers, or the scalar product of two vectors.
+    #[inline]
     pub(super) fn along(self, other: Self) -> Self {
         match (self, other) {
             (Scalar(one), Scalar(other)) => Scalar(one * other),
@@ -188,6 +228,7 @@ impl<S: Number> Value<S> {
         }
     }
 
+    #[inline]
     pub(super) fn cross(self, other: Self) -> Self {
         match (self, other) {
             (Vector(one), Vector(other)) => Vector(one.cross(&other)),
@@ -204,41 +245,5 @@ pub(super) trait Values<S = RunningError> {
 impl<S: Number> Values<S> for [Value<S>] {
     fn at(&self, name: Name) -> Value<S> {
         self[name]
-    }
-}
-
-/// The value of a formula. A comparison within rounding is not a number.
-pub(super) fn value<S: Number>(tree: &Tree, values: &(impl Values<S> + ?Sized)) -> Value<S> {
-    let at = |i: usize| value(&tree.of[i], values);
-    match &tree.op {
-        Op::Number(number) => Value::from(*number),
-        Op::Name(name) => values.at(*name),
-        Op::Sum(minus) => {
-            let signed = |i: usize| if minus.has(i) { at(i).negative() } else { at(i) };
-            (1..minus.len()).fold(signed(0), |sum, i| sum.plus(signed(i)))
-        }
-        Op::Product(divides) => {
-            let first = usize::from(!divides.has(0));
-            let start = if divides.has(0) { Value::from(1.0) } else { at(0) };
-            (first..divides.len()).fold(start, |product, i| {
-                if divides.has(i) { product.over(at(i)) } else { product.times(at(i)) }
-            })
-        }
-        Op::Dot => at(0).dot(at(1)),
-        Op::Cross => at(0).cross(at(1)),
-        Op::Axes(axes) => match at(0) {
-            Vector(of) => {
-                let axes = AXES[*axes].0;
-                Vector(of.map_with_location(|c, _, _| of[axes[c].0] * S::from(axes[c].1)))
-            }
-            Scalar(_) => Value::NOT_A_NUMBER,
-        },
-        Op::Root => Scalar(at(0).number().sqrt()),
-        Op::Less => at(0).number().is_less(at(1).number()).map_or(Value::NOT_A_NUMBER, Value::from),
-        Op::If => match at(0).number().value() {
-            condition if condition.is_nan() => Value::NOT_A_NUMBER,
-            0.0 => at(2),
-            _ => at(1),
-        },
     }
 }
