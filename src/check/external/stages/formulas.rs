@@ -19,6 +19,7 @@ mod estimates;
 mod evaluation;
 mod expanded;
 mod explained;
+mod first_wrong;
 mod folded;
 mod friction;
 mod inputs;
@@ -48,8 +49,9 @@ mod words;
 mod tests;
 
 pub(super) use entries::words_of_blocks;
+pub(super) use first_wrong::FirstWrong;
 pub(super) use inputs::Inputs;
 pub use list::LIST_OF_FORMULAS;
 pub(super) use products::found as product;
-pub(super) use right::{Answers, FirstWrong, Written};
+pub(super) use right::{Answers, Written};
 pub(super) use search::{are_wrong, found, of_all};

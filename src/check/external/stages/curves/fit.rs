@@ -10,6 +10,8 @@ use std::collections::BTreeSet;
 
 /// The number of cases at which the error is solved for.
 const TRIED: usize = 16;
+/// An error for which right answers would be wrong, if they follow from the derivative.
+const TRIED_ERROR: f64 = 0.1;
 /// The number of samples of a case that are used.
 const SAMPLES: usize = 3;
 /// The number of cases that it may leave, more than it explains.
@@ -48,15 +50,21 @@ fn errors(of: &Derivative, way: usize, samples: &[Sample], wrong: &[FirstWrong])
             inputs.set_curves(sample.xi, &geometry, &moved);
             inputs
         };
-        let compared: Vec<_> =
-            here.iter().filter_map(|sample| Some((*sample, first.compared(way, sample)?))).collect();
-        let residuals = |by: [f64; 2]| -> Vec<RunningError> {
-            compared.iter().flat_map(|(sample, of)| of.differences(&inputs(sample, by))).collect()
+        let error = || {
+            let compared: Vec<_> =
+                here.iter().filter_map(|sample| Some((*sample, first.compared(way, sample)?))).collect();
+            let residuals = |by: [f64; 2]| -> Vec<RunningError> {
+                compared.iter().flat_map(|(sample, of)| of.differences(&inputs(sample, by))).collect()
+            };
+            let estimates = |by: [f64; 2]| -> Vec<f64> {
+                compared.iter().flat_map(|(sample, of)| of.estimates(&inputs(sample, by))).collect()
+            };
+            error_by_beam(of.beams.0, &residuals, &estimates)
         };
-        let estimates = |by: [f64; 2]| -> Vec<f64> {
-            compared.iter().flat_map(|(sample, of)| of.estimates(&inputs(sample, by))).collect()
-        };
-        let Some(by) = error_by_beam(of.beams.0, &residuals, &estimates) else {
+        // What follows from the derivative, and is right, shows that the derivative is right.
+        let sample = &samples[first.place];
+        let may_be_wrong = first.may_stay_right(sample, &inputs(sample, [TRIED_ERROR; 2]));
+        let Some(by) = may_be_wrong.then(error).flatten() else {
             left += 1;
             if left > LEFT + solved {
                 return None;

@@ -1,6 +1,6 @@
 //! All changes of the list of formulas that are tried.
 
-use super::change::Change;
+use super::change::{Change, New, put};
 use super::edits::{Edit, edits};
 use super::kinds::{Class, What};
 use super::list::{FORMULAS, Formula, Formulas};
@@ -230,8 +230,9 @@ impl Formulas {
         let formulas = [Some(changed[0].0.name), changed.get(1).map(|(twin, _)| twin.name)];
         let words = OfEdit { edit: Arc::clone(edit), formulas, users: [None; 2], scope, form: "" };
         if class == Class::Tangent {
-            let along =
-                |(formula, tree): &(&Formula, &Tree)| Some((formula.linear?, self.along_linear(tree)));
+            let along = |(formula, tree): &(&Formula, &Tree)| {
+                Some(New::along_linear(formula.linear?, Tree::clone(tree)))
+            };
             if let Some(new) = changed.iter().map(along).collect() {
                 let words = words.in_form(", in the tangent alone");
                 found.push(Change { new, cost: cost + 1, ..Change::of(words) });
@@ -240,7 +241,7 @@ impl Formulas {
         }
         let mut new = Vec::new();
         for (formula, tree) in changed {
-            self.put(formula, tree, &mut new);
+            put(formula, tree, &mut new);
         }
         if class == Class::Expanded {
             found.push(Change { new, cost: cost + 1, ..Change::of(words) });
@@ -250,7 +251,7 @@ impl Formulas {
             let Some(others) = others else { return };
             let mut new = new.clone();
             for (formula, tree) in &others {
-                self.put(formula, tree, &mut new);
+                put(formula, tree, &mut new);
             }
             found.push(Change { new, cost: cost + 1, ..Change::of(words.in_form(form)) });
         };
@@ -270,31 +271,24 @@ impl Formulas {
         }
         found.push(Change { new, cost, ..Change::of(words) });
     }
+}
 
-    /// Adds the error of a formula that these formulas alone use with it.
-    pub(super) fn add_use(
-        &self,
-        (formula, tree): (&Formula, &Tree),
-        twin: Option<(&Formula, &Tree)>,
-        (used, other): (Name, Option<Name>),
-        edit: &Arc<Edit>,
-        found: &mut Vec<Change>,
-    ) {
-        let mut new = Vec::new();
-        self.put(formula, tree, &mut new);
-        if let Some((twin, tree)) = twin {
-            self.put(twin, tree, &mut new);
-        }
-        let users = [Some(formula.name), twin.map(|(twin, _)| twin.name)];
-        let formulas = [Some(used), other];
-        let words = OfEdit { edit: Arc::clone(edit), formulas, users, scope: "", form: "" };
-        let cost = edit.cost + 2 + u32::from(twin.is_some());
-        found.push(Change { new, cost, ..Change::of(words) });
+/// Adds the error of a formula that these formulas alone use with it.
+pub(super) fn add_use(
+    (formula, tree): (&Formula, &Tree),
+    twin: Option<(&Formula, &Tree)>,
+    (used, other): (Name, Option<Name>),
+    edit: &Arc<Edit>,
+    found: &mut Vec<Change>,
+) {
+    let mut new = Vec::new();
+    put(formula, tree, &mut new);
+    if let Some((twin, tree)) = twin {
+        put(twin, tree, &mut new);
     }
-
-    /// Puts a formula in the place of another, also along Delta.
-    pub(super) fn put(&self, formula: &Formula, tree: &Tree, new: &mut Vec<(Name, Tree)>) {
-        new.push((formula.name, tree.clone()));
-        new.extend(formula.linear.map(|linear| (linear, self.along_linear(tree))));
-    }
+    let users = [Some(formula.name), twin.map(|(twin, _)| twin.name)];
+    let formulas = [Some(used), other];
+    let words = OfEdit { edit: Arc::clone(edit), formulas, users, scope: "", form: "" };
+    let cost = edit.cost + 2 + u32::from(twin.is_some());
+    found.push(Change { new, cost, ..Change::of(words) });
 }

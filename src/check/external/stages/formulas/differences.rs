@@ -53,8 +53,7 @@ pub(super) fn first_wrong(samples: &[Sample]) -> Option<(Name, Vec<Difference>)>
 /// The differences of a case that are larger than rounding.
 fn of_case(grid: &[Sample]) -> Vec<(Name, Difference)> {
     let all: Set = (0..FORMULAS.names.0.len()).collect();
-    let of_formulas =
-        |sample: &Sample| FORMULAS.values(0, &sample.inputs.values, &sample.inputs.known, &[], all);
+    let of_formulas = |sample: &Sample| FORMULAS.values(0, &sample.inputs.values, &sample.inputs.known, all);
     let values: Arc<Vec<Vec<Value>>> = Arc::new(grid.iter().map(of_formulas).collect());
     let answered: Vec<BTreeMap<_, _>> =
         grid.iter().map(|sample| numbers(sample).into_iter().collect()).collect();

@@ -135,7 +135,7 @@ impl OfNames {
 mod tests {
     use super::super::point::points;
     use super::super::tests::{all_changes, right_answers};
-    use super::{Answered, Answers, Change, Estimates, FORMULAS, OfNames, Set, Through, WAYS};
+    use super::{Answered, Answers, Change, Estimates, FORMULAS, OfNames, Through, WAYS};
     use crate::check::candidate::CAREFUL;
     use crate::test_beam::Family;
     use std::collections::HashSet;
@@ -144,7 +144,7 @@ mod tests {
     #[test]
     fn effects_are_those_of_the_changed_formulas() {
         let samples = right_answers(&[Family::Hermite]);
-        let points: Vec<_> = points(&samples, Set::default()).into_iter().step_by(20).collect();
+        let points: Vec<_> = points(&samples).into_iter().step_by(20).collect();
         let needed = (0..FORMULAS.names.0.len()).collect();
         let answered = points.iter().flat_map(Answered::all);
         let results: Vec<Answers> =

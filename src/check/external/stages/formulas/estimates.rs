@@ -1,15 +1,14 @@
 //! The effect of one change on answers, without rounding.
 
-use super::change::Change;
+use super::change::{Change, New};
 use super::degrees::Through;
 use super::derivatives::derivatives;
 use super::effects::{Answers, OfNames};
 use super::folded::Folded;
 use super::list::FORMULAS;
 use super::names::{Set, WAYS};
-use super::operations::value;
 use super::point::{Answer, Point};
-use super::tree::{Name, Tree};
+use super::tree::Name;
 use super::values::Value;
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -117,7 +116,7 @@ impl<'a> Estimates<'a> {
     fn sum(&mut self, of: &Answered<'_>, way: usize) -> f64 {
         let derivatives = of.derivatives(way, Through::of(self.change));
         let new = &self.change.new;
-        if !new.iter().any(|(name, _)| !derivatives[*name].is_zero()) {
+        if !new.iter().any(|new| !derivatives[new.name].is_zero()) {
             return 0.0;
         }
         let (point, used) = (of.point, self.uses.or(self.names));
@@ -126,13 +125,13 @@ impl<'a> Estimates<'a> {
         };
         let at = self.differences.iter().position(is_same).unwrap_or_else(|| {
             let right = point.estimates(way);
-            let of = |(name, tree): &(Name, Tree)| value(tree, right).plus(right[*name].negative());
+            let of = |new: &New| new.value(right).plus(right[new.name].negative());
             self.differences.push((address(point), way, new.iter().map(of).collect()));
             self.differences.len() - 1
         });
         let of = new.iter().zip(&self.differences[at].2);
-        let of = of.filter(|((name, _), _)| !derivatives[*name].is_zero());
-        of.map(|((name, _), difference)| derivatives[*name].along(*difference).number()).sum()
+        let of = of.filter(|(new, _)| !derivatives[new.name].is_zero());
+        of.map(|(new, difference)| derivatives[new.name].along(*difference).number()).sum()
     }
 
     fn difference(&mut self, of: &Answered<'_>, way: usize, (result, place): (&Answers<'_>, usize)) -> f64 {

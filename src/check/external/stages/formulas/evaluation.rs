@@ -14,14 +14,13 @@ use std::num::NonZeroU16;
 type OfNames<'a> = &'a [(Name, Value)];
 
 impl Formulas {
-    /// The values of the names that are `needed`. They follow from the inputs, and from values that are `given`. `known` are
-    /// the values of conditions that are open within rounding.
+    /// The values of the names that are `needed`. They follow from the inputs. `known` are the values of conditions that are open
+    /// within rounding.
     pub(super) fn values<S: Number>(
         &self,
         way: usize,
         inputs: &[Value<S>],
         known: OfNames,
-        given: OfNames,
         needed: Set,
     ) -> Vec<Value<S>> {
         let (operations, steps) = &self.operations[way];
@@ -29,12 +28,8 @@ impl Formulas {
         operations.start(inputs, &mut values);
         let needed = self.ways[way].iter().zip(steps).filter(|(step, _)| needed.has(step.name));
         for (Step { name, .. }, steps) in needed {
-            if let Some((_, value)) = given.iter().find(|(of, _)| of == name) {
-                values[*name] = value.to();
-            } else {
-                operations.run(steps, &mut values);
-                values[*name] = or_known(*name, values[*name], known);
-            }
+            operations.run(steps, &mut values);
+            values[*name] = or_known(*name, values[*name], known);
         }
         values.truncate(self.names.0.len());
         values
@@ -46,11 +41,9 @@ impl Formulas {
         way: usize,
         first: &[Value<S>],
         known: OfNames,
-        given: OfNames,
         needed: Set,
     ) -> Vec<Value<S>> {
-        let others = (self.relations[way].differ[0], Set::default());
-        self.values_from(way, first, others, (known, given), needed)
+        self.values_from(way, first, (self.relations[way].differ[0], Set::default()), known, needed)
     }
 
     /// The same from the values with other inputs.
@@ -65,7 +58,24 @@ impl Formulas {
         let others = (0..inputs.len()).filter(|i| inputs[*i] != before[*i]).collect();
         let mut values = before.to_vec();
         values[..inputs.len()].copy_from_slice(inputs);
-        self.values_from(way, &values, (Set::default(), others), (known, &[]), needed)
+        self.values_from(way, &values, (Set::default(), others), known, needed)
+    }
+
+    /// The same from the values where none is `given`.
+    pub(super) fn values_with(
+        &self,
+        way: usize,
+        before: &[Value],
+        known: OfNames,
+        given: OfNames,
+        needed: Set,
+    ) -> Vec<Value> {
+        let mut values = before.to_vec();
+        for (name, value) in given {
+            values[*name] = *value;
+        }
+        let names: Set = given.iter().map(|(name, _)| *name).collect();
+        self.values_from(way, &values, (Set::default(), names), known, needed.without(names))
     }
 
     /// The values if some formulas and some values are others.
@@ -74,7 +84,7 @@ impl Formulas {
         way: usize,
         before: &[Value<S>],
         (formulas, mut others): (Set, Set),
-        (known, given): (OfNames, OfNames),
+        known: OfNames,
         needed: Set,
     ) -> Vec<Value<S>> {
         let uses = &self.relations[way].uses;
@@ -83,14 +93,12 @@ impl Formulas {
         operations.start(before, &mut values);
         let needed = self.ways[way].iter().zip(steps).filter(|(step, _)| needed.has(step.name));
         for (Step { name, .. }, steps) in needed {
-            let is_same = !formulas.has(*name) && uses[*name].and(others).is_empty();
-            if is_same || given.iter().any(|(of, _)| of == name) {
-                continue;
-            }
-            operations.run(steps, &mut values);
-            values[*name] = or_known(*name, values[*name], known);
-            if values[*name] != before[*name] {
-                others.add(*name);
+            if formulas.has(*name) || !uses[*name].and(others).is_empty() {
+                operations.run(steps, &mut values);
+                values[*name] = or_known(*name, values[*name], known);
+                if values[*name] != before[*name] {
+                    others.add(*name);
+                }
             }
         }
         values.truncate(self.names.0.len());
@@ -151,7 +159,7 @@ impl Relations {
     /// not among them.
     fn affected(&self, change: &Change, needed: Set) -> Set {
         let follow = change.names().names().fold(Set::default(), |all, name| all.or(self.follows[name]));
-        follow.and(needed).without(change.new.iter().map(|(name, _)| *name).collect())
+        follow.and(needed).without(change.new.iter().map(|new| new.name).collect())
     }
 }
 
@@ -171,8 +179,8 @@ impl Point<'_> {
         let (places, others) = ([None; Set::NAMES], Vec::new());
         let mut values = Changed { way, right, affected: Set::default(), used, places, others };
         if change.is_stored {
-            for (name, tree) in &change.new {
-                values.set(*name, value(tree, right));
+            for new in &change.new {
+                values.set(new.name, new.value(right));
             }
             for name in change.entries.iter().flat_map(Entries::names) {
                 values.set(name, put(name, right[name]));
@@ -182,14 +190,14 @@ impl Point<'_> {
         let relations = &list.relations[way];
         values.affected = relations.affected(change, needed);
         let mut others = Set::default();
-        for (name, tree) in change.new.iter().filter(|(name, _)| *name < list.inputs) {
-            values.set(*name, value(tree, right));
-            others.add(*name);
+        for new in change.new.iter().filter(|new| new.name < list.inputs) {
+            values.set(new.name, new.value(right));
+            others.add(new.name);
         }
         let of_entries: Set = change.entries.iter().flat_map(Entries::names).collect();
         let affected = values.affected.or(new.and(needed));
         for name in affected.names().filter(|name| *name >= list.inputs) {
-            let other = change.new.iter().find(|(of, _)| *of == name).map(|(_, tree)| tree);
+            let other = change.new_of(name);
             let is_given = self.given.iter().any(|(of, _)| *of == name);
             let is_other = other.is_some() || of_entries.has(name);
             let is_same = !is_other && relations.uses[name].and(others).is_empty();
@@ -197,16 +205,19 @@ impl Point<'_> {
             if is_given || is_same || is_kept {
                 continue;
             }
-            let tree = other.unwrap_or_else(|| &list.step(way, name).tree);
-            let value = put(name, or_known(name, value(tree, &values), &self.sample.inputs.known));
+            let value = match other {
+                Some(new) => new.value(&values),
+                None => value(&list.step(way, name).tree, &values),
+            };
+            let value = put(name, or_known(name, value, &self.sample.inputs.known));
             if value != right[name] {
                 values.set(name, value);
                 others.add(name);
             }
         }
         if change.is_of_derivatives {
-            for (name, _) in &change.new {
-                values.places[*name] = None;
+            for new in &change.new {
+                values.places[new.name] = None;
             }
         }
         values

@@ -1,6 +1,7 @@
 //! Errors of one use of a formula: in one of the products that are multiplied out, or where one other formula uses it.
 
 use super::change::Change;
+use super::changes::add_use;
 use super::edits::{Edit, edits};
 use super::kinds::{Class, What};
 use super::list::{Formula, Formulas};
@@ -93,7 +94,7 @@ impl Formulas {
                 let of_used = used.written(way).with(&edit.path, &edit.new);
                 let new = self.with_used(tree, name, &of_used);
                 let edit = Arc::new(edit);
-                self.add_use((formula, &new), None, (used.name, None), &edit, found);
+                add_use((formula, &new), None, (used.name, None), &edit, found);
                 let Some(twin) = twin.filter(|twin| twin.name > formula.name) else { continue };
                 let of_twin = match other {
                     Some(other) => {
@@ -105,7 +106,7 @@ impl Formulas {
                 if let Some((of, tree)) = of_twin {
                     let tree = self.with_used(twin.written(way), of, &tree);
                     let other = other.map(|other| other.name);
-                    self.add_use((formula, &new), Some((twin, &tree)), (used.name, other), &edit, found);
+                    add_use((formula, &new), Some((twin, &tree)), (used.name, other), &edit, found);
                 }
             }
         }

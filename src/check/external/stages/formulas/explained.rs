@@ -156,14 +156,13 @@ fn simplest(mut found: Vec<Change>) -> Vec<Change> {
     let least = found.iter().map(|change| change.cost).min();
     found.retain(|change| Some(change.cost) == least);
     // The formula that is next to the answers is meant.
-    found.sort_by_key(|change| Reverse(change.new.iter().map(|(name, _)| *name).max()));
+    found.sort_by_key(|change| Reverse(change.last()));
     let mut told = BTreeSet::new();
     found.retain(|change| told.insert(change.words()));
     // Of many, those of the last formula are as good as the others.
     if found.len() > TOLD {
-        let last = |change: &Change| change.new.iter().map(|(name, _)| *name).max();
-        let name = last(&found[0]);
-        found.retain(|change| last(change) == name);
+        let name = found[0].last();
+        found.retain(|change| change.last() == name);
     }
     if found.len() > TOLD { Vec::new() } else { found }
 }

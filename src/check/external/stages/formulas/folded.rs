@@ -5,9 +5,9 @@ use super::degrees::Through;
 use super::evaluation::or_known;
 use super::list::FORMULAS;
 use super::names::Set;
-use super::operations::{At, Operations, Place, value};
+use super::operations::{At, Operations, Place};
 use super::point::Point;
-use super::tree::{Name, Tree};
+use super::tree::Name;
 use super::values::{Value, Values};
 use std::ops::Range;
 
@@ -104,12 +104,11 @@ impl<'a> Folded<'a> {
     }
 
     fn changed(&self, name: Name, change: &Change, values: &[Value<f64>]) -> Value<f64> {
-        let new: Option<&Tree> = change.new.iter().find(|(of, _)| *of == name).map(|(_, tree)| tree);
-        let Some(tree) = new else { return self.right[name] };
+        let Some(new) = change.new_of(name) else { return self.right[name] };
         if name < FORMULAS.inputs {
-            return value(tree, self.right);
+            return new.value(self.right);
         }
-        or_known(name, value(tree, &Here { of: self, values }), self.known)
+        or_known(name, new.value(&Here { of: self, values }), self.known)
     }
 }
 

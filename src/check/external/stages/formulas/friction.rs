@@ -1,6 +1,6 @@
 //! Errors of friction as a whole, as other formulas in the place of several.
 
-use super::change::Change;
+use super::change::{Change, put};
 use super::list::Formulas;
 use super::parser::Parser;
 
@@ -58,7 +58,7 @@ impl Formulas {
             let (Some(formula), Ok(tree)) = (formula, Parser::tree(text, &mut names)) else {
                 unreachable!("an error of friction has a wrong formula of {name}")
             };
-            self.put(formula, &tree, &mut new);
+            put(formula, &tree, &mut new);
         }
         Change { new, cost: COSTS[usize::from(others.len() > 1)], ..Change::of(words) }
     }

@@ -9,34 +9,35 @@ use crate::check::external::stages::sample::{Along, Sample};
 use crate::number::RunningError;
 
 /// K and its transpose at each sample, and whether a combination of both is the answer.
-fn is_answered(samples: &[Sample], of: &dyn Fn(RunningError, RunningError) -> RunningError) -> bool {
+fn is_answered(points: &[Point], of: &dyn Fn(RunningError, RunningError) -> RunningError) -> bool {
     let tangent = Set::from_iter([FORMULAS.name("K")]);
     let needed = FORMULAS.needed(tangent);
     let is_right = |point: &Point| {
         let Sample { inputs, .. } = point.sample;
         point.among(tangent).all(|answer| {
-            let values = |inputs_of: &[Value]| FORMULAS.values(0, inputs_of, &inputs.known, &[], needed);
+            let values = |inputs_of: &[Value]| FORMULAS.values(0, inputs_of, &inputs.known, needed);
             let number = |inputs: &[Value]| answer.output.of(&values(inputs)[..]);
             answer.is(of(number(&inputs.values), number(&FORMULAS.exchanged(&inputs.values))))
         })
     };
-    !samples.is_empty() && points(samples, Set::default()).iter().all(is_right)
+    !points.is_empty() && points.iter().all(is_right)
 }
 
 /// What is wrong with the places of the entries.
-pub(super) fn reading(samples: &[Sample], entries: &dyn Fn(Along) -> Vec<Sample>) -> Option<Reading> {
+pub(super) fn reading(own: &[Point], entries: &dyn Fn(Along) -> Vec<Sample>) -> Option<Reading> {
     let told = |words: &str| {
         let words = format!("in the tangent {words}");
         Some(Reading { names: vec![words.clone()], words, coefficient: None })
     };
-    if is_answered(samples, &|_, transposed| transposed) {
+    if is_answered(own, &|_, transposed| transposed) {
         return told("rows and columns are exchanged");
     }
     let half = RunningError::from(0.5);
-    if is_answered(samples, &|own, transposed| half * (own + transposed)) {
+    if is_answered(own, &|own, transposed| half * (own + transposed)) {
         return told("its symmetric part stands in its place");
     }
-    let [lower, upper] = [Along::Lower, Along::Upper].map(entries);
+    let samples = [Along::Lower, Along::Upper].map(entries);
+    let [lower, upper] = samples.each_ref().map(|samples| points(samples));
     for (right, other, words) in [(&lower, &upper, "below"), (&upper, &lower, "above")] {
         if is_answered(right, &|own, _| own) && is_answered(other, &|_, transposed| transposed) {
             return told(&format!(

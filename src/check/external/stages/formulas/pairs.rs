@@ -81,7 +81,7 @@ fn of_way(points: &[Point], way: usize, among: Set) -> Option<Change> {
         Some(Change { words, cost: change.cost + 1, ..(*change).clone() })
     };
     // The formula that is next to the answers is meant.
-    let last = |change: &Change| (change.new.iter().map(|(name, _)| *name).max(), Reverse(change.cost));
+    let last = |change: &Change| (change.last(), Reverse(change.cost));
     if let Some(found) = parallel::filter_map(&effects, of_factor).into_iter().max_by_key(last) {
         return Some(found);
     }

@@ -84,10 +84,19 @@ impl Point<'_> {
         self.among(among).map(of).filter(|of| of.is_finite()).fold(0.0, f64::max)
     }
 
+    /// By how much these answers may differ from numbers that are about the right ones.
+    pub(super) fn about(&self, among: Set, part: f64) -> f64 {
+        let of = |answer: &Answer| {
+            let (_, allowed) = answer.difference(&self.values[0][..]);
+            part * answer.number.value.abs() + COARSER * allowed
+        };
+        self.among(among).map(of).fold(0.0, f64::max)
+    }
+
     /// The values by the dofs of each block alone.
     pub(super) fn parts(&self) -> &[Vec<Value>] {
         let known = &self.sample.inputs.known;
-        let of_inputs = |inputs: Vec<Value>| FORMULAS.values(0, &inputs, known, &[], self.needed);
+        let of_inputs = |inputs: Vec<Value>| FORMULAS.values(0, &inputs, known, self.needed);
         self.parts
             .get_or_init(|| inputs_of_parts(&self.sample.inputs.values).into_iter().map(of_inputs).collect())
     }
@@ -124,8 +133,8 @@ impl Point<'_> {
     }
 }
 
-/// The samples with their answers. Those that are `given` stand for the formulas' own numbers.
-pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
+/// The samples with their answers.
+pub(super) fn points(samples: &[Sample]) -> Vec<Point<'_>> {
     let numbers: Vec<_> = samples.iter().map(numbers).collect();
     let answered = numbers.iter().flatten().map(|(output, _)| output.name);
     // Programs of the geometry alone have no numbers of a contact element.
@@ -133,7 +142,7 @@ pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
     let is_of_geometry = answered.collect::<Set>().without(of_geometry).is_empty();
     let needed = if is_of_geometry { of_geometry } else { (0..FORMULAS.names.0.len()).collect() };
     let same = FORMULAS.same_ways(needed);
-    let of_sample = |i: usize| point((&samples[i], numbers[i].clone()), given, (needed, same));
+    let of_sample = |i: usize| Point::new((&samples[i], numbers[i].clone()), (needed, same));
     let mut points = parallel::indices(samples.len(), of_sample);
     let mut sizes = BTreeMap::new();
     for Answer { output, number, .. } in points.iter().flat_map(|point| &point.answers) {
@@ -146,51 +155,65 @@ pub(super) fn points(samples: &[Sample], given: Set) -> Vec<Point<'_>> {
     points
 }
 
-/// `same` has for each way of writing the first one with the same formulas.
-fn point(
-    (sample, numbers): (&Sample, Vec<(Output, RunningError)>),
-    given: Set,
-    (needed, same): (Set, [usize; WAYS]),
-) -> Point<'_> {
-    let list = &*FORMULAS;
-    let inputs = &sample.inputs;
-    let fixed = numbers.iter().filter(|(output, _)| given.has(output.name));
-    let fixed: Vec<_> = fixed.map(|(output, number)| (output.name, Value::Number(*number))).collect();
-    let values = |given: &[(Name, Value)]| -> Vec<Arc<Vec<Value>>> {
-        let first = Arc::new(list.values(0, &inputs.values, &inputs.known, given, needed));
-        let mut values = vec![first];
+/// The same points with the answers to some results in the place of the formulas' own numbers.
+pub(super) fn with_given<'a>(points: &[Point<'a>], given: Set) -> Vec<Point<'a>> {
+    parallel::map(points, |point| point.with_given(given))
+}
+
+impl<'a> Point<'a> {
+    /// `same` has for each way of writing the first one with the same formulas.
+    fn new(
+        (sample, numbers): (&'a Sample, Vec<(Output, RunningError)>),
+        (needed, same): (Set, [usize; WAYS]),
+    ) -> Self {
+        let list = &*FORMULAS;
+        let inputs = &sample.inputs;
+        let mut values = vec![Arc::new(list.values(0, &inputs.values, &inputs.known, needed))];
         for way in 1..WAYS {
             values.push(if same[way] < way {
                 Arc::clone(&values[same[way]])
             } else {
-                Arc::new(list.values_in(way, &values[0], &inputs.known, given, needed))
+                Arc::new(list.values_in(way, &values[0], &inputs.known, needed))
             });
         }
-        values
-    };
-    let own = values(&[]);
-    let is_right = |output: Output, way: usize| {
-        let [one, right] = [way, 0].map(|way| output.of(&own[way][..]));
-        (one.value - right.value).abs() <= CAREFUL * (one.bound + right.bound)
-    };
-    let answer = |(output, number): (Output, RunningError)| {
-        let ways: [bool; WAYS] = std::array::from_fn(|way| way == 0 || is_right(output, way));
-        let roundings =
-            (0..WAYS).filter(|way| ways[*way]).map(|way| CAREFUL * output.of(&own[way][..]).bound);
-        let rounding = roundings.filter(|of| of.is_finite()).fold(0.0, f64::max);
-        Answer { output, number, size: 0.0, rounding, ways }
-    };
-    let answers = numbers.into_iter().map(answer).collect();
-    let values = if fixed.is_empty() { own } else { values(&fixed) };
-    Point {
-        sample,
-        values,
-        answers,
-        given: fixed,
-        needed,
-        parts: OnceLock::new(),
-        estimates: Default::default(),
-        unlike: Default::default(),
+        let is_right = |output: Output, way: usize| {
+            let [one, right] = [way, 0].map(|way| output.of(&values[way][..]));
+            (one.value - right.value).abs() <= CAREFUL * (one.bound + right.bound)
+        };
+        let answer = |(output, number): (Output, RunningError)| {
+            let ways: [bool; WAYS] = std::array::from_fn(|way| way == 0 || is_right(output, way));
+            let roundings =
+                (0..WAYS).filter(|way| ways[*way]).map(|way| CAREFUL * output.of(&values[way][..]).bound);
+            let rounding = roundings.filter(|of| of.is_finite()).fold(0.0, f64::max);
+            Answer { output, number, size: 0.0, rounding, ways }
+        };
+        let answers = numbers.into_iter().map(answer).collect();
+        Self::of(sample, values, answers, (Vec::new(), needed))
+    }
+
+    fn of(
+        sample: &'a Sample,
+        values: Vec<Arc<Vec<Value>>>,
+        answers: Vec<Answer>,
+        (given, needed): (Vec<(Name, Value)>, Set),
+    ) -> Self {
+        let (parts, estimates, unlike) = Default::default();
+        Self { sample, values, answers, given, needed, parts, estimates, unlike }
+    }
+
+    fn with_given(&self, given: Set) -> Self {
+        let of = |Answer { output, number, .. }: &Answer| (output.name, Value::Number(*number));
+        let given: Vec<_> = self.among(given).map(of).collect();
+        let with = |way: usize| {
+            let known = &self.sample.inputs.known;
+            Arc::new(FORMULAS.values_with(way, &self.values[way], known, &given, self.needed))
+        };
+        let mut values: Vec<Arc<Vec<Value>>> = Vec::with_capacity(WAYS);
+        for way in 0..WAYS {
+            let same = (0..way).find(|same| Arc::ptr_eq(&self.values[*same], &self.values[way]));
+            values.push(same.map_or_else(|| with(way), |same| Arc::clone(&values[same])));
+        }
+        Self::of(self.sample, values, self.answers.clone(), (given, self.needed))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Changes of results as a whole: one in the place of another, a factor, the form for straight beams.
 
-use super::change::Change;
+use super::change::{Change, New, put};
 use super::changes::{FACTORS, scaled};
 use super::list::{Formula, Formulas, STRAIGHT};
 use super::outputs::RESULTS;
@@ -13,7 +13,7 @@ impl Formulas {
         let of_factor = |name: Name| {
             FACTORS.map(|(by, words, cost)| {
                 let names = [Some(name), self.linear.get(name)].into_iter().flatten();
-                let new = names.map(|name| (name, scaled(name, by))).collect();
+                let new = names.map(|name| New::of(name, scaled(name, by))).collect();
                 let words = format!("{} {words} where it is answered", self.names.0[name]);
                 Change { new, is_stored: true, cost, ..Change::of(words) }
             })
@@ -33,7 +33,7 @@ impl Formulas {
         let of = |formula: &Formula| {
             let [tree, straight] = [0, STRAIGHT].map(|way| formula.written(way));
             let mut new = Vec::new();
-            self.put(formula, straight, &mut new);
+            put(formula, straight, &mut new);
             let words = format!("{} is that of straight beams", self.words_of(formula));
             (tree != straight).then(|| Change { new, cost: 5, ..Change::of(words) })
         };
@@ -52,7 +52,7 @@ impl Formulas {
                 self.all
                     .iter()
                     .filter(|formula| formula.name == length)
-                    .for_each(|of| self.put(of, &tree, &mut new));
+                    .for_each(|of| put(of, &tree, &mut new));
             }
             let words: Vec<_> =
                 pairs.iter().map(|(of, vector)| format!("{of} is the length of {vector}")).collect();
@@ -64,8 +64,8 @@ impl Formulas {
     /// Each of two formulas in the place of the other.
     pub(super) fn exchange_of(&self, formula: &Formula, twin: &Formula) -> Change {
         let mut new = Vec::new();
-        self.put(formula, twin.written(0), &mut new);
-        self.put(twin, formula.written(0), &mut new);
+        put(formula, twin.written(0), &mut new);
+        put(twin, formula.written(0), &mut new);
         let [name, other] = [formula, twin].map(|of| self.words_of(of));
         let words = format!("{name} and {other} are exchanged");
         Change { new, cost: 4, ..Change::of(words) }
@@ -83,10 +83,10 @@ impl Formulas {
     }
 
     /// A name in the place of another, also along Delta.
-    pub(super) fn in_place_of(&self, name: Name, other: Name) -> Vec<(Name, Tree)> {
+    pub(super) fn in_place_of(&self, name: Name, other: Name) -> Vec<New> {
         let along = |name: Name| self.linear.get(name);
         let linear = along(name).zip(along(other));
         let pairs = [Some((name, other)), linear].into_iter().flatten();
-        pairs.map(|(name, other)| (name, Tree::name(other))).collect()
+        pairs.map(|(name, other)| New::of(name, Tree::name(other))).collect()
     }
 }

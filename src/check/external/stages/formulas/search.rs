@@ -5,7 +5,7 @@ use super::explained::Searched;
 use super::list::FORMULAS;
 use super::names::Set;
 use super::outputs::RESULTS;
-use super::point::{Point, points};
+use super::point::{Point, points, with_given};
 use super::tree::Name;
 use super::ways::Ways;
 use super::{matrices, pairs};
@@ -38,7 +38,7 @@ pub(in crate::check::external::stages) fn found(
 ) -> Option<Traced> {
     let list = &*FORMULAS;
     let names = |stage: &[&str]| -> Set { stage.iter().map(|name| list.name(name)).collect() };
-    let own: Vec<Point> = points(samples, Set::default());
+    let own: Vec<Point> = points(samples);
     let first = Searched::new(&own);
     let cases = |among: Set| -> BTreeSet<usize> {
         own.iter().filter(|point| point.is_wrong(among)).map(|point| point.sample.case).collect()
@@ -59,7 +59,7 @@ pub(in crate::check::external::stages) fn found(
     };
     let mut stages = vec![readings(&first.explained(all, Set::default(), &|_| true))];
     if stages[0].is_empty() {
-        stages = of_stages(samples, (entries, in_blocks), &first, &names);
+        stages = of_stages((entries, in_blocks), &first, &names);
     }
     let mut stages = stages.into_iter();
     traced.causes = stages.next().unwrap_or_default();
@@ -72,13 +72,13 @@ pub(in crate::check::external::stages) fn found(
 
 /// One change that explains all answers, those of the geometry among them.
 pub(in crate::check::external::stages) fn of_all(samples: &[Sample]) -> Vec<Reading> {
-    let points = points(samples, Set::default());
+    let points = points(samples);
     readings(&Searched::new(&points).explained(all_results(), Set::default(), &|_| true))
 }
 
 /// Whether some of the gradients, or values, and some of the Hessians are wrong.
 pub(in crate::check::external::stages) fn are_wrong(samples: &[Sample]) -> [bool; 2] {
-    let points = points(samples, Set::default());
+    let points = points(samples);
     [false, true].map(|is_hessian| {
         let is_meant = |name: &Name| (FORMULAS.kinds[*name].varies == [true; 2]) == is_hessian;
         let names = all_results().names().filter(is_meant).collect();
@@ -96,7 +96,6 @@ fn all_results() -> Set {
 /// What explains the answers of each stage that is wrong. They follow from those of the stages before, or from right ones. A
 /// stage that follows from what explains an earlier one is left out, and so is a cause that would change an earlier one.
 fn of_stages(
-    samples: &[Sample],
     (entries, in_blocks): (Entries, InBlocks),
     first: &Searched,
     names_of: &(dyn Fn(&[&str]) -> Set + Sync),
@@ -108,21 +107,21 @@ fn of_stages(
     for (place, (stage, _)) in STAGES.iter().enumerate() {
         let names = names_of(stage);
         let is_given = own.iter().any(|point| point.among(given).next().is_some());
-        let from_given = is_given.then(|| points(samples, given));
+        let from_given = is_given.then(|| with_given(own, given));
         let both: Vec<&[Point]> = from_given.as_deref().into_iter().chain([own]).collect();
         let is_wrong = both.iter().all(|points| points.iter().any(|point| point.is_wrong(names)));
         let follows = |change: &Change| both.iter().any(|points| yields(change, points, names));
         if is_wrong && !known.iter().any(follows) {
             let before = FORMULAS.needed(wrong);
             let (from_all, right) = (OnceLock::new(), OnceLock::new());
-            let from_all = || from_all.get_or_init(|| points(samples, given.or(names))).as_slice();
+            let from_all = || from_all.get_or_init(|| with_given(own, given.or(names))).as_slice();
             let right = || right.get_or_init(|| right_stages([own, from_all()], place, names_of));
             let keeps =
                 |change: &Change| right().iter().all(|(points, names)| yields(change, points, *names));
             let from_given = from_given.as_deref().map(Searched::new);
             let found = |of: &Searched| of.explained(names, before, &keeps);
             let found = from_given.iter().chain([first]).map(found).find(|found| !found.is_empty());
-            let of_matrix = || matrices::reading(samples, entries).filter(|_| *stage == ["K"]);
+            let of_matrix = || matrices::reading(own, entries).filter(|_| *stage == ["K"]);
             // Two effects add up where the answer is a sum.
             let is_sum = (*stage == ["R"] || *stage == ["K"]) && wrong.is_empty();
             let of_two = || if is_sum { readings(&pairs::found(both[0], names)) } else { Vec::new() };

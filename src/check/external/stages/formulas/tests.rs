@@ -65,7 +65,7 @@ fn the_formulas_yield_right_answers_in_each_way_of_writing() {
     for way in 0..WAYS {
         let samples = if way == STRAIGHT { &of_segments } else { &samples };
         let is_right = |point: &&Point| point.answers.iter().all(|answer| answer.ways[way]);
-        let right = points(samples, Set::default()).iter().filter(is_right).count();
+        let right = points(samples).iter().filter(is_right).count();
         assert!(right > samples.len() / 2, "way {way}: {right} of {}", samples.len());
     }
 }
@@ -88,7 +88,7 @@ fn a_formula_says_which_names_its_changes_may_give_another_formula() {
 #[test]
 fn a_change_is_the_same_in_ways_that_are_said_to_be_the_same() {
     let samples = right_answers(&[Family::Hermite, Family::Arc]);
-    let points: Vec<Point> = points(&samples, Set::default()).into_iter().step_by(7).collect();
+    let points: Vec<Point> = points(&samples).into_iter().step_by(7).collect();
     let needed =
         FORMULAS.needed(["dxi", "dxi_bar", "Ddxi_bar", "K"].iter().map(|name| FORMULAS.name(name)).collect());
     let inverse: Set = ["i12", "i22"].iter().map(|name| FORMULAS.name(name)).collect();
@@ -139,7 +139,7 @@ fn answered(sample: &Sample, change: &Change) -> Sample {
 fn answered_in(way: usize, sample: &Sample, change: &Change) -> Sample {
     let mut sample = sample.clone();
     let own = sample.clone();
-    let of = points(std::slice::from_ref(&own), Set::default());
+    let of = points(std::slice::from_ref(&own));
     let (Some(element), [point]) = (&mut sample.element, &of[..]) else { return sample };
     let values = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
     let number = |name: &str| {
@@ -157,7 +157,7 @@ fn answered_in(way: usize, sample: &Sample, change: &Change) -> Sample {
 fn with_geometry(way: usize, sample: &Sample, change: &Change) -> Sample {
     let mut own = Sample { element: None, ..sample.clone() };
     own.inputs.forces.clear();
-    let [point] = &points(std::slice::from_ref(&own), Set::default())[..] else { unreachable!() };
+    let [point] = &points(std::slice::from_ref(&own))[..] else { unreachable!() };
     let values = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
     let mut sample = own.clone();
     let mut outputs = point.answers.iter().map(|answer| answer.output);
@@ -188,7 +188,7 @@ fn a_wrong_geometry_is_explained() {
     let all = tried().step_by(4000).filter(|change| !of_tangent(change));
     for change in all.chain(of_entries).chain(stored) {
         let answered: Vec<Sample> = samples.iter().map(|sample| with_geometry(0, sample, change)).collect();
-        let wrong = points(&answered, Set::default())
+        let wrong = points(&answered)
             .iter()
             .filter(|point| point.is_wrong(RESULTS.iter().copied().collect()))
             .count();
@@ -201,7 +201,7 @@ fn a_wrong_geometry_is_explained() {
         if causes.is_empty() {
             // A change is not told if rounding explains much more with it than before at some sample.
             let among: Set = RESULTS.iter().copied().collect();
-            let is_hidden = points(&answered, Set::default()).iter().any(|point| {
+            let is_hidden = points(&answered).iter().any(|point| {
                 let changed = point.changed(0, change, FORMULAS.needed(among));
                 point.among(among).any(|answer| !point.is_explained(answer, 0, &changed))
             });
@@ -222,7 +222,7 @@ fn answers_with_a_change_are_explained() {
     let (mut seen, mut known) = (0, 0);
     for change in all_changes().iter().filter(|change| change.ways[0]).step_by(3000) {
         let answered: Vec<Sample> = samples.iter().map(|sample| answered(sample, change)).collect();
-        let wrong = points(&answered, Set::default()).iter().filter(|point| point.is_wrong(names)).count();
+        let wrong = points(&answered).iter().filter(|point| point.is_wrong(names)).count();
         let is_finite = |sample: &Sample| {
             let numbers = sample.element.iter().flat_map(|element| element.numbers).flatten();
             numbers.clone().all(|number| number.value.is_finite())

@@ -1,7 +1,7 @@
 //! Changes of inputs as a whole: the vectors of the curves, numbers, what is held.
 
 use super::axes::AXES;
-use super::change::Change;
+use super::change::{Change, New};
 use super::changes::{FACTORS, scaled};
 use super::list::{CURVES, Formulas};
 use super::tree::{Name, Op, Tree};
@@ -38,7 +38,7 @@ impl Formulas {
                         _ => format!("each of {}", told.join(", ")),
                     };
                     let mut add = |new: &dyn Fn(Name) -> Tree, words: String, cost: u32| {
-                        let new = names.iter().map(|name| (*name, new(*name))).collect();
+                        let new = names.iter().map(|name| New::of(*name, new(*name))).collect();
                         let words = format!("the curves are wrong: {words}");
                         found.push(Change { new, cost: cost + is_both, ..Change::of(words) });
                     };
@@ -63,7 +63,7 @@ impl Formulas {
         };
         let of = |name: Name| {
             FACTORS.map(|(by, words, cost)| Change {
-                new: vec![(name, scaled(name, by))],
+                new: vec![New::of(name, scaled(name, by))],
                 cost,
                 ..Change::of(format!("{} {words}", self.names.0[name]))
             })
@@ -76,7 +76,8 @@ impl Formulas {
         let [xi, xi_bar, both] = ["free_xi", "free_xi_bar", "both_free"].map(|name| self.name(name));
         let of = |words: &str, [free_xi, free_xi_bar]: [Tree; 2]| {
             let both_free = Tree::product(vec![(false, free_xi.clone()), (false, free_xi_bar.clone())]);
-            let new = vec![(xi, free_xi), (xi_bar, free_xi_bar), (both, both_free)];
+            let new = [(xi, free_xi), (xi_bar, free_xi_bar), (both, both_free)];
+            let new = new.map(|(name, tree)| New::of(name, tree)).into();
             Change { new, cost: 3, ..Change::of(words.to_owned()) }
         };
         let (free, own, other) = (|| Tree::number(1.0), || Tree::name(xi), || Tree::name(xi_bar));
@@ -107,7 +108,7 @@ impl Formulas {
         let exchanged = |(name, text): (Name, &String)| {
             let twin = Some(self.twin(name)).filter(|twin| *twin > name)?;
             let words = format!("{text} and {} are exchanged", self.names.0[twin]);
-            let new = vec![(name, Tree::name(twin)), (twin, Tree::name(name))];
+            let new = vec![New::of(name, Tree::name(twin)), New::of(twin, Tree::name(name))];
             Some(Change { new, cost: 4, ..Change::of(words) })
         };
         self.names.0.iter().enumerate().take(self.inputs).filter_map(exchanged).collect()

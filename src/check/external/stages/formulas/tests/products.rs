@@ -28,7 +28,7 @@ fn told(place: usize, added: &dyn Fn(&At) -> f64) -> Option<String> {
     let all = (0..FORMULAS.names.0.len()).collect();
     for sample in &mut samples {
         let inputs = &sample.inputs;
-        let values: Vec<Value> = FORMULAS.values(0, &inputs.values, &inputs.known, &[], all);
+        let values: Vec<Value> = FORMULAS.values(0, &inputs.values, &inputs.known, all);
         let added = added(&At(&values, sample.case));
         let number = sample.element.as_mut().and_then(|element| element.numbers[place].as_mut());
         number.unwrap().value += added;

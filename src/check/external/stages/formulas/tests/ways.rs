@@ -13,7 +13,7 @@ use crate::test_beam::Family;
 
 /// Whether rounding hides no answer of the changed formulas.
 fn is_clear(sample: &Sample, way: usize, change: &Change) -> bool {
-    let [point] = &points(std::slice::from_ref(sample), Set::default())[..] else { unreachable!() };
+    let [point] = &points(std::slice::from_ref(sample))[..] else { unreachable!() };
     let changed = point.changed(way, change, (0..FORMULAS.names.0.len()).collect());
     point.answers.iter().all(|answer| answer.ways[way] && point.is_explained(answer, way, &changed))
 }
@@ -34,7 +34,7 @@ fn the_formulas_of_a_change_take_changed_values() {
     };
     let mut answered: Vec<Sample> = right_answers(&[Family::Hermite]).iter().map(with_second_order).collect();
     answered.retain(|sample| is_clear(sample, 0, change));
-    let points = points(&answered, Set::default());
+    let points = points(&answered);
     let second = Set::from_iter([FORMULAS.name("Dd|t|")]);
     assert!(points.iter().filter(|point| point.is_wrong(second)).count() > 10);
     assert!(Ways::of(&points, second).yield_answers(change, points.iter()));
@@ -124,7 +124,7 @@ fn an_error_of_one_use_is_in_all_its_places() {
     let change = all.iter().find(|change| change.words() == words && change.ways[0]).unwrap();
     let names: Set = ["Ddp", "Ddp_bar"].map(|name| FORMULAS.name(name)).into_iter().collect();
     assert_eq!(change.names(), names);
-    let text = change.new[0].1.text(&FORMULAS.names);
+    let text = change.new[0].tree.text(&FORMULAS.names);
     assert_eq!(
         text,
         "-(du + t dxi - du_bar - (-t_bar dxi_bar)).Dt - (Du + t Dxi - Du_bar - (-t_bar Dxi_bar)).dt \
@@ -138,7 +138,7 @@ fn a_division_may_be_of_one_term_alone() {
     let words = "in Ddgap the division by d_s is left out of all terms but dgap Dgap";
     let change = all_changes().iter().find(|change| change.words() == words && change.ways[8]).unwrap();
     assert_eq!(
-        change.new[0].1.text(&FORMULAS.names),
+        change.new[0].tree.text(&FORMULAS.names),
         "(du - du_bar).(Du - Du_bar) + d.(Ddu - Ddu_bar) - dp Dxi + dp_bar Dxi_bar - (dgap Dgap)/d_s"
     );
 }
@@ -152,7 +152,7 @@ fn the_rounding_of_another_way_of_writing_is_no_error() {
     for sample in right_answers(&[Family::Hermite]) {
         for way in 0..WAYS {
             let answered = [answered_in(way, &sample, &none)];
-            let points = points(&answered, Set::default());
+            let points = points(&answered);
             let is_valid = points[0].among(results).all(|answer| answer.ways[way]);
             compared += u32::from(is_valid);
             assert!(!is_valid || !points[0].is_wrong(results), "way {way}, case {}", sample.case);
