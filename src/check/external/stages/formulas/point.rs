@@ -50,7 +50,7 @@ impl Answer {
 pub(super) struct Point<'a> {
     pub(super) sample: &'a Sample,
     /// The values in each way of writing.
-    pub(super) values: Vec<Arc<Vec<Value>>>,
+    pub(super) values: Vec<Arc<[Value]>>,
     pub(super) answers: Vec<Answer>,
     /// Values that are answers.
     pub(super) given: Vec<(Name, Value)>,
@@ -168,12 +168,12 @@ impl<'a> Point<'a> {
     ) -> Self {
         let list = &*FORMULAS;
         let inputs = &sample.inputs;
-        let mut values = vec![Arc::new(list.values(0, &inputs.values, &inputs.known, needed))];
+        let mut values = vec![Arc::<[Value]>::from(list.values(0, &inputs.values, &inputs.known, needed))];
         for way in 1..WAYS {
             values.push(if same[way] < way {
                 Arc::clone(&values[same[way]])
             } else {
-                Arc::new(list.values_in(way, &values[0], &inputs.known, needed))
+                list.values_in(way, &values[0], &inputs.known, needed).into()
             });
         }
         let is_right = |output: Output, way: usize| {
@@ -193,7 +193,7 @@ impl<'a> Point<'a> {
 
     fn of(
         sample: &'a Sample,
-        values: Vec<Arc<Vec<Value>>>,
+        values: Vec<Arc<[Value]>>,
         answers: Vec<Answer>,
         (given, needed): (Vec<(Name, Value)>, Set),
     ) -> Self {
@@ -206,9 +206,9 @@ impl<'a> Point<'a> {
         let given: Vec<_> = self.among(given).map(of).collect();
         let with = |way: usize| {
             let known = &self.sample.inputs.known;
-            Arc::new(FORMULAS.values_with(way, &self.values[way], known, &given, self.needed))
+            FORMULAS.values_with(way, &self.values[way], known, &given, self.needed).into()
         };
-        let mut values: Vec<Arc<Vec<Value>>> = Vec::with_capacity(WAYS);
+        let mut values: Vec<Arc<[Value]>> = Vec::with_capacity(WAYS);
         for way in 0..WAYS {
             let same = (0..way).find(|same| Arc::ptr_eq(&self.values[*same], &self.values[way]));
             values.push(same.map_or_else(|| with(way), |same| Arc::clone(&values[same])));
