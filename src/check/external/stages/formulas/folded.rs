@@ -68,8 +68,7 @@ impl<'a> Folded<'a> {
                 places.push((name, place));
             }
         }
-        let mut start = Vec::new();
-        operations.start(&[], &mut start);
+        let mut start = operations.take_start();
         // Until it is evaluated, a name has its right value: a formula may use its own name.
         for (name, place) in &places {
             start[usize::from(*place)] = right[*name];

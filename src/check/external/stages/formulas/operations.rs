@@ -233,6 +233,15 @@ impl Operations {
         }
     }
 
+    /// The same, if they are not asked for again.
+    pub(super) fn take_start<S: Number>(&mut self) -> Vec<Value<S>> {
+        let mut values = Vec::new();
+        self.start(&[], &mut values);
+        self.constants = Vec::new();
+        self.steps.shrink_to_fit();
+        values
+    }
+
     /// Does some of the steps.
     pub(super) fn run<S: Number>(&self, steps: &Range<usize>, values: &mut [Value<S>]) {
         for Step { operation, of, to } in &self.steps[steps.clone()] {
