@@ -19,7 +19,7 @@ static void curve(int nodes, double x, const double *q, double N[4][4], Vector o
          (2 + 3 * x - x * x * x) / 4, (-1 - x + x * x + x * x * x) / 4},
         {(-3 + 3 * x * x) / 4, E(462, -1 - 2 * x + 3 * x * x, -(1 - x) * (1 - 3 * x)) / 4, (3 - 3 * x * x) / 4,
          (-F(457, -1) * F(459, -1) + 2 * x + 3 * x * x) / 4},
-        {1.5 * F(460, 0.5) * x, (-1 + 3 * x) / 2, -1.5 * x, (1 + 3 * x) / 2},
+        {E(463, 1.5 * x, 1.3 * x + 0.2) * F(460, 0.5), (-1 + 3 * x) / 2, -1.5 * x, (1 + 3 * x) / 2},
         {1.5, 1.5, -1.5 * F(458, -1) * E(461, 1, x < 0 ? -1 : 1), 1.5}};
     const double linear[4][4] = {{(1 - x) / 2, (1 + x) / 2}, {-0.5, 0.5}};
     memcpy(N, nodes == 2 ? linear : hermite, sizeof linear);

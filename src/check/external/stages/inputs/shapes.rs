@@ -14,7 +14,7 @@ const TRIED: usize = 16;
 /// The number of iterations.
 const STEPS: usize = 25;
 /// The number of iterations after which only a part of the residuals may be left, and this part.
-const SLOW: usize = 5;
+const SLOW: usize = 10;
 const REDUCED: f64 = 0.1;
 /// The step of differences.
 const STEP: f64 = 1e-5;
