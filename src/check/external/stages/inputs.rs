@@ -1,6 +1,7 @@
 //! Errors of the curves: the same wrong vectors in all equations.
 
 mod control_vectors;
+mod iteration;
 mod parameters;
 mod polynomials;
 mod shapes;
@@ -13,9 +14,9 @@ use super::sample::Sample;
 use super::terms::Beam;
 use crate::number::RunningError;
 use crate::parallel;
+pub(super) use iteration::error_by_beam;
 use nalgebra::Vector3;
 pub(super) use polynomials::{Derivative, derivatives};
-pub(super) use shapes::error_by_beam;
 
 /// The vectors of a sample: x, t, t,xi and t,xixi by beam, and the variations by direction, beam and derivative.
 pub(super) type Vectors = ([[Vector3<RunningError>; 4]; 2], [[[Vector3<RunningError>; 3]; 2]; 2]);

@@ -33,7 +33,9 @@ impl New {
     }
 
     fn each_name(&self, f: &mut impl FnMut(Name)) {
-        self.tree.each_name(&mut |name| f(if self.is_along_linear { along_linear(name) } else { name }));
+        self.tree.each_name(&mut |name| {
+            f(if self.is_along_linear { FORMULAS.name_along_linear(name) } else { name })
+        });
     }
 }
 
@@ -43,16 +45,12 @@ pub(super) fn put(formula: &Formula, tree: &Tree, new: &mut Vec<New>) {
     new.extend(formula.linear.map(|linear| New::along_linear(linear, tree.clone())));
 }
 
-fn along_linear(name: Name) -> Name {
-    FORMULAS.linear.get(name).unwrap_or(name)
-}
-
 /// The values of names along Delta.
 struct AlongLinear<'a, V: ?Sized>(&'a V);
 
 impl<S, V: Values<S> + ?Sized> Values<S> for AlongLinear<'_, V> {
     fn at(&self, name: Name) -> Value<S> {
-        self.0.at(along_linear(name))
+        self.0.at(FORMULAS.name_along_linear(name))
     }
 }
 

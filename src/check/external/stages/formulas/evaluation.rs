@@ -43,7 +43,7 @@ impl Formulas {
         known: OfNames,
         needed: Set,
     ) -> Vec<Value<S>> {
-        self.values_from(way, first, (self.relations[way].differ[0], Set::default()), known, needed)
+        self.values_from(way, first, (self.relations[way].differ[0], &[]), known, needed)
     }
 
     /// The same from the values with other inputs.
@@ -55,10 +55,9 @@ impl Formulas {
         known: OfNames,
         needed: Set,
     ) -> Vec<Value<S>> {
-        let others = (0..inputs.len()).filter(|i| inputs[*i] != before[*i]).collect();
-        let mut values = before.to_vec();
-        values[..inputs.len()].copy_from_slice(inputs);
-        self.values_from(way, &values, (Set::default(), others), known, needed)
+        let differ = |(name, value): &(Name, Value<S>)| *value != before[*name];
+        let others: Vec<_> = inputs.iter().copied().enumerate().filter(differ).collect();
+        self.values_from(way, before, (Set::default(), &others), known, needed)
     }
 
     /// The same from the values where none is `given`.
@@ -70,12 +69,8 @@ impl Formulas {
         given: OfNames,
         needed: Set,
     ) -> Vec<Value> {
-        let mut values = before.to_vec();
-        for (name, value) in given {
-            values[*name] = *value;
-        }
-        let names: Set = given.iter().map(|(name, _)| *name).collect();
-        self.values_from(way, &values, (Set::default(), names), known, needed.without(names))
+        let names = given.iter().map(|(name, _)| *name).collect();
+        self.values_from(way, before, (Set::default(), given), known, needed.without(names))
     }
 
     /// The values if some formulas and some values are others.
@@ -83,7 +78,7 @@ impl Formulas {
         &self,
         way: usize,
         before: &[Value<S>],
-        (formulas, mut others): (Set, Set),
+        (formulas, others): (Set, &[(Name, Value<S>)]),
         known: OfNames,
         needed: Set,
     ) -> Vec<Value<S>> {
@@ -91,13 +86,18 @@ impl Formulas {
         let (operations, steps) = &self.operations[way];
         let mut values = Vec::new();
         operations.start(before, &mut values);
+        let mut names = Set::default();
+        for (name, value) in others {
+            values[*name] = *value;
+            names.add(*name);
+        }
         let needed = self.ways[way].iter().zip(steps).filter(|(step, _)| needed.has(step.name));
         for (Step { name, .. }, steps) in needed {
-            if formulas.has(*name) || !uses[*name].and(others).is_empty() {
+            if formulas.has(*name) || !uses[*name].and(names).is_empty() {
                 operations.run(steps, &mut values);
                 values[*name] = or_known(*name, values[*name], known);
                 if values[*name] != before[*name] {
-                    others.add(*name);
+                    names.add(*name);
                 }
             }
         }

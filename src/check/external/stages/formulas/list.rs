@@ -264,7 +264,12 @@ impl Formulas {
 
     /// The formula along Delta.
     pub(super) fn along_linear(&self, tree: &Tree) -> Tree {
-        tree.renamed(&|name| self.linear.get(name).unwrap_or(name))
+        tree.renamed(&|name| self.name_along_linear(name))
+    }
+
+    /// The name along Delta; the same if it does not vary.
+    pub(super) fn name_along_linear(&self, name: Name) -> Name {
+        self.linear.get(name).unwrap_or(name)
     }
 
     /// The place of a name that is in the list.

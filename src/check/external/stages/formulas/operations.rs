@@ -233,7 +233,7 @@ impl Operations {
         }
     }
 
-    /// The same, if they are not asked for again.
+    /// The same without first ones. The constants are not kept, so it is asked for once.
     pub(super) fn take_start<S: Number>(&mut self) -> Vec<Value<S>> {
         let mut values = Vec::new();
         self.start(&[], &mut values);

@@ -140,7 +140,7 @@ impl Formulas {
     pub(super) fn difference_of(&self, name: Name) -> Option<Tree> {
         let [delta, delta_bar] = ["du", "du_bar"].map(|name| self.name(name));
         let is_of = |varies: [bool; 2]| self.kinds[name] == Kind { varies, ..self.kinds[delta] };
-        let along = |of: Name| if is_of([true, false]) { of } else { self.linear.get(of).unwrap_or(of) };
+        let along = |of: Name| if is_of([true, false]) { of } else { self.name_along_linear(of) };
         let is_one = is_of([true, false]) || is_of([false, true]);
         let is_vector_of_curve = self.names.0[name].contains('u');
         (is_one && is_vector_of_curve)
