@@ -34,7 +34,7 @@ impl New {
 
     fn each_name(&self, f: &mut impl FnMut(Name)) {
         self.tree.each_name(&mut |name| {
-            f(if self.is_along_linear { FORMULAS.name_along_linear(name) } else { name })
+            f(if self.is_along_linear { FORMULAS.name_along_linear(name) } else { name });
         });
     }
 }
