@@ -24,14 +24,13 @@ pub(super) struct Changes {
 struct OfFormula {
     /// The names that its changes may give another formula.
     names: Set,
-    of_classes: [OnceLock<Vec<Change>>; Class::KEPT.len()],
+    /// The ways in which the formula is written as in each one, unless this is as an earlier one.
+    ways: [Option<[bool; WAYS]>; WAYS],
+    of_classes: [OfClass; Class::KEPT.len()],
 }
 
-impl OfFormula {
-    fn changes(&self, class: Class) -> &OnceLock<Vec<Change>> {
-        &self.of_classes[class as usize]
-    }
-}
+/// The changes in each way of writing.
+type OfClass = [OnceLock<Box<[Change]>>; WAYS];
 
 /// What is wrong with something by a factor.
 pub(super) const FACTORS: [(f64, &str, u32); 4] = [
@@ -70,8 +69,9 @@ impl Changes {
         };
         others.extend(list.all.iter().filter_map(exchange));
         let of_formula = |formula| {
-            let of_classes = [const { OnceLock::new() }; Class::KEPT.len()];
-            OfFormula { names: list.names_of_changes(formula), of_classes }
+            let of_classes = [const { [const { OnceLock::new() }; WAYS] }; Class::KEPT.len()];
+            let ways = std::array::from_fn(|way| list.first_ways(formula, way));
+            OfFormula { names: list.names_of_changes(formula), ways, of_classes }
         };
         Self { others, of_formulas: list.all.iter().map(of_formula).collect() }
     }
@@ -79,23 +79,34 @@ impl Changes {
     /// The changes of each formula that are made, with the names that they may give another formula.
     #[cfg(test)]
     pub(super) fn of_each_formula(&self) -> impl Iterator<Item = (Set, &[Change])> {
-        let all = self.of_formulas.iter().flat_map(|of| Class::KEPT.map(|class| (of, class)));
-        all.filter_map(|(of, class)| Some((of.names, &of.changes(class).get()?[..])))
+        self.of_formulas.iter().flat_map(|of| {
+            let all = of.of_classes.as_flattened().iter();
+            all.filter_map(|all| Some((of.names, &all.get()?[..])))
+        })
     }
 
-    /// The changes of this class of formulas that these names follow from. Those that are not of one formula are with the
-    /// simple ones.
-    pub(super) fn of(&self, needed: Set, class: Class) -> Vec<&Change> {
+    /// The changes of this class of formulas that these names follow from, and that are written in the ways that are meant. Those
+    /// that are not of one formula are with the simple ones.
+    pub(super) fn of(
+        &self,
+        needed: Set,
+        class: Class,
+        is_meant: impl Fn(&[bool; WAYS]) -> bool,
+    ) -> Vec<&Change> {
         let is_needed = |i: &usize| !self.of_formulas[*i].names.and(needed).is_empty();
-        let which: Vec<usize> = (0..self.of_formulas.len()).filter(is_needed).collect();
-        let of = |i: usize| self.of_formulas[i].changes(class);
-        let missing: Vec<usize> = which.iter().copied().filter(|i| of(*i).get().is_none()).collect();
+        let is_written =
+            |(i, way): &(usize, usize)| self.of_formulas[*i].ways[*way].as_ref().is_some_and(&is_meant);
+        let which = (0..self.of_formulas.len()).filter(is_needed);
+        let which: Vec<(usize, usize)> =
+            which.flat_map(|i| (0..WAYS).map(move |way| (i, way))).filter(is_written).collect();
+        let of = |(i, way): (usize, usize)| &self.of_formulas[i].of_classes[class as usize][way];
+        let missing: Vec<_> = which.iter().copied().filter(|which| of(*which).get().is_none()).collect();
         // No lock is held while other threads are waited for.
-        let made = parallel::map(&missing, |&i| (i, FORMULAS.changes_of(&FORMULAS.all[i], class)));
-        for (i, changes) in made {
-            of(i).get_or_init(|| changes);
+        let made = parallel::map(&missing, |&(i, way)| FORMULAS.changes_in(&FORMULAS.all[i], way, class));
+        for (which, changes) in missing.into_iter().zip(made) {
+            of(which).get_or_init(|| changes.into_boxed_slice());
         }
-        let of_formulas = which.into_iter().filter_map(|i| of(i).get());
+        let of_formulas = which.into_iter().filter_map(|which| Some(&of(which).get()?[..]));
         let others = if class == Class::Simple { &self.others[..] } else { &[] };
         others.iter().chain(of_formulas.flatten()).collect()
     }
@@ -108,11 +119,6 @@ impl Formulas {
         let all: Vec<&Formula> = twins.chain([formula]).collect();
         let derived = all.iter().flat_map(|of| [self.derivative_of(of), self.second_formula(of)]).flatten();
         all.iter().copied().chain(derived).flat_map(|of| [Some(of.name), of.linear]).flatten().collect()
-    }
-
-    /// The changes of a formula in all ways of writing.
-    fn changes_of(&self, formula: &Formula, class: Class) -> Vec<Change> {
-        parallel::indices(WAYS, |way| self.changes_in(formula, way, class)).concat()
     }
 
     /// The ways in which a formula and its twin are written like this, unless an earlier way is one of them.
@@ -184,14 +190,15 @@ impl Formulas {
         if let Some((twin, tree, _)) = &of_twin {
             self.add_change((way, class), &[(formula, &new), (twin, tree)], edit, "", found);
         }
-        let [old, other] = [&edit.old, &edit.new].map(|tree| self.twin_tree(tree));
-        let later = new.find(&|of| *of == old).filter(|path| *path > edit.path && old != edit.old);
+        let old = Some(self.twin_tree(&edit.old)).filter(|old| *old != edit.old);
+        let later = old.and_then(|old| new.find(&|of| *of == old)).filter(|path| *path > edit.path);
         if let Some(path) = later {
-            let tree = new.with(&path, &other);
+            let tree = new.with(&path, &self.twin_tree(&edit.new));
             self.add_change((way, class), &[(formula, &tree)], edit, ", as its twin", found);
         }
         // Both of two terms that are each other's transpose.
-        if let Some(tree) = self.with_transpose(tree, &new, edit) {
+        let is_mixed = self.kinds[formula.name].varies == [true; 2];
+        if is_mixed && let Some(tree) = self.with_transpose(tree, &new, edit) {
             let words = ", as its transpose";
             self.add_change((way, class), &[(formula, &tree)], edit, words, found);
             let other = of_twin
@@ -271,24 +278,4 @@ impl Formulas {
         }
         found.push(Change { new, cost, ..Change::of(words) });
     }
-}
-
-/// Adds the error of a formula that these formulas alone use with it.
-pub(super) fn add_use(
-    (formula, tree): (&Formula, &Tree),
-    twin: Option<(&Formula, &Tree)>,
-    (used, other): (Name, Option<Name>),
-    edit: &Arc<Edit>,
-    found: &mut Vec<Change>,
-) {
-    let mut new = Vec::new();
-    put(formula, tree, &mut new);
-    if let Some((twin, tree)) = twin {
-        put(twin, tree, &mut new);
-    }
-    let users = [Some(formula.name), twin.map(|(twin, _)| twin.name)];
-    let formulas = [Some(used), other];
-    let words = OfEdit { edit: Arc::clone(edit), formulas, users, scope: "", form: "" };
-    let cost = edit.cost + 2 + u32::from(twin.is_some());
-    found.push(Change { new, cost, ..Change::of(words) });
 }

@@ -14,7 +14,7 @@ use super::outputs::Output;
 use super::point::Point;
 use super::ways::Ways;
 use std::collections::{BTreeMap, HashMap};
-use std::sync::{Arc, RwLock};
+use std::sync::{Arc, OnceLock, RwLock};
 
 /// What a change does to some answers.
 pub(super) struct Effects<'a> {
@@ -29,7 +29,7 @@ pub(super) struct Answers<'a> {
     output: Output,
     /// The ways in which it may be written.
     ways: [bool; WAYS],
-    all: Vec<Answered<'a>>,
+    pub(super) all: Vec<Answered<'a>>,
     /// The names that it follows from.
     pub(super) needed: Set,
 }
@@ -47,6 +47,10 @@ pub(super) struct OfNames {
     pub(super) used: [Set; WAYS],
     /// For each result and way the ways, as bits, in which the same formulas of these lead to it.
     pub(super) alike: Vec<[u16; WAYS]>,
+    pub(super) names: Set,
+    through: Through,
+    /// For each result, answer and way the first way in which the derivatives by the names are the same.
+    same_derivatives: Vec<OnceLock<Vec<[usize; WAYS]>>>,
 }
 
 impl<'a> Effects<'a> {
@@ -73,10 +77,8 @@ impl<'a> Effects<'a> {
         of_names.order.iter().all(|&place| {
             let answers = &self.results[place];
             (0..WAYS).filter(|way| answers.ways[*way]).any(|way| {
-                answers.all.iter().filter(|of| of.answer.ways[way]).all(|of| {
-                    let effect = estimates.effect(of, way, (answers, place));
-                    of.is_near(way, effect)
-                })
+                let mut all = answers.all.iter().enumerate().filter(|(_, of)| of.answer.ways[way]);
+                all.all(|(i, of)| of.is_near(way, estimates.effect((answers, place), i, way)))
             })
         })
     }
@@ -127,7 +129,24 @@ impl OfNames {
             std::array::from_fn(bits)
         };
         let alike = results.iter().map(alike).collect();
-        Self { order, of_first_degree, affected, used, alike }
+        let same_derivatives = vec![OnceLock::new(); results.len()];
+        Self { order, of_first_degree, affected, used, alike, names, through, same_derivatives }
+    }
+
+    /// The first way in which the derivatives of an answer by the names are the same as in this one.
+    pub(super) fn first_like(&self, (result, place): (&Answers, usize), answer: usize, way: usize) -> usize {
+        let first_ways = |of: &Answered| {
+            let is_used = |way: usize| result.ways[way] && of.answer.ways[way];
+            let is_same = |way: usize, other: usize| {
+                let [one, other] = [way, other].map(|way| of.derivatives(way, self.through));
+                self.names.names().all(|name| one[name].is_about(other[name]))
+            };
+            std::array::from_fn(|way| {
+                let mut before = (0..way).filter(|other| is_used(way) && is_used(*other));
+                before.find(|other| is_same(way, *other)).unwrap_or(way)
+            })
+        };
+        self.same_derivatives[place].get_or_init(|| result.all.iter().map(first_ways).collect())[answer][way]
     }
 }
 
@@ -172,7 +191,7 @@ mod tests {
                     let allowed =
                         effects.iter().map(|of| of.1).filter(|of| of.is_finite()).fold(0.0, f64::max);
                     for (way, (found, _)) in effects.into_iter().enumerate() {
-                        let effect = estimates.effect(&of.all[0], way, (of, place));
+                        let effect = estimates.effect((of, place), 0, way);
                         let is_equal =
                             (effect - found).abs() <= allowed || !found.is_finite() || effect.is_nan();
                         assert!(is_equal, "{}, way {way}: {effect:e}, {found:e}", change.words());

@@ -1,6 +1,6 @@
 //! The effect of one change on answers, without rounding.
 
-use super::change::{Change, New};
+use super::change::Change;
 use super::degrees::Through;
 use super::derivatives::derivatives;
 use super::effects::{Answers, OfNames};
@@ -45,7 +45,7 @@ impl<'a> Answered<'a> {
     }
 
     /// The derivatives of the answer by all names.
-    fn derivatives(&self, way: usize, through: Through) -> &[Value<f64>] {
+    pub(super) fn derivatives(&self, way: usize, through: Through) -> &[Value<f64>] {
         let Point { given, .. } = self.point;
         self.derivatives[through as usize][way]
             .get_or_init(|| derivatives(through, self.point.estimates(way), given, (self.answer.output, way)))
@@ -75,15 +75,19 @@ fn address(point: &Point) -> usize {
 /// What a change does at some samples. Most is the same in all ways of writing.
 pub(super) struct Estimates<'a> {
     change: &'a Change,
-    /// The names that are changed.
-    names: Set,
-    /// The names in the formulas of these.
+    /// The names in its formulas.
     uses: Set,
+    /// The names that are changed, and those in their formulas.
+    used: Set,
     /// What these follow from.
     needed: OnceCell<Set>,
     of_names: &'a OfNames,
-    /// How the values of what is changed differ.
-    differences: Vec<At<Vec<Value<f64>>>>,
+    /// The points and ways for which it is known how the values of what is changed differ.
+    differences: Vec<(usize, usize)>,
+    /// By how much, one after the other.
+    by: Vec<Value<f64>>,
+    /// The effects on answers by these differences.
+    sums: Vec<At<f64>>,
     /// The other values of results.
     others: Vec<At<(Name, Option<Value<f64>>)>>,
     /// Memory of the evaluation.
@@ -94,18 +98,32 @@ impl<'a> Estimates<'a> {
     pub(super) fn new(change: &'a Change, of_names: &'a OfNames) -> Self {
         let names = change.names();
         let uses = change.uses(names);
-        let (differences, others, values) = Default::default();
-        Self { change, names, uses, needed: OnceCell::new(), of_names, differences, others, values }
+        let used = uses.or(names);
+        let (needed, differences, by, sums, others, values) = Default::default();
+        Self { change, uses, used, needed, of_names, differences, by, sums, others, values }
     }
 
     /// What the change adds to an answer, which is one to the result in this place; not a number if this is not known.
     pub(super) fn effect(
         &mut self,
-        of: &Answered<'_>,
-        way: usize,
         (result, place): (&Answers<'_>, usize),
+        answer: usize,
+        way: usize,
     ) -> f64 {
-        if self.is_sum(way, place) { self.sum(of, way) } else { self.difference(of, way, (result, place)) }
+        let of = &result.all[answer];
+        if !self.is_sum(way, place) {
+            return self.difference(of, way, (result, place));
+        }
+        let first = self.of_names.first_like((result, place), answer, way);
+        let is_same = first == way || self.used.and(of.point.unlike(way, first)).is_empty();
+        let way = if is_same { first } else { way };
+        let at = std::ptr::from_ref(of).addr();
+        if let Some((.., sum)) = self.sums.iter().find(|(of, other, _)| (*of, *other) == (at, way)) {
+            return *sum;
+        }
+        let sum = self.sum(of, way);
+        self.sums.push((at, way, sum));
+        sum
     }
 
     /// Whether a result is of first degree in what is changed. What stands in the place of a formula must have its right value.
@@ -119,17 +137,18 @@ impl<'a> Estimates<'a> {
         if !new.iter().any(|new| !derivatives[new.name].is_zero()) {
             return 0.0;
         }
-        let (point, used) = (of.point, self.uses.or(self.names));
-        let is_same = |(other, before, _): &At<_>| {
+        let (point, used) = (of.point, self.used);
+        let is_same = |(other, before): &(usize, usize)| {
             *other == address(point) && used.and(point.unlike(way, *before)).is_empty()
         };
-        let at = self.differences.iter().position(is_same).unwrap_or_else(|| {
+        let known = self.differences.iter().position(is_same);
+        let at = known.unwrap_or_else(|| {
             let right = point.estimates(way);
-            let of = |new: &New| new.value(right).plus(right[new.name].negative());
-            self.differences.push((address(point), way, new.iter().map(of).collect()));
+            self.by.extend(new.iter().map(|new| new.value(right).plus(right[new.name].negative())));
+            self.differences.push((address(point), way));
             self.differences.len() - 1
         });
-        let of = new.iter().zip(&self.differences[at].2);
+        let of = new.iter().zip(&self.by[at * new.len()..]);
         let of = of.filter(|(new, _)| !derivatives[new.name].is_zero());
         of.map(|(new, difference)| derivatives[new.name].along(*difference).number()).sum()
     }
@@ -142,7 +161,7 @@ impl<'a> Estimates<'a> {
             return 0.0;
         }
         let needed = *self.needed.get_or_init(|| FORMULAS.needed(self.uses));
-        let used = self.uses.or(self.names).or(used[way]);
+        let used = self.used.or(used[way]);
         // What the formulas of the change use may be changed, too.
         let here = affected[way].and(needed);
         let is_same = |(other, before, (name, _)): &&At<(Name, _)>| {
@@ -156,7 +175,7 @@ impl<'a> Estimates<'a> {
         let known = self.others.iter().find(is_same).map(|(_, _, (_, other))| *other);
         let other = known.unwrap_or_else(|| {
             let evaluated = affected[way].and(result.needed.or(needed));
-            let folded = of.folded(way, (self.names, Through::of(self.change), evaluated));
+            let folded = of.folded(way, (self.of_names.names, Through::of(self.change), evaluated));
             let other = folded.value(self.change, output.name, &mut self.values);
             self.others.push((address(point), way, (output.name, other)));
             other

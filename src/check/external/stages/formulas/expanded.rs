@@ -1,12 +1,12 @@
 //! Errors of one use of a formula: in one of the products that are multiplied out, or where one other formula uses it.
 
-use super::change::Change;
-use super::changes::add_use;
+use super::change::{Change, put};
 use super::edits::{Edit, edits};
 use super::kinds::{Class, What};
 use super::list::{Formula, Formulas};
 use super::names::WAYS;
 use super::tree::{Name, Op, Tree};
+use super::words::OfEdit;
 use std::sync::Arc;
 
 /// The largest number of terms of a formula that is multiplied out.
@@ -16,11 +16,15 @@ const TERMS: usize = 40;
 type Term = (bool, Tree);
 
 impl Formulas {
-    /// The changes of one use of what a formula is made of, in all ways of writing.
-    pub(super) fn expanded_changes(&self, formula: &Formula) -> Vec<Change> {
+    /// The changes of one use of what a formula is made of, in the ways of writing that are meant.
+    pub(super) fn expanded_changes(
+        &self,
+        formula: &Formula,
+        is_meant: impl Fn(&[bool; WAYS]) -> bool,
+    ) -> Vec<Change> {
         let mut found = Vec::new();
         for way in 0..WAYS {
-            let Some(ways) = self.first_ways(formula, way) else { continue };
+            let Some(ways) = self.first_ways(formula, way).filter(&is_meant) else { continue };
             let start = found.len();
             self.add_of_terms(formula, way, &mut found);
             self.add_of_uses(formula, way, &mut found);
@@ -50,21 +54,15 @@ impl Formulas {
                 let of_twin =
                     twin.map(|twin| (twin, with(twin.written(way), name.map(|name| self.twin(name)))));
                 let of_twin = of_twin.filter(|(_, of_twin)| of_twin.is_congruent(&base));
-                let is_new = |edit: &&Edit| !known.contains(&term_at(&base, &edit.path));
-                for edit in self.edits_of(&base).iter().filter(is_new) {
+                let is_new = |edit: &Edit| !known.contains(&term_at(&base, &edit.path));
+                for edit in self.edits_of(&base).into_iter().filter(is_new).map(Arc::new) {
                     let same =
-                        of_twin.as_ref().and_then(|(twin, tree)| Some((*twin, self.twin_edit(tree, edit)?)));
+                        of_twin.as_ref().and_then(|(twin, tree)| Some((*twin, self.twin_edit(tree, &edit)?)));
                     let same = same
                         .as_ref()
                         .zip(of_twin.as_ref())
                         .map(|((twin, edit), (_, tree))| (*twin, tree, edit));
-                    self.add_changes(
-                        (formula, way, Class::Expanded),
-                        &base,
-                        &Arc::new(edit.clone()),
-                        same,
-                        found,
-                    );
+                    self.add_changes((formula, way, Class::Expanded), &base, &edit, same, found);
                 }
             }
             if name.is_none() {
@@ -231,6 +229,26 @@ impl Formulas {
         let (vector, others): (Vec<_>, Vec<_>) = factors(term, false).into_iter().partition(is_vector);
         [vector, others]
     }
+}
+
+/// Adds the error of a formula that these formulas alone use with it.
+fn add_use(
+    (formula, tree): (&Formula, &Tree),
+    twin: Option<(&Formula, &Tree)>,
+    (used, other): (Name, Option<Name>),
+    edit: &Arc<Edit>,
+    found: &mut Vec<Change>,
+) {
+    let mut new = Vec::new();
+    put(formula, tree, &mut new);
+    if let Some((twin, tree)) = twin {
+        put(twin, tree, &mut new);
+    }
+    let users = [Some(formula.name), twin.map(|(twin, _)| twin.name)];
+    let formulas = [Some(used), other];
+    let words = OfEdit { edit: Arc::clone(edit), formulas, users, scope: "", form: "" };
+    let cost = edit.cost + 2 + u32::from(twin.is_some());
+    found.push(Change { new, cost, ..Change::of(words) });
 }
 
 /// The products of all terms of both.

@@ -108,12 +108,12 @@ impl<'a> Searched<'a> {
         };
         let found = if class == Class::Expanded {
             parallel::flat_map(&self.suspected(ways.needed), |formula| {
-                let mut all = FORMULAS.expanded_changes(formula);
+                let mut all = FORMULAS.expanded_changes(formula, |of| ways.are_right(of));
                 all.retain(yields);
                 all
             })
         } else {
-            let all = CHANGES.of(ways.needed, class);
+            let all = CHANGES.of(ways.needed, class, |of| ways.are_right(of));
             parallel::filter_map(&all, |change| yields(change).then(|| (*change).clone()))
         };
         let found = Arc::new(found);

@@ -62,7 +62,7 @@ fn of_way(points: &[Point], way: usize, among: Set) -> Option<Change> {
     };
     let wanted_at: Vec<RunningError> = probes.iter().filter_map(|point| wanted(point)).collect();
     let is_simple = |change: &&Change| change.cost <= Class::SIMPLE && change.ways[way];
-    let mut simple = CHANGES.of(needed, Class::Simple);
+    let mut simple = CHANGES.of(needed, Class::Simple, |ways| ways[way]);
     simple.retain(is_simple);
     let with_effects = |change: &&'static Change| {
         let effects: Vec<RunningError> = probes.iter().map(|point| effect(point, change)).collect();

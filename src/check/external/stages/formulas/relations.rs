@@ -36,8 +36,10 @@ impl Formulas {
     /// The formula `new`, which has an edit of this tree, with the same edit where delta and Delta are exchanged: of the branch, or
     /// else of its term.
     pub(super) fn with_transpose(&self, tree: &Tree, new: &Tree, edit: &Edit) -> Option<Tree> {
-        if let Some((old, other)) = self.transposed(&edit.old).zip(self.transposed(&edit.new))
-            && let Some(path) = new.find(&|of| *of == old).filter(|path| *path > edit.path && old != edit.old)
+        let other_than = |tree: &Tree| self.transposed(tree).filter(|old| old != tree);
+        if let Some(old) = other_than(&edit.old)
+            && let Some(path) = new.find(&|of| *of == old).filter(|path| *path > edit.path)
+            && let Some(other) = self.transposed(&edit.new)
         {
             return Some(new.with(&path, &other));
         }
@@ -49,9 +51,9 @@ impl Formulas {
                 (term, from) = (of, depth + 1);
             }
         }
-        let old = self.transposed(term).filter(|old| old != term)?;
-        let other = self.transposed(&term.with(&edit.path[from..], &edit.new))?;
+        let old = other_than(term)?;
         let path = new.find(&|of| *of == old)?;
+        let other = self.transposed(&term.with(&edit.path[from..], &edit.new))?;
         Some(new.with(&path, &other))
     }
 

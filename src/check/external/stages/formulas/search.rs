@@ -106,7 +106,8 @@ fn of_stages(
     let (mut known, mut wrong): (Vec<Change>, Set) = (Vec::new(), Set::default());
     for (place, (stage, _)) in STAGES.iter().enumerate() {
         let names = names_of(stage);
-        let is_given = own.iter().any(|point| point.among(given).next().is_some());
+        // What follows from right answers is what the formulas yield.
+        let is_given = own.iter().any(|point| point.is_wrong(given));
         let from_given = is_given.then(|| with_given(own, given));
         let both: Vec<&[Point]> = from_given.as_deref().into_iter().chain([own]).collect();
         let is_wrong = both.iter().all(|points| points.iter().any(|point| point.is_wrong(names)));

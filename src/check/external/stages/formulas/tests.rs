@@ -26,7 +26,7 @@ pub(super) fn all_changes() -> &'static [&'static Change] {
 }
 
 fn changes_of(needed: Set) -> Vec<&'static Change> {
-    Class::KEPT.into_iter().flat_map(|class| CHANGES.of(needed, class)).collect()
+    Class::KEPT.into_iter().flat_map(|class| CHANGES.of(needed, class, |_| true)).collect()
 }
 
 /// Right answers to elements of these families in all regimes.

@@ -96,6 +96,16 @@ impl Value<f64> {
             Vector(vector) => Vector(vector.map(S::from)),
         }
     }
+
+    /// Whether both are the same but for the rounding of a few operations.
+    pub(super) fn is_about(self, other: Self) -> bool {
+        const ROUNDING: f64 = 1e-13;
+        match (self, other) {
+            (Scalar(one), Scalar(other)) => (one - other).abs() <= ROUNDING * one.abs(),
+            (Vector(one), Vector(other)) => (one - other).norm() <= ROUNDING * one.norm(),
+            _ => self.is_zero() && other.is_zero(),
+        }
+    }
 }
 
 impl Value {

@@ -71,7 +71,7 @@ impl Ways {
 
     /// Whether the change may be one of this program: some results follow from it, and its formulas are written so.
     pub(super) fn may_be(&self, change: &Change) -> bool {
-        self.are_needed(change) && self.are_right(change)
+        self.are_needed(change) && self.are_right(&change.ways)
     }
 
     /// Whether some of the results follow from what is changed.
@@ -79,9 +79,9 @@ impl Ways {
         !change.names().and(self.needed).is_empty()
     }
 
-    /// Whether the formulas are right before the change, in some way in which they are written so.
-    fn are_right(&self, change: &Change) -> bool {
-        (0..WAYS).any(|way| change.ways[way] && self.left.iter().all(|(_, left)| left[way]))
+    /// Whether the formulas are right, without a change, in some of these ways.
+    pub(super) fn are_right(&self, ways: &[bool; WAYS]) -> bool {
+        (0..WAYS).any(|way| ways[way] && self.left.iter().all(|(_, left)| left[way]))
     }
 
     /// Keeps the ways that yield the answers at this sample; whether each result has one.

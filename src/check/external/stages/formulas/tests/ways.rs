@@ -100,7 +100,7 @@ fn errors_of_one_use_of_a_formula_are_told() {
              tau_bar.du_bar,xixi Dxi_bar, as its transpose",
         ),
     ] {
-        let all = FORMULAS.expanded_changes(formula(name));
+        let all = FORMULAS.expanded_changes(formula(name), |_| true);
         let is_meant = |change: &&Change| change.words() == words && change.ways[way];
         let change = all.iter().find(is_meant).unwrap_or_else(|| panic!("{words}"));
         let with = if is_of_element { answered_in } else { with_geometry };
@@ -120,7 +120,7 @@ fn errors_of_one_use_of_a_formula_are_told() {
 fn an_error_of_one_use_is_in_all_its_places() {
     let formula = FORMULAS.all.iter().find(|of| of.name == FORMULAS.name("Ddp")).unwrap();
     let words = "in dd, eq. (32), the term t_bar dxi_bar has the wrong sign, in Ddp and Ddp_bar alone";
-    let all = FORMULAS.expanded_changes(formula);
+    let all = FORMULAS.expanded_changes(formula, |_| true);
     let change = all.iter().find(|change| change.words() == words && change.ways[0]).unwrap();
     let names: Set = ["Ddp", "Ddp_bar"].map(|name| FORMULAS.name(name)).into_iter().collect();
     assert_eq!(change.names(), names);
