@@ -83,6 +83,7 @@ static void geometry(const Pair *of) {
             const double f = dot(dD[i], dT[j]) + dot(dD[j], dT[i]) + dot(T, D2) + dot(D, T2);
             const double h = dot(dD[i], dS[j]) + dot(dD[j], dS[i]) + dot(S, D2) + dot(D, S2);
             solve(of, a, b, a_bar, f, h, &Hp[i][j], &Hs[i][j]);
+            if (of->held[1] && !of->held[0]) Hp[i][j] += E(466, 0, b * h / (a * a_bar));
             Ht2[i][j] = dot(dT[i], dT[j]) + dot(T, T2);
             Hs2[i][j] = dot(dS[i], dS[j]) + dot(S, S2);
             Hg[i][j] = (dot(dD[i], dD[j]) + dot(D, D2) - g[i] * g[j]) / d;
@@ -158,7 +159,9 @@ static int is_closed;
 
 static void element(const Pair *of, const Data *data) {
     const int size = of->size;
-    const double *T = x[1], *S = y[1], side = dot(n, data->normal) < 0 && error != 405 ? -1 : 1;
+    const double *T = x[1], *S = y[1];
+    const Vector across = {T[1] * S[2] - T[2] * S[1], T[2] * S[0] - T[0] * S[2], T[0] * S[1] - T[1] * S[0]};
+    const double side = E(465, dot(n, data->normal), dot(n, across)) < 0 && error != 405 ? -1 : 1;
     double k, force = law(data, side * d - of->radius[0] - F(406, 0) * of->radius[1], &k);
     const double t = sqrt(dot(T, T)), t_bar = sqrt(dot(S, S));
     const int both = of->held[0] && of->held[1];
@@ -172,7 +175,8 @@ static void element(const Pair *of, const Data *data) {
     is_closed = force > 0;
     returned[0] = returned[1] = 0;
     if (!has_friction) return;
-    const double u = of->held[0] ? 0 : F(450, 0) * (of->xi[0] - data->xi_n[0]);
+    const double xi_n = E(467, data->xi_n[0], (float)data->xi_n[0]);
+    const double u = of->held[0] ? 0 : F(450, 0) * (of->xi[0] - xi_n);
     const double u_bar = of->held[1] ? 0 : F(450, 0) * (of->xi[1] - data->xi_n[1]);
     double e_n[2];
     start(data, of->held, dot(T, S) / (t * t_bar), e_n);
@@ -185,7 +189,7 @@ static void element(const Pair *of, const Data *data) {
         trial[c] = own * tau[c] - F(415, -1) * own_bar * tau_bar[c] + (is_kept ? data->kept[c] : 0);
     const double gamma = E(416, sqrt(dot(trial, trial)), sqrt(e * e + e_bar * e_bar));
     const double cone = data->mu * force;
-    const int slips = data->eps_t * gamma > cone && error != 417;
+    const int slips = data->eps_t * gamma > cone * E(464, 1, 1.001) && error != 417;
     const double factor = F(418, -1) * (slips ? E(419, cone, force) / gamma : data->eps_t);
     returned[0] = factor / data->eps_t * e, returned[1] = factor / data->eps_t * e_bar;
     for (int c = 0; c < 3; c++) {

@@ -137,7 +137,7 @@ fn with_faults_first(found: Explanation, traced: Option<Traced>) -> Explanation 
 impl Explanation {
     /// The explanation with what the equations say of the answers.
     fn with(self, traced: Traced) -> Self {
-        let cause = |Reading { names, words, coefficient }: Reading| Cause {
+        let cause = |Reading { names, words, coefficient, .. }: Reading| Cause {
             name: names.join(" and "),
             words,
             coefficient,

@@ -5,7 +5,7 @@ use super::compare::Judged;
 use super::conventions::{Conventions, Length, Range};
 use super::shape::Shape;
 use super::vectors::Vector;
-use super::which_entries::{Dof, Entries};
+use super::which_entries::{Dof, Entries, permuted};
 use crate::check::evaluation_point::Dense;
 use crate::check::serialized::short;
 use crate::linearization::Quantity;
@@ -35,6 +35,9 @@ pub struct Location {
     pub differing: usize,
     /// Which entries differ, and what they are, if these have something in common.
     pub which: Option<String>,
+    /// What is in another order, if the matrix has the expected rows and columns in another order.
+    #[serde(skip)]
+    pub order: Option<String>,
     /// Whether the matrix of differences is antisymmetric.
     pub is_antisymmetric: bool,
     /// The shape of the matrix, if it is not an ordinary symmetric one.
@@ -212,6 +215,7 @@ fn entry(
         scaled_error: difference(worst) / largest,
         differing: is_wrong.iter().filter(|is_wrong| **is_wrong).count(),
         which: if is_told { None } else { entries.words() },
+        order: if is_second { permuted(&entries).map(|(order, _)| order) } else { None },
         is_antisymmetric: is_second && (0..expected.len()).all(antisymmetric),
         shape,
         indices,

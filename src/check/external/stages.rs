@@ -171,13 +171,13 @@ fn traced_along(along: Along, in_list: bool, of: &(impl Fn(Along) -> Vec<Sample>
         let found = formulas::found(&samples, of, &|| blocks::found(of));
         return found.map(|traced| traced.or_of_curves(&samples));
     }
-    let (first, (of_first, others)) = all_wrong.first()?;
+    let (first, of_first) = all_wrong.first()?;
     let first = &equations[*first];
     let wrong: Vec<usize> = all_wrong.iter().map(|(e, _)| *e).collect();
-    let count = of_first.len() + others.len();
-    let place = sentences::of_place(first, of_first.len(), count);
+    let count = of_first.0.len() + of_first.1.len();
+    let place = sentences::of_place(first, &points, of_first);
     let mut traced = Traced { cases: count, place, ..Traced::default() };
-    if let Some((place, cause)) = of_closest_point(&equations, &wrong, &points, (of_first, others)) {
+    if let Some((place, cause)) = of_closest_point(&equations, &wrong, &points, of_first) {
         traced.place = place.unwrap_or(traced.place);
         traced.causes = vec![cause];
         return Some(traced);
@@ -264,7 +264,7 @@ fn of_closest_point(
     equations: &[Equation],
     wrong: &[usize],
     points: &[Point],
-    (of_first, others): (&[usize], &[usize]),
+    (of_first, others): &Cases,
 ) -> Option<(Option<String>, Reading)> {
     let first = &equations[wrong[0]];
     if first.number == CLOSEST_POINT && matches!(first.at, At::Held(_)) {

@@ -1,5 +1,9 @@
 //! Which entries of a gradient or a Hessian are wrong, and what they are.
 
+mod permuted;
+
+pub(super) use permuted::permuted;
+
 /// A dof of a program.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dof {
@@ -149,24 +153,29 @@ impl Entries<'_> {
     }
 
     /// What the wrong entries are, with the entry that stands at a place.
-    fn what(&self) -> Option<(&'static str, Predicted<'_>)> {
+    fn what(&self) -> Option<(String, Predicted<'_>)> {
         let size = self.dofs.len();
         let times = |factor: f64| -> Predicted { Box::new(move |k| factor * self.expected[k]) };
-        let mut all: Vec<(&str, Predicted)> = vec![
-            ("which are zero", times(0.0)),
-            ("which have the wrong sign", times(-1.0)),
-            ("which are twice the expected ones", times(2.0)),
-            ("which are half the expected ones", times(0.5)),
+        let mut all: Vec<(String, Predicted)> = vec![
+            ("which are zero".into(), times(0.0)),
+            ("which have the wrong sign".into(), times(-1.0)),
+            ("which are twice the expected ones".into(), times(2.0)),
+            ("which are half the expected ones".into(), times(0.5)),
         ];
         if self.is_matrix() {
             let transposed = move |k: usize| self.expected[(k % size) * size + k / size];
-            all.push(("which are those of the transpose", Box::new(transposed)));
+            all.push(("which are those of the transpose".into(), Box::new(transposed)));
             let bars = self.dofs.iter().filter(|dof| dof.is_bar).count();
             if 2 * bars == size {
                 let other = move |i: usize| (i + bars) % size;
                 let of_block = move |k: usize| self.expected[other(k / size) * size + other(k % size)];
-                all.push(("which are those of the block with the beams exchanged", Box::new(of_block)));
+                let words = "which are those of the block with the beams exchanged".into();
+                all.push((words, Box::new(of_block)));
             }
+            all.extend(permuted(self).map(|(order, places)| -> (String, Predicted) {
+                let words = format!("which are those with the {order}");
+                (words, Box::new(move |k| self.expected[places[k]]))
+            }));
         }
         let is_meant = |predicted: &Predicted| {
             let mut wrong = (0..self.expected.len()).filter(|k| self.is_wrong[*k]);

@@ -29,8 +29,8 @@ pub(in crate::cli) struct Diagnosed {
     is_not_finite: bool,
     /// The differences of the first wrong Hessian are antisymmetric.
     is_antisymmetric: bool,
-    /// The matrix and its shape, if the first wrong one is a triangle or has doubled entries.
-    shape: Option<(String, Shape)>,
+    /// What is wrong with the first wrong matrix, if it is a triangle, has doubled entries or another order.
+    of_matrix: Option<String>,
     /// Where to look by the forces, if they are answered with residual or tangent and the cause is not known.
     place_of_force: Option<&'static str>,
     /// The names of state and forces, if nothing else is wrong.
@@ -60,12 +60,14 @@ impl Diagnosed {
         let is_not_finite = !judged.comparison.closed.is_finite();
         let location = explain.then(|| locate(vector, answers, judged, &demands.conventions)).flatten();
         let is_antisymmetric = location.as_ref().is_some_and(|location| location.is_antisymmetric);
-        let shape = location.and_then(|location| {
-            let shape = location.shape.filter(|shape| *shape != Shape::Unsymmetric)?;
-            Some((matrix_name(&location, &judged.comparison), shape))
+        let of_matrix = location.and_then(|location| {
+            let shape = location.shape.filter(|shape| *shape != Shape::Unsymmetric);
+            let of_shape = shape.map(|shape| format!("{}. Both triangles are expected", shape.words()));
+            let words = of_shape.or_else(|| Some(format!("has its {}", location.order.as_ref()?)))?;
+            Some(format!("{} {words}", matrix_name(&location, &judged.comparison)))
         });
-        if shape.is_some() {
-            return Self { shape, few_digits, ..Self::default() };
+        if of_matrix.is_some() {
+            return Self { of_matrix, few_digits, ..Self::default() };
         }
         let other = other_conventions(&report.kept, demands);
         let forces = report.forces().filter(|_| report.coverage.is_of_element());
@@ -123,9 +125,7 @@ impl Diagnosed {
                 "Rounding of the textbook formulas explains it.\nThe formulas are right, but keep too few digits here."
                     .to_owned()
             }
-            Self { shape: Some((matrix, shape)), .. } => {
-                folded(&format!("Cause: the {matrix} {}. Both triangles are expected.", shape.words()), "", "  ")
-            }
+            Self { of_matrix: Some(words), .. } => folded(&format!("Cause: the {words}."), "", "  "),
             Self { few_digits: Some(few), .. } if few.settles() => String::new(),
             Self { forces: Some(names), .. } => {
                 let words = format!(

@@ -167,7 +167,9 @@ fn in_equations(
     demands: &Demands,
 ) -> (Naming, Vec<String>) {
     let names = |found: Traced| -> BTreeSet<String> {
-        found.causes.into_iter().chain(found.beyond).flat_map(|reading| reading.names).collect()
+        let all = found.causes.into_iter().chain(found.beyond);
+        // Where an error is, is no name of an error.
+        all.filter(|reading| !reading.is_place).flat_map(|reading| reading.names).collect()
     };
     // One fault is told by the list of formulas, and two by the equations, so both names are known.
     let alone = |fault: &Fault| -> BTreeSet<String> {

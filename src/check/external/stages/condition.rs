@@ -9,6 +9,8 @@ type Statement = (&'static str, &'static str, bool);
 
 /// The maximum number of statements of a condition.
 const STATEMENTS: usize = 3;
+/// The largest probability that some statement is common to the wrong cases by chance.
+const CHANCE: f64 = 1e-3;
 
 fn statements(point: &Point) -> Vec<Statement> {
     let v = |of| point.vector(of).map(|n| n.value);
@@ -48,10 +50,25 @@ fn statements(point: &Point) -> Vec<Statement> {
             side * angle < 0.0,
         ),
         ("the gap is closed", "the gap is open", d.norm() < s.contact.radius + s.contact.radius_bar),
+        ("the law is lpqp", "the law is not lpqp", s.inputs.holds("lpqp")),
+        ("the law is augmented", "the law is not augmented", s.inputs.holds("augmented")),
+        (
+            "a normal of the last step is given",
+            "no normal of the last step is given",
+            s.inputs.holds("has_n"),
+        ),
+        (
+            "the same parameters are held as at the last step",
+            "other parameters are held than at the last step",
+            ["xi", "xi_bar"].iter().zip(s.held).all(|(of, is_held)| {
+                !s.inputs.holds("has_slips") || s.inputs.holds(&format!("was_free_{of}")) != is_held
+            }),
+        ),
     ]
 }
 
-/// The fewest statements that hold at the wrong cases, and at no right one all of them.
+/// What the wrong cases have in common, as a clause: the fewest statements that hold at them, and at no right one all of them. If
+/// there are none, the one that holds at the fewest right ones, unless it may be common to the wrong ones by chance.
 pub(super) fn condition(points: &[Point], wrong: &[usize], right: &[usize]) -> Option<String> {
     let of = |case: &usize| points.iter().find(|point| point.sample.case == *case).map(statements);
     let wrong: Vec<Vec<Statement>> = wrong.iter().filter_map(of).collect();
@@ -60,9 +77,20 @@ pub(super) fn condition(points: &[Point], wrong: &[usize], right: &[usize]) -> O
     let is_common = |k: &usize| wrong.iter().all(|of| of[*k].2 == first[*k].2);
     let common: Vec<usize> = (0..first.len()).filter(is_common).collect();
     let found = (1..=STATEMENTS)
-        .find_map(|count| separating(&common, count, &|k| first[k].2, &right.iter().collect::<Vec<_>>()))?;
+        .find_map(|count| separating(&common, count, &|k| first[k].2, &right.iter().collect::<Vec<_>>()));
     let words = |k: usize| if first[k].2 { first[k].0 } else { first[k].1 };
-    Some(found.into_iter().map(words).collect::<Vec<_>>().join(" and "))
+    if let Some(found) = found {
+        return Some(format!(", where {}", found.into_iter().map(words).collect::<Vec<_>>().join(" and ")));
+    }
+    let count = |k: &usize| right.iter().filter(|of| of[*k].2 == first[*k].2).count();
+    let rarest = common.into_iter().min_by_key(count)?;
+    let share = of_count(count(&rarest)) / of_count(right.len());
+    let is_by_chance = of_count(first.len()) * wrong.iter().map(|_| share).product::<f64>() > CHANCE;
+    (!is_by_chance).then(|| format!(", in all of which {}", words(rarest)))
+}
+
+fn of_count(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::MAX, f64::from)
 }
 
 /// So many of these statements, of which at least one does not hold as at the wrong cases at each of the others.

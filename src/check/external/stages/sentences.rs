@@ -1,7 +1,7 @@
 //! What was found of an equation, in sentences.
 
 use super::condition::condition;
-use super::equations::{Equation, RESIDUAL, TANGENT};
+use super::equations::{At, Equation, RESIDUAL, TANGENT};
 use super::judgement::{Cases, Status};
 use super::point::Point;
 use super::rows::{Row, What};
@@ -16,6 +16,14 @@ pub(in crate::check::external) struct Reading {
     pub(in crate::check::external) words: String,
     /// The factor of a term less one.
     pub(in crate::check::external) coefficient: Option<f64>,
+    /// Whether it tells where something is wrong, and not what.
+    pub(in crate::check::external) is_place: bool,
+}
+
+impl Reading {
+    pub(super) fn new(names: Vec<String>, words: String) -> Self {
+        Self { names, words, coefficient: None, is_place: false }
+    }
 }
 
 /// The results of an equation, such as the first order of xi and xi_bar.
@@ -52,11 +60,8 @@ pub(super) fn of_status(
         Status::Right | Status::Unknown => Vec::new(),
         Status::WrongForm(words) => {
             let name = format!("{subject}: {words}");
-            vec![Reading {
-                words: format!("in {name}{}", scope(points, wrong, right)),
-                names: vec![name],
-                coefficient: None,
-            }]
+            let words = format!("in {name}{}", scope(points, wrong, right));
+            vec![Reading::new(vec![name], words)]
         }
         Status::Varies(terms) => {
             // Other terms with the same variations have the same effect, so none is called wrong.
@@ -69,11 +74,8 @@ pub(super) fn of_status(
             } else {
                 format!(", eq. {},", equation.number)
             };
-            vec![Reading {
-                words: format!("in {subject}{of} {what}{triangle}"),
-                names: vec![what],
-                coefficient: None,
-            }]
+            let words = format!("in {subject}{of} {what}{triangle}");
+            vec![Reading { is_place: true, ..Reading::new(vec![what], words) }]
         }
         Status::Explained(cause) => {
             let scope = if cause.everywhere { String::new() } else { scope(points, wrong, right) };
@@ -89,7 +91,7 @@ pub(super) fn of_status(
                     "in {subject} {}{triangle}{scope}",
                     each(&cause.number.map_or_else(|| number(equation), |of| format!(" {of}"))).join(" and ")
                 );
-                Reading { names: each(""), words, coefficient }
+                Reading { coefficient, ..Reading::new(each(""), words) }
             };
             cause.readings.iter().take(READINGS).map(reading).collect()
         }
@@ -134,7 +136,7 @@ pub(super) fn scope(points: &[Point], wrong: &[usize], right: &[usize]) -> Strin
     if right.is_empty() {
         return String::new();
     }
-    let which = condition(points, wrong, right).map_or_else(String::new, |of| format!(", where {of}"));
+    let which = condition(points, wrong, right).unwrap_or_default();
     format!(", at {} of {} cases{which}", wrong.len(), wrong.len() + right.len())
 }
 
@@ -146,7 +148,7 @@ pub(super) fn of_closest_point(points: &[Point], wrong: &[usize], right: &[usize
          its start, its steps, its matrix",
         scope(points, wrong, right)
     );
-    Reading { names: vec![name], words, coefficient: None }
+    Reading::new(vec![name], words)
 }
 
 /// A parameter that is held at an end is somewhere else.
@@ -156,20 +158,24 @@ pub(super) fn of_end(equation: &Equation) -> Reading {
         "{name} is held at an end of its beam, and the answer is another parameter: look at what the iteration does with a \
          held parameter"
     );
-    Reading { names: vec![words.clone()], words, coefficient: None }
+    Reading::new(vec![words.clone()], words)
 }
 
 /// Where an equation is wrong.
-pub(super) fn of_place(equation: &Equation, wrong: usize, all: usize) -> String {
+pub(super) fn of_place(equation: &Equation, points: &[Point], (wrong, right): &Cases) -> String {
     let (result, number) = (result_words(equation), number(equation));
-    format!("{result} does not satisfy its equation{number} at {wrong} of {all} cases")
+    let (count, all) = (wrong.len(), wrong.len() + right.len());
+    let names = ["xi", "xi_bar"];
+    let which = match equation.at {
+        _ if !right.is_empty() => condition(points, wrong, right).unwrap_or_default(),
+        At::Held(beam) => format!(", where {} is held", names[beam]),
+        At::Alone(beam) => format!(", where {} is held", names[1 - beam]),
+        _ => String::new(),
+    };
+    format!("{result} does not satisfy its equation{number} at {count} of {all} cases{which}")
 }
 
 /// An error of the curves.
 pub(super) fn of_curves(words: &str) -> Reading {
-    Reading {
-        names: vec![words.to_owned()],
-        words: format!("the curves are wrong: {words}"),
-        coefficient: None,
-    }
+    Reading::new(vec![words.to_owned()], format!("the curves are wrong: {words}"))
 }

@@ -63,6 +63,7 @@ impl Changes {
         others.extend(list.of_lengths());
         others.extend(list.of_friction());
         others.extend(list.of_straight_beams());
+        others.push(list.of_side());
         let exchange = |formula: &Formula| {
             let twin = list.twin_of(formula, 0).filter(|twin| twin.name > formula.name)?;
             Some(list.exchange_of(formula, twin))

@@ -78,7 +78,7 @@ fn degree(tree: &Tree, degrees: &[u8; Set::NAMES]) -> u8 {
         Op::Product(divides) => all.map(|i| if divides.has(i) { only_constant(of(i)) } else { of(i) }).sum(),
         Op::Dot | Op::Cross => all.map(of).sum(),
         Op::Sum(_) | Op::Axes(_) => all.map(of).max().unwrap_or(0),
-        Op::Root => only_constant(of(0)),
+        Op::Root | Op::Single => only_constant(of(0)),
         Op::Less => only_constant(of(0).max(of(1))),
         Op::If => only_constant(of(0)).max(of(1)).max(of(2)),
     };

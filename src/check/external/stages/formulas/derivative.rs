@@ -125,7 +125,7 @@ fn derived(tree: &Tree, of: &impl Fn(Name) -> Of) -> Option<Option<Tree>> {
             }
             summed(terms)
         }
-        Op::Dot | Op::Cross | Op::Axes(_) => {
+        Op::Dot | Op::Cross | Op::Axes(_) | Op::Single => {
             let branches = branches()?.into_iter().enumerate();
             summed(branches.filter_map(|(i, branch)| Some((false, with(i, branch?)))).collect())
         }

@@ -63,7 +63,7 @@ fn add_derivatives<S: Number>(tree: &Tree, by: Value<S>, right: &[Value<S>], to:
             add(1, by.cross(at(0)));
         }
         // No right formula has them.
-        Op::Axes(_) => add(0, Value::NOT_A_NUMBER),
+        Op::Axes(_) | Op::Single => add(0, Value::NOT_A_NUMBER),
         Op::Root => add(0, by.over(value(tree, right).times(Value::from(2.0)))),
         Op::If => match at(0).number().value() {
             condition if condition.is_nan() => add(1, Value::NOT_A_NUMBER),

@@ -112,6 +112,11 @@ impl Inputs {
         }
     }
 
+    /// Whether a condition is given that has this name in the formulas.
+    pub(in crate::check::external::stages) fn holds(&self, name: &str) -> bool {
+        !self.values[FORMULAS.name(name)].is_zero()
+    }
+
     /// Leaves out the forces of the program.
     pub(in crate::check::external::stages) fn leave_forces(&mut self) {
         self.forces.clear();

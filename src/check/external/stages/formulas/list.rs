@@ -215,6 +215,7 @@ impl Formulas {
             Op::Sum(_) | Op::Product(_) => tree.of.iter().any(|of| self.is_vector(of)),
             Op::Cross | Op::Axes(_) => true,
             Op::If => self.is_vector(&tree.of[1]),
+            Op::Single => self.is_vector(&tree.of[0]),
             Op::Number(_) | Op::Dot | Op::Root | Op::Less => false,
         }
     }

@@ -27,7 +27,7 @@ fn is_answered(points: &[Point], of: &dyn Fn(RunningError, RunningError) -> Runn
 pub(super) fn reading(own: &[Point], entries: &dyn Fn(Along) -> Vec<Sample>) -> Option<Reading> {
     let told = |words: &str| {
         let words = format!("in the tangent {words}");
-        Some(Reading { names: vec![words.clone()], words, coefficient: None })
+        Some(Reading::new(vec![words.clone()], words))
     };
     if is_answered(own, &|_, transposed| transposed) {
         return told("rows and columns are exchanged");

@@ -22,6 +22,7 @@ pub(super) enum Operation {
     /// The place in [`AXES`].
     Axes(usize),
     Root,
+    Single,
     Less,
     If,
 }
@@ -34,6 +35,7 @@ impl Operation {
             Op::Dot => Self::Dot,
             Op::Cross => Self::Cross,
             Op::Root => Self::Root,
+            Op::Single => Self::Single,
             Op::Axes(axes) => Self::Axes(*axes),
             Op::Less => Self::Less,
             Op::If => Self::If,
@@ -54,6 +56,7 @@ impl Operation {
             Self::Cross => at(0).cross(at(1)),
             Self::Axes(axes) => at(0).with_axes(&AXES[axes].0),
             Self::Root => Value::Number(at(0).number().sqrt()),
+            Self::Single => at(0).in_single_precision(),
             Self::Less => at(0).number().is_less(at(1).number()).map_or(Value::NOT_A_NUMBER, Value::from),
             Self::If => match at(0).number().value() {
                 condition if condition.is_nan() => Value::NOT_A_NUMBER,

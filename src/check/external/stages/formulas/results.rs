@@ -40,6 +40,12 @@ impl Formulas {
         self.all.iter().filter_map(of).collect()
     }
 
+    /// The side of the normal that is that of the tangents, and not that of the last step.
+    pub(super) fn of_side(&self) -> Change {
+        let words = "the normal is on the side of cross(t, t_bar), and not on that of the last step or of d";
+        self.instead(words.into(), &[("side", "normal.cross(t, t_bar) < 0 ? -1 : 1".into())])
+    }
+
     /// The length of a variation in the place of the variation of a length.
     pub(super) fn of_lengths(&self) -> Vec<Change> {
         let lengths = [("d|t|", "dt"), ("d|t_bar|", "dt_bar"), ("d|d|", "dd")];

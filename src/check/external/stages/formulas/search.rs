@@ -175,6 +175,6 @@ fn yields(change: &Change, points: &[Point], among: Set) -> bool {
 }
 
 fn readings(changes: &[Change]) -> Vec<Reading> {
-    let reading = |words: String| Reading { names: vec![words.clone()], words, coefficient: None };
+    let reading = |words: String| Reading::new(vec![words.clone()], words);
     changes.iter().map(Change::words).map(reading).collect()
 }

@@ -40,6 +40,8 @@ pub(super) enum Op {
     Dot,
     Cross,
     Root,
+    /// The number or vector in single precision.
+    Single,
     /// The vector with other components: their place in [`AXES`](super::axes::AXES).
     Axes(usize),
     /// 1 if the first is less than the second, else 0.
@@ -257,6 +259,7 @@ impl Tree {
             Op::Dot => infix(&["."], 4, to),
             Op::Cross => call("cross", to),
             Op::Root => call("sqrt", to),
+            Op::Single => call("single", to),
             Op::Axes(_) => call("axes", to),
             Op::Less => infix(&[" < "], 1, to),
             Op::If => infix(&[" ? ", " : "], 1, to),

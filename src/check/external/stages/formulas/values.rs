@@ -14,6 +14,9 @@ pub(in crate::check::external::stages) trait Number: Real {
 
     fn value(self) -> f64;
 
+    /// The nearest number of single precision.
+    fn in_single_precision(self) -> Self;
+
     /// Whether it is less than another one, if rounding does not hide it.
     fn is_less(self, other: Self) -> Option<bool>;
 }
@@ -31,11 +34,21 @@ impl Number for RunningError {
         self.value
     }
 
+    fn in_single_precision(self) -> Self {
+        let [value, low, high] = [self.value, self.value - self.bound, self.value + self.bound].map(single);
+        Self { value, bound: (value - low).max(high - value) }
+    }
+
     fn is_less(self, other: Self) -> Option<bool> {
         let difference = other - self;
         let is_known = difference.value.abs() > difference.bound || difference.bound == 0.0;
         is_known.then_some(difference.value > 0.0)
     }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "this is meant")]
+fn single(number: f64) -> f64 {
+    f64::from(number as f32)
 }
 
 /// What rounding may change of a number without a bound.
@@ -52,6 +65,10 @@ impl Number for f64 {
     #[inline]
     fn value(self) -> f64 {
         self
+    }
+
+    fn in_single_precision(self) -> Self {
+        single(self)
     }
 
     fn is_less(self, other: Self) -> Option<bool> {
@@ -218,6 +235,14 @@ impl<S: Number> Value<S> {
             // A vector that is missing.
             (Scalar(zero), Vector(_)) | (Vector(_), Scalar(zero)) if zero.value() == 0.0 => Scalar(zero),
             _ => Self::NOT_A_NUMBER,
+        }
+    }
+
+    /// As a program with single precision keeps it.
+    pub(super) fn in_single_precision(self) -> Self {
+        match self {
+            Scalar(number) => Scalar(number.in_single_precision()),
+            Vector(vector) => Vector(vector.map(S::in_single_precision)),
         }
     }
 

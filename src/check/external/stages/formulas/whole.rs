@@ -9,9 +9,37 @@ use super::tree::{Name, Op, Tree};
 impl Formulas {
     /// All changes of inputs.
     pub(super) fn of_inputs(&self) -> Vec<Change> {
-        let all =
-            [self.of_curves(), self.of_numbers(), self.of_vectors(), self.of_conditions(), self.exchanges()];
+        let all = [
+            self.of_curves(),
+            self.of_numbers(),
+            self.in_single_precision(),
+            self.of_vectors(),
+            self.of_conditions(),
+            self.exchanges(),
+        ];
         all.concat()
+    }
+
+    /// Numbers that are given, and vectors of the last step, in single precision: one, both of two beams, or the whole history.
+    fn in_single_precision(&self) -> Vec<Change> {
+        let is_of_last_step = |name: Name| self.names.0[name].ends_with("_n");
+        let is_given = |name: &Name| {
+            let kind = self.kinds[*name];
+            !kind.is_condition && (!kind.is_vector || is_of_last_step(*name))
+        };
+        let given: Vec<Name> = (0..self.inputs).filter(is_given).collect();
+        let both = given.iter().map(|name| vec![*name, self.twin(*name)]).filter(|both| both[0] < both[1]);
+        let history = given.iter().copied().filter(|name| is_of_last_step(*name)).collect();
+        let all = given.iter().map(|name| vec![*name]).chain(both).chain([history]);
+        let of = |names: Vec<Name>| {
+            let told: Vec<&str> = names.iter().map(|name| self.names.0[*name].as_str()).collect();
+            let verb = if names.len() > 1 { "have" } else { "has" };
+            let single = |name: &Name| New::of(*name, Tree::new(Op::Single, [Tree::name(*name)]));
+            let cost = 3 + u32::from(names.len() > 1);
+            let words = format!("{} {verb} single precision", told.join(", "));
+            Change { new: names.iter().map(single).collect(), cost, ..Change::of(words) }
+        };
+        all.map(of).collect()
     }
 
     /// Factors on the vectors of one or both curves, or on their variations, and other components of them.

@@ -28,6 +28,9 @@ pub(super) struct OfEdit {
     pub(super) form: &'static str,
 }
 
+/// Said of a number that is compared with another one.
+const AS_GOOD: &str = ", or is another number with the same effect on this condition";
+
 /// The form of a change of what is differentiated alone.
 pub(super) const IN_DERIVATIVES: &str = "in the derivatives, ";
 
@@ -82,7 +85,9 @@ impl OfEdit {
             Some(verb) => (names.concat(), verb),
             None => (format!("in {}", names.join(" and ")), &*edit),
         };
-        let words = format!("{subject}{of_equation} {verb}{scope}{of_users}");
+        let is_in_condition = FORMULAS.kinds[changed[0].name].is_condition && self.edit.is_of_number();
+        let of_condition = if is_in_condition { AS_GOOD } else { "" };
+        let words = format!("{subject}{of_equation} {verb}{scope}{of_users}{of_condition}");
         if *form != IN_DERIVATIVES {
             return words + form;
         }
@@ -95,6 +100,11 @@ fn text(tree: &Tree) -> String {
 }
 
 impl Edit {
+    /// Whether it is in the place of a number.
+    fn is_of_number(&self) -> bool {
+        !matches!(self.old.op, Op::Less | Op::If) && !FORMULAS.kind(&self.old).is_condition
+    }
+
     /// What is wrong, as a clause.
     fn words(&self) -> String {
         let Self { what, old, new, term, .. } = self;
