@@ -42,7 +42,7 @@ pub(super) fn affected(way: usize, names: Set, through: Through) -> Set {
     if through == Through::Nothing {
         return Set::default();
     }
-    names.names().fold(names, |all, name| all.or(FORMULAS.relations[way].follows[name]))
+    FORMULAS.relations[way].following(names)
 }
 
 /// What is used in the formulas of these names.

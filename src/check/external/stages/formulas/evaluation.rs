@@ -158,8 +158,7 @@ impl Relations {
     /// The names that are needed and may have other values if this change is made. A name whose formula is another one is
     /// not among them.
     fn affected(&self, change: &Change, needed: Set) -> Set {
-        let follow = change.names().names().fold(Set::default(), |all, name| all.or(self.follows[name]));
-        follow.and(needed).without(change.new.iter().map(|new| new.name).collect())
+        self.following(change.names()).and(needed).without(change.new.iter().map(|new| new.name).collect())
     }
 }
 

@@ -116,4 +116,9 @@ impl Relations {
         };
         Self { uses, follows, differ: std::array::from_fn(differ) }
     }
+
+    /// These names, and all that follows from them.
+    pub(super) fn following(&self, names: Set) -> Set {
+        names.names().fold(names, |all, name| all.or(self.follows[name]))
+    }
 }

@@ -110,8 +110,7 @@ impl Ways {
                 }
             }
             // What follows from another number than the one that is answered is not that of this program.
-            let follows = &FORMULAS.relations[way].follows;
-            let after = others.names().fold(Set::default(), |after, name| after.or(follows[name]));
+            let after = FORMULAS.relations[way].following(others);
             for (_, left) in left
                 .iter_mut()
                 .filter(|((output, held), _)| *held == point.sample.held && after.has(output.name))
