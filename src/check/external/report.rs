@@ -69,7 +69,7 @@ pub struct Report {
     /// The search for the closest points against the independent one.
     #[serde(default)]
     pub search: SearchFound,
-    /// The first wrong case, with its first wrong number.
+    /// The first wrong case, with its first wrong number; one that rounding does not explain, if there is one.
     #[serde(skip)]
     pub first: Option<(Vector, Answers, Judged)>,
     /// Wrong cases by the first wrong part.
@@ -154,7 +154,9 @@ impl Report {
                 regime.loss = Some(loss);
             }
         }
-        let Some(&first) = judged.iter().find(is(Judgement::Wrong)) else {
+        // What rounding does not explain is told first.
+        let wrong = || judged.iter().filter(is(Judgement::Wrong));
+        let Some(&first) = wrong().find(|judged| !judged.is_rounding).or_else(|| wrong().next()) else {
             if self.right.len() < KEPT {
                 self.right.push((vector, answers));
             }
@@ -165,7 +167,9 @@ impl Report {
         self.doubted += u64::from(is_doubted);
         *self.beginnings.entry(key(&first)).or_default() += 1;
         self.keep(&vector, &answers);
-        self.first.get_or_insert((vector, answers, first));
+        if self.first.as_ref().is_none_or(|(.., known)| known.is_rounding && !first.is_rounding) {
+            self.first = Some((vector, answers, first));
+        }
     }
 
     fn add_degenerate(&mut self, regime: &str, reason: &str) {

@@ -275,21 +275,20 @@ fn of_closest_point(
     is_alone.then(|| (Some(place.into()), sentences::of_closest_point(points, of_first, others)))
 }
 
-/// One change that explains the entries below and above the diagonal, as of a direction that is used twice, or those of one
-/// triangle.
+/// One change that explains the entries off the diagonal, as of a direction that is used twice, or those of one triangle.
 fn of_entries([lower, upper]: &[&[Sample]; 2]) -> Vec<Reading> {
-    let all = formulas::of_all(&[*lower, *upper].concat());
-    if !all.is_empty() {
-        return all;
-    }
-    let of_triangle = |(samples, words): (&[Sample], &str)| -> Option<Vec<Reading>> {
+    let of_entries = |(samples, words): (&[Sample], &str)| -> Option<Vec<Reading>> {
         let mut found = formulas::of_all(samples);
         for of in &mut found {
             of.words = format!("{}, in the entries {words} the diagonal", of.words);
         }
         Some(found).filter(|found| !found.is_empty())
     };
-    [(*lower, "below"), (*upper, "above")].into_iter().find_map(of_triangle).unwrap_or_default()
+    let all = [*lower, *upper].concat();
+    [(&all[..], "off"), (*lower, "below"), (*upper, "above")]
+        .into_iter()
+        .find_map(of_entries)
+        .unwrap_or_default()
 }
 
 fn is_known(found: &[Status]) -> bool {

@@ -76,6 +76,36 @@ fn few_digits_are_recognized() {
     assert!(!told.contains("significant digits") && told.contains("Cause: "), "{told}");
 }
 
+/// An error is told although rounding explains the first wrong numbers.
+#[test]
+fn rounding_does_not_hide_an_error() {
+    let drawn = ["--family", "hermite", "--cases", "5", "--regime", "generic", "--regime", "nearly-crossing"];
+    let path = exported("rounding.jsonl", &[&drawn[..], &["--expected", "none"]].concat());
+    let vectors = path.to_str().unwrap();
+    let answers = scratch("rounding-answers.jsonl", "");
+    let files = [vectors, answers.to_str().unwrap()];
+    let told = |text: Option<&str>| {
+        match text {
+            Some(text) => std::fs::write(&answers, text).unwrap(),
+            None => {
+                assert!(run(&["evaluate", files[0], "-o", files[1], "--formulas", "paper"]).status.success())
+            }
+        }
+        let output = run(&["verify", files[0], files[1], "--digits", "10"]);
+        assert_eq!(output.status.code(), Some(1));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    const RIGHT: &str = "The formulas are right, but keep too few digits here.";
+    assert!(told(None).contains(RIGHT));
+    let wrong = changed(&std::fs::read_to_string(&answers).unwrap(), |line| {
+        if line["id"] == "8" {
+            map(&mut line["d"]["hessian"], &|x| 1.001 * x);
+        }
+    });
+    let told = told(Some(&wrong));
+    assert!(!told.contains(RIGHT) && told.contains("of the Hessian of d, case 8"), "{told}");
+}
+
 /// The digits that are asked for are those of the number. Its terms may be so much larger that an error of half of it is
 /// less than six digits of them.
 #[test]

@@ -134,11 +134,11 @@ fn what_a_difference_is_a_product_with_is_told() {
     let unknown = |k: usize| f64::from(u8::try_from(k).unwrap()).sin();
     assert_eq!(
         place(&|i, j, [_, by_xi]| by_xi[i] * unknown(j)),
-        ", and Ddg_T differs by a product of dxi with something"
+        ", in all of which xi is free, and Ddg_T differs by a product of dxi with something"
     );
     assert_eq!(
         place(&|i, j, [_, by_xi]| by_xi[i] * unknown(j) + 2.0 * unknown(i + 1) * by_xi[j]),
-        ", and Ddg_T differs by products with dxi in rows or columns"
+        ", where xi is free, and Ddg_T differs by products with dxi in rows or columns"
     );
     assert_eq!(place(&|i, j, _| unknown(i) * unknown(j)), "");
 }
