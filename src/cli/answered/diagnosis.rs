@@ -8,8 +8,8 @@ use crate::cli::count::count as counted;
 use crate::cli::terminal::folded;
 use crate::cli::words::error;
 use beamgap::check::external::{
-    self, Cause, Demands, Explanation, FewDigits, OtherConventions, RunnerUp, Shape, few_digits, locate,
-    other_conventions,
+    self, Cause, Demands, Explanation, FewDigits, Location, OtherConventions, RunnerUp, Shape, few_digits,
+    locate, other_conventions,
 };
 use beamgap::variant::with_faults;
 use few_digits::of_few;
@@ -60,16 +60,22 @@ impl Diagnosed {
         let is_not_finite = !judged.comparison.closed.is_finite();
         let location = explain.then(|| locate(vector, answers, judged, &demands.conventions)).flatten();
         let is_antisymmetric = location.as_ref().is_some_and(|location| location.is_antisymmetric);
-        let of_matrix = location.and_then(|location| {
-            let shape = location.shape.filter(|shape| *shape != Shape::Unsymmetric);
-            let of_shape = shape.map(|shape| format!("{}. Both triangles are expected", shape.words()));
-            let words = of_shape.or_else(|| Some(format!("has its {}", location.order.as_ref()?)))?;
-            Some(format!("{} {words}", matrix_name(&location, &judged.comparison)))
+        let of_matrix = |words: &dyn Fn(&Location) -> Option<String>| {
+            let location = location.as_ref()?;
+            Some(format!("{} {}", matrix_name(location, &judged.comparison), words(location)?))
+        };
+        let of_shape = of_matrix(&|location| {
+            let shape = location.shape.filter(|shape| *shape != Shape::Unsymmetric)?;
+            Some(format!("{}. Both triangles are expected", shape.words()))
         });
-        if of_matrix.is_some() {
-            return Self { of_matrix, few_digits, ..Self::default() };
+        if of_shape.is_some() {
+            return Self { of_matrix: of_shape, few_digits, ..Self::default() };
         }
         let other = other_conventions(&report.kept, demands);
+        let of_order = of_matrix(&|location| Some(format!("has its {}", location.order.as_ref()?)));
+        if of_order.is_some() && !other.as_ref().is_some_and(OtherConventions::agree) {
+            return Self { of_matrix: of_order, few_digits, ..Self::default() };
+        }
         let forces = report.forces().filter(|_| report.coverage.is_of_element());
         let place_of_force = forces.map(|wrong| place_of_force(&wrong));
         let found = Self { is_not_finite, is_antisymmetric, place_of_force, few_digits, ..Self::default() };
