@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 /// The maximum time that a program may take to end after its last answer.
 const GRACE: Duration = Duration::from_secs(5);
 /// The maximum time until a case that was sent is known.
-const AT_ONCE: Duration = Duration::from_secs(2);
+const AT_ONCE: Duration = Duration::from_millis(500);
 /// The maximum time for the end of a program after an answer that is cut off, so that the exit status is known.
 const LAST_WORDS: Duration = Duration::from_secs(1);
 
