@@ -181,6 +181,9 @@ fn place_of_force(wrong: &[&str]) -> &'static str {
     }
 }
 
+/// Said of an equation that follows others. A number before it can satisfy its equation and be wrong.
+const BEFORE: &str = "equations before it are satisfied";
+
 /// The cause, or that it is not known, 80 columns wide. `place_of_force` says what the forces show.
 fn cause(explanation: &Explanation, place_of_force: Option<&str>) -> String {
     let of_line = |line: &str| match line.strip_prefix("  - ") {
@@ -218,7 +221,8 @@ fn cause_in_long_lines(explanation: &Explanation, place_of_force: Option<&str>) 
                     let _ = writeln!(text, "Look there: {place}. {of_force}");
                 }
                 (Some(place), None) => {
-                    let _ = writeln!(text, "Look there: {place}; the numbers before it are right.");
+                    let before = if *is_of_formulas { "numbers before it are right" } else { BEFORE };
+                    let _ = writeln!(text, "Look there: {place}; the {before}.");
                 }
                 (None, _) => {}
             }
