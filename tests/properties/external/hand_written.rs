@@ -132,7 +132,7 @@ fn a_product_without_its_transpose_is_named() {
 
 #[test]
 fn wrong_parts_of_a_contact_element_are_named() {
-    let mut drawing = drawing(&[Family::Hermite], &[Regime::Generic], 8);
+    let mut drawing = drawing(&[Family::Hermite], &[Regime::Generic], 4);
     drawing.penetrating = true;
     let all = vectors(&drawing);
     let text = answers(&Evaluator { penalty: Some(250.0), ..Evaluator::default() }, &all);

@@ -163,7 +163,7 @@ mod tests {
     #[test]
     fn effects_are_those_of_the_changed_formulas() {
         let samples = right_answers(&[Family::Hermite]);
-        let points: Vec<_> = points(&samples).into_iter().step_by(20).collect();
+        let points: Vec<_> = points(&samples).into_iter().step_by(40).collect();
         let needed = (0..FORMULAS.names.0.len()).collect();
         let answered = points.iter().flat_map(Answered::all);
         let results: Vec<Answers> =

@@ -44,7 +44,7 @@ fn the_formulas_of_a_change_take_changed_values() {
 /// or the residual. Samples at which rounding hides them, or for which the way of writing is not valid, are left out.
 #[test]
 fn errors_in_other_ways_of_writing_are_told() {
-    let samples: Vec<Sample> = right_answers(&[Family::Hermite]);
+    let samples: Vec<Sample> = right_answers(&[Family::Hermite]).into_iter().step_by(2).collect();
     let of_element = |samples: &[Sample]| {
         found(samples, &|_| Vec::new(), &Vec::new).map_or_else(Vec::new, |traced| traced.causes)
     };
