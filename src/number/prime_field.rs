@@ -133,9 +133,11 @@ impl From<f64> for PrimeField {
     }
 }
 
+// In a build for tests these operations are calls, so that the formulas over them compile in less time.
 impl Add for PrimeField {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn add(self, other: Self) -> Self {
         Self { residue: reduced(self.residue + other.residue), degree: self.degree.sum(other.degree) }
     }
@@ -143,7 +145,8 @@ impl Add for PrimeField {
 
 impl Sub for PrimeField {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn sub(self, other: Self) -> Self {
         let residue = reduced(self.residue + (Self::PRIME - other.residue));
         Self { residue, degree: self.degree.sum(other.degree) }
@@ -152,7 +155,8 @@ impl Sub for PrimeField {
 
 impl Mul for PrimeField {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn mul(self, other: Self) -> Self {
         Self { residue: product(self.residue, other.residue), degree: self.degree.product(other.degree) }
     }
@@ -169,7 +173,8 @@ impl Div for PrimeField {
 
 impl Neg for PrimeField {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline)]
     fn neg(self) -> Self {
         Self { residue: reduced(Self::PRIME - self.residue), ..self }
     }
