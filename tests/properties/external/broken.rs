@@ -52,6 +52,27 @@ fn one_wrong_number_is_not_explained_by_a_factor() {
     assert!(found.causes.is_empty(), "{found:?}");
 }
 
+/// Where the cause is not known, the first equation that is not satisfied is told.
+#[test]
+fn where_to_look_is_told_if_the_cause_is_not_known() {
+    let path = exported("unknown.jsonl", &["--family", "segment", "--cases", "4", "--regime", "generic"]);
+    let vectors = path.to_str().unwrap();
+    let evaluated = String::from_utf8(run(&["evaluate", vectors]).stdout).unwrap();
+    let text = changed(&evaluated, |line| {
+        let Some(gradient) = line["xi"]["gradient"].as_array() else { return };
+        let wrong: Vec<f64> = gradient.iter().map(|entry| entry.as_f64().unwrap().sin()).collect();
+        *line = serde_json::json!({
+            "id": line["id"], "xi": { "gradient": wrong }, "xi_bar": { "gradient": line["xi_bar"]["gradient"] },
+        });
+    });
+    let output = run(&["verify", vectors, scratch("unknown-answers.jsonl", &text).to_str().unwrap()]);
+    let told = String::from_utf8(output.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    for words in ["Cause: not known. ", "Look there: ", "; the equations before it are satisfied."] {
+        assert!(told.contains(words), "{words:?} is not in {told}");
+    }
+}
+
 #[test]
 fn a_number_that_is_not_finite_is_wrong_and_named() {
     let path = exported("finite.jsonl", &["--family", "segment", "--cases", "2", "--expected", "none"]);
