@@ -73,7 +73,7 @@ impl Formulation {
     /// Cross products are used if sin θ < 1/4. The normal is used if sin θ < 1/4, ρ < sin θ/8 and d < t/2 for both
     /// beams, or if sin θ >= 1/4 and abs(t,ξ)² d⁴ < t⁴ (t² + d²) for both. Otherwise the length is used.
     ///
-    /// The choice depends on ratios of lengths alone while |t × t̄|² is within 1e±70. At its limits both lose as much.
+    /// It depends on ratios of lengths alone if |t × t̄|² is in 1e±70. Near its limits both agree within what either loses.
     #[inline]
     pub fn at(points: &Points<f64>, held: Held) -> Self {
         let Points { beam, bar, d } = points;
